@@ -8,6 +8,8 @@ if(DEFINED SKBUILD)
           LIBRARY DESTINATION regulus/plugins COMPONENT wheel)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/models DESTINATION regulus
           COMPONENT wheel FILES_MATCHING PATTERN "*.toml")
+  install(FILES ${PROJECT_BINARY_DIR}/share/regulus/page.html DESTINATION regulus
+          COMPONENT wheel OPTIONAL)
 else()
   set(python_dir lib/python3/dist-packages)
 endif()

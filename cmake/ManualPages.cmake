@@ -2,7 +2,7 @@
 # share/doc/regulus/manual: the manual as Markdown, and as HTML if cmark-gfm is there. The pages lie side by
 # side, and their links say so. cmark-gfm is small, and knows the tables that the pages have.
 set(REGULUS_MANUAL_PAGES
-    README.md models/README.md models/DATASHEETS.md codegen/EMBEDDING.md codegen/bound/BOUNDS.md codegen/command/CHECKING.md
+    README.md models/README.md models/DATASHEETS.md codegen/EMBEDDING.md codegen/answer/WHAT_WORKS.md codegen/bound/BOUNDS.md codegen/command/CHECKING.md
     codegen/import/IMPORTING.md codegen/model/MODEL_FILES.md codegen/mpi/CLUSTER.md codegen/page/PAGES.md
     codegen/python/PYTHON.md codegen/robot/AUTHORS.md codegen/shell/SHELL.md runtime/PERFORMANCE.md
     runtime/SOUNDNESS.md runtime/certificate/CERTIFICATES.md runtime/certificate/FORMAT.md

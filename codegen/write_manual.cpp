@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes manual pages and completions below a folder, as they are installed below share/.
+// Writes manual pages and completions below a folder, as they are installed below share/; or, with
+// --what-works, the page WHAT_WORKS.md to standard output.
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <string_view>
 
+#include "codegen/answer/refusals.hpp"
 #include "codegen/command/completion.hpp"
 #include "codegen/command/manual.hpp"
 #include "codegen/shell/shell_session.hpp"
@@ -22,6 +25,10 @@ bool write(const std::filesystem::path& path, const std::string& text) {
 int main(int argc, char** argv) {
   using namespace regulus;
   if (argc != 2) return 64;
+  if (std::string_view(argv[1]) == "--what-works") {
+    std::cout << what_works();
+    return std::cout.flush() ? 0 : 74;
+  }
   const std::filesystem::path share = argv[1];
   const std::vector<CommandEntry> table = command_table(ShellSession::commands());
   bool written = write(share / "bash-completion/completions/regulus", bash_completion(table)) &&

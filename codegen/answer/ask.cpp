@@ -1,12 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/answer/ask.hpp"
 
+#include <fmt/format.h>
+
+#include "codegen/answer/page_of_answers.hpp"
+#include "codegen/margin/margin_question.hpp"
+
 namespace regulus::inline answer {
 
 std::unique_ptr<Answer> ask(const Asked& asked, const Services& services) {
   return std::visit(
       [&services](const auto& one) -> std::unique_ptr<Answer> { return ask(one, services); },
       asked);
+}
+
+std::unique_ptr<Answer> ask_and_show(const Asked& asked, const Services& services) {
+  if (services.page.empty()) return ask(asked, services);
+  ModelOptions model = std::visit([](const auto& one) { return one.model; }, asked);
+  // A range LO:HI is no value that a model could be read with.
+  if (const auto* margin = std::get_if<AskMargin>(&asked))
+    static_cast<void>(take_question(model, margin->size));
+  PageOfAnswers page(PageTemplate::installed(), model, services.typed);
+  std::unique_ptr<Answer> answer = ask_for_page(asked, services, page);
+  const std::size_t size = page.write(services.page);
+  services.tell(fmt::format("page       {}, {:.0f} kB\n", services.page, double(size) / 1000));
+  return answer;
 }
 
 }  // namespace regulus::answer

@@ -19,6 +19,9 @@ namespace regulus::inline answer {
 ///           question does not have (refusals.hpp), FileError, CompileError and InternalError.
 [[nodiscard]] std::unique_ptr<Answer> ask(const Asked& asked, const Services& services);
 
+/// The same, and writes the page of the answer if Services::page names a file.
+[[nodiscard]] std::unique_ptr<Answer> ask_and_show(const Asked& asked, const Services& services);
+
 [[nodiscard]] std::unique_ptr<CheckAnswer> ask(const AskCheck& asked, const Services& services);
 [[nodiscard]] std::unique_ptr<PavingAnswer> ask(const AskPaving& asked, const Services& services);
 [[nodiscard]] std::unique_ptr<MarginAnswer> ask(const AskMargin& asked, const Services& services);

@@ -6,9 +6,9 @@
 #include <variant>
 
 #include "codegen/engine/options.hpp"
-#include "codegen/margin/margin_question.hpp"
-#include "codegen/model/request.hpp"
-#include "codegen/quantity/quantity.hpp"
+#include "codegen/margin/growing_size.hpp"
+#include "codegen/model/model_options.hpp"
+#include "codegen/quantity/quantity_options.hpp"
 
 namespace regulus::inline answer {
 

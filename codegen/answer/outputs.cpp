@@ -33,6 +33,7 @@ void set_outputs_aside(const ModelOptions& model, const SearchOptions& search,
   checkpoint.continues = true;
   outputs.push_back(checkpoint);
   outputs.push_back({services.dashes + "output", services.lines.file});
+  outputs.push_back({services.dashes + "page", services.page, true});
   for (const std::string& picture : services.pictures.files)
     outputs.push_back({services.dashes + "picture", picture});
   set_earlier_outputs_aside(inputs_of(model, search), outputs);

@@ -8,7 +8,7 @@
 
 #include "codegen/answer/services.hpp"
 #include "codegen/engine/options.hpp"
-#include "codegen/model/request.hpp"
+#include "codegen/model/model_options.hpp"
 #include "codegen/program/work_meter.hpp"
 #include "codegen/report/output_options.hpp"
 #include "runtime/problem/observer.hpp"

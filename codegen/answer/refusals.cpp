@@ -7,6 +7,7 @@
 #include <array>
 #include <vector>
 
+#include "codegen/margin/margin_question.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/trajectory/read_trajectory.hpp"
 
@@ -46,17 +47,13 @@ constexpr Refusal kRefusals[] = {
     {kLoad, kTheorem, kNoTheorem},
     {kLoad, kCheckpoint, kNotContinued},
     {kLoad, kRanks, kLoadOneMachine},
-    {kLoad, kPage, "a page shows the proof of a matrix; the report has the forces"},
     {kLoadPaving, kShards, "a proof about a load stays in one file"},
     {kLoadPaving, kTheorem, kNoTheorem},
     {kLoadPaving, kCheckpoint, kNotContinued},
     {kLoadPaving, kRanks, kLoadOneMachine},
     {kLoadPaving, kPicture, kLoadPicture},
-    {kLoadPaving, kPage, "a page shows the proof of a matrix; the report has the forces"},
-    {kLimitMargin, kPage, "a page shows margins of regularity; add the bound itself"},
     {kDatasheet, kShards, kOneFile},
     {kDatasheet, kRanks, kNoRows},
-    {kDatasheet, kPage, kNoRows},
     {kWayCheck, kShards, "the proof of a motion along way-points is one file"},
     {kWayCheck, kCheckpoint, kWayNotContinued},
     {kWayCheck, kRanks, kOneMachine},
@@ -72,7 +69,6 @@ constexpr Refusal kRefusals[] = {
     {kWayMargin, kRanks, kOneMachine},
     {kWayLimitMargin, kShards, kOneFile},
     {kWayLimitMargin, kRanks, kOneMachine},
-    {kWayLimitMargin, kPage, "a page shows margins of regularity; add the bound itself"},
     {kWayBound, kShards, kOneFile},
     {kWayBound, kRanks, kOneMachine},
     {kWayCondition2, kAnswer, kNoWayCondition},
@@ -80,11 +76,9 @@ constexpr Refusal kRefusals[] = {
     {kWayLoad, kTheorem, kNoTheorem},
     {kWayLoad, kCheckpoint, kNotContinued},
     {kWayLoad, kRanks, kOneMachine},
-    {kWayLoad, kPage, "a page shows the proof of a matrix; the report has the forces"},
     {kWayLoadPaving, kAnswer, kNoWayLoadPaving},
     {kWayDatasheet, kShards, kOneFile},
     {kWayDatasheet, kRanks, kNoRows},
-    {kWayDatasheet, kPage, kNoRows},
     // What has no boxes has no picture.
     {kCheck, kPicture, kNoBoxes, false},
     {kMargin, kPicture, kNoBoxes, false},

@@ -12,7 +12,7 @@
 
 #include "codegen/engine/options.hpp"
 #include "codegen/feasibility/force_claim.hpp"
-#include "codegen/picture/picture_options.hpp"
+#include "codegen/picture/picture_request.hpp"
 #include "codegen/support/earlier_outputs.hpp"
 #include "runtime/interval/interval.hpp"
 #include "runtime/search/paving.hpp"
@@ -34,6 +34,8 @@ struct Services {
   LinesRequest lines{};
   PictureRequest pictures{};
   std::string* tree = nullptr;  ///< gets the tree of a paving, as PavingTree::text()
+  std::string page{};           ///< file of a page of the answer; empty: none
+  std::string typed{};          ///< the command line, for the page
 
   /// Precedes the names of files and options in messages: "--" of a command, nothing of a program.
   std::string dashes{};

@@ -9,6 +9,7 @@
 //   bound     brackets the largest or least force, error or speed, or compares it with a limit
 //   check_load, locate_load  the same about a load: do forces within the limits hold it?
 //   verify    proves a certificate again
+//   write_page  shows an answer in a browser
 //   PreparedQuestion  a question that is asked again with other ranges and tolerances
 //   Kernel    compiled functions of a question, for checks of pieces of the motion in a loop
 //
@@ -23,6 +24,7 @@
 #include "codegen/api/load.hpp"
 #include "codegen/api/locate.hpp"
 #include "codegen/api/margin.hpp"
+#include "codegen/api/page.hpp"
 #include "codegen/api/prepared_question.hpp"
 #include "codegen/api/question.hpp"
 #include "codegen/robot/robot.hpp"

@@ -53,6 +53,7 @@ void CommandTables::add_bound() {
   add_bracket_checkpoint(*bound_command, bound.checkpoint);
   bound_command->get_option("--checkpoint")->description(kBoundCheckpoint);
   add_output_options(*bound_command, bound.output);
+  add_page_option(*bound_command, bound.output);
   bound_command->footer(kBoundFooter);
 }
 
@@ -77,6 +78,7 @@ void CommandTables::add_datasheet() {
   add_bracket_checkpoint(*datasheet_command, datasheet.checkpoint);
   datasheet_command->get_option("--checkpoint")->description(kBoundCheckpoint);
   add_output_options(*datasheet_command, datasheet.output);
+  add_page_option(*datasheet_command, datasheet.output);
   datasheet_command->footer(kDatasheetFooter);
 }
 

@@ -239,6 +239,7 @@ void CommandTables::add_check() {
   add_shard_option(*check_command, check.shard_size);
   add_checkpoint_options(*check_command, check.checkpoint);
   add_output_options(*check_command, check.output);
+  add_page_option(*check_command, check.output);
   add_load_option(*check_command, check.load);
   check_command->footer(kExitCodes);
 }
@@ -256,6 +257,7 @@ void CommandTables::add_locate() {
   refuse_checkpoint_options(
       *locate_command, "the output of a paving that was stopped lists the boxes it did not reach");
   add_output_options(*locate_command, locate.output);
+  add_page_option(*locate_command, locate.output);
   add_load_option(*locate_command, locate.load);
   locate_command->footer(kLocateExitCodes);
 }
@@ -272,6 +274,7 @@ void CommandTables::add_margin() {
   refuse_shard_option(*margin_command);
   add_bracket_checkpoint(*margin_command, margin.checkpoint);
   add_output_options(*margin_command, margin.output);
+  add_page_option(*margin_command, margin.output);
   margin_command->footer(kMarginFooter);
 }
 

@@ -19,17 +19,16 @@ using Names = std::vector<std::string>;
 
 const Names& names_in(const std::string& group) {
   static const std::map<std::string, Names> kNames = {
-      {kQuestion,
-       {"range", "tolerance", "alpha",        "from",     "waypoints", "tube",   "scale",
-        "grow",  "load",      "twist",        "leg",      "freedom",   "min",    "signed",
-        "norm",  "quantity",  "limit",        "bound",    "margin",    "paving", "model",
-        "base",  "tip",       "cut",          "actuated", "snap",      "stage",  "all",
-        "name",  "namespace", "beyond-limits"}},
+      {kQuestion, {"range",  "tolerance", "alpha",    "waypoints", "tube",      "scale",
+                   "grow",   "load",      "twist",    "leg",       "freedom",   "min",
+                   "signed", "norm",      "quantity", "limit",     "bound",     "margin",
+                   "paving", "model",     "base",     "tip",       "cut",       "actuated",
+                   "snap",   "stage",     "all",      "name",      "namespace", "beyond-limits"}},
       {kBudget,
        {"time-limit", "max-boxes", "threads", "gap", "resolution", "precision", "symbolic-budget"}},
       {kOutput,
        {"json", "quiet", "certificate", "shard-size", "checkpoint", "checkpoint-every", "output",
-        "picture", "axes", "slices", "shade", "markdown", "depfile", "object"}},
+        "page", "picture", "axes", "slices", "shade", "markdown", "depfile", "object"}},
       {kResearch,
        {"method", "determinant", "entries", "bisect", "uncertainty", "without", "engine", "isa",
         "filter", "no-cache"}}};
@@ -78,9 +77,7 @@ constexpr std::array<Examples, 12> kExamples = {
      {"datasheet", "  regulus datasheet orthoglide cube --gap 0.05 --markdown\n"},
      {"report",
       "  regulus report planar_3rpr crossing --output page.html --paving\n"
-      "      one page with the verdict, the robot, the boxes and the proof\n"
-      "  regulus report my.toml --from check.json --from proof.txt --output page.html\n"
-      "      the same, of the files of earlier runs\n"},
+      "      one page with the verdict, the robot, the boxes and the proof\n"},
      {"explain",
       "  regulus explain robot_1 wide_15\n"
       "      the forms of the first entries, and their occurrences\n"

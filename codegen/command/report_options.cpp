@@ -9,12 +9,6 @@ void add_report_options(CLI::App& app, ReportCommand& command) {
   app.add_option("-o,--output", command.page, "The page to write, for any browser, offline")
       ->required()
       ->type_name("FILE.html");
-  app.add_option("--from", command.from,
-                 "Show a certificate, or what --json printed for check, locate, bound or margin, "
-                 "without running it again; may be repeated")
-      ->take_all()
-      ->expected(1)
-      ->type_name("FILE");
   app.add_flag("--paving", command.paves, "Add the boxes of `regulus locate`");
   app.add_option(
          "--resolution", command.resolution,

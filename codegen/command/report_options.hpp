@@ -19,10 +19,9 @@ struct ReportCommand {
   ModelOptions model;
   SearchOptions search;
   OutputOptions output;
-  std::string page;               ///< file
-  std::vector<std::string> from;  ///< files of earlier runs
-  bool paves = false;             ///< add the boxes of `locate`
-  std::string resolution;         ///< of the paving, an expression; empty: by the number of ranges
+  std::string page;        ///< file
+  bool paves = false;      ///< add the boxes of `locate`
+  std::string resolution;  ///< of the paving, an expression; empty: by the number of ranges
   std::vector<std::string> bounds;   ///< quantities
   std::string load, twist;           ///< names, as in QuantityOptions
   std::vector<std::string> margins;  ///< "GROUP=LO:HI"

@@ -82,11 +82,11 @@ int run_command_line(CommandLine line, const std::string& typed) {
   if (line.exit_code) return *line.exit_code;
   find_models(line);
   if (line.list) return run_list(*line.list);
-  if (line.check) return run_question(question_of(*line.check));
-  if (line.locate) return run_question(question_of(*line.locate));
-  if (line.margin) return run_question(question_of(*line.margin));
-  if (line.bound) return run_question(question_of(*line.bound));
-  if (line.datasheet) return run_question(question_of(*line.datasheet));
+  if (line.check) return run_question(question_of(*line.check), typed);
+  if (line.locate) return run_question(question_of(*line.locate), typed);
+  if (line.margin) return run_question(question_of(*line.margin), typed);
+  if (line.bound) return run_question(question_of(*line.bound), typed);
+  if (line.datasheet) return run_question(question_of(*line.datasheet), typed);
   if (line.report) return run_report(*line.report, typed);
   if (line.generate) return run_generate(*line.generate, typed);
   if (line.verify) return run_verify(*line.verify);

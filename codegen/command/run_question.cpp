@@ -22,6 +22,7 @@ Services services_of(const OutputOptions& output, const std::string& certificate
   services.certificate = certificate;
   services.dashes = "--";
   services.shows_progress = !output.quiet;
+  services.page = output.page;
   if (!output.quiet) services.on_line = [](const std::string& line) { print_report(line); };
   return services;
 }
@@ -96,11 +97,12 @@ CommandQuestion question_of(const DatasheetCommand& command) {
   return question;
 }
 
-int run_question(CommandQuestion question) {
+int run_question(CommandQuestion question, const std::string& typed) {
   InterruptGuard interrupt;
   question.services.interrupt = &interrupt.requested();
+  question.services.typed = typed;
   question.services.on_search = [&interrupt] { interrupt.begin_search(); };
-  const std::unique_ptr<Answer> answer = ask(question.asked, question.services);
+  const std::unique_ptr<Answer> answer = ask_and_show(question.asked, question.services);
   print(*answer, question);
   return end_answer(*answer, question.output, interrupt.requested());
 }

@@ -27,7 +27,8 @@ struct CommandQuestion {
 [[nodiscard]] CommandQuestion question_of(const DatasheetCommand& command);
 
 /// Returns the exit code of the answer, after the report and all files are written.
-[[nodiscard]] int run_question(CommandQuestion question);
+/// `typed`: the command line as typed, for a page.
+[[nodiscard]] int run_question(CommandQuestion question, const std::string& typed);
 
 /// Waits for the rest of an answer; returns the exit code, or ends the process with it.
 [[nodiscard]] int end_answer(Answer& answer, const OutputOptions& output,

@@ -147,6 +147,13 @@ void add_output_options(CLI::App& app, OutputOptions& options) {
   app.add_flag("--quiet", options.quiet, "Print only the verdict (or the JSON report)");
 }
 
+void add_page_option(CLI::App& app, OutputOptions& options) {
+  app.add_option("--page", options.page,
+                 "Write a page of the answer, for any browser, offline: the robot, the claim, the "
+                 "proof or the bars. An earlier FILE.html is renamed to FILE.html.old")
+      ->type_name("FILE.html");
+}
+
 void add_checkpoint_options(CLI::App& app, CheckpointOptions& options) {
   app.add_option(
          "--checkpoint", options.path,

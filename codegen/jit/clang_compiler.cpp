@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "codegen/jit/clang_interface.h"
+#include "codegen/jit/kernel_compilation.hpp"
+#include "codegen/jit/load_error.hpp"
 #include "codegen/jit/plugin.hpp"
 
 namespace regulus::inline jit {
@@ -60,6 +62,21 @@ CompiledObject ClangCompiler::compile(const Compilation& compilation) const {
   require_memory(code);
   if (code != 0) result.object.clear();
   return result;
+}
+
+LoadedText ClangCompiler::load(std::string_view object) const {
+  const DefaultFloatingPoint environment;
+  CompiledObject result;
+  const auto load_object = reinterpret_cast<regulus_clang_load_function>(
+      open_plugin(plugin_, REGULUS_CLANG_LOAD_SYMBOL, result.open_seconds));
+  const std::vector<regulus_external> externals = kernel_externals();
+  const regulus_clang_sink sink = sink_into(result);
+  regulus_loaded loaded{};
+  const int code =
+      load_object(bytes_of(object), externals.data(), externals.size(), &sink, &loaded);
+  require_memory(code);
+  if (code != 0) throw LoadError(result.diagnostics);
+  return LoadedText(loaded);
 }
 
 }  // namespace regulus::jit

@@ -4,8 +4,10 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "codegen/jit/compilation.hpp"
+#include "codegen/jit/loaded_text.hpp"
 
 namespace regulus::inline jit {
 
@@ -31,6 +33,13 @@ class ClangCompiler {
   /// Ensures   the caller's floating-point environment is kept; the compiler sees the default one.
   /// Throws    CompilerUnavailable.
   [[nodiscard]] CompiledObject compile(const Compilation& compilation) const;
+
+  /// Brings the object of a text of a kernel into memory, by LLVM's linker. It may call
+  /// kernel_externals().
+  ///
+  /// Throws    LoadError for bytes that are not such an object, for an object that would have to
+  ///           run when it is loaded, and for a symbol that is not defined; CompilerUnavailable.
+  [[nodiscard]] LoadedText load(std::string_view object) const;
 
  private:
   std::filesystem::path plugin_;

@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 /// Changes with every incompatible change of this file; the loader refuses another number.
-enum { REGULUS_CLANG_INTERFACE = 7 };
+enum { REGULUS_CLANG_INTERFACE = 8 };
 
 /// What a compilation returns if memory ran out, which says nothing about the text.
 enum { REGULUS_CLANG_NO_MEMORY = 2 };
@@ -40,8 +40,7 @@ typedef struct regulus_clang_seconds {
 /// Receives the results; called before regulus_clang_compile returns, on the same thread.
 typedef struct regulus_clang_sink {
   void* state;
-  void (*object)(void* state,
-                 regulus_bytes object);  ///< on success, once; for parts, once for each
+  void (*object)(void* state, regulus_bytes object);            ///< on success; once for each part
   void (*diagnostics)(void* state, regulus_bytes diagnostics);  ///< at most once, never empty
   void (*seconds)(void* state, regulus_clang_seconds seconds);  ///< once, on success
 } regulus_clang_sink;
@@ -49,12 +48,32 @@ typedef struct regulus_clang_sink {
 /// The symbols a plugin exports.
 #define REGULUS_CLANG_INTERFACE_SYMBOL "regulus_clang_interface"
 #define REGULUS_CLANG_COMPILE_SYMBOL "regulus_clang_compile"
+#define REGULUS_CLANG_LOAD_SYMBOL "regulus_clang_load"
 
 typedef int (*regulus_clang_interface_function)(void);
 
 /// Compiles a C++ text to a relocatable ELF object for x86-64. Returns 0 on success.
 typedef int (*regulus_clang_compile_function)(const regulus_clang_request* request,
                                               const regulus_clang_sink* sink);
+
+/// A function of this process that an object may call.
+typedef struct regulus_external {
+  const char* name;
+  const void* address;
+} regulus_external;
+
+/// The object in memory.
+typedef struct regulus_loaded {
+  void* state;
+  void* (*find)(void* state, regulus_bytes name, size_t size);  ///< null: no such symbol
+  void (*unload)(void* state);
+} regulus_loaded;
+
+/// Loads an object of regulus_clang_compile by LLVM's linker. Returns 0 on success; otherwise the
+/// sink has the reason.
+typedef int (*regulus_clang_load_function)(regulus_bytes object, const regulus_external* externals,
+                                           size_t external_count, const regulus_clang_sink* sink,
+                                           regulus_loaded* loaded);
 
 /// Parts of pack programs (part.hpp), and the name of their instruction set.
 typedef struct regulus_parts_request {
@@ -65,7 +84,7 @@ typedef struct regulus_parts_request {
 
 #define REGULUS_PARTS_COMPILE_SYMBOL "regulus_parts_compile"
 
-/// Compiles each part to an object of its own; the sink gets them in their order. Returns 0 on
+/// Compiles each part to flat code (part.hpp); the sink gets them in their order. Returns 0 on
 /// success.
 typedef int (*regulus_parts_compile_function)(const regulus_parts_request* request,
                                               const regulus_clang_sink* sink);

@@ -8,6 +8,7 @@
 
 #include "codegen/jit/cache/key_parts.hpp"
 #include "codegen/jit/compile_steps.hpp"
+#include "codegen/jit/load_error.hpp"
 #include "codegen/jit/part.hpp"
 #include "codegen/jit/part_code.hpp"
 #include "codegen/jit/part_compiler.hpp"
@@ -129,20 +130,17 @@ void compile_missing(PartList& list, const std::vector<std::size_t>& missing,
                      const PartCompiler& compiler, Isa isa, CompileReport& report) try {
   std::vector<std::string_view> parts;
   for (const std::size_t i : missing) parts.emplace_back(list.bytes[i]);
-  const CompiledObjects compiled = compiler.compile(parts, isa);
-  if (compiled.objects.size() != missing.size())
+  CompiledParts compiled = compiler.compile(parts, isa);
+  if (compiled.codes.size() != missing.size())
     throw CompileError("the pack program does not compile: " + compiled.diagnostics,
                        compiled.diagnostics, {});
   report.open_compiler_seconds = compiled.open_seconds;
   report.front_end_seconds = compiled.front_end_seconds;
   report.code_generation_seconds = compiled.code_generation_seconds;
   for (std::size_t i = 0; i < missing.size(); ++i)
-    list.codes[missing[i]] = part_code(compiled.objects[i]);
+    list.codes[missing[i]] = std::move(compiled.codes[i]);
 } catch (const CompilerUnavailable& error) {
   throw NoCompiler(error.what());
-} catch (const LoadError& error) {
-  throw CompileError("the compiled pack program cannot be loaded: " + std::string(error.what()), {},
-                     {});
 }
 
 void keep(const PartList& list, const std::vector<std::size_t>& fresh, PartStore* store,

@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Compiles C++ text to machine code, with Clang.
-#include <span>
-
 #include "codegen/jit/clang_compiler.hpp"
 #include "codegen/jit/compile_steps.hpp"
 #include "codegen/jit/kernel_compilation.hpp"
+#include "codegen/jit/load_error.hpp"
 #include "codegen/jit/plugin.hpp"
 
 namespace regulus::inline jit {
 namespace {
 
-LoadedObject load(std::string_view object, CompileReport& report) {
+LoadedText load(const ClangCompiler& compiler, std::string_view object, CompileReport& report) try {
   const Timer timer(report.load_seconds);
-  return load_object(std::as_bytes(std::span(object)), kernel_externals());
+  return compiler.load(object);
+} catch (const CompilerUnavailable& error) {
+  throw NoCompiler(error.what());
 }
 
 /// Treats a sound cache entry that cannot be loaded as a damaged entry.
-std::optional<LoadedObject> load_from_cache(const ObjectCache& cache, const std::string& key,
-                                            CompileReport& report) try {
+std::optional<LoadedText> load_from_cache(const ClangCompiler& compiler, const ObjectCache& cache,
+                                          const std::string& key, CompileReport& report) try {
   ObjectCache::Entry entry;
   {
     const Timer timer(report.cache_seconds);
@@ -25,7 +26,7 @@ std::optional<LoadedObject> load_from_cache(const ObjectCache& cache, const std:
   }
   report.cache_note = entry.note;
   if (!entry.object) return std::nullopt;
-  return load(*entry.object, report);
+  return load(compiler, *entry.object, report);
 } catch (const LoadError& error) {
   report.cache_note = error.what();
   return std::nullopt;
@@ -47,32 +48,32 @@ std::string compile_object(const ClangCompiler& compiler, const Compilation& com
   }
 }
 
-LoadedObject load_fresh(const std::string& object, std::string_view text, CompileReport& report) {
-  try {
-    return load(object, report);
-  } catch (const LoadError& error) {
-    throw CompileError("the compiled text cannot be loaded: " + std::string(error.what()), {},
-                       std::string(text));
-  }
+LoadedText load_fresh(const ClangCompiler& compiler, const std::string& object,
+                      std::string_view text, CompileReport& report) try {
+  return load(compiler, object, report);
+} catch (const LoadError& error) {
+  throw CompileError("the compiled text cannot be loaded: " + std::string(error.what()), {},
+                     std::string(text));
 }
 
-LoadedObject compile_or_find(std::string_view text, const CompileOptions& options,
-                             CompileReport& report) {
+LoadedText compile_or_find(std::string_view text, const CompileOptions& options,
+                           CompileReport& report) {
   const ClangCompiler compiler;
   const Compilation compilation = kernel_compilation(text, options.isa);
   const auto cache = open_cache(options, report);
-  if (!cache) return load_fresh(compile_object(compiler, compilation, report), text, report);
+  if (!cache)
+    return load_fresh(compiler, compile_object(compiler, compilation, report), text, report);
   {
     const Timer timer(report.cache_seconds);
     report.object_key = object_key(compilation, compiler.identity());
   }
-  if (auto found = load_from_cache(*cache, report.object_key, report)) {
+  if (auto found = load_from_cache(compiler, *cache, report.object_key, report)) {
     report.cache = CacheUse::kHit;
     return std::move(*found);
   }
   report.cache = CacheUse::kMiss;
   const std::string object = compile_object(compiler, compilation, report);
-  LoadedObject loaded = load_fresh(object, text, report);
+  LoadedText loaded = load_fresh(compiler, object, text, report);
   const Timer timer(report.cache_seconds);
   append_note(report, cache->write(report.object_key, object));
   return loaded;
@@ -92,7 +93,7 @@ const regulus_kernel* find(const MachineCode& code, const EmittedKernel& emitted
 
 MachineCode compile_text(std::string_view text, const CompileOptions& options) {
   CompileReport report;
-  std::optional<LoadedObject> loaded;
+  std::optional<LoadedText> loaded;
   {
     const Timer timer(report.total_seconds);
     loaded.emplace(compile_or_find(text, options, report));

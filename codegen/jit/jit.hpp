@@ -13,7 +13,7 @@
 #include "codegen/cpp/emitted_kernel.hpp"
 #include "codegen/jit/cache/object_cache.hpp"
 #include "codegen/jit/cache/part_store.hpp"
-#include "codegen/jit/loader/machine_code.hpp"
+#include "codegen/jit/machine_code.hpp"
 #include "runtime/kernel/abi.hpp"
 #include "runtime/kernel/isa.hpp"
 #include "runtime/machine/pack_program.hpp"

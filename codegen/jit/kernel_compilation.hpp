@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "codegen/jit/clang_interface.h"
 #include "codegen/jit/compilation.hpp"
-#include "codegen/jit/loader/object_loader.hpp"
 #include "runtime/kernel/isa.hpp"
 
 namespace regulus::inline jit {
@@ -15,6 +15,6 @@ namespace regulus::inline jit {
 [[nodiscard]] Compilation kernel_compilation(std::string_view text, Isa isa);
 
 /// Returns the functions that a kernel may call.
-[[nodiscard]] std::vector<ExternalSymbol> kernel_externals();
+[[nodiscard]] std::vector<regulus_external> kernel_externals();
 
 }  // namespace regulus::jit

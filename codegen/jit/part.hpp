@@ -18,6 +18,13 @@ struct PartProgram {
   std::vector<Interval> constants;
 };
 
+/// The function that a part is compiled to.
+inline constexpr std::string_view kPartSymbol = "part";
+
+/// The code of a part, then its constants, is valid at every address that is a multiple of this.
+/// The function begins at the first byte.
+inline constexpr std::size_t kCodeAlignment = 64;
+
 /// Returns part number `part` as bytes that have only one reading.
 ///
 /// Requires  find_fault finds none in the function.

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cstring>
-#include <span>
 
-#include "codegen/jit/loader/object_loader.hpp"
+#include "codegen/jit/load_error.hpp"
+#include "codegen/jit/part.hpp"
 
 namespace regulus::inline jit {
 namespace {
@@ -24,10 +24,6 @@ std::vector<std::size_t> offsets_of(const std::vector<std::string>& codes) {
 }
 
 }  // namespace
-
-std::string part_code(std::string_view object) {
-  return flat_code(std::as_bytes(std::span(object)), kPartSymbol, kCodeAlignment);
-}
 
 LoadedParts::LoadedParts(const std::vector<std::string>& codes)
     : offsets_(offsets_of(codes)), mapping_(offsets_.back()) {

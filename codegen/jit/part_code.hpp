@@ -4,10 +4,9 @@
 
 #include <cstddef>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "codegen/jit/loader/memory_mapping.hpp"
+#include "codegen/jit/memory_mapping.hpp"
 #include "runtime/machine/step.hpp"
 
 namespace regulus::inline jit {
@@ -18,21 +17,10 @@ namespace regulus::inline jit {
 using PartFunction = unsigned (*)(const double* boxes, const double* points, machine::Slot* slots,
                                   double* out, const machine::StepFunction* operations);
 
-inline constexpr std::string_view kPartSymbol = "part";
-
-/// Returns the machine code of a part: code, then constants, valid at every address that is a
-/// multiple of kCodeAlignment. The function begins at the first byte.
-///
-/// Throws    LoadError for bytes that are not the object of a part: with anything except code,
-///           constants and distances between them.
-[[nodiscard]] std::string part_code(std::string_view object);
-
-inline constexpr std::size_t kCodeAlignment = 64;
-
 /// The code of several parts in memory: readable and executable, and no longer writable.
 class LoadedParts {
  public:
-  /// Requires  results of part_code, in this run or in an earlier run of the same program.
+  /// Requires  flat codes of PartCompiler, in this run or in an earlier run of the same program.
   /// Throws    LoadError if the system refuses executable memory; std::bad_alloc.
   explicit LoadedParts(const std::vector<std::string>& codes);
 

@@ -9,17 +9,17 @@ namespace {
 
 regulus_bytes bytes_of(std::string_view text) { return {text.data(), text.size()}; }
 
-regulus_clang_sink sink_into(CompiledObjects& result) {
+regulus_clang_sink sink_into(CompiledParts& result) {
   return {&result,
-          [](void* state, regulus_bytes object) {
-            static_cast<CompiledObjects*>(state)->objects.emplace_back(object.data, object.size);
+          [](void* state, regulus_bytes code) {
+            static_cast<CompiledParts*>(state)->codes.emplace_back(code.data, code.size);
           },
           [](void* state, regulus_bytes diagnostics) {
-            static_cast<CompiledObjects*>(state)->diagnostics.assign(diagnostics.data,
-                                                                     diagnostics.size);
+            static_cast<CompiledParts*>(state)->diagnostics.assign(diagnostics.data,
+                                                                   diagnostics.size);
           },
           [](void* state, regulus_clang_seconds seconds) {
-            auto& into = *static_cast<CompiledObjects*>(state);
+            auto& into = *static_cast<CompiledParts*>(state);
             into.front_end_seconds = seconds.front_end;
             into.code_generation_seconds = seconds.code_generation;
           }};
@@ -32,9 +32,9 @@ PartCompiler::PartCompiler()
       identity_("LLVM " REGULUS_CLANG_VERSION "; " + file_identity(plugin_) + "; " +
                 file_identity(REGULUS_LLVM_LIBRARY)) {}
 
-CompiledObjects PartCompiler::compile(const std::vector<std::string_view>& parts, Isa isa) const {
+CompiledParts PartCompiler::compile(const std::vector<std::string_view>& parts, Isa isa) const {
   const DefaultFloatingPoint environment;
-  CompiledObjects result;
+  CompiledParts result;
   const auto compile_parts = reinterpret_cast<regulus_parts_compile_function>(
       open_plugin(plugin_, REGULUS_PARTS_COMPILE_SYMBOL, result.open_seconds));
   std::vector<regulus_bytes> bytes;
@@ -43,7 +43,7 @@ CompiledObjects PartCompiler::compile(const std::vector<std::string_view>& parts
   const regulus_clang_sink sink = sink_into(result);
   const int code = compile_parts(&request, &sink);
   require_memory(code);
-  if (code != 0) result.objects.clear();
+  if (code != 0) result.codes.clear();
   return result;
 }
 

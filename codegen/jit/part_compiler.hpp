@@ -11,8 +11,8 @@
 
 namespace regulus::inline jit {
 
-struct CompiledObjects {
-  std::vector<std::string> objects;  ///< ELF, one for each part, in order; empty after a failure
+struct CompiledParts {
+  std::vector<std::string> codes;  ///< flat code (part.hpp) of each part; empty after a failure
   std::string diagnostics;
   double open_seconds = 0;  ///< loading the compiler, the first time
   double front_end_seconds = 0;
@@ -27,14 +27,13 @@ class PartCompiler {
   /// the compiler.
   [[nodiscard]] const std::string& identity() const noexcept { return identity_; }
 
-  /// The symbol kPartSymbol of each object is a PartFunction (part_code.hpp). Opens the plugin at
-  /// the first call; spreads many parts over threads. Any number of threads may call it.
+  /// Each code is a PartFunction (part_code.hpp). Opens the plugin at the first call; spreads many parts over threads. Any number of threads may call it.
   ///
   /// Requires  bytes of part_bytes.
-  /// Ensures   equal bytes give equal objects. The caller's floating-point environment is kept; the
+  /// Ensures   equal bytes give equal code. The caller's floating-point environment is kept; the
   ///           compiler sees the default one.
   /// Throws    CompilerUnavailable.
-  [[nodiscard]] CompiledObjects compile(const std::vector<std::string_view>& parts, Isa isa) const;
+  [[nodiscard]] CompiledParts compile(const std::vector<std::string_view>& parts, Isa isa) const;
 
  private:
   std::filesystem::path plugin_;

@@ -12,6 +12,7 @@
 
 #include "codegen/certificate/certificate_question.hpp"
 #include "codegen/engine/pipeline.hpp"
+#include "codegen/margin/growing_size.hpp"
 
 namespace regulus::inline bracketing {
 
@@ -52,12 +53,6 @@ struct MarginQuestion {
 /// Returns the value at which the kernel is formed. The kernel is the same at all values except 0,
 /// where quantities would not be uncertain, so the value is not 0.
 [[nodiscard]] MarginValue forming_value(const MarginQuestion& question);
-
-/// The sizes that the words of a command line let grow, "LO:HI"; empty: another one grows.
-struct GrowingSize {
-  std::string scale{};      ///< of the ranges of a box variety
-  std::string parameter{};  ///< "p=LO:HI": p is in [its declared low end, v]
-};
 
 /// Removes the one option with a range: a tolerance or the alpha of `model`, or one of `size`. The
 /// others stay as they are. Throws UsageError.

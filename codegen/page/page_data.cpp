@@ -72,17 +72,15 @@ void set_deciding_segment(PageData& data, const Request& request,
       certified_question(piece_request(request, number - 1), uncertain).text;
 }
 
-void add_source(PageData& data, const EarlierRun& run, const std::string& note) {
-  data.sources.push_back(
-      {{"kind", name(run.kind)}, {"file", run.path}, {"sha256", run.sha256}, {"note", note}});
-}
-
 std::string json_text(const PageData& data) {
   const Json json = {
       {"format", kFormat},
       {"version", kVersion},
       {"command", data.command},
       {"again", data.again},
+      {"kind", data.kind},
+      {"headline", data.headline},
+      {"text", data.kind == "check" ? "" : data.text},
       {"report", data.report},
       {"units", data.units},
       {"question", data.question},
@@ -93,8 +91,7 @@ std::string json_text(const PageData& data) {
       {"paving", data.paving},
       {"way", data.way},
       {"bounds", data.bounds},
-      {"margins", data.margins},
-      {"sources", data.sources}};
+      {"margins", data.margins}};
   return json.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The data of a page: the question, the report and the proof of a check, and what else was asked.
+// The data of a page: the question, an answer with its proof, and what else was asked.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -7,14 +7,21 @@
 #include <string>
 #include <vector>
 
-#include "codegen/page/earlier_run.hpp"
+#include "codegen/model/model_options.hpp"
+
+namespace regulus::inline model {
+struct Request;
+}
 
 namespace regulus::inline page {
 
 struct PageData {
   std::string command;             ///< the command line that makes the page
   std::vector<std::string> again;  ///< command lines that prove the verdict again
-  nlohmann::ordered_json report;   ///< as `check --json` prints it
+  std::string kind;                ///< of the first answer: "check", "paving", "bound", …
+  std::string headline;            ///< "NO SINGULARITY"
+  std::string text;                ///< the report for people
+  nlohmann::ordered_json report;   ///< as --json prints it
   std::string question;            ///< of the certificate, from `model` on
   std::string certificate;         ///< the whole text; empty: there is none
   std::string certificate_note;    ///< why there is none
@@ -25,8 +32,6 @@ struct PageData {
   nlohmann::ordered_json bounds = nlohmann::ordered_json::array();   ///< as `bound --json`
   nlohmann::ordered_json margins = nlohmann::ordered_json::array();  ///< as `margin --json`
   nlohmann::ordered_json units;  ///< of the motion and pose parameters, by name
-  /// The files of earlier runs: {"kind", "file", "sha256"}, and "note" on what was checked.
-  nlohmann::ordered_json sources = nlohmann::ordered_json::array();
 };
 
 /// Sets the parts that follow from the question alone. `uncertain`: the constants of the robot that
@@ -39,9 +44,6 @@ void set_question(PageData& data, const Request& request, const std::set<std::st
 /// Requires  data.report is a report along way-points with a segment.
 void set_deciding_segment(PageData& data, const Request& request,
                           const std::set<std::string>& uncertain);
-
-/// Adds a file of an earlier run to the sources.
-void add_source(PageData& data, const EarlierRun& run, const std::string& note);
 
 /// Returns one JSON object in ASCII. Bytes that are not UTF-8 are replaced.
 [[nodiscard]] std::string json_text(const PageData& data);

@@ -49,7 +49,10 @@ std::string json_for_html(std::string_view json) {
 }
 
 PageTemplate PageTemplate::installed() {
-  const auto file = folder_of_executable() / "../share/regulus/page.html";
+  return of_file(folder_of_executable() / "../share/regulus/page.html");
+}
+
+PageTemplate PageTemplate::of_file(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in)
     throw FileError(

@@ -22,6 +22,8 @@ class PageTemplate {
   ///
   /// Throws    FileError that says how to get it, if the program was built without it.
   [[nodiscard]] static PageTemplate installed();
+  /// Reads another file. Throws as installed().
+  [[nodiscard]] static PageTemplate of_file(const std::string& file);
 
   /// Throws    FileError unless the text has each place for data once.
   explicit PageTemplate(std::string text);

@@ -3,27 +3,13 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "codegen/picture/picture_request.hpp"
 #include "codegen/report/paving_options.hpp"
 
 namespace regulus::inline picture {
-
-/// The meaning of a tile's colour, about all boxes over it.
-enum class Shade : std::uint8_t {
-  kWorst,  ///< the worst claim of them
-  kShare,  ///< the part of their volume that is free
-};
-
-/// The options as on the command line.
-struct PictureRequest {
-  std::vector<std::string> files{};  ///< .svg, .pdf, .png: a map or a curve; .vtu: boxes in space
-  std::string axes{};    ///< "p,q"; empty: the first two that are not single values nor sliced
-  std::string slices{};  ///< "p=N"; empty: one picture of all values
-  Shade shade = Shade::kWorst;
-};
 
 /// A plane in which a motion parameter has one value.
 struct Slice {

@@ -241,6 +241,19 @@ void bind_searches(py::module_& module) {
 
 void bind_files(py::module_& module) {
   module.def(
+      "write_page",
+      [](const Question& question, const std::string& kind, const std::string& headline,
+         const std::string& report, const std::string& json, const std::string& certificate,
+         const std::string& page_template, const std::string& path) {
+        const PageContents contents{kind, headline, report, json, certificate, "", page_template};
+        run_there([=](const std::atomic<bool>&) {
+          write_page(question, contents, path);
+          return true;
+        });
+      },
+      py::arg("question"), py::arg("kind"), py::arg("headline"), py::arg("report"), py::arg("json"),
+      py::arg("certificate"), py::arg("page_template"), py::arg("path"));
+  module.def(
       "verify",
       [](const std::string& path, const std::string& model, const std::string& waypoints,
          unsigned threads, double time_limit, std::uint64_t max_boxes) {

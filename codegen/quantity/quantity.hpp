@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "codegen/model/model.hpp"
+#include "codegen/quantity/quantity_options.hpp"
 
 namespace regulus::inline quantity {
 
@@ -22,18 +23,6 @@ enum class QuantityKind {
   kDeflection,   ///< of the pose under a load, by the stiffness of the motors
   kDeterminant,  ///< the least |det J⁻¹|
   kExpression,
-};
-
-/// The words of the command line about a quantity.
-struct QuantityOptions {
-  std::string quantity{};  ///< a word of quantity_words(), or an expression
-  std::string load{};      ///< name; empty: the only load of the model
-  std::string twist{};     ///< name; empty: the only twist of the model
-  std::string row{};       ///< number of a leg or row, from 1; empty: all
-  std::string freedom{};   ///< name of a column, "position" or "rotation"; empty: every column
-  bool least = false;      ///< the least value in the place of the largest
-  bool is_signed = false;  ///< the largest value with its sign, not the largest absolute value
-  std::string norm{};      ///< of a condition number: "2" or "max"; empty: "max"
 };
 
 /// The part of the pose that a component is about, if it is not a single column.

@@ -22,8 +22,7 @@ struct CheckpointedQuestion {
 /// The bytes of a certificate that belong to a checkpoint.
 struct CertificateSoFar {
   std::uint64_t length = 0;
-  /// SHA-256 of these bytes, 64 hexadecimal digits; empty in a checkpoint of format 1.
-  std::string sha256;
+  std::string sha256;  ///< of these bytes, 64 hexadecimal digits
 };
 
 struct Checkpoint {
@@ -47,6 +46,9 @@ class CheckpointError : public std::runtime_error {
 [[nodiscard]] std::string write_checkpoint(const CheckpointedQuestion& question,
                                            const SearchState& state, const OpenBoxes& open,
                                            const std::optional<CertificateSoFar>& certificate);
+
+/// Returns the last line of a checkpoint: the SHA-256 of all lines before it.
+[[nodiscard]] std::string end_of_checkpoint(std::string_view before);
 
 /// Accepts any bytes. Throws CheckpointError.
 ///

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <charconv>
-#include <cinttypes>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 
 #include "runtime/checkpoint/checkpoint.hpp"
-#include "runtime/checkpoint/checksum.hpp"
 
 namespace regulus {
 namespace {
 
-constexpr std::size_t kEndLine = sizeof "end 0123456789abcdef\n" - 1;
+constexpr std::string_view kFirstLine = "regulus checkpoint 5\n";
+constexpr std::size_t kDigest = 64;
+constexpr std::size_t kEndLine = sizeof "end " - 1 + kDigest + sizeof "\n" - 1;
 
 /// Splits a text into lines and words.
 class Reader {
@@ -103,12 +102,10 @@ class Reader {
   std::size_t line_ = 0;
 };
 
-std::string_view without_checksum(std::string_view text) {
+std::string_view without_digest(std::string_view text) {
   if (text.size() < kEndLine) throw CheckpointError("it is incomplete");
   const std::string_view body = text.substr(0, text.size() - kEndLine);
-  char end[32];
-  std::snprintf(end, sizeof end, "end %016" PRIx64 "\n", checksum(body));
-  if (text.substr(body.size()) != end)
+  if (text.substr(body.size()) != end_of_checkpoint(body))
     throw CheckpointError("it is damaged: its checksum is wrong");
   return body;
 }
@@ -187,24 +184,20 @@ void read_early(Reader& reader, SearchState& state) {
   }
 }
 
-/// Only the first format has no hash.
-CertificateSoFar read_certificate(Reader& reader, int format) {
+CertificateSoFar read_certificate(Reader& reader) {
   CertificateSoFar certificate;
   certificate.length = reader.number();
-  if (format == 1) return certificate;
   certificate.sha256 = reader.word();
-  if (certificate.sha256.size() != 64 ||
+  if (certificate.sha256.size() != kDigest ||
       certificate.sha256.find_first_not_of("0123456789abcdef") != std::string::npos)
     reader.refuse("64 hexadecimal digits");
   return certificate;
 }
 
-/// Returns the format of the text.
-int format_of(std::string_view text) {
+void require_format(std::string_view text) {
+  if (text.starts_with(kFirstLine)) return;
   if (!text.starts_with("regulus checkpoint ")) throw CheckpointError("it is not a checkpoint");
-  for (const int format : {1, 2, 3, 4})
-    if (text.starts_with("regulus checkpoint " + std::to_string(format) + '\n')) return format;
-  throw CheckpointError("its format is of another version");
+  throw CheckpointError("another version of regulus has written it, in another format");
 }
 
 void read_counts(Reader& reader, SearchState& state) {
@@ -238,9 +231,9 @@ std::vector<OpenBox> Checkpoint::open() const {
 }
 
 Checkpoint read_checkpoint(std::string_view text, const CheckpointedQuestion& question) {
-  const int format = format_of(text);
-  Reader reader(without_checksum(text));
-  reader.next_line("regulus checkpoint " + std::to_string(format));
+  require_format(text);
+  Reader reader(without_digest(text));
+  reader.next_line(kFirstLine.substr(0, kFirstLine.size() - 1));
   reader.next_line("question");
   if (reader.word() != question.identity)
     throw CheckpointError(
@@ -248,17 +241,14 @@ Checkpoint read_checkpoint(std::string_view text, const CheckpointedQuestion& qu
         "threshold");
   Checkpoint result;
   read_counts(reader, result.state);
-  if (format > 1) read_candidates(reader, question.ranges.size(), result.state.candidates);
-  if (format > 2)
-    read_run(reader, result.state);
-  else
-    result.state.headway.begin(result.state.statistics.boxes);
+  read_candidates(reader, question.ranges.size(), result.state.candidates);
+  read_run(reader, result.state);
   reader.next_line("blocked");
   read_blocked(reader, question, result.state);
   reader.next_line("certificate");
-  if (!reader.take(" none")) result.certificate = read_certificate(reader, format);
-  if (format > 2) read_units(reader, result.state);
-  if (format > 3) read_early(reader, result.state);
+  if (!reader.take(" none")) result.certificate = read_certificate(reader);
+  read_units(reader, result.state);
+  read_early(reader, result.state);
   reader.next_line("open");
   const std::uint64_t count = reader.number();
   const std::vector<std::uint32_t>& units = result.state.units;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cinttypes>
 #include <cstdio>
 
 #include "runtime/checkpoint/checkpoint.hpp"
-#include "runtime/checkpoint/checksum.hpp"
+#include "runtime/files/sha256.hpp"
 
 namespace regulus {
 namespace {
@@ -91,7 +90,7 @@ void put_counts(std::string& text, const SearchState& state) {
 std::string write_checkpoint(const CheckpointedQuestion& question, const SearchState& state,
                              const OpenBoxes& open,
                              const std::optional<CertificateSoFar>& certificate) {
-  std::string text = "regulus checkpoint 4\nquestion " + question.identity + "\nnext";
+  std::string text = "regulus checkpoint 5\nquestion " + question.identity + "\nnext";
   put(text, state.next_id);
   put_counts(text, state);
   put(text, state.candidates);
@@ -124,9 +123,9 @@ std::string write_checkpoint(const CheckpointedQuestion& question, const SearchS
     put(text, box.box.first(question.splittable));
   }
   text += '\n';
-  char end[32];
-  std::snprintf(end, sizeof end, "end %016" PRIx64 "\n", checksum(text));
-  return text + end;
+  return text + end_of_checkpoint(text);
 }
+
+std::string end_of_checkpoint(std::string_view before) { return "end " + sha256(before) + '\n'; }
 
 }  // namespace regulus

@@ -254,8 +254,8 @@ TEST_F(BoundCommandTest, ADatasheetHasProofsAndContinues) {
   ASSERT_EQ(again.at("bounds").size(), sheet.at("bounds").size());
   for (std::size_t i = 0; i < sheet["bounds"].size(); ++i)
     EXPECT_EQ(again["bounds"][i]["result"], sheet["bounds"][i]["result"]);
-  const CommandResult other = run({"datasheet", model_, "--checkpoint", saved, "--tolerance",
-                                   "no=0.1"});
+  const CommandResult other =
+      run({"datasheet", model_, "--checkpoint", saved, "--tolerance", "no=0.1"});
   EXPECT_NE(other.exit_code, 0);
 }
 

@@ -129,126 +129,80 @@ TEST_F(AReport, RefusesWhatItCannotShow) {
   EXPECT_THAT(no_file.errors, HasSubstr("--output"));
 }
 
-/// Reports and proofs of earlier runs about a part of a motion of robot 1.
-class AReportOfEarlierRuns : public AReport {
+/// The page that --page of a question makes.
+class APage : public AReport {
  protected:
-  void SetUp() override {
-    AReport::SetUp();
-    if (IsSkipped()) return;
-    const CommandResult checked =
-        run_command({kProgram, "check", kRobot, "wide_15", "--range", "x=-1:1", "--tolerance",
-                     "base=0.01", "--certificate", proof_, "--json", "--quiet"});
-    std::ofstream(check_) << checked.output;
+  /// Returns the data of the page of a question, whose command ends with `exit_code`.
+  nlohmann::json page_of(std::vector<std::string> words, int exit_code) {
+    words.insert(words.begin(), kProgram);
+    words.insert(words.end(), {"--page", page_});
+    const CommandResult made = run_command(words);
+    EXPECT_EQ(made.exit_code, exit_code) << made.errors;
+    EXPECT_THAT(made.errors, HasSubstr("page       " + page_));
+    headline_ = made.output.substr(0, made.output.find('\n'));
+    return data_of(page_);
   }
-
-  void expect_refused(std::vector<std::string> words, const std::string& message) {
-    const CommandResult refused = report(std::move(words));
-    EXPECT_EQ(refused.exit_code, 65) << message;
-    EXPECT_THAT(refused.errors, HasSubstr(message));
-    EXPECT_FALSE(fs::exists(page_));
-  }
-  void write(const std::string& file, const std::string& text) { std::ofstream(file) << text; }
-
-  const std::string kRobot = kModels + "robot_1.toml";
-  const std::string proof_ = folder_.path() / "proof.txt", check_ = folder_.path() / "check.json",
-                    other_ = folder_.path() / "other";
+  std::string headline_;
 };
 
-TEST_F(AReportOfEarlierRuns, TakesTheQuestionOfTheFiles) {
-  for (const auto& files : {std::vector{proof_}, {check_}, {check_, proof_}, {proof_, check_}}) {
-    std::vector<std::string> words{kRobot};
-    for (const std::string& file : files) words.insert(words.end(), {"--from", file});
-    const CommandResult made = report(words);
-    EXPECT_EQ(made.exit_code, 0) << made.errors;
-    EXPECT_EQ(made.output, "NO SINGULARITY\n");
-    const nlohmann::json data = data_of(page_);
-    EXPECT_EQ(data["sources"].size(), files.size());
-    EXPECT_THAT(data["question"].get<std::string>(), HasSubstr("parameter x in -1 : 1\n"));
-    EXPECT_THAT(data["question"].get<std::string>(), HasSubstr(" +- 1/100\n"));
-    EXPECT_EQ(data["certificate"].is_string(), files != std::vector{check_});
-    EXPECT_THAT(data["again"][0].get<std::string>(), HasSubstr("--tolerance base=1/100"));
-  }
+TEST_F(APage, OfACheckHasItsProofWithoutAFileOfIt) {
+  const auto data = page_of({"check", kModels + "robot_1.toml", "wide_15"}, 0);
+  EXPECT_EQ(data["kind"], "check");
+  EXPECT_EQ(data["headline"], headline_);
+  EXPECT_THAT(data["certificate"].get<std::string>(),
+              HasSubstr(data["question"].get<std::string>()));
+  EXPECT_FALSE(data["report"].contains("certificate"));
 }
 
-TEST_F(AReportOfEarlierRuns, RefusesAnotherQuestion) {
-  expect_refused({kRobot, "--from", check_, "--range", "x=-2:2"}, "--range x=-1:1");
-  expect_refused({kRobot, "--from", proof_, "--range", "x=-2:2"}, "other ranges");
-  expect_refused({kRobot, "table4_1", "--from", check_}, "about the motion \"wide_15\"");
-  expect_refused({kModels + "robot_2.toml", "--from", check_}, "about the model \"robot 1\"");
-  expect_refused({kModels + "robot_2.toml", "--from", proof_}, "SHA-256");
+TEST_F(APage, OfACheckKeepsTheFileThatIsWanted) {
+  const std::string proof = folder_.path() / "proof";
+  const auto data =
+      page_of({"check", kModels + "robot_1.toml", "wide_15", "--certificate", proof}, 0);
+  EXPECT_EQ(data["certificate"], text_of(proof));
 }
 
-TEST_F(AReportOfEarlierRuns, RefusesADamagedProof) {
-  std::string text = text_of(proof_);
-  const std::size_t rule = text.rfind("\nl ");
-  write(other_, text.substr(0, rule + 1) + text.substr(text.find('\n', rule + 1) + 1));
-  expect_refused({kRobot, "--from", other_}, "this certificate is not verified");
-  nlohmann::json forged = nlohmann::json::parse(text_of(check_));
-  forged["verdict"] = "singularity";
-  write(other_, forged.dump());
-  expect_refused({kRobot, "--from", other_, "--from", proof_}, "verdict");
+TEST_F(APage, OfAPavingHasItsBoxes) {
+  const auto data = page_of({"locate", kModels + "planar_3rpr.toml", "crossing", "--resolution",
+                             "1/8", "--output", folder_.path() / "boxes"},
+                            1);
+  EXPECT_EQ(data["kind"], "paving");
+  const auto tree = data["paving"]["tree"].get<std::string>();
+  EXPECT_THAT(tree, HasSubstr("\nend "));
+  EXPECT_EQ(data["report"]["verdict"], "singularity");
 }
 
-TEST_F(AReportOfEarlierRuns, RefusesFilesThatAreNoReports) {
-  for (const char* text : {"", "hello", "{}", "[1]", R"({"verdict": 1})", "regulus-certificat"}) {
-    write(other_, text);
-    expect_refused({kRobot, "--from", other_}, "neither a certificate nor a report");
-  }
-  write(other_, R"({"verdict":)" + std::string(2000000, '['));
-  expect_refused({kRobot, "--from", other_}, "neither a certificate nor a report");
-  write(other_, R"({"error": {"message": "out of \u001b[31m memory"}})");
-  expect_refused({kRobot, "--from", other_}, "ended with an error: \"out of \\u001b[31m memory");
-  write(other_, "regulus-certificate 1\n");
-  expect_refused({kRobot, "wide_15", "--from", other_}, "not verified");
+TEST_F(APage, OfABoundHasItsBars) {
+  const auto data =
+      page_of({"bound", kModels + "orthoglide.toml", "cube", "sigma-min", "--gap", "0.5"}, 0);
+  EXPECT_EQ(data["headline"], headline_);
+  EXPECT_EQ(data["bounds"].size(), 1U);
+  EXPECT_EQ(data["bounds"][0]["bound"], "least singular value of J^-1");
+  EXPECT_TRUE(data["certificate"].is_null());
 }
 
-TEST_F(AReportOfEarlierRuns, HasThePavingOfAFile) {
-  const std::string planar = kModels + "planar_3rpr.toml";
-  EXPECT_EQ(run_command({kProgram, "locate", planar, "crossing", "--resolution", "1/8", "--output",
-                         other_, "--quiet"})
-                .exit_code,
-            1);
-  EXPECT_EQ(report({planar, "--from", other_}).exit_code, 1);
-  const nlohmann::json taken = data_of(page_)["paving"];
-  EXPECT_EQ(report({planar, "crossing", "--paving", "--resolution", "1/8"}).exit_code, 1);
-  const nlohmann::json made = data_of(page_)["paving"];
-  EXPECT_EQ(taken["summary"]["free"], made["summary"]["free"]);
-  const auto ending = [](const nlohmann::json& paving) {
-    const auto text = paving["tree"].get<std::string>();
-    return text.substr(text.rfind("end "));
-  };
-  EXPECT_EQ(ending(taken), ending(made));
-  std::string text = text_of(other_);
-  text.erase(text.find('\n') + 1, text.find('\n', text.find('\n') + 1) - text.find('\n'));
-  write(other_, text);
-  fs::remove(page_);
-  expect_refused({planar, "--from", other_}, "do not cover the motion");
+TEST_F(APage, OfALimitAndOfAMarginHasTheirWords) {
+  const auto limit =
+      page_of({"bound", kModels + "orthoglide.toml", "cube", "sigma-min", "--limit", "0.4"}, 0);
+  EXPECT_EQ(limit["headline"], "WITHIN");
+  const auto margin =
+      page_of({"margin", kModels + "orthoglide.toml", "factors_2", "--grow",
+               "edge=0:", "--quantity", "sigma-max", "--limit", "2", "--gap", "0.5"},
+              0);
+  EXPECT_EQ(margin["margins"].size(), 1U);
+  EXPECT_EQ(margin["headline"], headline_);
 }
 
-TEST_F(AReportOfEarlierRuns, RefusesAProofOfAModelThatTheShellHasChanged) {
-  const std::string planar = kModels + "planar_3rpr.toml";
-  EXPECT_EQ(run_command({kProgram, "check", planar, "regular", "--certificate", other_, "--quiet"})
-                .exit_code,
-            0);
-  const auto in_shell = [&](const std::string& change) {
-    return run_command({"/bin/sh", "-c",
-                        "printf 'load " + planar + "\\nmotion regular\\n" + change +
-                            "report --from " + other_ + " --output " + page_ + "\\n' | " +
-                            kProgram + " shell"});
-  };
-  EXPECT_EQ(in_shell("").exit_code, 0);
-  EXPECT_TRUE(fs::remove(page_));
-  const CommandResult refused = in_shell("set let c cos(phi)+1\\n");
-  EXPECT_EQ(refused.exit_code, 65);
-  EXPECT_THAT(refused.errors, HasSubstr("SHA-256 differs"));
-  EXPECT_FALSE(fs::exists(page_));
+TEST_F(APage, OfALoadHasItsReport) {
+  const auto data = page_of({"check", kModels + "cable_8.toml", "hall", "--load", "weight"}, 0);
+  EXPECT_EQ(data["kind"], "load");
+  EXPECT_EQ(data["headline"], "FEASIBLE");
+  EXPECT_THAT(data["text"].get<std::string>(), HasSubstr("weight"));
 }
 
-TEST_F(AReportOfEarlierRuns, KeepsItsFiles) {
-  EXPECT_EQ(
-      run_command({kProgram, "report", kRobot, "--from", check_, "--output", check_}).exit_code,
-      64);
-  EXPECT_THAT(text_of(check_), HasSubstr("no-singularity"));
+TEST_F(APage, OfADatasheetHasARowOfBarsForEachQuantity) {
+  const auto data = page_of({"datasheet", kModels + "orthoglide.toml", "cube", "--gap", "0.9"}, 0);
+  EXPECT_EQ(data["bounds"].size(), data["report"]["bounds"].size());
+  EXPECT_GT(data["bounds"].size(), 2U);
 }
 
 TEST(AProgramWithoutThePage, SaysHowToGetIt) {

@@ -315,46 +315,6 @@ TEST_F(WayBoundTest, ThreadsAndCheckpointsChangeNothing) {
   EXPECT_THAT(other.errors, HasSubstr("another question"));
 }
 
-/// The largest speed of leg 1 is 1 + x, at x = 2 + e in a tube of ±e.
-TEST_F(WayBoundTest, HasAMarginWithinALimit) {
-  const std::string proof = path("proof"), saved = path("saved");
-  const auto ask = [&](const std::string& certificate) {
-    return regulus({"margin", shear_, "way", "--tube", "x=0:2", "--quantity", "speed", "--leg",
-                    "1", "--limit", "3.5", "--gap", "1e-3", "--certificate", certificate,
-                    "--checkpoint", saved, "--json"});
-  };
-  const CommandResult run = ask(proof);
-  EXPECT_EQ(run.exit_code, 0) << run.errors;
-  const json report = json::parse(run.output);
-  EXPECT_LE(double(report["certified"]), 0.5);
-  EXPECT_GE(double(report["refuted"]), 0.5);
-  EXPECT_LE(double(report["gap"]), 1e-3);
-  EXPECT_THAT(run.errors, HasSubstr("exceeded   leg 1: segment 4, t = 4"));
-  EXPECT_EQ(report["components"][0]["place"]["segment"]["segment"], 4);
-  EXPECT_TRUE(proves(proof + ".leg_1.safe"));
-  EXPECT_TRUE(proves(proof + ".leg_1.singular"));
-  EXPECT_EQ(regulus({"verify", proof + ".leg_1.safe", "--model", shear_}).exit_code, 0);
-  const json again = json::parse(ask(path("again")).output);
-  for (const char* key : {"bracket", "boxes"}) EXPECT_EQ(again[key], report[key]) << key;
-  EXPECT_TRUE(proves(path("again.leg_1.safe")));
-}
-
-TEST_F(WayBoundTest, HasAMarginWithinALimitOfEveryLeg) {
-  const CommandResult run = regulus({"margin", shear_, "way", "--tube", "x=0:2", "--quantity",
-                                     "speed", "--limit", "3.5", "--threads", "1"});
-  EXPECT_THAT(run.output, testing::MatchesRegex("WITHIN UP TO 0.49.*, EXCEEDED AT 0.5.* .leg 1.\n"));
-  const CommandResult never = regulus({"margin", shear_, "way", "--tube", "x=0:0.1", "--quantity",
-                                       "force", "--load", "any", "--limit", "50"});
-  EXPECT_EQ(never.output, "WITHIN UP TO 0.1\n") << never.errors;
-  const CommandResult at_once = regulus(
-      {"margin", shear_, "way", "--tube", "x=0:1", "--quantity", "speed", "--limit", "2.5"});
-  EXPECT_EQ(at_once.exit_code, 1);
-  EXPECT_THAT(at_once.output, HasSubstr("EXCEEDED AT 0"));
-  const CommandResult kappa = regulus({"margin", shear_, "way", "--tube", "x=0:1", "--quantity",
-                                       "condition", "--norm", "2", "--limit", "9"});
-  EXPECT_EQ(kappa.exit_code, 64);
-}
-
 TEST_F(WayBoundTest, HasADatasheet) {
   const CommandResult r = regulus({"datasheet", shear_, "way", "--threads", "1"});
   EXPECT_THAT(r.output, HasSubstr("speed of the motors for along"));

@@ -3,21 +3,15 @@
 // otherwise nothing would pass it.
 #include "runtime/checkpoint/checkpoint.hpp"
 
-#include <cinttypes>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <cstdlib>
-
-#include "runtime/checkpoint/checksum.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace regulus;
   const CheckpointedQuestion question{std::string(64, 'a'), 2, {{0, 1}, {-1, 1}, {-0.5, 0.5}}};
   std::string text(reinterpret_cast<const char*>(data), size);
-  char end[32];
-  std::snprintf(end, sizeof end, "end %016" PRIx64 "\n", checksum(text));
-  text += end;
+  text += end_of_checkpoint(text);
   try {
     const Checkpoint checkpoint = read_checkpoint(text, question);
     for (const OpenBox& box : checkpoint.open())

@@ -52,7 +52,7 @@ set(codegen/mpi                  ${codegen/command} codegen/command runtime/cert
 set(codegen/shell                ${codegen/command} codegen/command)
 
 # Headers that are configured and carry no layer: the compiler flags, the version.
-set(everywhere regulus/floating_point_flags.hpp regulus/instruction_set_flags.hpp regulus/version.hpp)
+set(everywhere regulus/floating_point_flags.hpp regulus/text_flags.hpp regulus/instruction_set_flags.hpp regulus/version.hpp)
 # Of what writes certificates the verifier knows the format alone.
 set(only_header_runtime/certificate/verifier runtime/certificate/format.hpp)
 

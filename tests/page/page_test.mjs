@@ -122,7 +122,7 @@ constraints = ["phi + (x - 1)/100"]
       } else if (kind === "l" && Number(id) === box) return word;
     throw new Error("no leaf");
   };
-  const { page, faults } = await open(browser, makePage("half", [model, "half", "--from", proof]));
+  const { page, faults } = await open(browser, makePage("half", [model, "half"]));
   await secondProof(page);
   await page.select("#axis-across", "2"); // phi, and y up
   await page.click("#samples"); // hatching is on top of the boxes
@@ -196,48 +196,32 @@ test("A way into a singularity shows it, and what is certified beside it", async
   assert.deepEqual(faults, []);
 });
 
-/** What --json printed for a command, in a file. */
-function reportOf(name, words) {
-  const file = `${work}/${name}.json`;
-  writeFileSync(file, execFileSync(regulus, [...words, "--json", "--quiet"], { encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] }));
+/** The page that --page of a question makes. */
+function pageOf(name, words) {
+  const file = `${work}/${name}.html`;
+  execFileSync(regulus, [...words, "--page", file, "--quiet"], { stdio: "ignore" });
   return file;
 }
 
-test("A page of earlier runs says what was verified and what is quoted", async (browser) => {
-  const proof = `${work}/proof.txt`;
-  const report = reportOf("check", ["check", robot, "wide_15", "--range", "x=-1:1", "--certificate", proof]);
-  const { page, faults } = await open(browser, makePage("earlier", [robot, "--from", proof, "--from", report]));
-  assert.match(await secondProof(page), /^RE-PROVED IN THIS BROWSER: (\d+) of \1 boxes$/);
-  assert.match(await textOf(page, "#sources"), /report of check .*quoted.*certificate .*verified when this page was made/s);
-  assert.match(await textOf(page, "#asked"), /x from -1 cm to 1 cm/);
-  assert.deepEqual(faults, []);
-  const { page: quoted } = await open(browser, makePage("quoted", [robot, "--from", report]));
-  assert.match(await secondProof(quoted), /^NOT RE-PROVED: this page has no certificate. Its verdict is quoted/);
-});
-
 test("Legs have the colours of their forces, by a bound in the page", async (browser) => {
-  const orthoglide = `${source}/models/orthoglide.toml`;
-  const file = reportOf("force", ["bound", orthoglide, "cube", "force", "--gap", "0.5"]);
-  const bound = JSON.parse(readFileSync(file, "utf8"));
-  bound.components.forEach((component, i) => (component.proved = i + 1));
-  writeFileSync(file, JSON.stringify(bound));
-  const { page, faults } = await open(browser, makePage("force", [orthoglide, "--from", file]));
-  assert.match(await textOf(page, ".leg-legend"), /^proved bound of the force.*: 1 .* 3 N$/);
-  const strokes = await page.$$eval(".robot-drawing line", (lines) => lines.map((line) => line.getAttribute("stroke")));
-  assert.ok(["rgb(68, 80, 160)", "rgb(240, 200, 50)"].every((end) => strokes.includes(end)), strokes.join("; "));
+  const file = pageOf("force", ["bound", robot, "wide_15", "force", "--range", "x=0:1", "--range", "y=0:1", "--gap", "0.5"]);
+  const { page, faults } = await open(browser, file);
+  assert.match(await textOf(page, ".leg-legend"), /^proved bound of the force.* N$/);
   assert.deepEqual(faults, []);
 });
 
-test("Limits and margins of earlier runs are told in their own words", async (browser) => {
+test("Limits, margins and loads are told in their own words, and quoted", async (browser) => {
   const orthoglide = `${source}/models/orthoglide.toml`;
-  const limit = reportOf("limit", ["bound", orthoglide, "cube", "sigma-min", "--limit", "0.4"]);
-  const { page } = await open(browser, makePage("limit", [orthoglide, "--from", limit]));
+  const { page } = await open(browser, pageOf("limit", ["bound", orthoglide, "cube", "sigma-min", "--limit", "0.4"]));
   assert.match(await textOf(page, "main"), /least singular value.*WITHIN; the limit is/);
-  const margin = reportOf("margin", ["margin", orthoglide, "factors_2", "--grow", "edge=0:", "--quantity", "sigma-max", "--limit", "2", "--gap", "0.5"]);
-  const { page: grown, faults } = await open(browser, makePage("margin", [orthoglide, "--from", margin]));
+  assert.match(await secondProof(page), /^Quoted: this page has no proof/);
+  const { page: grown, faults } = await open(browser, pageOf("margin", ["margin", orthoglide, "factors_2", "--grow", "edge=0:", "--quantity", "sigma-max", "--limit", "2", "--gap", "0.5"]));
   assert.match(await textOf(grown, "main"), /range of edge: WITHIN UP TO .*Proved at .*: the limit holds at every pose. At .*: it is exceeded at some pose/s);
   await requireAccessible(grown, "margin");
   assert.deepEqual(faults, []);
+  const { page: load, faults: none } = await open(browser, pageOf("load", ["check", `${source}/models/cable_8.toml`, "hall", "--load", "weight"]));
+  assert.equal(await textOf(load, "#verdict"), "FEASIBLE");
+  assert.deepEqual(none, []);
 });
 
 test("Without a verdict, the page goes to the pose nearest to a singularity", async (browser) => {

@@ -82,6 +82,7 @@ class ElfBuilder {
     Section s{name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()}, {}, {}};
     s.header.sh_type = type;
     s.header.sh_size = bytes.size();
+    s.header.sh_entsize = sizeof items[0];
     s.header.sh_link = link;
     s.header.sh_info = info;
     s.header.sh_addralign = 8;

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The in-process C++ compiler: it compiles any text to a relocatable object, with the Clang front
-// end and the LLVM code generator. The program opens it for a text that the cache does not have.
+// end and the LLVM code generator, and loads such an object by LLVM's linker.
 #include <chrono>
+#include <exception>
+#include <memory>
 #include <new>
+#include <string_view>
 #include <utility>
 
 #include "codegen/jit/llvm/code_generator.hpp"
 #include "codegen/jit/llvm/front_end.hpp"
+#include "codegen/jit/llvm/object_linker.hpp"
 
 namespace regulus::inline jit::plugin {
 namespace {
@@ -62,4 +66,28 @@ extern "C" [[gnu::visibility("default")]] int regulus_clang_compile(
   return 0;
 } catch (const std::bad_alloc&) {
   return REGULUS_CLANG_NO_MEMORY;
+}
+
+extern "C" [[gnu::visibility("default")]] int regulus_clang_load(regulus_bytes object,
+                                                                 const regulus_external* externals,
+                                                                 std::size_t external_count,
+                                                                 const regulus_clang_sink* sink,
+                                                                 regulus_loaded* loaded) try {
+  using regulus::plugin::LinkedObject;
+  regulus::plugin::initialise_llvm();
+  auto linked =
+      std::make_unique<LinkedObject>(llvm::StringRef(object.data, object.size),
+                                     llvm::ArrayRef<regulus_external>(externals, external_count));
+  *loaded = {linked.release(),
+             [](void* state, regulus_bytes name, std::size_t size) {
+               return static_cast<LinkedObject*>(state)->find({name.data, name.size}, size);
+             },
+             [](void* state) { delete static_cast<LinkedObject*>(state); }};
+  return 0;
+} catch (const std::bad_alloc&) {
+  return REGULUS_CLANG_NO_MEMORY;
+} catch (const std::exception& error) {
+  const std::string_view reason = error.what();
+  sink->diagnostics(sink->state, {reason.data(), reason.size()});
+  return 1;
 }

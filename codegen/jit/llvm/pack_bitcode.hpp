@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
 #include <span>
+#include <string_view>
 
 namespace regulus::inline jit::plugin {
 
-/// operations/pack_operations.hpp compiled for one instruction set.
-struct PackBitcode {
-  const char* isa;
-  const unsigned char* data;
-  std::size_t size;
-};
-
-/// Written by write_pack_bitcode.cpp when the project is built.
-[[nodiscard]] std::span<const PackBitcode> pack_bitcode() noexcept;
+/// Returns pack_operations.hpp compiled for an instruction set, as LLVM's bitcode; nothing for
+/// another name.
+[[nodiscard]] std::span<const unsigned char> pack_bitcode(std::string_view isa) noexcept;
 
 }  // namespace regulus::jit::plugin

@@ -21,27 +21,24 @@
 
 #include "codegen/jit/clang_interface.h"
 #include "codegen/jit/llvm/code_generator.hpp"
+#include "codegen/jit/llvm/flat_code.hpp"
 #include "codegen/jit/llvm/pack_bitcode.hpp"
 #include "codegen/jit/llvm/part_builder.hpp"
 
 namespace regulus::inline jit::plugin {
 namespace {
 
-using Object = llvm::SmallVector<char, 0>;
-
 // With fewer parts a second thread costs more than it saves; more threads do not help.
 constexpr std::size_t kPartsPerThread = 4;
 constexpr std::size_t kMaxThreads = 8;
 
 std::unique_ptr<llvm::Module> packs_of(std::string_view isa, llvm::LLVMContext& context) {
-  for (const PackBitcode& packs : pack_bitcode())
-    if (packs.isa == isa) {
-      const llvm::StringRef bytes(reinterpret_cast<const char*>(packs.data), packs.size);
-      auto module = llvm::getLazyBitcodeModule({bytes, "packs"}, context);
-      if (!module) throw std::runtime_error(llvm::toString(module.takeError()));
-      return std::move(*module);
-    }
-  throw std::runtime_error("the instruction set has no operations here");
+  const std::span<const unsigned char> packs = pack_bitcode(isa);
+  if (packs.empty()) throw std::runtime_error("the instruction set has no operations here");
+  const llvm::StringRef bytes(reinterpret_cast<const char*>(packs.data()), packs.size());
+  auto module = llvm::getLazyBitcodeModule({bytes, "packs"}, context);
+  if (!module) throw std::runtime_error(llvm::toString(module.takeError()));
+  return std::move(*module);
 }
 
 /// Compiles parts one after the other, in a thread and an LLVM context of its own.
@@ -50,7 +47,7 @@ class Worker {
   explicit Worker(std::string_view isa)
       : packs_(packs_of(isa, context_)), operations_(*packs_), machine_(machine_of(*packs_)) {}
 
-  Object compile(std::string_view bytes) {
+  std::string compile(std::string_view bytes) {
     const auto start = Clock::now();
     llvm::Module module("pack", context_);
     module.setDataLayout(packs_->getDataLayout());
@@ -63,10 +60,10 @@ class Worker {
     if (llvm::verifyModule(module, &stream)) throw std::runtime_error(errors);
 #endif
     const auto built = Clock::now();
-    Object object = generate(module);
+    std::string code = generate(module);
     seconds_.front_end += seconds(built - start);
     seconds_.code_generation += seconds(Clock::now() - built);
-    return object;
+    return code;
   }
 
   [[nodiscard]] const regulus_clang_seconds& seconds() const noexcept { return seconds_; }
@@ -90,13 +87,13 @@ class Worker {
     return machine;
   }
 
-  Object generate(llvm::Module& module) {
-    Object object;
+  std::string generate(llvm::Module& module) {
+    llvm::SmallVector<char, 0> object;
     std::string errors;
     llvm::raw_string_ostream stream(errors);
     if (!generate_code(module, *machine_, object, stream, Repeated::kJoined))
       throw std::runtime_error(errors);
-    return object;
+    return flat_code({object.data(), object.size()}, llvm::StringRef(kPartSymbol), kCodeAlignment);
   }
 
   llvm::LLVMContext context_;
@@ -107,20 +104,20 @@ class Worker {
 };
 
 struct Result {
-  std::vector<Object> objects;
+  std::vector<std::string> codes;
   regulus_clang_seconds seconds{};
 };
 
 /// Which thread compiles a part is random; the code of the part is not.
 Result compile_all(const regulus_parts_request& request) {
   Result result;
-  result.objects.resize(request.part_count);
+  result.codes.resize(request.part_count);
   std::atomic<std::size_t> next = 0;
   const std::string_view isa{request.isa.data, request.isa.size};
   const auto work = [&] {
     Worker worker(isa);
     for (std::size_t i = next++; i < request.part_count; i = next++)
-      result.objects[i] = worker.compile({request.parts[i].data, request.parts[i].size});
+      result.codes[i] = worker.compile({request.parts[i].data, request.parts[i].size});
     return worker.seconds();
   };
   const std::size_t useful = 1 + request.part_count / kPartsPerThread;
@@ -150,8 +147,8 @@ extern "C" [[gnu::visibility("default")]] int regulus_parts_compile(
   plugin::initialise_llvm();
   const plugin::Result result = plugin::compile_all(*request);
   sink->seconds(sink->state, result.seconds);
-  for (const plugin::Object& object : result.objects)
-    sink->object(sink->state, {object.data(), object.size()});
+  for (const std::string& code : result.codes)
+    sink->object(sink->state, {code.data(), code.size()});
   return 0;
 } catch (const std::bad_alloc&) {
   return REGULUS_CLANG_NO_MEMORY;

@@ -235,5 +235,15 @@ def verify(
 def import_file(
     path: str, base: str, tip: str, cuts: list[str], actuated: list[str], snap: str
 ) -> tuple[str, str]: ...
+def write_page(
+    question: Question,
+    kind: str,
+    headline: str,
+    report: str,
+    json: str,
+    certificate: str,
+    page_template: str,
+    path: str,
+) -> None: ...
 def write_file(path: bytes, text: str) -> None: ...
 def describe_model(question: Question) -> str: ...

@@ -8,7 +8,7 @@ import json
 import os
 from typing import TYPE_CHECKING, Any, Optional, Union
 
-from .page import page_frame, write_page
+from .page import page_frame, write_answer, write_page
 
 if TYPE_CHECKING:
     from .robot import Question
@@ -142,11 +142,10 @@ class Check(Result):
     def page(self, path: Path) -> str:
         """Writes one HTML file about the answer, for any browser, and returns its path.
 
-        The command `regulus` makes it: see `regulus report`. The proof is in the page; the question
-        is searched again for it if it was not written.
+        The proof is in the page; the question is searched again for it if it was not written.
 
         Raises:
-            FileError: if the command is missing, or the file cannot be written.
+            FileError: if this build has no page, or the file cannot be written.
         """
         write_page(self, os.fspath(path))
         return os.fspath(path)
@@ -215,8 +214,9 @@ class Margin(Result):
         bracket: "SAFE UP TO a, NOT AT b", or "WITHIN UP TO a, EXCEEDED AT b" for a limit.
     """
 
-    def __init__(self, finding: Any, notes: list[str]) -> None:
+    def __init__(self, question: Question, finding: Any, notes: list[str]) -> None:
         super().__init__(finding.report, finding.json, notes)
+        self._question = question
         self.safe: Optional[str] = finding.safe
         self.singular: Optional[str] = finding.singular
         self.exceeded: Optional[str] = finding.exceeded
@@ -229,6 +229,14 @@ class Margin(Result):
         report = self.json
         parts = [report, *report.get("components", [])]
         return [file for p in parts for file in (p.get("certificates") or {}).values() if file]
+
+    def page(self, path: Path) -> str:
+        """Writes one HTML file about the answer, for any browser, and returns its path.
+
+        Raises:
+            FileError: if this build has no page, or the file cannot be written.
+        """
+        return write_answer(self._question, "margin", self.bracket, self, path)
 
     def __repr__(self) -> str:
         return f"<{self.bracket}>"
@@ -251,8 +259,9 @@ class Bound(Result):
         result: the last line of the command: "BETWEEN 21.12 AND 21.29 N (leg 3)".
     """
 
-    def __init__(self, finding: Any, notes: list[str]) -> None:
+    def __init__(self, question: Question, finding: Any, notes: list[str]) -> None:
         super().__init__(finding.report, finding.json, notes)
+        self._question = question
         self.attained: Optional[float] = finding.attained
         self.proved: Optional[float] = finding.proved
         self.unit: str = finding.unit
@@ -266,6 +275,14 @@ class Bound(Result):
         report = self.json
         parts = [report, *report.get("components", [])]
         return [file for p in parts for file in (p.get("certificates") or {}).values() if file]
+
+    def page(self, path: Path) -> str:
+        """Writes one HTML file about the answer, for any browser, and returns its path.
+
+        Raises:
+            FileError: if this build has no page, or the file cannot be written.
+        """
+        return write_answer(self._question, "bound", self.result, self, path)
 
     def __repr__(self) -> str:
         return f"<{self.result}>"
@@ -289,8 +306,9 @@ class LoadCheck(Result):
         certificate: the file of the proof; None if there is none.
     """
 
-    def __init__(self, finding: Any, notes: list[str]) -> None:
+    def __init__(self, question: Question, finding: Any, notes: list[str]) -> None:
         super().__init__(finding.report, finding.json, notes)
+        self._question = question
         self.verdict: str = finding.verdict
         self.claim: str = finding.claim
         self.reason: str = finding.reason
@@ -309,6 +327,14 @@ class LoadCheck(Result):
     def __bool__(self) -> bool:
         """True if the load is held everywhere."""
         return self.verdict == "feasible"
+
+    def page(self, path: Path) -> str:
+        """Writes one HTML file about the answer, for any browser, and returns its path.
+
+        Raises:
+            FileError: if this build has no page, or the file cannot be written.
+        """
+        return write_answer(self._question, "load", _words(self.verdict), self, path)
 
     def __repr__(self) -> str:
         return f"<{_words(self.verdict)}: {self.claim or self.reason or 'a pose is shown'}>"

@@ -300,7 +300,7 @@ class Robot:
         question.set_options(options)
 
         def result(finding: Any) -> LoadCheck:
-            return LoadCheck(finding, question.texts.notes)
+            return LoadCheck(question, finding, question.texts.notes)
 
         path = optional_path("certificate", certificate)
         try:
@@ -408,7 +408,7 @@ class Robot:
             return f"{of(pair[0])}:{'' if pair[1] is None else of(pair[1])}"
 
         def result(finding: Any) -> Margin:
-            return Margin(finding, question.texts.notes)
+            return Margin(question, finding, question.texts.notes)
 
         if len(asked) > 1:
             raise UsageError("margin: several tolerances are asked; join their groups: 'a,b'")
@@ -480,7 +480,7 @@ class Robot:
         of = question.texts.of
 
         def result(finding: Any) -> Bound:
-            return Bound(finding, question.texts.notes)
+            return Bound(question, finding, question.texts.notes)
 
         try:
             return result(

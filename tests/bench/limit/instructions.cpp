@@ -78,13 +78,14 @@ VectorInstructions count_instructions(std::string_view listing, std::string_view
   return counts;
 }
 
-std::optional<std::string> disassemble(const std::string& object) {
+std::optional<std::string> disassemble(const std::string& code) {
   const test::TemporaryDirectory directory;
-  const std::string path = directory.path() / "object.o";
-  std::ofstream(path, std::ios::binary) << object;
-  ProcessRun run = run_process({"objdump", "-d", "--no-show-raw-insn", path});
+  const std::string path = directory.path() / "code";
+  std::ofstream(path, std::ios::binary) << code;
+  ProcessRun run = run_process(
+      {"objdump", "-D", "-b", "binary", "-m", "i386:x86-64", "--no-show-raw-insn", path});
   if (run.exit_code != 0) return std::nullopt;
-  return std::move(run.output);
+  return run.output.substr(0, run.output.find("\tret"));
 }
 
 }  // namespace regulus::bench

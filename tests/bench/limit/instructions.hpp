@@ -28,12 +28,13 @@ struct VectorInstructions {
   std::size_t bytes = 0;  ///< of all code, up to the last instruction of each symbol
 };
 
-/// Counts the instructions in a listing of `objdump -d --no-show-raw-insn` below the symbols that
+/// Counts the instructions in a listing of `objdump --no-show-raw-insn` below the symbols that
 /// contain `symbol`. In code without loops every instruction runs once.
 [[nodiscard]] VectorInstructions count_instructions(std::string_view listing,
                                                     std::string_view symbol);
 
-/// Returns the listing of an object in memory; nullopt if there is no objdump.
-[[nodiscard]] std::optional<std::string> disassemble(const std::string& object);
+/// Returns the listing of a function without branches, below the symbol .data; nullopt if there is
+/// no objdump. `code`: the function, then its constants.
+[[nodiscard]] std::optional<std::string> disassemble(const std::string& code);
 
 }  // namespace regulus::bench

@@ -141,8 +141,8 @@ std::optional<std::string> listing_of(const machine::PackKernel& program) {
     bytes.push_back(part_bytes(function, part));
   const std::vector<std::string_view> parts(bytes.begin(), bytes.end());
   std::string listing;
-  for (const std::string& object : PartCompiler().compile(parts, Isa::kAvx512).objects) {
-    const std::optional<std::string> part = disassemble(object);
+  for (const std::string& code : PartCompiler().compile(parts, Isa::kAvx512).codes) {
+    const std::optional<std::string> part = disassemble(code);
     if (!part) return std::nullopt;
     listing += *part;
   }
@@ -174,7 +174,7 @@ Section limit_rows() {
       "for a product of intervals"));
 
   if (const std::optional<std::string> listing = listing_of(select(module))) {
-    const VectorInstructions counts = count_instructions(*listing, kPartSymbol);
+    const VectorInstructions counts = count_instructions(*listing, ".data");
     add_counts(counts, rows);
     add_fractions(counts, timings, rows);
   } else {

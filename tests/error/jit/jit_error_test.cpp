@@ -129,7 +129,7 @@ TEST_F(BadCacheTest, AnEntryThatCannotBeLoadedIsCompiledAgain) {
   (void)compile_text(kSound, options_);
   const std::string key = entry().stem().string();
   ASSERT_EQ(ObjectCache(path_).write(key, std::string(100, 'x')), "");
-  expect_recompiled("not ELF");
+  expect_recompiled("not relocatable ELF");
 }
 
 TEST_F(BadCacheTest, ADirectoryThatIsNotSafeIsNotUsed) {

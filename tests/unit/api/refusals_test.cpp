@@ -5,8 +5,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <functional>
+#include <sstream>
 
 #include "codegen/api/regulus.hpp"
 #include "tests/support/temporary_directory.hpp"
@@ -95,6 +97,23 @@ TEST(Refusals, OfALoadNameTheThreshold) {
 TEST(Refusals, SpeakNoWordOfTheCommandLine) {
   for (const regulus::Refusal& row : regulus::refusals())
     EXPECT_THAT(std::string(row.why), testing::Not(HasSubstr("--"))) << name(row.service);
+}
+
+TEST(WhatWorks, IsThePageOfTheManual) {
+  std::ostringstream page;
+  page << std::ifstream(REGULUS_SOURCE_DIR "/codegen/answer/WHAT_WORKS.md").rdbuf();
+  EXPECT_EQ(page.str(), regulus::what_works())
+      << "renew it: build/bin/regulus_write_manual --what-works >codegen/answer/WHAT_WORKS.md";
+}
+
+TEST(WhatWorks, GivesEachReasonOnceAndNoneTwiceForOneCell) {
+  for (const regulus::Refusal& row : regulus::refusals())
+    EXPECT_EQ(std::ranges::count_if(regulus::refusals(),
+                                    [&row](const regulus::Refusal& other) {
+                                      return other.kind == row.kind && other.service == row.service;
+                                    }),
+              1)
+        << name(row.kind) << ", " << name(row.service);
 }
 
 TEST(Refusals, OfAPathKeepTheEarlierCertificate) {

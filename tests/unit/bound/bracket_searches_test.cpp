@@ -146,8 +146,7 @@ TEST(ABracketOfAttempts, ClaimsNoEndThatThisRunHasNotSearched) {
   std::atomic<bool> interrupt = false;
   const auto stop = [&](const MarginStep&) { interrupt = true; };
   const Margin found = close_bracket(
-      robot, up_to(2),
-      {.limits = {}, .interrupt = &interrupt, .listener = stop, .earlier = &told});
+      robot, up_to(2), {.limits = {}, .interrupt = &interrupt, .listener = stop, .earlier = &told});
   ASSERT_EQ(robot.tried.size(), 1U);
   ASSERT_TRUE(found.certified);
   EXPECT_EQ(found.certified->value.approx, robot.tried[0]);

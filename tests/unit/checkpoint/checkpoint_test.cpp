@@ -12,7 +12,6 @@
 #include <random>
 #include <sstream>
 
-#include "runtime/checkpoint/checksum.hpp"
 #include "runtime/checkpoint/writer.hpp"
 #include "tests/support/temporary_directory.hpp"
 
@@ -65,9 +64,7 @@ std::string text_of(const SearchState& s,
 /// Returns the text with a valid checksum.
 std::string signed_again(std::string text) {
   text.resize(text.rfind("end "));
-  char end[32];
-  std::snprintf(end, sizeof end, "end %016llx\n", static_cast<unsigned long long>(checksum(text)));
-  return text + end;
+  return text + end_of_checkpoint(text);
 }
 
 std::string replaced(const std::string& from, const std::string& to) {
@@ -137,25 +134,6 @@ TEST(Checkpoint, ABlockedBoxIsKept) {
   EXPECT_FALSE(read.certificate);
 }
 
-/// The format before checkpoints had hashes and candidates.
-TEST(Checkpoint, OfTheFirstFormatIsReadWithoutAHash) {
-  std::string zeros;
-  for (std::size_t i = 0; i < kRules; ++i) zeros += " 0";
-  const std::string text = signed_again("regulus checkpoint 1\nquestion " + std::string(64, 'a') +
-                                        "\nnext 19\nboxes 12 4 77\nseconds 0x1p+0\n"
-                                        "leaves" +
-                                        zeros +
-                                        "\nfilters\ndescent 64\n"
-                                        "limit 0x1.1p+0\nblocked none\ncertificate 4242\nopen 1\n"
-                                        "b 17 3 0x0p+0:0x1p-3 -0x1p+0:0x1p+0\nend \n");
-  const Checkpoint read = read_checkpoint(text, question());
-  ASSERT_TRUE(read.certificate);
-  EXPECT_EQ(read.certificate->length, 4242U);
-  EXPECT_EQ(read.certificate->sha256, "");
-  EXPECT_TRUE(read.state.candidates.positive.point.empty());
-  EXPECT_EQ(read.open().size(), 1U);
-}
-
 TEST(Checkpoint, OneOfAnotherQuestionIsRefused) {
   CheckpointedQuestion other = question();
   other.identity[63] = 'b';
@@ -203,7 +181,8 @@ TEST(Checkpoint, WhatCannotBeIsRefusedWithTheLine) {
   expect_refusal(replaced("\nearly 2 ", "\nearly 3 "), "'e'");
   expect_refusal(replaced("open 3", "open 99999999999999999999"), "a number");
   expect_refusal(replaced("next 19", "next 0"), "a number above 0");
-  expect_refusal(replaced("checkpoint 4", "checkpoint 5"), "another version");
+  for (const char* other : {"1", "4", "6", "50"})
+    expect_refusal(replaced("checkpoint 5", "checkpoint " + std::string(other)), "another version");
   expect_refusal(replaced("candidate positive 0x1.cp+1", "candidate positive nan"), "hexadecimal");
   expect_refusal(replaced(" -0x1p+0 0x1p-3\n", " -0x1p+0\n"), "a number for each variable");
   expect_refusal(replaced("units 2 1", "units 2 2"), "as many boxes as the units have");

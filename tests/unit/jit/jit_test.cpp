@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cfenv>
+#include <cstring>
 
 #include "codegen/jit/clang_compiler.hpp"
 #include "codegen/jit/kernel_compilation.hpp"
@@ -118,6 +119,60 @@ TEST_P(JitTest, TheCallersRoundingModeIsKeptAndHasNoInfluence) {
   EXPECT_EQ(mode, FE_UPWARD);
   EXPECT_NE(nearest, "");
   EXPECT_EQ(upward, nearest);
+}
+
+/// What LLVM's linker does with a text, and what it must not do.
+TEST_P(JitTest, GivesEverySegmentOfATextItsOwnRights) {
+  const MachineCode code = compile_text(R"(extern "C" {
+int function() { return 7; }
+extern const int constant[2];
+const int constant[2] = {1, 2};
+extern int (*const table[2])();
+int (*const table[2])() = {nullptr, function};
+int variable = 3;
+alignas(64) char zero[5000];
+static int hidden() { return 5; }
+int use() { return hidden() + variable; }
+}
+)",
+                                        options_);
+  const auto rights = [&code](const char* name) {
+    return test::range_of(code.symbol(name)).value().rights;
+  };
+  EXPECT_EQ(rights("function"), "r-xp");
+  EXPECT_EQ(rights("constant"), "r--p");
+  EXPECT_EQ(rights("table"), "r--p");
+  EXPECT_EQ(rights("variable"), "rw-p");
+  EXPECT_EQ(rights("zero"), "rw-p");
+  const auto* table = static_cast<int (*const*)()>(code.symbol("table", 16));
+  ASSERT_NE(table, nullptr);
+  EXPECT_EQ(table[0], nullptr);
+  EXPECT_EQ(table[1](), 7);
+  const auto* zero = static_cast<const char*>(code.symbol("zero", 5000));
+  ASSERT_NE(zero, nullptr);
+  EXPECT_EQ(reinterpret_cast<std::uintptr_t>(zero) % 64, 0U);
+  EXPECT_EQ(std::string(zero, 5000), std::string(5000, '\0'));
+  EXPECT_EQ(code.symbol("zero", 5001), nullptr);
+  EXPECT_EQ(code.symbol("hidden"), nullptr);
+  EXPECT_EQ(code.symbol("absent"), nullptr);
+}
+
+TEST_P(JitTest, ATextCallsFunctionsOfTheProcessHoweverFarAway) {
+  const MachineCode code = compile_text(
+      "extern \"C\" { void* memcpy(void*, const void*, unsigned long);\n"
+      "void* copy(void* a, const void* b, unsigned long n) { return memcpy(a, b, n); }\n"
+      "void* (*address())(void*, const void*, unsigned long) { return memcpy; } }\n",
+      options_);
+  const auto copy =
+      reinterpret_cast<void* (*)(void*, const void*, std::size_t)>(code.symbol("copy"));
+  ASSERT_NE(copy, nullptr);
+  char to[] = "....";
+  EXPECT_EQ(copy(to, "copy", 4), to);
+  EXPECT_STREQ(to, "copy");
+  const auto address =
+      reinterpret_cast<void* (*(*)())(void*, const void*, std::size_t)>(code.symbol("address"));
+  ASSERT_NE(address, nullptr);
+  EXPECT_EQ(reinterpret_cast<void*>(address()), reinterpret_cast<void*>(&std::memcpy));
 }
 
 TEST_P(JitTest, CodeLivesAsLongAsOneCopy) {

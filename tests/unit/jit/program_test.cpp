@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "codegen/jit/jit.hpp"
+#include "codegen/jit/part.hpp"
 #include "codegen/jit/part_code.hpp"
 #include "codegen/pack/select.hpp"
 #include "runtime/kernel/buffers.hpp"

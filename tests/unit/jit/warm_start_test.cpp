@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "codegen/jit/jit.hpp"
+#include "runtime/machine/self_test_kernel.hpp"
 #include "tests/support/process_maps.hpp"
 #include "tests/support/temporary_directory.hpp"
 
@@ -19,22 +20,18 @@ namespace {
 
 constexpr const char* kDirectoryVariable = "REGULUS_TEST_CACHE";
 
-const char* const kText = R"(
-#include "runtime/kernel/pack.hpp"
-extern "C" int answer() { return 42; }
-)";
-
 CompileOptions options() { return {best_isa(), true, std::getenv(kDirectoryVariable)}; }
 
-/// Returns true if the code of the text works and code compiled in process rounds outward.
-bool works(const MachineCode& code) {
-  const auto answer = reinterpret_cast<int (*)()>(code.symbol("answer"));
-  return answer && answer() == 42 && !rounding_self_test(options());
+CompiledKernel compile() { return compile_kernel(machine::self_test_kernel(), options()); }
+
+/// Returns true if the code rounds outward.
+bool works(const CompiledKernel& code) {
+  return !machine::check_self_test(*code.kernel(), options().isa);
 }
 
 /// Prints on stderr what was used; the exit status is 0 if the code works.
 [[noreturn]] void compile_and_exit() {
-  const MachineCode code = compile_text(kText, options());
+  const CompiledKernel code = compile();
   const bool sound = works(code);
   const bool compiler = test::is_mapped("LLVM") || test::is_mapped("clang");
   std::fprintf(stderr, "cache %s, compiler %s, %.2f ms\n",
@@ -49,7 +46,7 @@ bool works(const MachineCode& code) {
   for (int i = 0; i < 3; ++i) {
     const pid_t child = ::fork();
     if (child == 0) {
-      const MachineCode code = compile_text(kText, options());
+      const CompiledKernel code = compile();
       std::_Exit(works(code) && code.report().cache_note.empty() ? 0 : 1);
     }
     children.push_back(child);
@@ -83,7 +80,7 @@ TEST_F(WarmStart, LoadsNothingOfTheCompiler) {
   EXPECT_EXIT(compile_and_exit(), testing::ExitedWithCode(0), "cache hit, compiler not loaded");
 }
 
-TEST_F(WarmStart, FollowsOnProcessesThatCompiledTheSameTextAtOnce) {
+TEST_F(WarmStart, FollowsOnProcessesThatCompiledTheSameKernelAtOnce) {
   EXPECT_EXIT(compile_at_once_and_exit(), testing::ExitedWithCode(0), "");
   EXPECT_EXIT(compile_and_exit(), testing::ExitedWithCode(0), "cache hit, compiler not loaded");
 }

@@ -94,19 +94,15 @@ export interface WayData {
   readonly deciding_question?: string;
 }
 
-/** A file of an earlier run. */
-export interface SourceData {
-  readonly kind: string;
-  readonly file: string;
-  readonly sha256: string;
-  readonly note: string;
-}
-
 export interface PageData {
   readonly format: 1;
   readonly version: string;
   readonly command: string;
   readonly again: readonly string[]; // commands
+  /** Of the answer that the page is about. Only a check has a proof that a page does again. */
+  readonly kind: "check" | "paving" | "margin" | "bound" | "load" | "load-paving" | "datasheet";
+  readonly headline: string;
+  readonly text: string; // the report for people; empty for a check
   readonly report: Report;
   readonly units: Record<string, string>; // by parameter
   readonly question: string;
@@ -118,7 +114,6 @@ export interface PageData {
   readonly way: WayData | null;
   readonly bounds: readonly any[];
   readonly margins: readonly any[];
-  readonly sources: readonly SourceData[];
 }
 
 /** Reads the data of this page. Throws Damage unless they are those that were written. */

@@ -39,9 +39,10 @@ export function readCertificate(data: PageData, question: Question): Certificate
 
 /** Throws Damage unless the words that the page began with are those of its data. */
 export function requireSameWords(data: PageData): void {
-  const verdict = document.getElementById("verdict")?.textContent;
+  const headline = document.getElementById("verdict")?.textContent;
   const claim = document.getElementById("claim")?.textContent;
-  if (verdict !== WORDS[data.report.verdict] || claim !== data.report.claim)
+  const isOther = data.kind === "check" && headline !== WORDS[data.report.verdict];
+  if (isOther || headline !== data.headline || claim !== (data.report.claim ?? ""))
     throw new Damage("the verdict in words is not that of the data");
 }
 
@@ -56,6 +57,8 @@ const LIMITS: Record<keyof typeof WORDS, string[]> = {
   ],
   "possible-problem": ["It claims nothing: neither a proof nor a singular pose was found.", "More time, a smaller motion or another method may decide."],
 };
+
+const QUOTED = "Regulus has proved what it claims; this page quotes it and has no proof of it. The command below, with --certificate, writes one.";
 
 const MEANINGS: Record<string, Record<string, string>> = {
   matrix: {
@@ -111,27 +114,21 @@ function asked(data: PageData, question: Question): HTMLElement {
     h("dt", {}, "Uncertain"), h("dd", {}, uncertain.length > 0 ? `${uncertain.join("; ")}.` : "nothing: the model's numbers are taken as exact."));
 }
 
-/** The files of earlier runs, and what was done with them; null if there are none. */
-function earlierRuns({ sources }: PageData): HTMLElement | null {
-  if (sources.length === 0) return null;
-  return h("div", { id: "sources" }, h("p", {}, "This page was made of earlier runs:"), h("ul", {}, ...sources.map(({ kind, file, note }) => h("li", {}, `${kind} ${file}: ${note}`))));
-}
-
 export function verdictPart(data: PageData, question: Question): HTMLElement {
+  const isCheck = data.kind === "check";
   return section(
     "What this means, and what not",
-    meaning(data),
+    isCheck ? meaning(data) : h("pre", { tabindex: 0, "aria-label": "Report" }, data.text),
     asked(data, question),
-    obstacle(data),
+    isCheck ? obstacle(data) : null,
     h(
       "ul",
       {},
-      ...LIMITS[data.report.verdict].map((text) => h("li", {}, text)),
+      ...(isCheck ? LIMITS[data.report.verdict] : [QUOTED]).map((text) => h("li", {}, text)),
       h("li", {}, "It is about the robot as the model at the end of this page describes it: these numbers, these tolerances. It cannot know the robot on your floor."),
       h("li", {}, "Collisions, joint limits that the model does not state, and dynamics are no part of it."),
     ),
     h("p", {}, "Regulus is a program that proves or refutes that a robot meets a singular pose; its proofs can be checked without it, as this page does."),
-    earlierRuns(data),
   );
 }
 
@@ -199,19 +196,15 @@ function proveInSlices(verdict: keyof typeof WORDS, work: Generator<Progress, Pr
   step();
 }
 
-function withoutCertificate({ certificate_note, sources }: PageData): string {
-  if (certificate_note !== "") return certificate_note;
-  return sources.some(({ kind }) => kind === "report of check") ? "Its verdict is quoted from a report of an earlier run." : "";
-}
-
 /** Proves the verdict again, and says in the page's header how far it came. */
 export function proveAgain(data: PageData, question: Question, certificate: Certificate | null): void {
+  if (data.kind !== "check") return say("Quoted: this page has no proof of this answer; regulus verify proves its certificate.", "partly");
   const { verdict } = data.report;
   if (verdict === "possible-problem") {
     colour(verdict);
     return say("Nothing is claimed, so there is nothing to prove again.", "partly");
   }
-  if (!certificate) return say(`NOT RE-PROVED: this page has no certificate. ${withoutCertificate(data)}`, "partly");
+  if (!certificate) return say(`NOT RE-PROVED: this page has no certificate. ${data.certificate_note}`, "partly");
   if (certificate.tree) return proveInSlices(verdict, proveTree(question, certificate.tree));
   if (certificate.trees) return proveInSlices(verdict, proveTrees((piece) => new Question(data.question, piece), certificate.trees));
   const { witnessed } = certificate;

@@ -14,6 +14,7 @@ export interface Place {
 }
 
 export function placeOf(data: PageData): Place | null {
+  if (data.kind !== "check" && data.kind !== "paving") return null;
   const { witness, nearest_singular: nearest } = data.report;
   if (witness) return { point: witness.near ?? witness.points[0], degeneracy: witness, isProved: true };
   return nearest ? { point: nearest, degeneracy: nearest, isProved: false } : null;

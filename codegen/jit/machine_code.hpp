@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "codegen/jit/loader/object_loader.hpp"
+#include "codegen/jit/loaded_text.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus::inline jit {
@@ -42,8 +42,8 @@ struct CompileReport {
 /// The code of one text; it stays in memory as long as one copy of this object lives.
 class MachineCode {
  public:
-  MachineCode(LoadedObject object, CompileReport report)
-      : object_(std::make_shared<const LoadedObject>(std::move(object))),
+  MachineCode(LoadedText object, CompileReport report)
+      : object_(std::make_shared<const LoadedText>(std::move(object))),
         report_(std::move(report)) {}
 
   /// Returns the address of an extern "C" function or variable of at least `size` bytes; null if
@@ -53,12 +53,10 @@ class MachineCode {
   }
 
   [[nodiscard]] const CompileReport& report() const noexcept { return report_; }
-  [[nodiscard]] const std::shared_ptr<const LoadedObject>& object() const noexcept {
-    return object_;
-  }
+  [[nodiscard]] const std::shared_ptr<const LoadedText>& object() const noexcept { return object_; }
 
  private:
-  std::shared_ptr<const LoadedObject> object_;
+  std::shared_ptr<const LoadedText> object_;
   CompileReport report_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/jit/loader/memory_mapping.hpp"
+#include "codegen/jit/memory_mapping.hpp"
 
 #include <sys/mman.h>
 #include <unistd.h>

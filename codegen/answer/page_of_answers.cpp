@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/answer/page_of_answers.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "codegen/answer/ask.hpp"
+#include "codegen/certificate/certificate_question.hpp"
+#include "codegen/model/read_file.hpp"
+#include "codegen/model/request.hpp"
+#include "codegen/support/errors.hpp"
+#include "codegen/support/scratch_folder.hpp"
+#include "codegen/support/write_file.hpp"
+
+namespace regulus::inline answer {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A page has the proof itself.
+Json without_files(Json report) {
+  for (const char* key : {"certificate", "certificate_obstacle", "certificate_note", "certificates",
+                          "certificate_obstacles"})
+    report.erase(key);
+  return report;
+}
+
+std::string text_or(const Json& report, const char* key) {
+  const auto found = report.find(key);
+  return found != report.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+/// Returns the boxes or the stretches of a paving for a page.
+Json paving_of(const PavingAnswer& answer, std::string tree) {
+  if (tree.size() > kLongestProof)
+    throw UsageError("the paving has more boxes than a page holds; use a coarser --resolution");
+  Json paving = {{"summary", without_files(answer.json())}};
+  if (answer.stretches.empty()) {
+    paving["header"] = answer.header();
+    paving["tree"] = std::move(tree);
+    return paving;
+  }
+  paving["stretches"] = Json::array();
+  for (const StretchOfWay& stretch : answer.stretches)
+    paving["stretches"].push_back(Json::parse(stretch.line));
+  return paving;
+}
+
+ShownAnswer shown(const Asked& asked, const Answer& answer) {
+  return {kind_of(asked), answer.headline(), answer.text(), without_files(answer.json())};
+}
+
+/// The proof of a check is in the page, whether a file of it is wanted or not.
+std::unique_ptr<Answer> ask_with_proof(const AskCheck& asked, const Services& services,
+                                       PageOfAnswers& page) {
+  std::optional<ScratchFolder> scratch;
+  Services with_proof = services;
+  if (services.certificate.empty())
+    with_proof.certificate = scratch.emplace().path() / "certificate";
+  std::unique_ptr<CheckAnswer> answer = ask(asked, with_proof);
+  ShownAnswer what = shown(asked, *answer);
+  if (answer->proof.is_written()) what.certificate = answer->proof.path();
+  what.no_certificate = answer->proof.obstacle();
+  page.add(std::move(what));
+  if (scratch) answer->proof = ProofStatus();
+  return answer;
+}
+
+std::unique_ptr<Answer> ask_with_tree(const AskPaving& asked, const Services& services,
+                                      PageOfAnswers& page) {
+  std::string tree;
+  Services with_tree = services;
+  with_tree.tree = &tree;
+  std::unique_ptr<PavingAnswer> answer = ask(asked, with_tree);
+  ShownAnswer what = shown(asked, *answer);
+  what.paving = paving_of(*answer, std::move(tree));
+  page.add(std::move(what));
+  return answer;
+}
+
+}  // namespace
+
+const char* kind_of(const Asked& asked) {
+  static constexpr std::array<const char*, std::variant_size_v<Asked>> kWords = {
+      "check", "paving", "margin", "bound", "load", "load-paving", "datasheet"};
+  return kWords[asked.index()];
+}
+
+PageOfAnswers::PageOfAnswers(PageTemplate page, const ModelOptions& model, const std::string& typed)
+    : template_(std::move(page)) {
+  data_.command = typed;
+  data_.model_text = model_text(model);
+  request_ = std::make_unique<Request>(read_request(data_.model_text, model));
+  set_question(data_, *request_, uncertain_names(*request_), model);
+}
+
+PageOfAnswers::~PageOfAnswers() = default;
+
+void PageOfAnswers::add(ShownAnswer answer) {
+  if (answer.kind == "bound") data_.bounds.push_back(answer.report);
+  if (answer.kind == "datasheet")
+    for (const Json& bound : answer.report["bounds"]) data_.bounds.push_back(bound);
+  if (answer.kind == "margin") data_.margins.push_back(answer.report);
+  if (answer.kind == "paving") data_.paving = std::move(answer.paving);
+  if (!data_.kind.empty()) return;
+  data_.kind = answer.kind;
+  data_.headline = answer.headline;
+  data_.text = answer.text;
+  data_.report = without_files(std::move(answer.report));
+  data_.certificate_note = answer.no_certificate;
+  if (answer.kind != "check") return;
+  if (request_->motion.trajectory && !data_.report["segment"].is_null())
+    set_deciding_segment(data_, *request_, uncertain_names(*request_));
+  if (!answer.certificate.empty()) take_proof(answer.certificate);
+}
+
+void PageOfAnswers::take_proof(const std::string& file) {
+  data_.certificate = read_start(file, kLongestProof + 1, Readable::kFile);
+  if (data_.certificate.size() <= kLongestProof) return;
+  data_.certificate.clear();
+  data_.certificate_note =
+      "its proof is longer than a page holds; `regulus check --certificate` writes it to a file";
+}
+
+std::size_t PageOfAnswers::write(const std::string& file) const {
+  const std::string text =
+      template_.fill({.title = fmt::format("{}, {}: {}", text_or(data_.report, "model"),
+                                           text_or(data_.report, "motion"), data_.headline),
+                      .verdict = data_.headline,
+                      .claim = text_or(data_.report, "claim"),
+                      .report = data_.text,
+                      .data = json_text(data_)});
+  write_file(file, text);
+  return text.size();
+}
+
+std::unique_ptr<Answer> ask_for_page(const Asked& asked, const Services& services,
+                                     PageOfAnswers& page) {
+  if (const auto* check = std::get_if<AskCheck>(&asked))
+    return ask_with_proof(*check, services, page);
+  if (const auto* paving = std::get_if<AskPaving>(&asked))
+    return ask_with_tree(*paving, services, page);
+  std::unique_ptr<Answer> answer = ask(asked, services);
+  page.add(shown(asked, *answer));
+  return answer;
+}
+
+}  // namespace regulus::answer

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page of one answer or of several about the same motion.
+#pragma once
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "codegen/answer/answer.hpp"
+#include "codegen/answer/asked.hpp"
+#include "codegen/answer/services.hpp"
+#include "codegen/page/page_data.hpp"
+#include "codegen/page/page_template.hpp"
+
+namespace regulus::inline answer {
+
+/// A proof or a paving beyond this size stays out of a page.
+inline constexpr std::size_t kLongestProof = std::size_t{4} << 20;
+
+/// What a page shows of one answer.
+struct ShownAnswer {
+  std::string kind;                 ///< of Asked: "check", "paving", "margin", "bound", "load", …
+  std::string headline;             ///< "NO SINGULARITY"
+  std::string text;                 ///< the report for people
+  nlohmann::ordered_json report;    ///< the report for programs
+  std::string certificate{};        ///< of a check: the file of its proof; empty: there is none
+  std::string no_certificate{};     ///< why
+  nlohmann::ordered_json paving{};  ///< of a paving: its header, its tree, or its stretches
+};
+
+/// Returns the word of ShownAnswer::kind.
+[[nodiscard]] const char* kind_of(const Asked& asked);
+
+class PageOfAnswers {
+ public:
+  /// Reads the model. `typed`: the command that makes the page, for its reader.
+  ///
+  /// Throws    InputError and FileError for the model.
+  PageOfAnswers(PageTemplate page, const ModelOptions& model, const std::string& typed);
+  ~PageOfAnswers();
+
+  /// The first answer gives the page its headline; a check or a paving that follows, a bound or a
+  /// margin is shown beside it.
+  ///
+  /// Throws    FileError if the certificate cannot be read; UsageError for a paving that is too long.
+  void add(ShownAnswer answer);
+
+  /// Writes the page. Returns its size in bytes. Throws FileError.
+  std::size_t write(const std::string& file) const;
+
+ private:
+  void take_proof(const std::string& file);
+
+  PageTemplate template_;
+  std::unique_ptr<const Request> request_;
+  PageData data_;
+};
+
+/// Asks, and shows the answer: a check with its proof, a paving with its boxes.
+[[nodiscard]] std::unique_ptr<Answer> ask_for_page(const Asked& asked, const Services& services,
+                                                   PageOfAnswers& page);
+
+}  // namespace regulus::answer

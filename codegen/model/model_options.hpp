@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace regulus::inline model {
+
+/// The options of every command that reads a model: the motion, and changes to it.
+struct ModelOptions {
+  std::string path;
+  std::string motion;               ///< empty: the only motion of the model
+  std::vector<std::string> ranges;  ///< "p=LO:HI"
+  std::vector<std::string> tolerances;
+  std::string alpha;                  ///< empty: the motion's own
+  std::string waypoints{};            ///< file to follow instead; empty: the motion as it is
+  std::vector<std::string> tubes{};   ///< "E" or "p,q=E": control errors
+  std::optional<std::string> text{};  ///< of the model, instead of the file
+  std::string asked{};                ///< an expression for Model::asked; empty: none
+  /// Restrict every motion to the poses within reach. It does not change Motion::where: a search
+  /// must say itself that the others are not safe.
+  bool separates_reach = false;
+  bool beyond_limits = false;  ///< the question may leave the limits of the joints
+  /// Receives each note of the request as soon as it is read; empty: nothing.
+  std::function<void(const std::string&)> warn{};
+};
+
+}  // namespace regulus::model
