@@ -33,7 +33,7 @@ waypoints = "circle.csv"
 )";
 
 /// J⁻¹ = [1 x; 0 1] on 0 ≤ x ≤ 2.
-constexpr const char* kShear = R"(regulus = 1
+constexpr const char* kShear = R"toml(regulus = 1
 name = "shear"
 [pose]
 x = "cm"
@@ -48,7 +48,7 @@ velocity = [1, 1]
 [motion.way]
 waypoints = "way.csv"
 y = 0
-)";
+)toml";
 
 std::string contents_of(const std::string& path) {
   std::ostringstream text;
