@@ -14,7 +14,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/ComponentLibraries.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/PublicHeaders.cmake)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/Regulus)
-# Next to bin, in the folder for libraries (codegen/jit/clang_compiler.cpp), and deep enough that
+# Next to bin, in the folder for libraries (codegen/kernel/jit/clang_compiler.cpp), and deep enough that
 # CPack does not treat plugins as libraries and call ldconfig.
 set(plugin_dir lib/regulus/plugins)
 
@@ -94,9 +94,9 @@ if(REGULUS_CODEGEN)
   if(REGULUS_MPI)
     set_target_properties(regulus-mpi PROPERTIES INSTALL_RPATH_USE_LINK_PATH TRUE)
     install(TARGETS regulus-mpi RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT mpi)
-    install(FILES ${PROJECT_SOURCE_DIR}/codegen/mpi/CLUSTER.md
+    install(FILES ${PROJECT_SOURCE_DIR}/codegen/use/mpi/CLUSTER.md
             DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/regulus-mpi COMPONENT mpi)
-    install(FILES ${PROJECT_BINARY_DIR}/codegen/mpi/regulus-mpi.1
+    install(FILES ${PROJECT_BINARY_DIR}/codegen/use/mpi/regulus-mpi.1
             DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT mpi)
     regulus_install_licences(${CMAKE_INSTALL_DATADIR}/doc/regulus-mpi mpi)
   endif()
@@ -107,12 +107,12 @@ if(REGULUS_CODEGEN)
           LIBRARY DESTINATION ${plugin_dir} COMPONENT jit)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/models DESTINATION ${CMAKE_INSTALL_DATADIR}/regulus
           COMPONENT codegen FILES_MATCHING PATTERN "*.toml")
-  install(FILES ${PROJECT_SOURCE_DIR}/codegen/model/model.schema.json ${PROJECT_SOURCE_DIR}/codegen/report/report.schema.json
+  install(FILES ${PROJECT_SOURCE_DIR}/codegen/model/file/model.schema.json ${PROJECT_SOURCE_DIR}/codegen/answer/report/report.schema.json
           DESTINATION ${CMAKE_INSTALL_DATADIR}/regulus/schema COMPONENT codegen)
   if(REGULUS_PAGE_TEMPLATE)
     install(FILES ${REGULUS_PAGE_TEMPLATE} DESTINATION ${CMAKE_INSTALL_DATADIR}/regulus COMPONENT codegen)
   endif()
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/certificate/formal DESTINATION ${CMAKE_INSTALL_DATADIR}/regulus
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/formal DESTINATION ${CMAKE_INSTALL_DATADIR}/regulus
           COMPONENT codegen FILES_MATCHING PATTERN "*.v" PATTERN "*.ml" PATTERN _CoqProject PATTERN "*.md")
   install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/codegen/EMBEDDING.md
           DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/regulus COMPONENT codegen)
@@ -127,6 +127,6 @@ if(REGULUS_CODEGEN)
   install(FILES ${CMAKE_CURRENT_LIST_DIR}/Arb.cmake ${CMAKE_CURRENT_LIST_DIR}/PkgConfigTarget.cmake
                 ${CMAKE_CURRENT_LIST_DIR}/CodegenDependencies.cmake
                 ${CMAKE_CURRENT_LIST_DIR}/package/plugin_folder.cpp
-                ${PROJECT_SOURCE_DIR}/codegen/robot/examples/write_model.cpp
+                ${PROJECT_SOURCE_DIR}/codegen/model/robot/examples/write_model.cpp
           DESTINATION ${package_dir} COMPONENT development)
 endif()

@@ -14,13 +14,13 @@ else()
   set(python_dir lib/python3/dist-packages)
 endif()
 install(TARGETS regulus_python LIBRARY DESTINATION ${python_dir}/regulus COMPONENT python)
-file(GLOB python_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/codegen/python/regulus/*.py
-     ${PROJECT_SOURCE_DIR}/codegen/python/regulus/*.pyi ${PROJECT_SOURCE_DIR}/codegen/python/regulus/py.typed)
+file(GLOB python_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/codegen/use/python/regulus/*.py
+     ${PROJECT_SOURCE_DIR}/codegen/use/python/regulus/*.pyi ${PROJECT_SOURCE_DIR}/codegen/use/python/regulus/py.typed)
 install(FILES ${python_sources} DESTINATION ${python_dir}/regulus COMPONENT python)
 if(NOT DEFINED SKBUILD)
-  install(FILES ${PROJECT_SOURCE_DIR}/codegen/python/PYTHON.md
+  install(FILES ${PROJECT_SOURCE_DIR}/codegen/use/python/PYTHON.md
           DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-regulus COMPONENT python)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/codegen/python/examples
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/codegen/use/python/examples
           DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-regulus COMPONENT python FILES_MATCHING PATTERN "*.ipynb")
   regulus_install_licences(${CMAKE_INSTALL_DATADIR}/doc/python3-regulus python)
 endif()

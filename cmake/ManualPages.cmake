@@ -2,13 +2,13 @@
 # share/doc/regulus/manual: the manual as Markdown, and as HTML if cmark-gfm is there. The pages lie side by
 # side, and their links say so. cmark-gfm is small, and knows the tables that the pages have.
 set(REGULUS_MANUAL_PAGES
-    README.md models/README.md models/DATASHEETS.md codegen/EMBEDDING.md codegen/answer/WHAT_WORKS.md codegen/bound/BOUNDS.md codegen/command/CHECKING.md
-    codegen/import/IMPORTING.md codegen/model/MODEL_FILES.md codegen/mpi/CLUSTER.md codegen/page/PAGES.md
-    codegen/python/PYTHON.md codegen/robot/AUTHORS.md codegen/shell/SHELL.md runtime/PERFORMANCE.md
-    runtime/SOUNDNESS.md runtime/certificate/CERTIFICATES.md runtime/certificate/FORMAT.md
-    runtime/certificate/PROOF.md runtime/certificate/formal/FORMAL.md)
+    README.md models/README.md models/DATASHEETS.md codegen/EMBEDDING.md codegen/answer/WHAT_WORKS.md codegen/question/bound/BOUNDS.md codegen/use/command/CHECKING.md
+    codegen/model/import/IMPORTING.md codegen/model/MODEL_FILES.md codegen/use/mpi/CLUSTER.md codegen/answer/page/PAGES.md
+    codegen/use/python/PYTHON.md codegen/model/robot/AUTHORS.md codegen/use/shell/SHELL.md runtime/PERFORMANCE.md
+    runtime/SOUNDNESS.md runtime/proof/CERTIFICATES.md runtime/proof/FORMAT.md
+    runtime/proof/PROOF.md runtime/formal/FORMAL.md)
 set(REGULUS_MANUAL_PICTURES
-    codegen/page/page.webp codegen/page/robots.webp codegen/page/slices.webp codegen/page/way.webp
+    codegen/answer/page/page.webp codegen/answer/page/robots.webp codegen/answer/page/slices.webp codegen/answer/page/way.webp
     models/planar_3rpr.svg models/tsai_3upu.svg tests/paper/growth.svg)
 
 find_program(REGULUS_CMARK cmark-gfm)

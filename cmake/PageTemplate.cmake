@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# share/regulus/page.html, the page that `regulus report` fills: TypeScript of codegen/page/web, bundled
+# share/regulus/page.html, the page that `regulus report` fills: TypeScript of codegen/answer/page/web, bundled
 # with three.js by esbuild. Packages come from npm at configuration, as package-lock.json pins them. Without
 # npm or its packages everything else is built, and `regulus report` says what is missing.
 option(REGULUS_PAGE "Build the page of `regulus report`, if npm and its packages are there" ON)

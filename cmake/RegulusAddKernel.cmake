@@ -8,7 +8,7 @@
 #
 #   MODEL      model file, relative to the current source folder
 #   SOURCE     instead, the model in C++: a file that defines regulus_model()
-#              (codegen/robot/AUTHORS.md). Needs the component codegen, and runs on this machine
+#              (codegen/model/robot/AUTHORS.md). Needs the component codegen, and runs on this machine
 #   MOTION     one of its motions; may be left out if there is only one
 #   ISA        instruction sets; the program chooses one at run time, and portable is always
 #              included. Default: all of the target processor's family
@@ -144,7 +144,7 @@ function(_regulus_model_of_source target source model)
   endif()
   set(main ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/write_model.cpp)
   if(NOT EXISTS ${main}) # Regulus's own tree
-    set(main ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../codegen/robot/examples/write_model.cpp)
+    set(main ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../codegen/model/robot/examples/write_model.cpp)
   endif()
   add_executable(${target}_model ${source} ${main})
   target_link_libraries(${target}_model PRIVATE Regulus::codegen)

@@ -4,10 +4,10 @@
 #include <iostream>
 #include <string>
 
-#include "codegen/command/run_command_line.hpp"
-#include "codegen/shell/shell_command.hpp"
-#include "codegen/shell/shell_session.hpp"
 #include "codegen/support/errors.hpp"
+#include "codegen/use/command/run_command_line.hpp"
+#include "codegen/use/shell/shell_command.hpp"
+#include "codegen/use/shell/shell_session.hpp"
 
 namespace {
 

@@ -7,9 +7,9 @@
 #include <string_view>
 
 #include "codegen/answer/refusals.hpp"
-#include "codegen/command/completion.hpp"
-#include "codegen/command/manual.hpp"
-#include "codegen/shell/shell_session.hpp"
+#include "codegen/use/command/completion.hpp"
+#include "codegen/use/command/manual.hpp"
+#include "codegen/use/shell/shell_session.hpp"
 
 namespace {
 

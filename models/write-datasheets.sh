@@ -10,7 +10,7 @@ cat <<'EOF'
 `make datasheets` makes this page again. Each value lies between two ends: one is attained at the place in the
 list, the other is proved for every pose of the motion and every load. Loads, speeds and motors are examples of the
 model files. A `?` is an end that was not found in the 30 s to 90 s that a robot has, on one thread;
-[BOUNDS.md](../codegen/bound/BOUNDS.md) describes the quantities and says what they do not mean.
+[BOUNDS.md](../codegen/question/bound/BOUNDS.md) describes the quantities and says what they do not mean.
 EOF
 sheet=$(mktemp)
 trap 'rm -f "$sheet"' EXIT

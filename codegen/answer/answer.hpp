@@ -8,7 +8,7 @@
 
 #include "codegen/support/exit_code.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 
 /// What an answer says, for a program that knows no more.
 enum class Word {
@@ -54,4 +54,4 @@ class Answer {
   [[nodiscard]] virtual Rest wait_for_rest(const std::atomic<bool>& /*interrupted*/) { return {}; }
 };
 
-}  // namespace regulus::answer
+}  // namespace regulus

@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include "codegen/answer/page_of_answers.hpp"
-#include "codegen/margin/margin_question.hpp"
+#include "codegen/question/margin/margin_question.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 
 std::unique_ptr<Answer> ask(const Asked& asked, const Services& services) {
   return std::visit(
@@ -27,4 +27,4 @@ std::unique_ptr<Answer> ask_and_show(const Asked& asked, const Services& service
   return answer;
 }
 
-}  // namespace regulus::answer
+}  // namespace regulus

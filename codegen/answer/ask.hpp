@@ -9,7 +9,7 @@
 #include "codegen/answer/kinds.hpp"
 #include "codegen/answer/services.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 
 /// Answers a question. Files of earlier runs that the services would write are first renamed to
 /// FILE.old; those that are written are complete when it returns.
@@ -32,4 +32,4 @@ namespace regulus::inline answer {
 [[nodiscard]] std::unique_ptr<DatasheetAnswer> ask(const AskDatasheet& asked,
                                                    const Services& services);
 
-}  // namespace regulus::answer
+}  // namespace regulus

@@ -5,12 +5,12 @@
 #include <string>
 #include <variant>
 
-#include "codegen/engine/options.hpp"
-#include "codegen/margin/growing_size.hpp"
 #include "codegen/model/model_options.hpp"
-#include "codegen/quantity/quantity_options.hpp"
+#include "codegen/question/engine/options.hpp"
+#include "codegen/question/margin/growing_size.hpp"
+#include "codegen/question/quantity/quantity_options.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 
 /// Has the motion a singular pose?
 struct AskCheck {
@@ -71,4 +71,4 @@ struct AskDatasheet {
 using Asked =
     std::variant<AskCheck, AskPaving, AskMargin, AskBound, AskLoad, AskLoadPaving, AskDatasheet>;
 
-}  // namespace regulus::answer
+}  // namespace regulus

@@ -9,15 +9,15 @@
 #include "codegen/answer/bracket_ends.hpp"
 #include "codegen/answer/outputs.hpp"
 #include "codegen/answer/refusals.hpp"
-#include "codegen/bound/bound_question.hpp"
-#include "codegen/bound/bound_report.hpp"
-#include "codegen/bound/bound_run.hpp"
-#include "codegen/bound/condition_run.hpp"
-#include "codegen/bound/datasheet.hpp"
-#include "codegen/margin/prepared_margin.hpp"
+#include "codegen/question/bound/bound_question.hpp"
+#include "codegen/question/bound/bound_report.hpp"
+#include "codegen/question/bound/bound_run.hpp"
+#include "codegen/question/bound/datasheet.hpp"
+#include "codegen/question/condition/condition_run.hpp"
+#include "codegen/question/margin/prepared_margin.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -200,4 +200,4 @@ std::unique_ptr<DatasheetAnswer> ask(const AskDatasheet& asked, const Services& 
   return std::make_unique<Sheet>(asked, services);
 }
 
-}  // namespace regulus::answer
+}  // namespace regulus

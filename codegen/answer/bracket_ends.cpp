@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/answer/bracket_ends.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 
 std::vector<ProofOfEnd> proofs_of_ends(const EndProofs& ends, const std::string& component) {
   std::vector<ProofOfEnd> proofs;
@@ -12,4 +12,4 @@ std::vector<ProofOfEnd> proofs_of_ends(const EndProofs& ends, const std::string&
   return proofs;
 }
 
-}  // namespace regulus::answer
+}  // namespace regulus

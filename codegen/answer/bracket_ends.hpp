@@ -6,10 +6,10 @@
 
 #include "codegen/answer/kinds.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 
 /// Returns the proofs of a component's ends; none if none were wanted.
 [[nodiscard]] std::vector<ProofOfEnd> proofs_of_ends(const EndProofs& ends,
                                                      const std::string& component);
 
-}  // namespace regulus::answer
+}  // namespace regulus

@@ -2,23 +2,23 @@
 // Has the motion a singular pose?
 #include <nlohmann/json.hpp>
 
-#include "codegen/analysis/least_singular.hpp"
 #include "codegen/answer/ask.hpp"
+#include "codegen/answer/certificate/certificate_file.hpp"
 #include "codegen/answer/outputs.hpp"
 #include "codegen/answer/refusals.hpp"
-#include "codegen/certificate/certificate_file.hpp"
-#include "codegen/engine/checkpoint_file.hpp"
-#include "codegen/engine/search_run.hpp"
-#include "codegen/engine/settings.hpp"
-#include "codegen/report/progress.hpp"
-#include "codegen/report/report.hpp"
+#include "codegen/answer/report/progress.hpp"
+#include "codegen/answer/report/report.hpp"
+#include "codegen/question/analysis/least_singular.hpp"
+#include "codegen/question/engine/checkpoint_file.hpp"
+#include "codegen/question/engine/search_run.hpp"
+#include "codegen/question/engine/settings.hpp"
+#include "codegen/question/way/read_trajectory.hpp"
+#include "codegen/question/way/trajectory_certificate.hpp"
+#include "codegen/question/way/trajectory_report.hpp"
 #include "codegen/support/stopwatch.hpp"
-#include "codegen/trajectory/read_trajectory.hpp"
-#include "codegen/trajectory/trajectory_certificate.hpp"
-#include "codegen/trajectory/trajectory_report.hpp"
 #include "runtime/problem/observers.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -123,4 +123,4 @@ std::unique_ptr<CheckAnswer> ask(const AskCheck& asked, const Services& services
   return std::make_unique<WayCheck>(std::move(*along), watch.lap(), asked, services);
 }
 
-}  // namespace regulus::answer
+}  // namespace regulus

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/answer/kinds.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 
 Word word_of(Verdict verdict) noexcept {
   return verdict == Verdict::kNoSingularity ? Word::kProved
@@ -24,4 +24,4 @@ std::string PavingAnswer::headline() const { return name(result.verdict); }
 Word LoadAnswer::word() const { return word_of(verdict); }
 std::string LoadAnswer::headline() const { return name(verdict); }
 
-}  // namespace regulus::answer
+}  // namespace regulus

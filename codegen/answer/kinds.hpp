@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "codegen/answer/answer.hpp"
-#include "codegen/certificate/proof_status.hpp"
-#include "codegen/feasibility/force_claim.hpp"
+#include "codegen/answer/certificate/proof_status.hpp"
+#include "codegen/question/load/force_claim.hpp"
 #include "runtime/interval/interval.hpp"
 #include "runtime/problem/result.hpp"
 #include "runtime/search/paving.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 
 /// Has the motion a singular pose?
 class CheckAnswer : public Answer {
@@ -112,4 +112,4 @@ class DatasheetAnswer : public Answer {
 [[nodiscard]] Word word_of(Verdict verdict) noexcept;
 [[nodiscard]] Word word_of(FeasibilityVerdict verdict) noexcept;
 
-}  // namespace regulus::answer
+}  // namespace regulus

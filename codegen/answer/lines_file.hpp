@@ -8,7 +8,7 @@
 #include "codegen/answer/services.hpp"
 #include "runtime/files/atomic_stream.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 
 /// The output of the JSON lines of a paving: a file, which appears when it is complete, a stream, or
 /// nothing.
@@ -31,4 +31,4 @@ class LinesFile {
   std::optional<AtomicStream> file_;
 };
 
-}  // namespace regulus::answer
+}  // namespace regulus

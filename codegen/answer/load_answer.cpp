@@ -6,17 +6,17 @@
 #include "codegen/answer/lines_file.hpp"
 #include "codegen/answer/outputs.hpp"
 #include "codegen/answer/refusals.hpp"
-#include "codegen/feasibility/feasibility_report.hpp"
-#include "codegen/feasibility/force_certificate.hpp"
-#include "codegen/feasibility/way_forces.hpp"
-#include "codegen/report/paving_options.hpp"
-#include "codegen/report/progress.hpp"
-#include "codegen/report/report_text.hpp"
+#include "codegen/answer/report/paving_options.hpp"
+#include "codegen/answer/report/progress.hpp"
+#include "codegen/answer/report/report_text.hpp"
+#include "codegen/question/load/feasibility_report.hpp"
+#include "codegen/question/load/force_certificate.hpp"
+#include "codegen/question/load/way_forces.hpp"
+#include "codegen/question/way/read_trajectory.hpp"
 #include "codegen/support/stopwatch.hpp"
-#include "codegen/trajectory/read_trajectory.hpp"
 #include "runtime/problem/observers.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -178,4 +178,4 @@ std::unique_ptr<LoadPavingAnswer> ask(const AskLoadPaving& asked, const Services
   return std::make_unique<VarietyLoadPaving>(asked, services);
 }
 
-}  // namespace regulus::answer
+}  // namespace regulus

@@ -6,17 +6,17 @@
 #include "codegen/answer/bracket_ends.hpp"
 #include "codegen/answer/outputs.hpp"
 #include "codegen/answer/refusals.hpp"
-#include "codegen/bound/bound_question.hpp"
-#include "codegen/bound/bound_run.hpp"
-#include "codegen/bound/limit_margin.hpp"
-#include "codegen/margin/margin_report.hpp"
-#include "codegen/margin/prepared_margin.hpp"
-#include "codegen/margin/variety_attempts.hpp"
+#include "codegen/question/bound/bound_question.hpp"
+#include "codegen/question/bound/bound_run.hpp"
+#include "codegen/question/bound/limit_margin.hpp"
+#include "codegen/question/margin/margin_report.hpp"
+#include "codegen/question/margin/prepared_margin.hpp"
+#include "codegen/question/margin/variety_attempts.hpp"
+#include "codegen/question/way/margin_checkpoint.hpp"
+#include "codegen/question/way/trajectory_margin.hpp"
 #include "codegen/support/errors.hpp"
-#include "codegen/trajectory/margin_checkpoint.hpp"
-#include "codegen/trajectory/trajectory_margin.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -230,4 +230,4 @@ std::unique_ptr<MarginAnswer> ask(const AskMargin& asked, const Services& servic
   return std::make_unique<WayMargin>(question, std::move(request), asked, services);
 }
 
-}  // namespace regulus::answer
+}  // namespace regulus

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <iterator>
 
-#include "codegen/report/progress.hpp"
-#include "runtime/certificate/format.hpp"
+#include "codegen/answer/report/progress.hpp"
+#include "runtime/proof/format.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 namespace {
 
 /// Returns the files that a question reads: the model, way-points, filters.
@@ -54,4 +54,4 @@ std::vector<Observer*> present(std::initializer_list<Observer*> observers) {
   return result;
 }
 
-}  // namespace regulus::answer
+}  // namespace regulus

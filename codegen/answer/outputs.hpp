@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "codegen/answer/report/output_options.hpp"
 #include "codegen/answer/services.hpp"
-#include "codegen/engine/options.hpp"
 #include "codegen/model/model_options.hpp"
-#include "codegen/program/work_meter.hpp"
-#include "codegen/report/output_options.hpp"
+#include "codegen/question/engine/options.hpp"
+#include "codegen/support/work_meter.hpp"
 #include "runtime/problem/observer.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 
 /// Renames the files of earlier runs: the certificate, the checkpoint, the lines and the pictures of
 /// `services`. Throws as set_earlier_outputs_aside.
@@ -31,4 +31,4 @@ void set_outputs_aside(const ModelOptions& model, const SearchOptions& search,
 /// Returns those that are not null.
 [[nodiscard]] std::vector<Observer*> present(std::initializer_list<Observer*> observers);
 
-}  // namespace regulus::answer
+}  // namespace regulus

@@ -8,14 +8,14 @@
 #include <optional>
 
 #include "codegen/answer/ask.hpp"
-#include "codegen/certificate/certificate_question.hpp"
-#include "codegen/model/read_file.hpp"
+#include "codegen/answer/certificate/certificate_question.hpp"
+#include "codegen/model/file/read_file.hpp"
 #include "codegen/model/request.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/scratch_folder.hpp"
 #include "codegen/support/write_file.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -148,4 +148,4 @@ std::unique_ptr<Answer> ask_for_page(const Asked& asked, const Services& service
   return answer;
 }
 
-}  // namespace regulus::answer
+}  // namespace regulus

@@ -8,11 +8,11 @@
 
 #include "codegen/answer/answer.hpp"
 #include "codegen/answer/asked.hpp"
+#include "codegen/answer/page/page_data.hpp"
+#include "codegen/answer/page/page_template.hpp"
 #include "codegen/answer/services.hpp"
-#include "codegen/page/page_data.hpp"
-#include "codegen/page/page_template.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 
 /// A proof or a paving beyond this size stays out of a page.
 inline constexpr std::size_t kLongestProof = std::size_t{4} << 20;
@@ -60,4 +60,4 @@ class PageOfAnswers {
 [[nodiscard]] std::unique_ptr<Answer> ask_for_page(const Asked& asked, const Services& services,
                                                    PageOfAnswers& page);
 
-}  // namespace regulus::answer
+}  // namespace regulus

@@ -4,27 +4,27 @@
 
 #include "codegen/answer/ask.hpp"
 #include "codegen/answer/box_listener.hpp"
+#include "codegen/answer/certificate/certificate_file.hpp"
 #include "codegen/answer/lines_file.hpp"
 #include "codegen/answer/outputs.hpp"
+#include "codegen/answer/page/paving_tree.hpp"
+#include "codegen/answer/picture/pictures.hpp"
 #include "codegen/answer/refusals.hpp"
-#include "codegen/certificate/certificate_file.hpp"
-#include "codegen/engine/paving_verdict.hpp"
-#include "codegen/engine/search_run.hpp"
-#include "codegen/engine/settings.hpp"
-#include "codegen/page/paving_tree.hpp"
-#include "codegen/picture/pictures.hpp"
-#include "codegen/report/paving_options.hpp"
-#include "codegen/report/paving_report.hpp"
-#include "codegen/report/paving_writer.hpp"
-#include "codegen/report/progress.hpp"
-#include "codegen/report/report_text.hpp"
+#include "codegen/answer/report/paving_options.hpp"
+#include "codegen/answer/report/paving_report.hpp"
+#include "codegen/answer/report/paving_writer.hpp"
+#include "codegen/answer/report/progress.hpp"
+#include "codegen/answer/report/report_text.hpp"
+#include "codegen/question/engine/paving_verdict.hpp"
+#include "codegen/question/engine/search_run.hpp"
+#include "codegen/question/engine/settings.hpp"
+#include "codegen/question/way/read_trajectory.hpp"
+#include "codegen/question/way/trajectory_paving.hpp"
 #include "codegen/support/stopwatch.hpp"
-#include "codegen/trajectory/read_trajectory.hpp"
-#include "codegen/trajectory/trajectory_paving.hpp"
 #include "runtime/problem/observers.hpp"
 #include "runtime/search/workspace.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -166,4 +166,4 @@ std::unique_ptr<PavingAnswer> ask(const AskPaving& asked, const Services& servic
   return std::make_unique<WayPaving>(std::move(*along), watch.lap(), asked, services);
 }
 
-}  // namespace regulus::answer
+}  // namespace regulus

@@ -7,11 +7,11 @@
 #include <array>
 #include <vector>
 
-#include "codegen/margin/margin_question.hpp"
+#include "codegen/question/margin/margin_question.hpp"
+#include "codegen/question/way/read_trajectory.hpp"
 #include "codegen/support/errors.hpp"
-#include "codegen/trajectory/read_trajectory.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 namespace {
 
 constexpr std::string_view kOneFile = "the proof of an end of a bracket is one file";
@@ -289,4 +289,4 @@ std::string what_works() {
   return page;
 }
 
-}  // namespace regulus::answer
+}  // namespace regulus

@@ -11,7 +11,7 @@
 #include "codegen/answer/asked.hpp"
 #include "codegen/answer/services.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 
 /// The kinds of questions, as far as they differ in what they take.
 enum class Kind {
@@ -78,4 +78,4 @@ void refuse_changed_options(const ModelOptions& model, const SearchOptions& sear
 /// Returns the page "What works with what" of the manual, in Markdown.
 [[nodiscard]] std::string what_works();
 
-}  // namespace regulus::answer
+}  // namespace regulus

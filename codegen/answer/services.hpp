@@ -10,14 +10,14 @@
 #include <string>
 #include <vector>
 
-#include "codegen/engine/options.hpp"
-#include "codegen/feasibility/force_claim.hpp"
-#include "codegen/picture/picture_request.hpp"
+#include "codegen/answer/picture/picture_request.hpp"
+#include "codegen/question/engine/options.hpp"
+#include "codegen/question/load/force_claim.hpp"
 #include "codegen/support/earlier_outputs.hpp"
 #include "runtime/interval/interval.hpp"
 #include "runtime/search/paving.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 
 /// The JSON lines of a paving.
 struct LinesRequest {
@@ -62,4 +62,4 @@ struct Services {
   }
 };
 
-}  // namespace regulus::answer
+}  // namespace regulus

@@ -5,12 +5,12 @@
 #include <set>
 #include <string>
 
-#include "codegen/model/certain_sign.hpp"
+#include "codegen/model/exact/certain_sign.hpp"
+#include "codegen/model/exact/sign.hpp"
 #include "codegen/model/names.hpp"
-#include "codegen/model/sign.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -78,4 +78,4 @@ std::vector<ex> distinct(const std::vector<ex>& all) {
   return result;
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

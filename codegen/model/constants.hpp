@@ -2,10 +2,10 @@
 // Checks of constants, from a file or a command line.
 #pragma once
 
-#include "codegen/model/expression_parser.hpp"
+#include "codegen/model/exact/expression_parser.hpp"
 #include "codegen/model/model.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 
 /// Returns the range lo ≤ hi; the order is proved. Throws InputError for a reversed range, and for
 /// a range whose ends certified evaluation cannot put in order (sqrt(2)*sqrt(3) to sqrt(6)).
@@ -26,4 +26,4 @@ void append(std::vector<GiNaC::ex>& all, const std::vector<GiNaC::ex>& more);
 /// Returns the expressions without repetitions, in the order of first occurrence.
 [[nodiscard]] std::vector<GiNaC::ex> distinct(const std::vector<GiNaC::ex>& all);
 
-}  // namespace regulus::model
+}  // namespace regulus

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <optional>
 
-#include "codegen/model/expression_parser.hpp"
-#include "codegen/model/ginac_text.hpp"
-#include "codegen/model/sign.hpp"
+#include "codegen/model/exact/expression_parser.hpp"
+#include "codegen/model/exact/ginac_text.hpp"
+#include "codegen/model/exact/sign.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 /// Just above 2π, as files round it; a warning needs no proof.
@@ -48,4 +48,4 @@ void warn_about_angle(std::vector<std::string>& warnings, const Range& range, st
   }
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

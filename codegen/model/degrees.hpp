@@ -12,7 +12,7 @@
 
 #include "codegen/model/model.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 
 struct Place;
 
@@ -36,4 +36,4 @@ enum class NumberUnit { kPlain, kDegrees };
 void warn_about_angle(std::vector<std::string>& warnings, const Range& range, std::string_view unit,
                       const Place& place);
 
-}  // namespace regulus::model
+}  // namespace regulus

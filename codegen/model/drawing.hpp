@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "codegen/model/exact_algebra.hpp"
+#include "codegen/model/exact/exact_algebra.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 
 struct Drawing {
   enum class Kind {
@@ -46,4 +46,4 @@ struct Drawing {
   return "";
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

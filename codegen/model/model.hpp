@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace regulus::inline model {
+namespace regulus {
 
 /// A range with exact ends: rationals, or constant expressions such as 15*Pi/180. lo ≤ hi.
 struct Range {
@@ -177,4 +177,4 @@ struct Model {
   std::vector<std::string> warnings{};  ///< what may have been meant otherwise, with the line
 };
 
-}  // namespace regulus::model
+}  // namespace regulus

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace regulus::inline model {
+namespace regulus {
 
 /// The options of every command that reads a model: the motion, and changes to it.
 struct ModelOptions {
@@ -27,4 +27,4 @@ struct ModelOptions {
   std::function<void(const std::string&)> warn{};
 };
 
-}  // namespace regulus::model
+}  // namespace regulus

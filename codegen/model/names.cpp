@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <numeric>
 
-#include "codegen/model/real_functions.hpp"
+#include "codegen/model/exact/real_functions.hpp"
 #include "codegen/support/visible_text.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 constexpr std::size_t kLongestName = 64;
@@ -102,4 +102,4 @@ bool is_label(std::string_view text) noexcept {
          visible(text) == text;
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

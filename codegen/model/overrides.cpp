@@ -7,7 +7,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -171,4 +171,4 @@ std::vector<std::string> tolerance_groups(const Model& model) {
   return groups;
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

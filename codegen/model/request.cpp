@@ -4,13 +4,13 @@
 #include <algorithm>
 
 #include "codegen/model/changes.hpp"
-#include "codegen/model/joint_limits.hpp"
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
+#include "codegen/model/mechanism/joint_limits.hpp"
+#include "codegen/model/mechanism/reach.hpp"
 #include "codegen/model/overrides.hpp"
-#include "codegen/model/reach.hpp"
-#include "codegen/model/trajectory.hpp"
+#include "codegen/model/way/trajectory.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 
 Assignment split_assignment(const std::string& text, const char* option) {
   const std::size_t equals = text.find('=');
@@ -87,4 +87,4 @@ Request read_request(std::string_view text, const ModelOptions& options,
   return request;
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

@@ -8,10 +8,10 @@
 
 #include "codegen/model/model.hpp"
 #include "codegen/model/model_options.hpp"
-#include "codegen/program/work_meter.hpp"
 #include "codegen/support/errors.hpp"
+#include "codegen/support/work_meter.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 
 /// A model and the motion in question, with the changes of the command line applied.
 struct Request {
@@ -49,4 +49,4 @@ void from_option(const char* option, Change change) {
   }
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

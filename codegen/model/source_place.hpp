@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-namespace regulus::inline model {
+namespace regulus {
 
 /// A place in a C++ program. It replaces std::source_location, which Clang has only from version
 /// 15.
@@ -26,4 +26,4 @@ class SourcePlace {
   unsigned line_ = 0;
 };
 
-}  // namespace regulus::model
+}  // namespace regulus

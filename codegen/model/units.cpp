@@ -5,7 +5,7 @@
 
 #include "codegen/model/degrees.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 enum class Kind { kLength, kAngle };
@@ -47,4 +47,4 @@ std::optional<GiNaC::ex> unit_factor(std::string_view from, std::string_view to)
   return size_of(*a) / size_of(*b);
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

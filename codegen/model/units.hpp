@@ -6,10 +6,10 @@
 #include <optional>
 #include <string_view>
 
-namespace regulus::inline model {
+namespace regulus {
 
 /// Returns the exact factor that turns a number in `from` into one in `to`: units of length, of an
 /// angle, or one label twice. nullopt if the units are of different kinds, or not known.
 [[nodiscard]] std::optional<GiNaC::ex> unit_factor(std::string_view from, std::string_view to);
 
-}  // namespace regulus::model
+}  // namespace regulus

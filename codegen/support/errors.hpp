@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace regulus::inline support {
+namespace regulus {
 
 /// Bad input: a model file, an option, a C++ model. what() is "file:line: found F, expected E" for
 /// a mistake of syntax, and "file:line: PROBLEM; REMEDY" for any other.
@@ -111,4 +111,4 @@ class ReadingStopped : public std::runtime_error {
                                        : "the time limit was reached while the model was read") {}
 };
 
-}  // namespace regulus::support
+}  // namespace regulus

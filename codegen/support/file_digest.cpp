@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 
-namespace regulus::inline support {
+namespace regulus {
 namespace {
 
 constexpr std::uint64_t kPart = std::uint64_t{1} << 16;
@@ -31,4 +31,4 @@ std::optional<std::string> FileDigest::of_first(std::uint64_t length) {
   return digest_.text();
 }
 
-}  // namespace regulus::support
+}  // namespace regulus

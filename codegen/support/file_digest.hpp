@@ -8,7 +8,7 @@
 #include "codegen/support/file_descriptor.hpp"
 #include "runtime/files/sha256.hpp"
 
-namespace regulus::inline support {
+namespace regulus {
 
 /// SHA-256 of a file that grows. Each byte is read once.
 class FileDigest {
@@ -27,4 +27,4 @@ class FileDigest {
   std::uint64_t done_ = 0;
 };
 
-}  // namespace regulus::support
+}  // namespace regulus

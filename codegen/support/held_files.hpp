@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-namespace regulus::inline support {
+namespace regulus {
 
 /// Complete files that wait under temporary names for the end of a run. A run that is killed leaves
 /// none of them, and none of an end that a later search would have moved.
@@ -40,4 +40,4 @@ inline void hold_or_put(HeldFiles* held, const std::string& path, HeldFiles::Ste
     put_in_place();
 }
 
-}  // namespace regulus::support
+}  // namespace regulus

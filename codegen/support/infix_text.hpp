@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace regulus::inline support {
+namespace regulus {
 
 /// How strongly the outermost operation of a text holds its operands together.
 enum class Precedence { kSum, kProduct, kSign, kPower, kPrimary };
@@ -24,4 +24,4 @@ struct InfixText {
   }
 };
 
-}  // namespace regulus::support
+}  // namespace regulus

@@ -85,7 +85,7 @@ class BoxLanes {
   // Copies, so that a kernel is exchanged as a whole: its functions need its own context.
   regulus_expansion expansion_{};
   regulus_kernel kernel_;
-  const Kernel caller_;  ///< calls kernel_
+  const CheckedKernel caller_;  ///< calls kernel_
   const std::atomic<const regulus_kernel*>* const faster_kernel_;
   const std::size_t variables_;
   std::size_t changing_;

@@ -27,7 +27,7 @@ enum { REGULUS_POINT_BITS = 29, REGULUS_LEAST_POINT_EXPONENT = -800 };
 /// Ensures   for each lane whose bit in the result is 0: every expression is defined at every
 ///           point of the box, and each output encloses its expression over the box, with finite
 ///           bounds. For a lane whose bit is 1 nothing is known ("undefined"): its outputs are
-///           meaningless and differ between engines. regulus::Kernel sets them to [−∞, ∞], so that
+///           meaningless and differ between engines. regulus::CheckedKernel sets them to [−∞, ∞], so that
 ///           callers of that class see the same outputs with every engine.
 typedef unsigned (*regulus_function)(const double* boxes, const double* points, double* out,
                                      const void* context);

@@ -100,7 +100,7 @@ LaneMask point_lanes_outside_contract(const double* points, unsigned rows,
   return check.failed();
 }
 
-Kernel::Kernel(const regulus_kernel& kernel) : kernel_(&kernel) {
+CheckedKernel::CheckedKernel(const regulus_kernel& kernel) : kernel_(&kernel) {
   if (kernel.abi != REGULUS_KERNEL_ABI)
     refuse("made for ABI " + std::to_string(kernel.abi) + ", this runtime has ABI " +
            std::to_string(REGULUS_KERNEL_ABI));
@@ -115,8 +115,8 @@ Kernel::Kernel(const regulus_kernel& kernel) : kernel_(&kernel) {
   if (kernel.matrix == nullptr) refuse("it has no function for the matrix");
 }
 
-LaneMask Kernel::call(regulus_function function, const double* boxes, const double* points,
-                      double* out) const noexcept {
+LaneMask CheckedKernel::call(regulus_function function, const double* boxes, const double* points,
+                             double* out) const noexcept {
   if (function == nullptr) return kAllLanes;
   LaneMask outside = lanes_outside_contract(boxes, kernel_->variables);
   if (points != nullptr)
@@ -126,8 +126,8 @@ LaneMask Kernel::call(regulus_function function, const double* boxes, const doub
   return outside | undefined;
 }
 
-LaneMask Kernel::call_within_contract(regulus_function function, const double* boxes,
-                                      const double* points, double* out) const noexcept {
+LaneMask CheckedKernel::call_within_contract(regulus_function function, const double* boxes,
+                                             const double* points, double* out) const noexcept {
   LaneMask undefined;
   {
     const RoundingScope scope(kernel_->rounding);
@@ -137,7 +137,7 @@ LaneMask Kernel::call_within_contract(regulus_function function, const double* b
   return undefined;
 }
 
-std::size_t Kernel::count_outputs(regulus_function function) const noexcept {
+std::size_t CheckedKernel::count_outputs(regulus_function function) const noexcept {
   const regulus_kernel& k = *kernel_;
   const std::size_t mn = std::size_t{k.rows} * k.columns;
   const std::size_t nn = std::size_t{k.columns} * k.columns;
@@ -164,7 +164,7 @@ std::size_t Kernel::count_outputs(regulus_function function) const noexcept {
   return least == SIZE_MAX ? 0 : least;
 }
 
-void Kernel::forget(regulus_function function, LaneMask lanes, double* out) const noexcept {
+void CheckedKernel::forget(regulus_function function, LaneMask lanes, double* out) const noexcept {
   const std::size_t outputs = count_outputs(function);
   for (std::size_t e = 0; e < outputs; ++e)
     for (std::size_t lane = 0; lane < kLanes; ++lane) {

@@ -33,11 +33,11 @@ inline constexpr double kUndefinedUpper = __builtin_inf();
 
 /// A kernel that has been checked once and may then be called safely. It does not own the
 /// functions; the owner of their code keeps it loaded.
-class Kernel {
+class CheckedKernel {
  public:
   /// Throws std::invalid_argument, with the reason, if the ABI version or the rounding is unknown,
   /// a count is impossible, or there is no function `matrix`.
-  explicit Kernel(const regulus_kernel& kernel);
+  explicit CheckedKernel(const regulus_kernel& kernel);
 
   [[nodiscard]] const regulus_kernel& functions() const noexcept { return *kernel_; }
 

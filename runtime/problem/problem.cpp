@@ -38,7 +38,7 @@ std::optional<std::string> fault_of_range(const Problem& problem, std::size_t k)
 
 std::optional<std::string> fault_of_kernel(const regulus_kernel& kernel) {
   try {
-    static_cast<void>(Kernel(kernel));
+    static_cast<void>(CheckedKernel(kernel));
   } catch (const std::exception& error) {
     return error.what();
   }

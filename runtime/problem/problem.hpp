@@ -46,7 +46,7 @@ struct Problem {
   /// in less time. It is read before each batch of boxes; the batch that is being decided keeps the
   /// kernel that it has. Null: there will be none.
   ///
-  /// Requires  regulus::Kernel accepts it, and it has the sizes and lists of `kernel`; both live as
+  /// Requires  regulus::CheckedKernel accepts it, and it has the sizes and lists of `kernel`; both live as
   ///           long as the search.
   const std::atomic<const regulus_kernel*>* faster_kernel = nullptr;
 

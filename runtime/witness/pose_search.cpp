@@ -227,7 +227,7 @@ class PoseSearch {
 
   const Problem& problem_;
   const Settings& settings_;
-  const Kernel kernel_;
+  const CheckedKernel kernel_;
   const regulus_kernel& functions_;
   const bool defined_;
   const std::size_t variables_;

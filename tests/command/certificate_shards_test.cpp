@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <regex>
 
-#include "runtime/certificate/format.hpp"
+#include "runtime/proof/format.hpp"
 #include "tests/support/certificates.hpp"
 #include "tests/support/command.hpp"
 

@@ -7,8 +7,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "runtime/certificate/format.hpp"
-#include "runtime/certificate/writer.hpp"
+#include "runtime/proof/format.hpp"
+#include "runtime/proof/writer.hpp"
 #include "tests/support/cached_command.hpp"
 #include "tests/support/certificates.hpp"
 

@@ -139,7 +139,7 @@ TEST(Filter, IsRefusedWhenItCannotBeUsed) {
 TEST(Filter, InTheManualIsTheOneTestedHere) {
   const std::string source = read(REGULUS_SOURCE_DIR "/tests/command/filters/gershgorin.cpp");
   const std::string shown = source.substr(source.find("// Gershgorin"));
-  EXPECT_THAT(read(REGULUS_SOURCE_DIR "/codegen/command/CHECKING.md"), HasSubstr(shown));
+  EXPECT_THAT(read(REGULUS_SOURCE_DIR "/codegen/use/command/CHECKING.md"), HasSubstr(shown));
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 #include <set>
 #include <thread>
 
-#include "codegen/jit/cache/cache_entry.hpp"
+#include "codegen/kernel/jit/cache/cache_entry.hpp"
 #include "runtime/interval/floating_point_scope.hpp"
 #include "tests/support/cached_command.hpp"
 #include "tests/support/certificates.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `--engine auto`: a search that switches from the interpreter to the compiled kernel gives the
 // same answer, and the report does not depend on the moment of the switch.
-#include "codegen/engine/late_compilation.hpp"
+#include "codegen/question/engine/late_compilation.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,11 +10,11 @@
 #include <csignal>
 #include <thread>
 
-#include "codegen/certificate/certificate_file.hpp"
-#include "codegen/engine/pipeline.hpp"
-#include "codegen/engine/search_run.hpp"
-#include "codegen/engine/settings.hpp"
-#include "codegen/report/report.hpp"
+#include "codegen/answer/certificate/certificate_file.hpp"
+#include "codegen/answer/report/report.hpp"
+#include "codegen/question/engine/pipeline.hpp"
+#include "codegen/question/engine/search_run.hpp"
+#include "codegen/question/engine/settings.hpp"
 #include "runtime/problem/observers.hpp"
 #include "tests/support/cached_command.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the hint after an unproved check, on models whose singular poses are known.
-#include "codegen/analysis/least_singular.hpp"
+#include "codegen/question/analysis/least_singular.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

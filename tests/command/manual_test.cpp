@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Manual pages, completions and the page about the shell must describe the program as it is.
-#include "codegen/command/manual.hpp"
+#include "codegen/use/command/manual.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,9 +10,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "codegen/command/completion.hpp"
-#include "codegen/command/help_layout.hpp"
-#include "codegen/shell/shell_session.hpp"
+#include "codegen/use/command/completion.hpp"
+#include "codegen/use/command/help_layout.hpp"
+#include "codegen/use/shell/shell_session.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"
 
@@ -170,7 +170,7 @@ TEST(Manual, HasTheSectionsOfAPage) {
 }
 
 TEST(ShellPage, ShowsASessionThatTakesPlaceLikeThat) {
-  std::ifstream page(REGULUS_SOURCE_DIR "/codegen/shell/SHELL.md");
+  std::ifstream page(REGULUS_SOURCE_DIR "/codegen/use/shell/SHELL.md");
   std::string line, script, shown;
   while (std::getline(page, line) && line != "```") continue;
   while (std::getline(page, line) && line != "```")

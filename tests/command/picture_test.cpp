@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tests pictures of pavings: gnuplot draws them, and no text is a command for it.
-#include "codegen/picture/picture.hpp"
+#include "codegen/answer/picture/picture.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "codegen/picture/canvas.hpp"
-#include "codegen/picture/gnuplot.hpp"
+#include "codegen/answer/picture/canvas.hpp"
+#include "codegen/answer/picture/gnuplot.hpp"
 #include "codegen/support/errors.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"

@@ -6,12 +6,12 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "codegen/api/check.hpp"
-#include "codegen/cpp/emit.hpp"
-#include "codegen/formulation/functions_needed.hpp"
-#include "codegen/model/model_file.hpp"
+#include "codegen/kernel/cpp/emit.hpp"
+#include "codegen/kernel/formulation/functions_needed.hpp"
+#include "codegen/model/file/model_file.hpp"
 #include "codegen/model/overrides.hpp"
 #include "codegen/model/request.hpp"
+#include "codegen/use/api/check.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"
 
@@ -61,7 +61,7 @@ TEST(CheckOfARobot, RefusesWhatTheRobotOrTheQuestionHasNot) {
 
 /// Returns the first program of the page for authors.
 std::string program_of_the_page() {
-  std::ifstream page(REGULUS_SOURCE_DIR "/codegen/robot/AUTHORS.md");
+  std::ifstream page(REGULUS_SOURCE_DIR "/codegen/model/robot/AUTHORS.md");
   std::string line, program;
   while (std::getline(page, line) && line != "```cpp") continue;
   while (std::getline(page, line) && line != "```") program += line + '\n';
@@ -69,7 +69,7 @@ std::string program_of_the_page() {
 }
 
 TEST(AuthorsPage, ShowsTheExampleThatIsBuilt) {
-  std::ifstream file(REGULUS_SOURCE_DIR "/codegen/robot/examples/slider.cpp");
+  std::ifstream file(REGULUS_SOURCE_DIR "/codegen/model/robot/examples/slider.cpp");
   const std::string source{std::istreambuf_iterator<char>(file), {}};
   ASSERT_GT(program_of_the_page().size(), 100U);
   EXPECT_THAT(source, testing::EndsWith(program_of_the_page()));

@@ -10,9 +10,9 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/model/request.hpp"
-#include "codegen/shell/shell_completion.hpp"
-#include "codegen/shell/shell_words.hpp"
 #include "codegen/support/exit_code.hpp"
+#include "codegen/use/shell/shell_completion.hpp"
+#include "codegen/use/shell/shell_words.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"
 

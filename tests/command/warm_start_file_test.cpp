@@ -10,8 +10,8 @@
 #include <limits>
 #include <set>
 
-#include "codegen/engine/build_id.hpp"
-#include "codegen/engine/warm_start.hpp"
+#include "codegen/question/engine/build_id.hpp"
+#include "codegen/question/engine/warm_start.hpp"
 #include "tests/support/cached_command.hpp"
 #include "tests/support/random_source.hpp"
 

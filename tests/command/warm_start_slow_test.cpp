@@ -2,7 +2,7 @@
 // For every motion of every model, the report of a warm run is that of the cold run.
 #include <gtest/gtest.h>
 
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
 #include "tests/support/cached_command.hpp"
 
 namespace regulus::test {

@@ -3,7 +3,7 @@
 # build with a place in C++.
 include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
 take(model_in_cpp)
-file(COPY ${SOURCE_DIR}/codegen/robot/examples/slider.cpp DESTINATION ${folder})
+file(COPY ${SOURCE_DIR}/codegen/model/robot/examples/slider.cpp DESTINATION ${folder})
 run(ignored ${CONFIGURE} -DCMAKE_BUILD_TYPE=Debug)
 run(ignored ${BUILD})
 run(output build/guard)

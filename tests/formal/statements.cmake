@@ -5,7 +5,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
 set(LIBRARY .)
 
 foreach(name IN ITEMS Expressions LinearAlgebra Questions Notations)
-  file(COPY ${SOURCE_DIR}/runtime/certificate/formal/${name}.v DESTINATION ${WORK_DIR})
+  file(COPY ${SOURCE_DIR}/runtime/formal/${name}.v DESTINATION ${WORK_DIR})
   run_coq(code text ${name}.v)
   if(NOT code EQUAL 0)
     message(FATAL_ERROR "${name}.v\n${text}")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bytes are the entry of a key only if they were written for that key.
-#include "codegen/jit/cache/cache_entry.hpp"
+#include "codegen/kernel/jit/cache/cache_entry.hpp"
 
 #include <cstddef>
 #include <cstdint>

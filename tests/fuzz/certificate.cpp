@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-#include "runtime/certificate/verifier/verify.hpp"
+#include "runtime/verifier/verify.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::istringstream file(std::string(reinterpret_cast<const char*>(data), size));

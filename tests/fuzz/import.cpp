@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Any bytes are a robot, an InputError or a UsageError.
-#include "codegen/import/import.hpp"
+#include "codegen/model/import/import.hpp"
 
 #include <cstddef>
 #include <cstdint>

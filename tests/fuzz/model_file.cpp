@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Any bytes are a model or an InputError.
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -28,7 +28,7 @@ std::uint32_t most_outputs(const machine::PackKernel& program) {
 /// Runs every function that the kernel names, on boxes, some of which contain 0.
 void run(const machine::PackKernel& program, Isa isa) {
   const machine::MachineKernel machine(program, isa);
-  const Kernel kernel(*machine.get());
+  const CheckedKernel kernel(*machine.get());
   BoxBatch boxes(program.variables);
   for (std::size_t k = 0; k < program.variables; ++k)
     for (std::size_t lane = 0; lane < kLanes; ++lane)

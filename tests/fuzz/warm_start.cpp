@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Any bytes, read to the end, are the text of a warm start or are refused.
-#include "codegen/engine/warm_start.hpp"
+#include "codegen/question/engine/warm_start.hpp"
 
 #include <cstddef>
 #include <cstdint>

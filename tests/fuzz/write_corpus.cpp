@@ -6,7 +6,7 @@
 #include <iostream>
 #include <string>
 
-#include "codegen/jit/cache/cache_entry.hpp"
+#include "codegen/kernel/jit/cache/cache_entry.hpp"
 #include "runtime/machine/pack_file.hpp"
 
 namespace {

@@ -1,120 +1,185 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # cmake -DSOURCE_DIR=… -P include_directions.cmake
-# An include is a path of the repository. Each room includes only rooms below it; runtime/ never sees
-# codegen/; GiNaC, CLN, LLVM, CLI11 and JSON stay in the rooms that need them. A room not listed here
-# is an error: give it a line.
+# Who may include whom:
+#   1. An include is a path of the repository.
+#   2. The folders below are floors, from the ground up. A folder includes itself and the lines above its own,
+#      so runtime/ never sees codegen/. Folders on one line are siblings, and do not see each other.
+#   3. A header of one question that another needs is named here, until it has found a floor of its own.
+#   4. The verifier knows of what writes certificates the format alone.
+#   5. GiNaC, CLN, LLVM, CLI11, tinyxml2 and JSON stay in the folders that need them.
+# A folder inside one that is named here belongs to it. A name may also be that of a header with its source.
 cmake_minimum_required(VERSION 3.25)
 
-set(runtime/files                "")
-set(runtime/interval             "")
-set(runtime/kernel               runtime/interval)
-set(runtime/machine              runtime/interval runtime/kernel)
-set(runtime/regularity           runtime/interval)
-set(runtime/problem              runtime/interval runtime/kernel runtime/regularity)
-set(runtime/cluster              ${runtime/problem} runtime/problem)
-set(runtime/evaluation           ${runtime/problem} runtime/problem)
-set(runtime/witness              ${runtime/evaluation} runtime/evaluation)
-set(runtime/search               ${runtime/witness} runtime/witness runtime/cluster)
-set(runtime/embedded             ${runtime/search} runtime/search)
-set(runtime/checkpoint           ${runtime/embedded} runtime/files)
-set(runtime/certificate          ${runtime/embedded} runtime/files)
-set(runtime/certificate/verifier runtime/files)
+set(floors
+    "runtime/files"
+    "runtime/interval"
+    "runtime/kernel runtime/regularity"
+    "runtime/machine runtime/problem"
+    "runtime/cluster runtime/evaluation"
+    "runtime/witness"
+    "runtime/search"
+    "runtime/embedded"
+    "runtime/checkpoint runtime/proof"
+    "codegen/support"
+    "codegen/answer/key*"
+    "codegen/answer/facts"
+    "codegen/model"
+    "codegen/model/robot codegen/model/import"
+    "codegen/kernel/program"
+    "codegen/kernel/symbolic codegen/kernel/pack"
+    "codegen/kernel/columns"
+    "codegen/kernel/formulation"
+    "codegen/kernel/cpp"
+    "codegen/kernel/jit"
+    "codegen/question/engine codegen/question/quantity"
+    "codegen/question/analysis"
+    "runtime/verifier"
+    "runtime/formal"
+    "codegen/answer/certificate"
+    "codegen/answer/report"
+    "codegen/question/margin codegen/question/way codegen/question/bound codegen/question/condition codegen/question/load"
+    "codegen/answer/picture codegen/answer/page"
+    "codegen/answer"
+    "codegen/use/api"
+    "codegen/use/command"
+    "codegen/use/shell codegen/use/mpi codegen/use/python")
 
-set(codegen/support              runtime/files)
-set(codegen/model                codegen/support codegen/program runtime/files)
-set(codegen/import               codegen/support codegen/model runtime/files)
-set(codegen/robot                codegen/support codegen/model)
-set(codegen/program              codegen/support runtime/files runtime/interval runtime/kernel)
-set(codegen/symbolic             codegen/support codegen/model codegen/program)
-set(codegen/columns              ${codegen/symbolic} codegen/symbolic runtime/interval runtime/regularity)
-set(codegen/formulation          ${codegen/columns} codegen/columns runtime/problem)
-set(codegen/pack                 codegen/program runtime/interval runtime/kernel runtime/machine)
-set(codegen/cpp                  ${codegen/formulation} codegen/formulation codegen/pack runtime/files runtime/kernel runtime/machine)
-set(codegen/jit                  codegen/support codegen/cpp runtime/files runtime/interval runtime/kernel runtime/machine)
-set(codegen/engine               ${codegen/cpp} codegen/cpp codegen/jit runtime/cluster runtime/witness runtime/search runtime/checkpoint
-                                 runtime/certificate)
-set(codegen/analysis             ${codegen/engine} codegen/engine)
-set(codegen/certificate          ${codegen/engine} codegen/engine runtime/certificate/verifier)
-set(codegen/report               ${codegen/analysis} codegen/analysis codegen/certificate)
-set(codegen/picture              ${codegen/report} codegen/report)
-set(codegen/margin               ${codegen/report} codegen/report codegen/certificate)
-set(codegen/trajectory           ${codegen/margin} codegen/margin)
-set(codegen/quantity             codegen/support codegen/model)
-set(codegen/bound                ${codegen/trajectory} codegen/trajectory codegen/quantity)
-set(codegen/feasibility          ${codegen/bound} codegen/bound)
-set(codegen/page                 ${codegen/bound} codegen/bound codegen/trajectory)
-set(codegen/answer               ${codegen/page} codegen/page codegen/feasibility codegen/picture)
-set(codegen/api                  ${codegen/answer} codegen/answer codegen/import codegen/robot runtime/certificate/verifier
-                                 runtime/embedded)
-set(codegen/python               codegen/support codegen/engine codegen/jit codegen/api)
-set(codegen/command              ${codegen/answer} codegen/answer codegen/import runtime/certificate/verifier)
-set(codegen/mpi                  ${codegen/command} codegen/command runtime/certificate/verifier runtime/cluster)
-set(codegen/shell                ${codegen/command} codegen/command)
+# Headers of one question for another, without codegen/question/.
+set(lent
+    bound/bound_certificate.hpp
+    bound/bound_checkpoint.hpp
+    bound/bound_number.hpp
+    bound/bound_run.hpp
+    bound/bracket_topic.hpp
+    condition/condition_run.hpp
+    margin/margin_question.hpp
+    margin/margin_report.hpp
+    margin/margin_run.hpp
+    margin/prepared_margin.hpp
+    way/path_bracket.hpp
+    way/path_parts.hpp
+    way/path_run.hpp
+    way/trajectory_certificate.hpp
+    way/trajectory_report.hpp
+    way/trajectory_request.hpp)
+
+# What the verifier and what prints for Coq see.
+set(only_runtime/verifier runtime/files/ runtime/proof/format.hpp)
+set(only_runtime/formal   runtime/files/ runtime/proof/format.hpp runtime/verifier/)
+set(only_runtime/verifier/main.cpp runtime/formal/coq_proof.hpp)  # the program
+
+set(users_of_ginac    codegen/model codegen/model/import codegen/model/robot codegen/kernel/symbolic codegen/answer/certificate codegen/question)
+set(users_of_cln      codegen/model codegen/kernel codegen/answer/certificate codegen/question/way)
+set(users_of_llvm     codegen/kernel/jit)
+set(users_of_CLI11    codegen/use/command)
+set(users_of_tinyxml2 codegen/model/import)
+set(users_of_JSON     codegen/kernel/cpp codegen/question codegen/answer codegen/use)
 
 # Headers that are configured and carry no layer: the compiler flags, the version.
-set(everywhere regulus/floating_point_flags.hpp regulus/text_flags.hpp regulus/instruction_set_flags.hpp regulus/version.hpp)
-# Of what writes certificates the verifier knows the format alone.
-set(only_header_runtime/certificate/verifier runtime/certificate/format.hpp)
-
-set(only_ginac codegen/model codegen/import codegen/robot codegen/symbolic codegen/certificate codegen/margin codegen/quantity codegen/bound codegen/feasibility codegen/trajectory)
-set(only_cln   codegen/model codegen/symbolic codegen/program codegen/formulation codegen/cpp codegen/certificate codegen/trajectory)
-set(only_llvm  codegen/jit)
-set(only_CLI11 codegen/command)
-set(only_tinyxml2 codegen/import)
-set(only_JSON  codegen/answer codegen/api codegen/bound codegen/certificate codegen/command codegen/cpp codegen/engine codegen/feasibility codegen/margin codegen/page codegen/report codegen/shell codegen/trajectory)
+set(everywhere regulus/floating_point_flags.hpp regulus/instruction_set_flags.hpp regulus/text_flags.hpp regulus/version.hpp)
 
 set(faults "")
 macro(fault file text)
   string(APPEND faults "${file}: ${text}\n")
 endmacro()
 
-macro(check_library file room line name pattern)
-  if("${line}" MATCHES "${pattern}" AND NOT "${room}" IN_LIST only_${name})
-    fault(${file} "includes ${name}, allowed in: ${only_${name}}")
+# floor_of_FOLDER for each folder; folders, the longest names first.
+set(number 0)
+set(folders "")
+foreach(floor IN LISTS floors)
+  string(REPLACE " " ";" floor "${floor}")
+  math(EXPR number "${number} + 1")
+  foreach(folder IN LISTS floor)
+    set(floor_of_${folder} ${number})
+    string(LENGTH "${folder}" length)
+    math(EXPR order "1000 - ${length}")
+    list(APPEND folders "${order}:${folder}")
+  endforeach()
+endforeach()
+list(SORT folders)
+list(TRANSFORM folders REPLACE "^[0-9]+:" "")
+
+# The named folder of a file; empty: none.
+function(folder_of file result)
+  foreach(folder IN LISTS folders)
+    string(REPLACE "*" "[a-z_]*" pattern "${folder}")
+    if(file MATCHES "^${pattern}[/.]")
+      set(${result} ${folder} PARENT_SCOPE)
+      return()
+    endif()
+  endforeach()
+  set(${result} "" PARENT_SCOPE)
+endfunction()
+
+function(starts_with_one_of text result)
+  set(${result} FALSE PARENT_SCOPE)
+  foreach(start IN LISTS ARGN)
+    string(FIND "${text}" "${start}" place)
+    if(place EQUAL 0)
+      set(${result} TRUE PARENT_SCOPE)
+    endif()
+  endforeach()
+endfunction()
+
+macro(check_library file line name pattern)
+  if("${line}" MATCHES "${pattern}")
+    starts_with_one_of(${file} is_user ${users_of_${name}})
+    if(NOT is_user)
+      fault(${file} "includes ${name}, allowed in: ${users_of_${name}}")
+    endif()
   endif()
 endmacro()
 
-# The room of a file: two folders, but for the verifier's three.
-function(room_of file result)
-  if(file MATCHES "^(runtime/certificate/verifier|[a-z_]+/[a-z_]+)/")
-    set(${result} ${CMAKE_MATCH_1} PARENT_SCOPE)
-  else()
-    set(${result} "" PARENT_SCOPE)
+macro(check_header file folder header)
+  folder_of(${header} included)
+  if(NOT EXISTS ${SOURCE_DIR}/${header})
+    fault(${file} "includes \"${header}\": expected the path of a header in the repository")
+  elseif(DEFINED only_${folder})
+    starts_with_one_of(${header} is_known ${only_${folder}} ${folder}/ ${only_${file}})
+    if(NOT is_known)
+      fault(${file} "includes ${header}, but ${folder} may include only: ${only_${folder}}")
+    endif()
+  elseif(NOT included)
+    fault(${file} "includes ${header}, which is on no floor of tests/layout/include_directions.cmake")
+  elseif(NOT included STREQUAL folder AND NOT floor_of_${included} LESS floor_of_${folder})
+    string(REPLACE "codegen/question/" "" short ${header})
+    if(short IN_LIST lent AND floor_of_${included} EQUAL floor_of_${folder})
+      list(APPEND borrowed ${short})
+    else()
+      fault(${file} "includes ${header}, but ${included} is not below ${folder}")
+    endif()
   endif()
-endfunction()
+endmacro()
 
 # Sources directly in codegen/ are programs: they may include everything.
+set(borrowed "")
 file(GLOB_RECURSE sources RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/runtime/*.[ch]pp ${SOURCE_DIR}/runtime/*.h
      ${SOURCE_DIR}/codegen/*.[ch]pp ${SOURCE_DIR}/codegen/*.h)
 foreach(source IN LISTS sources)
-  room_of(${source} room)
-  if(NOT room)
-    continue()
-  elseif(NOT DEFINED ${room})
-    fault(${source} "${room} has no line in tests/layout/include_directions.cmake")
+  folder_of(${source} folder)
+  if(NOT folder)
+    if(NOT source MATCHES "^codegen/[a-z_]+\\.cpp$")
+      fault(${source} "is on no floor of tests/layout/include_directions.cmake")
+    endif()
     continue()
   endif()
   file(STRINGS ${SOURCE_DIR}/${source} lines REGEX "^[ \t]*#[ \t]*include")
   foreach(line IN LISTS lines)
-    check_library(${source} ${room} "${line}" ginac "<ginac/")
-    check_library(${source} ${room} "${line}" cln "<cln/")
-    check_library(${source} ${room} "${line}" llvm "[<\"](llvm|clang)/")
-    check_library(${source} ${room} "${line}" CLI11 "<CLI/")
-    check_library(${source} ${room} "${line}" tinyxml2 "<tinyxml2")
-    check_library(${source} ${room} "${line}" JSON "<nlohmann/")
-    if(NOT line MATCHES "\"([^\"]*)\"")
-      continue()
-    endif()
-    set(header ${CMAKE_MATCH_1})
-    room_of(${header} included)
-    if(header IN_LIST everywhere OR header IN_LIST only_header_${room})
-      continue()
-    elseif(NOT EXISTS ${SOURCE_DIR}/${header})
-      fault(${source} "includes \"${header}\": expected the path of a header in the repository")
-    elseif(NOT included STREQUAL room AND NOT included IN_LIST ${room})
-      fault(${source} "includes ${header}, but ${room} may include only: ${${room}}")
+    check_library(${source} "${line}" ginac "<ginac/")
+    check_library(${source} "${line}" cln "<cln/")
+    check_library(${source} "${line}" llvm "[<\"](llvm|clang)/")
+    check_library(${source} "${line}" CLI11 "<CLI/")
+    check_library(${source} "${line}" tinyxml2 "<tinyxml2")
+    check_library(${source} "${line}" JSON "<nlohmann/")
+    if(line MATCHES "\"([^\"]*)\"" AND NOT CMAKE_MATCH_1 IN_LIST everywhere)
+      check_header(${source} ${folder} ${CMAKE_MATCH_1})
     endif()
   endforeach()
+endforeach()
+foreach(header IN LISTS lent)
+  if(NOT header IN_LIST borrowed)
+    fault(codegen/question/${header} "is not needed by another question any more: take it from the list here")
+  endif()
 endforeach()
 
 # Tests name headers in the same way, but for what is made when they are built.

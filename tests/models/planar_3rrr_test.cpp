@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The planar 3-RRR robot is singular if the lines of its three links meet or are parallel.
-#include "codegen/formulation/formulation.hpp"
+#include "codegen/kernel/formulation/formulation.hpp"
 #include "codegen/model/overrides.hpp"
 #include "tests/models/jacobian.hpp"
 #include "tests/models/paving.hpp"

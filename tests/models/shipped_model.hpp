@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/evaluate.hpp"
 

@@ -2,7 +2,7 @@
 // Tests regulus-mpi as its users meet it: real processes, and the bytes of one thread.
 #include <chrono>
 
-#include "codegen/mpi/agreement.hpp"
+#include "codegen/use/mpi/agreement.hpp"
 #include "tests/mpi/ranks.hpp"
 
 namespace regulus::test {
@@ -104,7 +104,7 @@ TEST_F(Ranks, VerifyAProofInOneFileByTheFirst) {
 }
 
 TEST(ManualPage, NamesTheCommandsThatRunOnRanks) {
-  const std::string page = text_of(REGULUS_BINARY_DIR "/codegen/mpi/regulus-mpi.1");
+  const std::string page = text_of(REGULUS_BINARY_DIR "/codegen/use/mpi/regulus-mpi.1");
   for (const char* words :
        {"check", "locate", "margin", "bound", "verify", "\\-\\-filter", "EXIT STATUS"})
     EXPECT_THAT(page, HasSubstr(words));

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The examples of codegen/python/PYTHON.md, done. "..." matches any text."""
+"""The examples of codegen/use/python/PYTHON.md, done. "..." matches any text."""
 
 import doctest
 import pathlib

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The notebooks of codegen/python/examples, executed; they check their results themselves."""
+"""The notebooks of codegen/use/python/examples, executed; they check their results themselves."""
 
 import pathlib
 
@@ -10,7 +10,7 @@ nbformat = pytest.importorskip("nbformat")
 pytest.importorskip("ipykernel")
 pytest.importorskip("matplotlib")
 
-NOTEBOOKS = sorted((pathlib.Path(__file__).parents[2] / "codegen/python/examples").glob("*.ipynb"))
+NOTEBOOKS = sorted((pathlib.Path(__file__).parents[2] / "codegen/use/python/examples").glob("*.ipynb"))
 
 
 def test_there_are_notebooks():

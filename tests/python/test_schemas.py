@@ -24,8 +24,8 @@ def schema(path):
     return jsonschema.Draft202012Validator(read)
 
 
-MODEL = schema("codegen/model/model.schema.json")
-REPORT = schema("codegen/report/report.schema.json")
+MODEL = schema("codegen/model/file/model.schema.json")
+REPORT = schema("codegen/answer/report/report.schema.json")
 
 
 def report_of(kind):

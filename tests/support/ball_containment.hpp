@@ -7,8 +7,8 @@
 
 #include <cmath>
 
-#include "codegen/program/ball.hpp"
-#include "codegen/program/rational_bounds.hpp"
+#include "codegen/kernel/program/ball.hpp"
+#include "codegen/kernel/program/rational_bounds.hpp"
 #include "runtime/interval/interval.hpp"
 
 namespace regulus::test {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "codegen/jit/cache/cache_entry.hpp"
+#include "codegen/kernel/jit/cache/cache_entry.hpp"
 #include "tests/support/cache_entries.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <string>
 
-#include "runtime/certificate/verifier/verify.hpp"
+#include "runtime/verifier/verify.hpp"
 
 namespace regulus::test {
 

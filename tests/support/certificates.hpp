@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "codegen/certificate/certificate_file.hpp"
-#include "codegen/certificate/certificate_question.hpp"
-#include "codegen/engine/search_run.hpp"
-#include "codegen/engine/settings.hpp"
-#include "runtime/certificate/verifier/verify.hpp"
+#include "codegen/answer/certificate/certificate_file.hpp"
+#include "codegen/answer/certificate/certificate_question.hpp"
+#include "codegen/question/engine/search_run.hpp"
+#include "codegen/question/engine/settings.hpp"
+#include "runtime/verifier/verify.hpp"
 #include "tests/support/certificate_texts.hpp"
 #include "tests/support/temporary_directory.hpp"
 

@@ -5,8 +5,8 @@
 #include <sstream>
 #include <string>
 
-#include "runtime/certificate/verifier/leaf.hpp"
-#include "runtime/certificate/verifier/proof.hpp"
+#include "runtime/verifier/leaf.hpp"
+#include "runtime/verifier/proof.hpp"
 #include "tests/support/random_source.hpp"
 
 namespace regulus::test {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "codegen/model/ginac_text.hpp"
+#include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/model/model.hpp"
 
 namespace regulus::test {

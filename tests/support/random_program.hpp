@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "codegen/program/canonical.hpp"
-#include "codegen/program/program.hpp"
+#include "codegen/kernel/program/canonical.hpp"
+#include "codegen/kernel/program/program.hpp"
 #include "tests/support/random_source.hpp"
 
 namespace regulus::test {
@@ -44,7 +44,7 @@ class RawBuilder {
     program_.constants.push_back(value);
     return push({Op::kConstant, 0, 0, static_cast<std::uint32_t>(program_.constants.size() - 1)});
   }
-  NodeId pi() { return push({Op::kPi}); }
+  NodeId pi() { return push({Op::kNumberPi}); }
   NodeId input(std::uint32_t index) { return push({Op::kInput, 0, 0, index}); }
   NodeId point(std::uint32_t index) { return push({Op::kPoint, 0, 0, index}); }
   NodeId negate(NodeId a) { return push({Op::kNegate, a}); }

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "codegen/program/module.hpp"
+#include "codegen/kernel/program/module.hpp"
 
 namespace regulus::test {
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "runtime/certificate/format.hpp"
 #include "runtime/files/sha256.hpp"
+#include "runtime/proof/format.hpp"
 #include "tests/support/certificate_texts.hpp"
 
 namespace regulus::test {

@@ -8,8 +8,8 @@
 #include <set>
 #include <sstream>
 
-#include "codegen/command/run_command_line.hpp"
 #include "codegen/support/exit_code.hpp"
+#include "codegen/use/command/run_command_line.hpp"
 
 namespace regulus::attack {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "runtime/certificate/verifier/verify.hpp"
+#include "runtime/verifier/verify.hpp"
 #include "tests/attack/forge/bases.hpp"
 
 namespace regulus::attack {

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "codegen/command/run_command_line.hpp"
+#include "codegen/use/command/run_command_line.hpp"
 #include "tests/attack/oracle/random.hpp"
 
 namespace regulus::attack {

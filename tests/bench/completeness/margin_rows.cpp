@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include "codegen/api/margin.hpp"
+#include "codegen/use/api/margin.hpp"
 #include "tests/bench/completeness/rows.hpp"
 
 namespace regulus::bench {
@@ -17,8 +17,8 @@ Row margin_row(const char* model, const char* motion, const char* range, double 
   row.name = fmt::format("{} {}", model, motion);
   row.unit = std::string("%");
   row.target = value_at_least(least);
-  const api::Question question =
-      api::Question::of_file(fmt::format("{}/models/{}.toml", REGULUS_SOURCE_DIR, model), motion);
+  const Question question =
+      Question::of_file(fmt::format("{}/models/{}.toml", REGULUS_SOURCE_DIR, model), motion);
   MarginOptions options;
   options.tolerance = fmt::format("base,platform={}", range);
   options.gap = "0.001";

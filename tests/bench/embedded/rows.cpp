@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "codegen/engine/pipeline.hpp"
+#include "codegen/question/engine/pipeline.hpp"
 #include "runtime/embedded/checker.hpp"
 
 namespace regulus::bench {

@@ -23,7 +23,7 @@ class BatchedProduct {
  private:
   unsigned evaluate(std::size_t batch) noexcept;
 
-  Kernel kernel_;
+  CheckedKernel kernel_;
   std::vector<BoxBatch> boxes_;
   std::vector<PointRows> K_;
   OutputBatch out_;

@@ -6,8 +6,8 @@
 #include <deque>
 #include <map>
 
-#include "codegen/jit/jit.hpp"
-#include "codegen/pack/select.hpp"
+#include "codegen/kernel/jit/jit.hpp"
+#include "codegen/kernel/pack/select.hpp"
 #include "runtime/machine/machine_kernel.hpp"
 #include "tests/bench/kernel/ahead_of_time.hpp"
 #include "tests/bench/kernel/batched.hpp"

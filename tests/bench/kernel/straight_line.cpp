@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "codegen/cpp/literal.hpp"
-#include "codegen/program/rational_bounds.hpp"
+#include "codegen/kernel/cpp/literal.hpp"
+#include "codegen/kernel/program/rational_bounds.hpp"
 
 namespace regulus::bench {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "codegen/program/program.hpp"
+#include "codegen/kernel/program/program.hpp"
 
 namespace regulus::bench {
 

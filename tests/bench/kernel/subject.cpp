@@ -4,9 +4,9 @@
 #include <random>
 #include <stdexcept>
 
-#include "codegen/engine/pipeline.hpp"
-#include "codegen/formulation/variety.hpp"
-#include "codegen/pack/select.hpp"
+#include "codegen/kernel/formulation/variety.hpp"
+#include "codegen/kernel/pack/select.hpp"
+#include "codegen/question/engine/pipeline.hpp"
 #include "runtime/kernel/buffers.hpp"
 #include "runtime/machine/machine_kernel.hpp"
 #include "runtime/regularity/midpoint_inverse.hpp"

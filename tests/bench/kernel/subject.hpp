@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "codegen/formulation/variety.hpp"
-#include "codegen/program/module.hpp"
+#include "codegen/kernel/formulation/variety.hpp"
+#include "codegen/kernel/program/module.hpp"
 #include "runtime/interval/interval.hpp"
 #include "runtime/kernel/abi.hpp"
 

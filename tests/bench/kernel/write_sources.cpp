@@ -8,7 +8,7 @@
 #include <iostream>
 #include <sstream>
 
-#include "codegen/cpp/emit.hpp"
+#include "codegen/kernel/cpp/emit.hpp"
 #include "runtime/kernel/isa.hpp"
 #include "tests/bench/kernel/straight_line.hpp"
 #include "tests/bench/kernel/subject.hpp"

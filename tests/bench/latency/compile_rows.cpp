@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <optional>
 
-#include "codegen/cpp/emit.hpp"
-#include "codegen/engine/pipeline.hpp"
-#include "codegen/jit/jit.hpp"
-#include "codegen/pack/select.hpp"
+#include "codegen/kernel/cpp/emit.hpp"
+#include "codegen/kernel/jit/jit.hpp"
+#include "codegen/kernel/pack/select.hpp"
+#include "codegen/question/engine/pipeline.hpp"
 #include "tests/bench/kernel/subject.hpp"
 #include "tests/bench/latency/rows.hpp"
 #include "tests/support/spawned_compiler.hpp"

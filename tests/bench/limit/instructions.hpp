@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "codegen/program/program.hpp"
+#include "codegen/kernel/program/program.hpp"
 
 namespace regulus::bench {
 

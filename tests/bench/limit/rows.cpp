@@ -6,11 +6,11 @@
 #include <optional>
 #include <vector>
 
-#include "codegen/jit/jit.hpp"
-#include "codegen/jit/part.hpp"
-#include "codegen/jit/part_code.hpp"
-#include "codegen/jit/part_compiler.hpp"
-#include "codegen/pack/select.hpp"
+#include "codegen/kernel/jit/jit.hpp"
+#include "codegen/kernel/jit/part.hpp"
+#include "codegen/kernel/jit/part_code.hpp"
+#include "codegen/kernel/jit/part_compiler.hpp"
+#include "codegen/kernel/pack/select.hpp"
 #include "runtime/interval/x8.hpp"
 #include "runtime/kernel/buffers.hpp"
 #include "tests/bench/kernel/batched.hpp"

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <thread>
 
-#include "codegen/jit/clang_compiler.hpp"
+#include "codegen/kernel/jit/clang_compiler.hpp"
 
 namespace regulus::bench {
 namespace {

@@ -6,8 +6,8 @@
 #include <array>
 #include <string>
 
-#include "codegen/engine/search_run.hpp"
-#include "codegen/engine/settings.hpp"
+#include "codegen/question/engine/search_run.hpp"
+#include "codegen/question/engine/settings.hpp"
 #include "tests/bench/measure/clocks.hpp"
 #include "tests/bench/scale/replay.hpp"
 

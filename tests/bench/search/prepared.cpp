@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "codegen/engine/settings.hpp"
+#include "codegen/question/engine/settings.hpp"
 
 namespace regulus::bench {
 namespace {

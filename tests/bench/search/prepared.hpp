@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "codegen/engine/options.hpp"
-#include "codegen/engine/pipeline.hpp"
+#include "codegen/question/engine/options.hpp"
+#include "codegen/question/engine/pipeline.hpp"
 #include "runtime/search/solver.hpp"
 #include "tests/bench/measure/rounds.hpp"
 

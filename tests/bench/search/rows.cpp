@@ -8,7 +8,7 @@
 #include <limits>
 #include <optional>
 
-#include "codegen/engine/choices.hpp"
+#include "codegen/question/engine/choices.hpp"
 #include "tests/bench/measure/clocks.hpp"
 #include "tests/bench/search/prepared.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Robot files that are refused, and what is said then.
-#include "codegen/import/import.hpp"
+#include "codegen/model/import/import.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

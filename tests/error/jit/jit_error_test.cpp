@@ -4,10 +4,10 @@
 
 #include <fstream>
 
-#include "codegen/jit/cache/object_cache.hpp"
-#include "codegen/jit/clang_compiler.hpp"
-#include "codegen/jit/jit.hpp"
-#include "codegen/jit/kernel_compilation.hpp"
+#include "codegen/kernel/jit/cache/object_cache.hpp"
+#include "codegen/kernel/jit/clang_compiler.hpp"
+#include "codegen/kernel/jit/jit.hpp"
+#include "codegen/kernel/jit/kernel_compilation.hpp"
 #include "tests/support/cache_entries.hpp"
 #include "tests/support/temporary_directory.hpp"
 

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "codegen/jit/cache/object_cache.hpp"
+#include "codegen/kernel/jit/cache/object_cache.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace regulus {

@@ -2,7 +2,7 @@
 // Expressions that must be refused, wherever they stand.
 #include <chrono>
 
-#include "codegen/model/expression_parser.hpp"
+#include "codegen/model/exact/expression_parser.hpp"
 #include "tests/error/model/refusal.hpp"
 
 namespace regulus {

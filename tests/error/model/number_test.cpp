@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers are exact or refused. TOML that would exhaust its parser's stack is refused, too.
-#include "codegen/model/toml_limits.hpp"
+#include "codegen/model/file/toml_limits.hpp"
 #include "tests/error/model/refusal.hpp"
 
 namespace regulus {

@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-#include "codegen/model/trajectory.hpp"
+#include "codegen/model/way/trajectory.hpp"
 #include "tests/error/model/refusal.hpp"
 #include "tests/support/temporary_directory.hpp"
 

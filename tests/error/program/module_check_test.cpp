@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/program/module_check.hpp"
+#include "codegen/kernel/program/module_check.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

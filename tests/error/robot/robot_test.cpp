@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Mistakes for which a robot in C++ is refused; the message names the line of C++.
-#include "codegen/robot/robot.hpp"
+#include "codegen/model/robot/robot.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tests pipes without a writer, folders, and endless files.
-#include "runtime/certificate/verifier/input_file.hpp"
+#include "runtime/verifier/input_file.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // A text that is not a certificate is rejected; the message has its line and a reason.
 #include <gtest/gtest.h>
 
-#include "runtime/certificate/format.hpp"
+#include "runtime/proof/format.hpp"
 #include "tests/support/certificate_texts.hpp"
 
 namespace regulus::test {

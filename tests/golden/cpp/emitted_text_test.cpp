@@ -11,7 +11,7 @@
 #include <iterator>
 #include <string>
 
-#include "codegen/cpp/emit.hpp"
+#include "codegen/kernel/cpp/emit.hpp"
 #include "tests/support/sample_modules.hpp"
 #include "tests/support/temporary_directory.hpp"
 

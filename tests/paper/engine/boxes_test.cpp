@@ -6,8 +6,8 @@
 
 #include <fstream>
 
-#include "codegen/engine/pipeline.hpp"
-#include "codegen/engine/settings.hpp"
+#include "codegen/question/engine/pipeline.hpp"
+#include "codegen/question/engine/settings.hpp"
 #include "runtime/search/solver.hpp"
 #include "tests/support/temporary_directory.hpp"
 

@@ -2,7 +2,7 @@
 // The cells of the paper's tables with their certificates.
 #pragma once
 
-#include "codegen/engine/choices.hpp"
+#include "codegen/question/engine/choices.hpp"
 #include "tests/paper/engine/table_rows.hpp"
 #include "tests/support/certificates.hpp"
 

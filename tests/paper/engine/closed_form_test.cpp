@@ -3,9 +3,9 @@
 // cos(2πT)"; and the verdicts by the closed form. Numbers of boxes are budgets.
 #include <gtest/gtest.h>
 
-#include "codegen/engine/pipeline.hpp"
-#include "codegen/engine/settings.hpp"
-#include "codegen/symbolic/print.hpp"
+#include "codegen/kernel/symbolic/print.hpp"
+#include "codegen/question/engine/pipeline.hpp"
+#include "codegen/question/engine/settings.hpp"
 #include "runtime/search/solver.hpp"
 
 namespace regulus {
@@ -23,18 +23,18 @@ PreparedSearch closed_form(const std::string& model, const std::string& motion) 
 
 TEST(Section5B2, TheDeterminantOnT1IsConstant) {
   const Expression determinant = closed_form("robot_1", "T1").stages->formulation().determinant[0];
-  ASSERT_EQ(determinant.kind(), Kind::kConstant);
+  ASSERT_EQ(determinant.kind(), ExpressionKind::kConstant);
   EXPECT_FALSE(zerop(determinant.value()));
 }
 
 /// Returns true if T is only in sin(2πT) and cos(2πT), and these in no denominator or function.
 bool is_polynomial_in_turns(const Expression& e) {
   if (!e.has_variables()) return true;
-  if (e.kind() == Kind::kCall) {
+  if (e.kind() == ExpressionKind::kCall) {
     const std::string text = to_string(e);
     return text == "sin(2*pi*T)" || text == "cos(2*pi*T)";
   }
-  if (e.kind() == Kind::kPower && e.exponent() < 0) return false;
+  if (e.kind() == ExpressionKind::kPower && e.exponent() < 0) return false;
   if (e.operands().empty()) return false;
   for (const Expression& operand : e.operands())
     if (!is_polynomial_in_turns(operand)) return false;

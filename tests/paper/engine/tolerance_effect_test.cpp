@@ -12,10 +12,10 @@
 #include <optional>
 #include <utility>
 
-#include "codegen/formulation/formulation.hpp"
-#include "codegen/model/model_file.hpp"
+#include "codegen/kernel/formulation/formulation.hpp"
+#include "codegen/kernel/pack/select.hpp"
+#include "codegen/model/file/model_file.hpp"
 #include "codegen/model/overrides.hpp"
-#include "codegen/pack/select.hpp"
 #include "runtime/interval/interval.hpp"
 #include "runtime/kernel/call.hpp"
 #include "runtime/machine/machine_kernel.hpp"
@@ -56,7 +56,7 @@ class ToleranceEffect : public testing::Test {
       std::fill_n(box.get() + lower_at(k, 0), kLanes, x.lo);
       std::fill_n(box.get() + upper_at(k, 0), kLanes, x.hi);
     }
-    EXPECT_EQ(Kernel(kernel).call(kernel.matrix, box.get(), nullptr, out.get()), 0U);
+    EXPECT_EQ(CheckedKernel(kernel).call(kernel.matrix, box.get(), nullptr, out.get()), 0U);
     const LaneMatrix M = matrix_of_lane(ConstIntervalMatrix(out.get(), kPose, kPose), 0);
     return vertex != nullptr ? enclose_determinant_by_elimination(M) : enclose_determinant(M);
   }

@@ -3,9 +3,9 @@
 // every engine. Numbers of boxes are budgets: at most twice those known for the H-matrix test.
 #include <gtest/gtest.h>
 
-#include "codegen/engine/arb_oracle.hpp"
-#include "codegen/engine/pipeline.hpp"
-#include "codegen/engine/settings.hpp"
+#include "codegen/question/engine/arb_oracle.hpp"
+#include "codegen/question/engine/pipeline.hpp"
+#include "codegen/question/engine/settings.hpp"
 #include "runtime/search/solver.hpp"
 
 namespace regulus {

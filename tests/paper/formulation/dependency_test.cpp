@@ -6,12 +6,12 @@
 #include <span>
 #include <vector>
 
-#include "codegen/formulation/formulation.hpp"
-#include "codegen/program/interpreter.hpp"
-#include "codegen/program/interval_arithmetic.hpp"
-#include "codegen/symbolic/lowering.hpp"
-#include "codegen/symbolic/print.hpp"
-#include "codegen/symbolic/rewrite.hpp"
+#include "codegen/kernel/formulation/formulation.hpp"
+#include "codegen/kernel/program/interpreter.hpp"
+#include "codegen/kernel/program/interval_arithmetic.hpp"
+#include "codegen/kernel/symbolic/lowering.hpp"
+#include "codegen/kernel/symbolic/print.hpp"
+#include "codegen/kernel/symbolic/rewrite.hpp"
 
 namespace regulus {
 namespace {

@@ -2,7 +2,7 @@
 // The ingredients that are left out, and the problems that are solved without them.
 #pragma once
 
-#include "codegen/engine/choices.hpp"
+#include "codegen/question/engine/choices.hpp"
 #include "tests/paper/tables/run_cell.hpp"
 
 namespace regulus::test {

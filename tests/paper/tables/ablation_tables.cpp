@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "codegen/engine/ingredients.hpp"
+#include "codegen/question/engine/ingredients.hpp"
 #include "tests/paper/tables/ablation.hpp"
 #include "tests/paper/tables/words.hpp"
 

@@ -8,7 +8,7 @@
 #include <iterator>
 #include <string>
 
-#include "codegen/bound/bound_run.hpp"
+#include "codegen/question/bound/bound_run.hpp"
 
 namespace regulus::test {
 

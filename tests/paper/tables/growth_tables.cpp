@@ -8,7 +8,7 @@
 #include <iostream>
 #include <vector>
 
-#include "codegen/picture/gnuplot.hpp"
+#include "codegen/answer/picture/gnuplot.hpp"
 #include "tests/paper/tables/bound_growth.hpp"
 #include "tests/paper/tables/growth.hpp"
 #include "tests/paper/tables/words.hpp"

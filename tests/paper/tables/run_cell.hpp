@@ -5,9 +5,9 @@
 #include <ctime>
 #include <string>
 
-#include "codegen/engine/choices.hpp"
-#include "codegen/engine/pipeline.hpp"
-#include "codegen/engine/settings.hpp"
+#include "codegen/question/engine/choices.hpp"
+#include "codegen/question/engine/pipeline.hpp"
+#include "codegen/question/engine/settings.hpp"
 #include "runtime/search/solver.hpp"
 #include "tests/paper/tables/paper_tables.hpp"
 

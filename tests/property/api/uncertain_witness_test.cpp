@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-#include "codegen/api/regulus.hpp"
+#include "codegen/use/api/regulus.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace regulus::test {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "codegen/bound/bound_run.hpp"
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
+#include "codegen/question/bound/bound_run.hpp"
 
 namespace regulus::test {
 namespace {

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <random>
 
-#include "codegen/bound/bound_run.hpp"
-#include "codegen/bound/condition_test.hpp"
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
+#include "codegen/question/bound/bound_run.hpp"
+#include "codegen/question/condition/condition_test.hpp"
 #include "codegen/support/errors.hpp"
 #include "tests/support/certificates.hpp"
 #include "tests/support/temporary_directory.hpp"

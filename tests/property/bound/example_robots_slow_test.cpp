@@ -7,10 +7,10 @@
 #include <cmath>
 #include <random>
 
-#include "codegen/bound/datasheet.hpp"
-#include "codegen/feasibility/force_problem.hpp"
-#include "codegen/formulation/variety.hpp"
-#include "codegen/model/twist.hpp"
+#include "codegen/kernel/formulation/variety.hpp"
+#include "codegen/model/mechanism/twist.hpp"
+#include "codegen/question/bound/datasheet.hpp"
+#include "codegen/question/load/force_problem.hpp"
 #include "runtime/kernel/call.hpp"
 #include "runtime/regularity/aligned_buffer.hpp"
 
@@ -90,7 +90,7 @@ class Inverses {
   }
 
   PreparedSearch prepared_;
-  Kernel kernel_;
+  CheckedKernel kernel_;
   AlignedBuffer boxes_, values_;
   MatrixScaling scaling_;
 };

@@ -6,8 +6,8 @@
 #include <Eigen/Dense>
 #include <random>
 
-#include "codegen/bound/bound_run.hpp"
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
+#include "codegen/question/bound/bound_run.hpp"
 
 namespace regulus::test {
 namespace {

@@ -8,9 +8,9 @@
 #include <fstream>
 #include <random>
 
-#include "codegen/bound/bound_run.hpp"
-#include "codegen/model/model_file.hpp"
-#include "codegen/model/trajectory.hpp"
+#include "codegen/model/file/model_file.hpp"
+#include "codegen/model/way/trajectory.hpp"
+#include "codegen/question/bound/bound_run.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace regulus::test {

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "codegen/bound/bound_run.hpp"
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
+#include "codegen/question/bound/bound_run.hpp"
 #include "tests/property/certificate/certificate_tampering.hpp"
 
 namespace regulus::test {

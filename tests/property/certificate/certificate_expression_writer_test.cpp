@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The text that a certificate writes for an expression means this expression: the verifier's own
 // reader gives it the value that GiNaC gives the original.
-#include "codegen/certificate/certificate_expression_writer.hpp"
+#include "codegen/answer/certificate/certificate_expression_writer.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "runtime/certificate/verifier/evaluation.hpp"
+#include "runtime/verifier/evaluation.hpp"
 
 namespace regulus::test {
 namespace {

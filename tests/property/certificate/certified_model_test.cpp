@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The head of a certificate that somebody has changed is compared with its model file: the change
 // is refused, or it is a named change that an option may make.
-#include "codegen/certificate/certified_model.hpp"
+#include "codegen/answer/certificate/certified_model.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "codegen/model/model_file.hpp"
-#include "codegen/model/real_functions.hpp"
-#include "codegen/model/trajectory.hpp"
+#include "codegen/model/exact/real_functions.hpp"
+#include "codegen/model/file/model_file.hpp"
+#include "codegen/model/way/trajectory.hpp"
 #include "codegen/support/errors.hpp"
-#include "runtime/certificate/verifier/evaluation.hpp"
-#include "runtime/certificate/verifier/gcode.hpp"
-#include "runtime/certificate/verifier/waypoints.hpp"
+#include "runtime/verifier/evaluation.hpp"
+#include "runtime/verifier/model/gcode.hpp"
+#include "runtime/verifier/model/waypoints.hpp"
 #include "tests/support/damage.hpp"
 #include "tests/support/temporary_directory.hpp"
 

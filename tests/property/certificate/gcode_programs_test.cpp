@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "codegen/model/gcode_file.hpp"
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
+#include "codegen/model/way/gcode_file.hpp"
 #include "codegen/support/errors.hpp"
-#include "runtime/certificate/verifier/evaluation.hpp"
-#include "runtime/certificate/verifier/gcode.hpp"
+#include "runtime/verifier/evaluation.hpp"
+#include "runtime/verifier/model/gcode.hpp"
 #include "tests/support/gcode_interpreter.hpp"
 #include "tests/support/random_source.hpp"
 #include "tests/support/temporary_directory.hpp"

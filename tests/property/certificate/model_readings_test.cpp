@@ -9,9 +9,9 @@
 #include <random>
 #include <sstream>
 
-#include "codegen/certificate/certificate_question.hpp"
+#include "codegen/answer/certificate/certificate_question.hpp"
 #include "codegen/model/request.hpp"
-#include "runtime/certificate/verifier/model_comparison.hpp"
+#include "runtime/verifier/model/model_comparison.hpp"
 
 namespace regulus::test::readings {
 namespace {

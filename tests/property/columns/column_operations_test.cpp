@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // det(A·V) = det(A), exactly, at points where every sine and cosine is rational.
-#include "codegen/columns/column_operations.hpp"
+#include "codegen/kernel/columns/column_operations.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "codegen/formulation/formulation.hpp"
-#include "codegen/symbolic/evaluate.hpp"
-#include "codegen/symbolic/passes.hpp"
+#include "codegen/kernel/formulation/formulation.hpp"
+#include "codegen/kernel/symbolic/evaluate.hpp"
+#include "codegen/kernel/symbolic/passes.hpp"
 #include "tests/support/symbolic/exact_values.hpp"
 #include "tests/support/symbolic/gough_model.hpp"
 
@@ -164,7 +164,7 @@ TEST(ColumnOperations, AreTheSameInTheMatrixAndInItsExpansionAtNominalValues) {
   ASSERT_FALSE(f.column_trials->kept.empty());
   const auto nominal = [&](const Expression& e) -> std::optional<Expression> {
     for (std::size_t v = 0; v < f.variables.size(); ++v)
-      if (e.kind() == Kind::kVariable && e.name() == f.variables[v].name &&
+      if (e.kind() == ExpressionKind::kVariable && e.name() == f.variables[v].name &&
           f.expansion->row_of_variable[v] != Expansion::kNoRow)
         return f.expansion->nominal[v];
     return std::nullopt;

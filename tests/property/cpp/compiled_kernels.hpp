@@ -9,11 +9,11 @@
 #include <cstring>
 #include <map>
 
-#include "codegen/cpp/emit.hpp"
-#include "codegen/pack/select.hpp"
-#include "codegen/program/arb_arithmetic.hpp"
-#include "codegen/program/interpreter.hpp"
-#include "codegen/program/print.hpp"
+#include "codegen/kernel/cpp/emit.hpp"
+#include "codegen/kernel/pack/select.hpp"
+#include "codegen/kernel/program/arb_arithmetic.hpp"
+#include "codegen/kernel/program/interpreter.hpp"
+#include "codegen/kernel/program/print.hpp"
 #include "runtime/kernel/buffers.hpp"
 #include "runtime/kernel/call.hpp"
 #include "runtime/machine/machine_kernel.hpp"
@@ -149,8 +149,8 @@ struct Answer {
 inline Answer ask(const regulus_kernel& table, regulus_function function, std::size_t outputs,
                   const Case& test_case) {
   Answer answer{OutputBatch(outputs), 0};
-  answer.undefined = Kernel(table).call(function, test_case.boxes.data(), test_case.points.data(),
-                                        answer.out.data());
+  answer.undefined = CheckedKernel(table).call(function, test_case.boxes.data(),
+                                               test_case.points.data(), answer.out.data());
   return answer;
 }
 

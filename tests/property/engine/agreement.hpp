@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "codegen/engine/choices.hpp"
+#include "codegen/question/engine/choices.hpp"
 #include "tests/property/engine/random_models.hpp"
 
 namespace regulus::test {

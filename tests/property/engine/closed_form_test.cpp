@@ -5,9 +5,9 @@
 
 #include <random>
 
-#include "codegen/engine/arb_oracle.hpp"
-#include "codegen/engine/pipeline.hpp"
-#include "codegen/engine/settings.hpp"
+#include "codegen/question/engine/arb_oracle.hpp"
+#include "codegen/question/engine/pipeline.hpp"
+#include "codegen/question/engine/settings.hpp"
 #include "runtime/evaluation/batch.hpp"
 
 namespace regulus {

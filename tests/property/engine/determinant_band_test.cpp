@@ -6,10 +6,10 @@
 
 #include <random>
 
-#include "codegen/engine/pipeline.hpp"
-#include "codegen/program/arb_arithmetic.hpp"
-#include "codegen/program/interpreter.hpp"
-#include "codegen/symbolic/lowering.hpp"
+#include "codegen/kernel/program/arb_arithmetic.hpp"
+#include "codegen/kernel/program/interpreter.hpp"
+#include "codegen/kernel/symbolic/lowering.hpp"
+#include "codegen/question/engine/pipeline.hpp"
 #include "runtime/search/paving.hpp"
 #include "runtime/search/solver.hpp"
 

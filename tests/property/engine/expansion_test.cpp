@@ -7,11 +7,11 @@
 #include <fstream>
 #include <map>
 
-#include "codegen/formulation/formulation.hpp"
-#include "codegen/formulation/variety.hpp"
-#include "codegen/model/model_file.hpp"
+#include "codegen/kernel/formulation/formulation.hpp"
+#include "codegen/kernel/formulation/variety.hpp"
+#include "codegen/kernel/pack/select.hpp"
+#include "codegen/model/file/model_file.hpp"
 #include "codegen/model/overrides.hpp"
-#include "codegen/pack/select.hpp"
 #include "runtime/interval/arithmetic.hpp"
 #include "runtime/kernel/call.hpp"
 #include "runtime/machine/machine_kernel.hpp"
@@ -52,7 +52,7 @@ class ExpansionOf {
       std::fill_n(in.get() + lower_at(k, 0), kLanes, box[k].lo);
       std::fill_n(in.get() + upper_at(k, 0), kLanes, box[k].hi);
     }
-    EXPECT_EQ(Kernel(kernel()).call(f, in.get(), K.get(), out.get()), 0U);
+    EXPECT_EQ(CheckedKernel(kernel()).call(f, in.get(), K.get(), out.get()), 0U);
     Box result;
     for (std::size_t e = 0; e < outputs; ++e)
       result.emplace_back(out[lower_at(e, 0)], out[upper_at(e, 0)]);

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "codegen/engine/pipeline.hpp"
+#include "codegen/question/engine/pipeline.hpp"
 #include "runtime/embedded/checker.hpp"
 #include "runtime/evaluation/batch.hpp"
 #include "runtime/problem/row_structure.hpp"

@@ -11,13 +11,13 @@
 #include <map>
 #include <string>
 
-#include "codegen/engine/arb_oracle.hpp"
-#include "codegen/engine/choices.hpp"
-#include "codegen/engine/ingredients.hpp"
-#include "codegen/engine/pipeline.hpp"
-#include "codegen/engine/settings.hpp"
+#include "codegen/kernel/symbolic/determinant.hpp"
+#include "codegen/question/engine/arb_oracle.hpp"
+#include "codegen/question/engine/choices.hpp"
+#include "codegen/question/engine/ingredients.hpp"
+#include "codegen/question/engine/pipeline.hpp"
+#include "codegen/question/engine/settings.hpp"
 #include "codegen/support/errors.hpp"
-#include "codegen/symbolic/determinant.hpp"
 #include "runtime/search/solver.hpp"
 #include "tests/support/models/adversarial_model.hpp"
 #include "tests/support/models/random_model.hpp"

@@ -10,13 +10,13 @@
 #include <optional>
 #include <string>
 
-#include "codegen/model/expression_parser.hpp"
-#include "codegen/program/arb_arithmetic.hpp"
-#include "codegen/program/enclose.hpp"
-#include "codegen/program/interval_arithmetic.hpp"
-#include "codegen/symbolic/derivative.hpp"
-#include "codegen/symbolic/from_ginac.hpp"
-#include "codegen/symbolic/lowering.hpp"
+#include "codegen/kernel/program/arb_arithmetic.hpp"
+#include "codegen/kernel/program/enclose.hpp"
+#include "codegen/kernel/program/interval_arithmetic.hpp"
+#include "codegen/kernel/symbolic/derivative.hpp"
+#include "codegen/kernel/symbolic/from_ginac.hpp"
+#include "codegen/kernel/symbolic/lowering.hpp"
+#include "codegen/model/exact/expression_parser.hpp"
 #include "tests/support/random_source.hpp"
 
 namespace regulus {

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "codegen/engine/pipeline.hpp"
-#include "codegen/engine/search_run.hpp"
-#include "codegen/engine/settings.hpp"
+#include "codegen/question/engine/pipeline.hpp"
+#include "codegen/question/engine/search_run.hpp"
+#include "codegen/question/engine/settings.hpp"
 #include "tests/support/random_source.hpp"
 
 namespace regulus {

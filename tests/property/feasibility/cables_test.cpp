@@ -9,9 +9,9 @@
 #include <random>
 #include <sstream>
 
-#include "codegen/feasibility/force_certificate.hpp"
+#include "codegen/question/load/force_certificate.hpp"
 #include "codegen/support/errors.hpp"
-#include "runtime/certificate/verifier/verify.hpp"
+#include "runtime/verifier/verify.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace regulus::test {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the small linear program that proposes forces.
-#include "codegen/feasibility/greatest_slack.hpp"
+#include "codegen/question/load/greatest_slack.hpp"
 
 #include <gtest/gtest.h>
 

@@ -12,8 +12,8 @@
 #include <random>
 #include <sstream>
 
-#include "codegen/feasibility/force_certificate.hpp"
-#include "runtime/certificate/verifier/verify.hpp"
+#include "codegen/question/load/force_certificate.hpp"
+#include "runtime/verifier/verify.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace regulus::test {

@@ -9,8 +9,8 @@
 #include <functional>
 #include <string>
 
-#include "codegen/import/import.hpp"
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
+#include "codegen/model/import/import.hpp"
 #include "codegen/support/errors.hpp"
 #include "tests/support/serial/random_chain.hpp"
 #include "tests/support/serial/same_jacobian.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "codegen/import/import.hpp"
+#include "codegen/model/import/import.hpp"
 #include "codegen/support/errors.hpp"
 #include "tests/property/import/damage.hpp"
 #include "tests/support/robots/robot_file.hpp"

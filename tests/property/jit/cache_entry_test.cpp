@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/jit/cache/cache_entry.hpp"
+#include "codegen/kernel/jit/cache/cache_entry.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 #include <cstring>
 #include <random>
 
-#include "codegen/jit/jit.hpp"
+#include "codegen/kernel/jit/jit.hpp"
 #include "runtime/kernel/buffers.hpp"
 #include "runtime/kernel/call.hpp"
 #include "tests/support/random_kernel_text.hpp"
@@ -47,9 +47,9 @@ struct Inputs {
 };
 
 /// Compares all defined lanes; returns how many there were.
-int expect_equal_results(const Kernel& one, const Kernel& other, Inputs& inputs) {
+int expect_equal_results(const CheckedKernel& one, const CheckedKernel& other, Inputs& inputs) {
   OutputBatch out_one(test::kRandomOutputs), out_other(test::kRandomOutputs);
-  const auto call = [&inputs](const Kernel& kernel, OutputBatch& out) {
+  const auto call = [&inputs](const CheckedKernel& kernel, OutputBatch& out) {
     return kernel.call(kernel.functions().matrix, inputs.boxes.data(), inputs.points.data(),
                        out.data());
   };
@@ -78,7 +78,7 @@ TEST_P(CompilerAgreement, InProcessAndSpawnedCompilersMakeTheSameEnclosures) {
   emitted.symbol = test::kRandomKernelSymbol;
   emitted.source = test::RandomKernelText(operations_for(isa), 821).text();
   const CompiledKernel compiled = compile_kernel(emitted, {isa, false, {}});
-  const Kernel in_process(*compiled.kernel());
+  const CheckedKernel in_process(*compiled.kernel());
 
   int compilers = 0;
   for (const char* compiler : {"g++", "clang++-22", "clang++"}) {
@@ -89,7 +89,7 @@ TEST_P(CompilerAgreement, InProcessAndSpawnedCompilersMakeTheSameEnclosures) {
     const auto* functions =
         static_cast<const regulus_kernel*>(library.symbol(emitted.symbol.c_str()));
     ASSERT_NE(functions, nullptr);
-    const Kernel spawned(*functions);
+    const CheckedKernel spawned(*functions);
     std::mt19937_64 random(7);
     int compared = 0;
     for (int round = 0; round < kRounds; ++round) {
@@ -106,7 +106,7 @@ INSTANTIATE_TEST_SUITE_P(EveryInstructionSet, CompilerAgreement, testing::Values
                          [](const auto& isa) { return std::string(name(isa.param)); });
 
 double nanoseconds_per_box(const regulus_kernel* functions) {
-  const Kernel kernel(*functions);
+  const CheckedKernel kernel(*functions);
   std::mt19937_64 random(7);
   Inputs inputs(random);
   OutputBatch out(test::kRandomOutputs);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A pack program gives the same bounds, bit for bit, as machine code of its parts, on the vector
 // machine, and as C++ text that Clang compiles in process.
-#include "codegen/jit/jit.hpp"
+#include "codegen/kernel/jit/jit.hpp"
 #include "runtime/machine/self_test_kernel.hpp"
 #include "tests/property/cpp/compiled_kernels.hpp"
 

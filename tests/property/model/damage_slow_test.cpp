@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
 #include "codegen/support/errors.hpp"
 #include "tests/support/damage.hpp"
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "codegen/model/expression_parser.hpp"
+#include "codegen/model/exact/expression_parser.hpp"
 #include "codegen/support/errors.hpp"
 #include "tests/support/evaluate.hpp"
 

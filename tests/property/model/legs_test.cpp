@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
 #include "tests/support/evaluate.hpp"
 #include "tests/support/legs/inverse_kinematics.hpp"
 #include "tests/support/random_source.hpp"

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <string>
 
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
 #include "codegen/support/errors.hpp"
 #include "tests/support/damage.hpp"
 #include "tests/support/example_model.hpp"

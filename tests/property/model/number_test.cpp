@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "codegen/model/decimal.hpp"
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/exact/decimal.hpp"
+#include "codegen/model/file/model_file.hpp"
 #include "codegen/support/errors.hpp"
 #include "tests/support/random_source.hpp"
 

@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "codegen/program/interpreter.hpp"
-#include "codegen/program/rational_arithmetic.hpp"
+#include "codegen/kernel/program/interpreter.hpp"
+#include "codegen/kernel/program/rational_arithmetic.hpp"
 #include "tests/support/random_program.hpp"
 
 namespace regulus::test {

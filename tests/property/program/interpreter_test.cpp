@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Compares intervals with exact rationals and with Arb, on random programs over random boxes.
-#include "codegen/program/interpreter.hpp"
+#include "codegen/kernel/program/interpreter.hpp"
 
 #include <gtest/gtest.h>
 
-#include "codegen/program/arb_arithmetic.hpp"
-#include "codegen/program/enclose.hpp"
-#include "codegen/program/interval_arithmetic.hpp"
-#include "codegen/program/print.hpp"
-#include "codegen/program/rational_arithmetic.hpp"
-#include "codegen/program/rational_bounds.hpp"
+#include "codegen/kernel/program/arb_arithmetic.hpp"
+#include "codegen/kernel/program/enclose.hpp"
+#include "codegen/kernel/program/interval_arithmetic.hpp"
+#include "codegen/kernel/program/print.hpp"
+#include "codegen/kernel/program/rational_arithmetic.hpp"
+#include "codegen/kernel/program/rational_bounds.hpp"
 #include "tests/support/ball_containment.hpp"
 #include "tests/support/random_program.hpp"
 

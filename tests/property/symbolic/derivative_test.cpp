@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Compares derivatives with dual numbers (forward differentiation on exact values), which share
 // nothing with the symbolic chain rule.
-#include "codegen/symbolic/derivative.hpp"
+#include "codegen/kernel/symbolic/derivative.hpp"
 
 #include <gtest/gtest.h>
 
-#include "codegen/symbolic/passes.hpp"
-#include "codegen/symbolic/rewrite.hpp"
+#include "codegen/kernel/symbolic/passes.hpp"
+#include "codegen/kernel/symbolic/rewrite.hpp"
 #include "tests/support/symbolic/exact_values.hpp"
 
 namespace regulus::test {
@@ -24,7 +24,7 @@ class DualValues {
 
   Dual operator()(const Expression& e) {
     switch (e.kind()) {
-      case Kind::kSum: {
+      case ExpressionKind::kSum: {
         Dual result;
         for (const Expression& term : e.operands()) {
           const Dual d = (*this)(term);
@@ -32,20 +32,20 @@ class DualValues {
         }
         return result;
       }
-      case Kind::kProduct: {
+      case ExpressionKind::kProduct: {
         Dual result{1, 0};
         for (const Expression& factor : e.operands()) result = times(result, (*this)(factor));
         return result;
       }
-      case Kind::kPower:
+      case ExpressionKind::kPower:
         return raised((*this)(e.operands()[0]), e.exponent());
-      case Kind::kCall: {
+      case ExpressionKind::kCall: {
         const cl_RA slope = (*this)(e.operands()[0]).slope;
         const CirclePoint at = values_.circle(e.operands()[0]);
         if (e.function() == Call::kSin) return {at.sine, at.cosine * slope};
         return {at.cosine, -at.sine * slope};
       }
-      case Kind::kVariable:
+      case ExpressionKind::kVariable:
         return {values_(e), e.name() == variable_ ? 1 : 0};
       default:
         return {values_(e), 0};
@@ -116,8 +116,8 @@ class InverseFunction : public ::testing::Test {
   }
   /// a is the angle with sine 3/5 and cosine 4/5; x is 7/2; exp(x) is 11.
   static std::optional<cl_RA> known(const Expression& e) {
-    if (e.kind() == Kind::kVariable && e.name() == "x") return cl_RA(7) / 2;
-    if (e.kind() != Kind::kCall) return std::nullopt;
+    if (e.kind() == ExpressionKind::kVariable && e.name() == "x") return cl_RA(7) / 2;
+    if (e.kind() != ExpressionKind::kCall) return std::nullopt;
     if (e.function() == Call::kSin) return cl_RA(3) / 5;
     if (e.function() == Call::kCos) return cl_RA(4) / 5;
     if (e.function() == Call::kTan) return cl_RA(3) / 4;

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Compares the closed form with exact elimination, and its derivatives with the chain rule, at
 // points where every sine and cosine is rational.
-#include "codegen/symbolic/determinant.hpp"
+#include "codegen/kernel/symbolic/determinant.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "codegen/formulation/formulation.hpp"
-#include "codegen/program/module_check.hpp"
-#include "codegen/symbolic/derivative.hpp"
-#include "codegen/symbolic/passes.hpp"
+#include "codegen/kernel/formulation/formulation.hpp"
+#include "codegen/kernel/program/module_check.hpp"
+#include "codegen/kernel/symbolic/derivative.hpp"
+#include "codegen/kernel/symbolic/passes.hpp"
 #include "tests/support/symbolic/exact_values.hpp"
 #include "tests/support/symbolic/gough_model.hpp"
 
@@ -58,7 +58,7 @@ TEST(Determinant, OfRandomMatricesIsThatOfElimination) {
         entries.push_back(random() % 3 == 0 ? Expression(0) : expressions.polynomial(1));
         polynomials.push_back(expander.expand(entries.back()).value());
       }
-      TermBudget budget(10000000);
+      DeterminantBudget budget(10000000);
       const Expression form = collect(determinant(polynomials, n, atoms, budget), atoms);
       ExactValues values(random);
       std::vector<cl_RA> a;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each pass keeps the function: values at random rational points are exactly equal.
-#include "codegen/symbolic/passes.hpp"
+#include "codegen/kernel/symbolic/passes.hpp"
 
 #include <gtest/gtest.h>
 
-#include "codegen/symbolic/derivative.hpp"
-#include "codegen/symbolic/measure.hpp"
-#include "codegen/symbolic/rewrite.hpp"
+#include "codegen/kernel/symbolic/derivative.hpp"
+#include "codegen/kernel/symbolic/measure.hpp"
+#include "codegen/kernel/symbolic/rewrite.hpp"
 #include "tests/support/symbolic/exact_values.hpp"
 
 namespace regulus::test {

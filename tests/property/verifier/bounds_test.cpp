@@ -8,7 +8,7 @@
 #include <random>
 #include <sstream>
 
-#include "runtime/certificate/verifier/touched_rows.hpp"
+#include "runtime/verifier/touched_rows.hpp"
 
 namespace regulus::test {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "codegen/program/ball.hpp"
+#include "codegen/kernel/program/ball.hpp"
 
 namespace regulus::test {
 

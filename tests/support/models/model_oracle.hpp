@@ -13,7 +13,7 @@
 #include <optional>
 #include <vector>
 
-#include "codegen/engine/pipeline.hpp"
+#include "codegen/question/engine/pipeline.hpp"
 #include "tests/support/models/arb_tape.hpp"
 
 namespace regulus::test {

@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "codegen/symbolic/evaluate.hpp"
-#include "codegen/symbolic/print.hpp"
+#include "codegen/kernel/symbolic/evaluate.hpp"
+#include "codegen/kernel/symbolic/print.hpp"
 
 namespace regulus::test {
 
@@ -74,17 +74,17 @@ class ExactValues {
   /// Returns the point of an integer combination of angles.
   CirclePoint circle(const Expression& argument) {
     switch (argument.kind()) {
-      case Kind::kConstant:
+      case ExpressionKind::kConstant:
         if (zerop(argument.value())) return {};
         break;
-      case Kind::kVariable:
+      case ExpressionKind::kVariable:
         return point_of(argument.name());
-      case Kind::kSum: {
+      case ExpressionKind::kSum: {
         CirclePoint result;
         for (const Expression& term : argument.operands()) result = result + circle(term);
         return result;
       }
-      case Kind::kProduct: {
+      case ExpressionKind::kProduct: {
         const cl_RA c = coefficient_of(argument);
         if (c == 1 || denominator(c) != 1) break;
         return times(cl_I_to_int(numerator(c)), circle(divide_by(argument, c)));
@@ -97,9 +97,10 @@ class ExactValues {
 
  private:
   std::optional<cl_RA> value_of(const Expression& e) {
-    if (e.kind() == Kind::kVariable || e.kind() == Kind::kPoint) return symbol(e.name());
-    if (e.kind() == Kind::kPi) return symbol("pi");
-    if (e.kind() != Kind::kCall) return std::nullopt;
+    if (e.kind() == ExpressionKind::kVariable || e.kind() == ExpressionKind::kPoint)
+      return symbol(e.name());
+    if (e.kind() == ExpressionKind::kNumberPi) return symbol("pi");
+    if (e.kind() != ExpressionKind::kCall) return std::nullopt;
     const Expression& argument = e.operands()[0];
     if (e.function() == Call::kSin) return circle(argument).sine;
     if (e.function() == Call::kCos) return circle(argument).cosine;

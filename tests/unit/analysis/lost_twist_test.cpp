@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the motion that is lost at a singular pose, for robots where geometry gives it.
-#include "codegen/analysis/lost_twist.hpp"
+#include "codegen/question/analysis/lost_twist.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,9 +9,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "codegen/engine/search_run.hpp"
-#include "codegen/engine/settings.hpp"
-#include "codegen/report/report.hpp"
+#include "codegen/answer/report/report.hpp"
+#include "codegen/question/engine/search_run.hpp"
+#include "codegen/question/engine/settings.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace regulus {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/analysis/null_vectors.hpp"
+#include "codegen/question/analysis/null_vectors.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "codegen/api/regulus.hpp"
+#include "codegen/use/api/regulus.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace {

@@ -10,7 +10,7 @@
 #include <functional>
 #include <sstream>
 
-#include "codegen/api/regulus.hpp"
+#include "codegen/use/api/regulus.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tests work of several threads at once, from the oracle to whole searches; `make tsan` runs it
 // under ThreadSanitizer.
-#include "codegen/engine/arb_oracle.hpp"
+#include "codegen/question/engine/arb_oracle.hpp"
 
 // The threads of a search use the oracle, so nothing in it may belong to CLN or GiNaC.
 #if defined(_CL_OBJECT_H) || defined(_CL_NUMBER_H) || defined(_CL_RATIONAL_H) || \
     defined(GINAC_EX_H) || defined(GINAC_BASIC_H)
-#error "codegen/engine/arb_oracle.hpp includes CLN or GiNaC"
+#error "codegen/question/engine/arb_oracle.hpp includes CLN or GiNaC"
 #endif
 
 #include <gtest/gtest.h>
@@ -14,11 +14,11 @@
 #include <thread>
 #include <type_traits>
 
-#include "codegen/api/check.hpp"
-#include "codegen/engine/choices.hpp"
-#include "codegen/engine/pipeline.hpp"
-#include "codegen/engine/search_run.hpp"
-#include "codegen/engine/settings.hpp"
+#include "codegen/question/engine/choices.hpp"
+#include "codegen/question/engine/pipeline.hpp"
+#include "codegen/question/engine/search_run.hpp"
+#include "codegen/question/engine/settings.hpp"
+#include "codegen/use/api/check.hpp"
 
 namespace regulus {
 namespace {

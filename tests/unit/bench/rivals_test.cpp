@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "codegen/program/arb_arithmetic.hpp"
-#include "codegen/program/interpreter.hpp"
+#include "codegen/kernel/program/arb_arithmetic.hpp"
+#include "codegen/kernel/program/interpreter.hpp"
 #include "tests/bench/kernel/ahead_of_time.hpp"
 #include "tests/bench/kernel/batched.hpp"
 #include "tests/bench/kernel/rival.hpp"

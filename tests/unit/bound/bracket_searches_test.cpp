@@ -4,10 +4,10 @@
 
 #include <atomic>
 
-#include "codegen/bound/bound_run.hpp"
-#include "codegen/bound/bracket_topic.hpp"
-#include "codegen/margin/prepared_margin.hpp"
-#include "codegen/margin/variety_attempts.hpp"
+#include "codegen/question/bound/bound_run.hpp"
+#include "codegen/question/bound/bracket_topic.hpp"
+#include "codegen/question/margin/prepared_margin.hpp"
+#include "codegen/question/margin/variety_attempts.hpp"
 #include "codegen/support/errors.hpp"
 #include "tests/support/simulated_workers.hpp"
 

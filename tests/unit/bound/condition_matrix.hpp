@@ -9,10 +9,10 @@
 #include <string>
 #include <utility>
 
-#include "codegen/bound/condition_search.hpp"
-#include "codegen/engine/pipeline.hpp"
-#include "codegen/model/model_file.hpp"
-#include "codegen/quantity/inverse_in_one_unit.hpp"
+#include "codegen/model/file/model_file.hpp"
+#include "codegen/question/condition/condition_search.hpp"
+#include "codegen/question/engine/pipeline.hpp"
+#include "codegen/question/quantity/inverse_in_one_unit.hpp"
 #include "tests/support/search_events.hpp"
 
 namespace regulus::test {

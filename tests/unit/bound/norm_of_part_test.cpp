@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/bound/norm_of_part.hpp"
+#include "codegen/question/bound/norm_of_part.hpp"
 
 #include <gtest/gtest.h>
 
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
 
 namespace regulus::test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/jit/llvm/flat_code.hpp"
+#include "codegen/kernel/jit/llvm/flat_code.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

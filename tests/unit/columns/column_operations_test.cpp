@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/columns/column_operations.hpp"
+#include "codegen/kernel/columns/column_operations.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "codegen/formulation/explain.hpp"
-#include "codegen/formulation/formulation.hpp"
-#include "codegen/symbolic/print.hpp"
+#include "codegen/kernel/formulation/explain.hpp"
+#include "codegen/kernel/formulation/formulation.hpp"
+#include "codegen/kernel/symbolic/print.hpp"
 #include "tests/support/symbolic/gough_model.hpp"
 
 namespace regulus::test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/cpp/comment.hpp"
+#include "codegen/kernel/cpp/comment.hpp"
 
 #include <gtest/gtest.h>
 

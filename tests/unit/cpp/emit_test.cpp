@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/cpp/emit.hpp"
+#include "codegen/kernel/cpp/emit.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

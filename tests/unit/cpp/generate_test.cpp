@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/cpp/generate.hpp"
+#include "codegen/kernel/cpp/generate.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "codegen/cpp/words.hpp"
+#include "codegen/kernel/cpp/words.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus {

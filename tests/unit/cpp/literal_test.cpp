@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/cpp/literal.hpp"
+#include "codegen/kernel/cpp/literal.hpp"
 
 #include <gtest/gtest.h>
 

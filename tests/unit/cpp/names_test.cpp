@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/cpp/names.hpp"
+#include "codegen/kernel/cpp/names.hpp"
 
 #include <gtest/gtest.h>
 

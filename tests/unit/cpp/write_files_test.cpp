@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/cpp/write_files.hpp"
+#include "codegen/kernel/cpp/write_files.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -7,9 +7,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "codegen/engine/search_run.hpp"
-#include "codegen/engine/settings.hpp"
-#include "codegen/report/report.hpp"
+#include "codegen/answer/report/report.hpp"
+#include "codegen/question/engine/search_run.hpp"
+#include "codegen/question/engine/settings.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace regulus {

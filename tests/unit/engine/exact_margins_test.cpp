@@ -5,10 +5,10 @@
 
 #include <fstream>
 
-#include "codegen/engine/algebra_oracle.hpp"
-#include "codegen/engine/closed_form_bounds.hpp"
-#include "codegen/engine/search_run.hpp"
-#include "codegen/engine/settings.hpp"
+#include "codegen/question/engine/algebra_oracle.hpp"
+#include "codegen/question/engine/closed_form_bounds.hpp"
+#include "codegen/question/engine/search_run.hpp"
+#include "codegen/question/engine/settings.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace regulus {

@@ -5,8 +5,8 @@
 
 #include <fstream>
 
-#include "codegen/engine/search_run.hpp"
-#include "codegen/engine/settings.hpp"
+#include "codegen/question/engine/search_run.hpp"
+#include "codegen/question/engine/settings.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace regulus {

@@ -8,11 +8,11 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "codegen/analysis/least_singular.hpp"
-#include "codegen/engine/choices.hpp"
-#include "codegen/engine/search_run.hpp"
-#include "codegen/engine/settings.hpp"
-#include "codegen/report/report.hpp"
+#include "codegen/answer/report/report.hpp"
+#include "codegen/question/analysis/least_singular.hpp"
+#include "codegen/question/engine/choices.hpp"
+#include "codegen/question/engine/search_run.hpp"
+#include "codegen/question/engine/settings.hpp"
 #include "runtime/search/solver.hpp"
 #include "tests/support/temporary_directory.hpp"
 

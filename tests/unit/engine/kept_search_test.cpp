@@ -2,8 +2,8 @@
 // A prepared search can be run again, with the same events to the last bit.
 #include <gtest/gtest.h>
 
-#include "codegen/engine/search_run.hpp"
-#include "codegen/engine/settings.hpp"
+#include "codegen/question/engine/search_run.hpp"
+#include "codegen/question/engine/settings.hpp"
 #include "tests/support/search_events.hpp"
 
 namespace regulus {

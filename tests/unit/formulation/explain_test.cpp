@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/formulation/explain.hpp"
+#include "codegen/kernel/formulation/explain.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -2,10 +2,10 @@
 // Forms expressions within a budget of counted work, and stops the work early.
 #include <gtest/gtest.h>
 
-#include "codegen/formulation/formulation.hpp"
+#include "codegen/kernel/formulation/formulation.hpp"
+#include "codegen/kernel/program/print.hpp"
+#include "codegen/kernel/symbolic/print.hpp"
 #include "codegen/model/model.hpp"
-#include "codegen/program/print.hpp"
-#include "codegen/symbolic/print.hpp"
 #include "tests/support/symbolic/exact_values.hpp"
 
 namespace regulus::test {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/formulation/formulation.hpp"
+#include "codegen/kernel/formulation/formulation.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "codegen/program/module_check.hpp"
-#include "codegen/program/print.hpp"
+#include "codegen/kernel/program/module_check.hpp"
+#include "codegen/kernel/program/print.hpp"
+#include "codegen/kernel/symbolic/derivative.hpp"
+#include "codegen/kernel/symbolic/print.hpp"
 #include "codegen/support/errors.hpp"
-#include "codegen/symbolic/derivative.hpp"
-#include "codegen/symbolic/print.hpp"
 #include "tests/support/symbolic/exact_values.hpp"
 #include "tests/support/symbolic/gough_model.hpp"
 
@@ -27,7 +27,8 @@ Occurrences added(const std::vector<EntryStatistics>& entries,
 std::uint64_t operations(const Program& program) {
   return static_cast<std::uint64_t>(
       std::count_if(program.nodes.begin(), program.nodes.end(), [](const Node& n) {
-        return n.op != Op::kConstant && n.op != Op::kPi && n.op != Op::kInput && n.op != Op::kPoint;
+        return n.op != Op::kConstant && n.op != Op::kNumberPi && n.op != Op::kInput &&
+               n.op != Op::kPoint;
       }));
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "codegen/formulation/formulation.hpp"
-#include "codegen/program/interpreter.hpp"
-#include "codegen/program/interval_arithmetic.hpp"
-#include "codegen/program/module_check.hpp"
-#include "codegen/program/rational_arithmetic.hpp"
-#include "codegen/symbolic/lowering.hpp"
-#include "codegen/symbolic/print.hpp"
+#include "codegen/kernel/formulation/formulation.hpp"
+#include "codegen/kernel/program/interpreter.hpp"
+#include "codegen/kernel/program/interval_arithmetic.hpp"
+#include "codegen/kernel/program/module_check.hpp"
+#include "codegen/kernel/program/rational_arithmetic.hpp"
+#include "codegen/kernel/symbolic/lowering.hpp"
+#include "codegen/kernel/symbolic/print.hpp"
 #include "tests/support/symbolic/exact_values.hpp"
 #include "tests/support/symbolic/gough_model.hpp"
 
@@ -22,8 +22,8 @@ TEST(Lowering, ProgramsComputeTheirExpressions) {
     const Expression raw = expressions.polynomial(3) * power(expressions.polynomial(2), -2) -
                            power(expressions.polynomial(2), -1);
     const Expression e = substitute(raw, [](const Expression& s) -> std::optional<Expression> {
-      if (s.kind() == Kind::kCall) return variable("y");
-      if (s.kind() == Kind::kPi) return variable("z");
+      if (s.kind() == ExpressionKind::kCall) return variable("y");
+      if (s.kind() == ExpressionKind::kNumberPi) return variable("z");
       return std::nullopt;
     });
     Lowering lowering(variable_names(), point_names());

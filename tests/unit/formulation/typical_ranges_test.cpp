@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/formulation/typical_ranges.hpp"
+#include "codegen/kernel/formulation/typical_ranges.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "codegen/model/decimal.hpp"
-#include "codegen/model/sign.hpp"
+#include "codegen/model/exact/decimal.hpp"
+#include "codegen/model/exact/sign.hpp"
 #include "tests/support/random_source.hpp"
 
 namespace regulus {

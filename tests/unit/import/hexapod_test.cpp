@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "codegen/import/import.hpp"
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
+#include "codegen/model/import/import.hpp"
 #include "codegen/support/errors.hpp"
 #include "tests/support/robots/robot_file.hpp"
 

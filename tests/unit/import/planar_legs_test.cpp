@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "codegen/import/import.hpp"
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
+#include "codegen/model/import/import.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus::test {

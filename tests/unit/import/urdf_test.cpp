@@ -6,8 +6,8 @@
 #include <numbers>
 #include <random>
 
-#include "codegen/import/import.hpp"
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
+#include "codegen/model/import/import.hpp"
 #include "codegen/support/errors.hpp"
 #include "tests/support/robots/robot_file.hpp"
 #include "tests/support/serial/model_twists.hpp"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/jit/compilation.hpp"
+#include "codegen/kernel/jit/compilation.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "codegen/jit/clang_compiler.hpp"
-#include "codegen/jit/kernel_compilation.hpp"
+#include "codegen/kernel/jit/clang_compiler.hpp"
+#include "codegen/kernel/jit/kernel_compilation.hpp"
 #include "regulus/floating_point_flags.hpp"
 
 namespace regulus {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/jit/jit.hpp"
+#include "codegen/kernel/jit/jit.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cfenv>
 #include <cstring>
 
-#include "codegen/jit/clang_compiler.hpp"
-#include "codegen/jit/kernel_compilation.hpp"
+#include "codegen/kernel/jit/clang_compiler.hpp"
+#include "codegen/kernel/jit/kernel_compilation.hpp"
 #include "runtime/kernel/buffers.hpp"
 #include "runtime/kernel/call.hpp"
 #include "tests/support/process_maps.hpp"
@@ -54,7 +54,7 @@ class JitTest : public testing::TestWithParam<Isa> {
 
 TEST_P(JitTest, CompiledCodeEnclosesWhatItComputes) {
   const CompiledKernel compiled = compile_kernel(small_kernel(), options_);
-  const Kernel kernel(*compiled.kernel());
+  const CheckedKernel kernel(*compiled.kernel());
   EXPECT_EQ(compiled.kernel()->rounding, required_rounding(GetParam()));
   IntervalRows boxes(2), out(3);
   PointRows points(1);

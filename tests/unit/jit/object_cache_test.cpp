@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/jit/cache/object_cache.hpp"
+#include "codegen/kernel/jit/cache/object_cache.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

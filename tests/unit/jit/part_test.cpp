@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/jit/part.hpp"
+#include "codegen/kernel/jit/part.hpp"
 
 #include <gtest/gtest.h>
 

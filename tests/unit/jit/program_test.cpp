@@ -9,10 +9,10 @@
 #include <thread>
 #include <vector>
 
-#include "codegen/jit/jit.hpp"
-#include "codegen/jit/part.hpp"
-#include "codegen/jit/part_code.hpp"
-#include "codegen/pack/select.hpp"
+#include "codegen/kernel/jit/jit.hpp"
+#include "codegen/kernel/jit/part.hpp"
+#include "codegen/kernel/jit/part_code.hpp"
+#include "codegen/kernel/pack/select.hpp"
 #include "runtime/kernel/buffers.hpp"
 #include "runtime/kernel/call.hpp"
 #include "tests/support/cache_entries.hpp"

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "codegen/jit/jit.hpp"
+#include "codegen/kernel/jit/jit.hpp"
 #include "runtime/machine/self_test_kernel.hpp"
 #include "tests/support/process_maps.hpp"
 #include "tests/support/temporary_directory.hpp"

@@ -41,12 +41,12 @@ struct Arguments {
 };
 
 unsigned call(const regulus_kernel& kernel, Arguments& a) {
-  return Kernel(kernel).call(kernel.matrix, a.boxes.data(), a.points.data(), a.out.data());
+  return CheckedKernel(kernel).call(kernel.matrix, a.boxes.data(), a.points.data(), a.out.data());
 }
 
 std::string refusal(const regulus_kernel& kernel) {
   try {
-    const Kernel refused(kernel);
+    const CheckedKernel refused(kernel);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
@@ -127,7 +127,7 @@ TEST(Kernel, SetsTheOutputsOfUndefinedLanesToAllNumbers) {
 TEST(Kernel, CallsAMissingFunctionUndefinedEverywhere) {
   const regulus_kernel kernel = two_by_two();
   Arguments a;
-  EXPECT_EQ(Kernel(kernel).call(kernel.row_scale, a.boxes.data(), nullptr, a.out.data()),
+  EXPECT_EQ(CheckedKernel(kernel).call(kernel.row_scale, a.boxes.data(), nullptr, a.out.data()),
             kAllLanes);
 }
 

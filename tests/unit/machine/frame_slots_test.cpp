@@ -37,7 +37,7 @@ PackKernel sum_of(std::uint32_t count) {
 
 void expect_sum(std::uint32_t count) {
   const MachineKernel machine(sum_of(count), best_isa());
-  const Kernel kernel(*machine.get());
+  const CheckedKernel kernel(*machine.get());
   alignas(64) double boxes[2 * REGULUS_LANES], out[2 * REGULUS_LANES];
   for (int lane = 0; lane < REGULUS_LANES; ++lane) boxes[lane] = boxes[REGULUS_LANES + lane] = lane;
   EXPECT_EQ(kernel.call(kernel.functions().matrix, boxes, nullptr, out), 0U);

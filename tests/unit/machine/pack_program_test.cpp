@@ -118,7 +118,7 @@ TEST(MachineKernel, RunsAListOnEveryInstructionSet) {
   for (const Isa isa : kAllIsas) {
     if (!supported(isa)) continue;
     const MachineKernel machine(kernel_of(sample()), isa);
-    const Kernel kernel(*machine.get());
+    const CheckedKernel kernel(*machine.get());
     BoxBatch boxes(2);
     OutputBatch out(3);
     for (std::size_t lane = 0; lane < REGULUS_LANES; ++lane) {

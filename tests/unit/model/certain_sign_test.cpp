@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/model/certain_sign.hpp"
+#include "codegen/model/exact/certain_sign.hpp"
 
 #include <gtest/gtest.h>
 
-#include "codegen/model/expression_parser.hpp"
+#include "codegen/model/exact/expression_parser.hpp"
 
 namespace regulus {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/model/decimal.hpp"
+#include "codegen/model/exact/decimal.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "codegen/model/ginac_text.hpp"
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/exact/ginac_text.hpp"
+#include "codegen/model/file/model_file.hpp"
 #include "codegen/model/overrides.hpp"
 #include "codegen/support/errors.hpp"
 

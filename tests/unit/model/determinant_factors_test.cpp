@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The matrix of factors against the determinant that it stands for.
-#include "codegen/model/determinant_factors.hpp"
+#include "codegen/model/mechanism/determinant_factors.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <random>
 #include <string>
 
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
 #include "tests/support/evaluate.hpp"
 
 namespace regulus::test {

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
 
 namespace regulus::test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/model/expression_parser.hpp"
+#include "codegen/model/exact/expression_parser.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/model/formula.hpp"
+#include "codegen/model/exact/formula.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <map>
 #include <type_traits>
 
-#include "codegen/model/expression_parser.hpp"
+#include "codegen/model/exact/expression_parser.hpp"
 #include "codegen/support/errors.hpp"
 #include "tests/support/random_source.hpp"
 

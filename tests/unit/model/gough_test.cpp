@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Compares the Gough family with a simple implementation in doubles that shares no code with it.
-#include "codegen/model/gough.hpp"
+#include "codegen/model/mechanism/gough.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The limits of an arm's joints are the frame of every question about it.
-#include "codegen/model/joint_limits.hpp"
+#include "codegen/model/mechanism/joint_limits.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

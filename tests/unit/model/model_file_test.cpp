@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
 #include "codegen/model/overrides.hpp"
 #include "tests/support/evaluate.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
 
 namespace regulus::test {
 namespace {

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
 #include "codegen/support/errors.hpp"
 #include "tests/support/example_model.hpp"
 

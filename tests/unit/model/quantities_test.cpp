@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A declared tolerance applies to a value however it is written: as a number, a name, an expression.
-#include "codegen/model/quantities.hpp"
+#include "codegen/model/file/quantities.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <map>
 #include <sstream>
 
-#include "codegen/model/ginac_text.hpp"
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/exact/ginac_text.hpp"
+#include "codegen/model/file/model_file.hpp"
 #include "tests/support/example_model.hpp"
 
 namespace regulus {

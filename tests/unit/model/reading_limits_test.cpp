@@ -5,7 +5,7 @@
 #include <atomic>
 #include <string>
 
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus::test {

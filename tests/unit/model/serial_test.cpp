@@ -7,9 +7,9 @@
 #include <random>
 #include <string>
 
-#include "codegen/model/joint_polynomial.hpp"
-#include "codegen/model/model_file.hpp"
-#include "codegen/model/singular_factors.hpp"
+#include "codegen/model/file/model_file.hpp"
+#include "codegen/model/mechanism/joint_polynomial.hpp"
+#include "codegen/model/mechanism/singular_factors.hpp"
 #include "tests/support/serial/model_twists.hpp"
 
 namespace regulus::test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/model/source_lines.hpp"
+#include "codegen/model/file/source_lines.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 #include <thread>
 #include <vector>
 
-#include "codegen/pack/select.hpp"
-#include "codegen/program/print.hpp"
+#include "codegen/kernel/pack/select.hpp"
+#include "codegen/kernel/program/print.hpp"
 #include "runtime/interval/interval.hpp"
 #include "runtime/kernel/buffers.hpp"
 #include "runtime/kernel/call.hpp"
@@ -57,7 +57,7 @@ TEST(MachineKernelOfAModule, FillsTheTableOfTheAbi) {
 
 TEST(MachineKernelOfAModule, EvaluatesEachLaneOnItsOwn) {
   const MachineKernel interpreted = machine_of(example());
-  const Kernel kernel(*interpreted.get());
+  const CheckedKernel kernel(*interpreted.get());
   BoxBatch boxes(2);
   PointRows points(1);
   OutputBatch out(1);
@@ -77,7 +77,7 @@ TEST(MachineKernelOfAModule, EvaluatesEachLaneOnItsOwn) {
 
 TEST(MachineKernelOfAModule, ReportsTheLanesOutsideTheDomain) {
   const MachineKernel interpreted = machine_of(example());
-  const Kernel kernel(*interpreted.get());
+  const CheckedKernel kernel(*interpreted.get());
   BoxBatch boxes(2);
   OutputBatch out(1);
   boxes.set_all_lanes(1, {1, 1});
@@ -88,7 +88,7 @@ TEST(MachineKernelOfAModule, ReportsTheLanesOutsideTheDomain) {
 
 TEST(MachineKernelOfAModule, ReportsLanesWithoutFiniteBounds) {
   const MachineKernel interpreted = machine_of(example());
-  const Kernel kernel(*interpreted.get());
+  const CheckedKernel kernel(*interpreted.get());
   BoxBatch boxes(2);
   OutputBatch out(1);
   boxes.set(0, 0, {0, 0x1p60});
@@ -102,7 +102,7 @@ TEST(MachineKernelOfAModule, CountsQuotientsBeyondTheLimitAsUndefined) {
   builder.output(builder.divide(builder.constant(1), builder.input(0)));
   module.functions[2].program = std::move(builder).finish();
   const MachineKernel interpreted = machine_of(module);
-  const Kernel kernel(*interpreted.get());
+  const CheckedKernel kernel(*interpreted.get());
   BoxBatch boxes(2);
   OutputBatch out(1);
   boxes.set_all_lanes(0, {0x1p-128, 1});
@@ -119,7 +119,7 @@ TEST(MachineKernelOfAModule, SurvivesBeingMoved) {
 
 TEST(MachineKernelOfAModule, GivesEveryThreadTheSameAnswer) {
   const MachineKernel interpreted = machine_of(example());
-  const Kernel kernel(*interpreted.get());
+  const CheckedKernel kernel(*interpreted.get());
   BoxBatch boxes(2);
   boxes.set_all_lanes(0, {2, 3});
   boxes.set_all_lanes(1, {-1, 7});

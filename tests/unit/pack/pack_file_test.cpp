@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "codegen/pack/select.hpp"
+#include "codegen/kernel/pack/select.hpp"
 #include "tests/support/sample_modules.hpp"
 
 namespace regulus {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/pack/partition.hpp"
+#include "codegen/kernel/pack/partition.hpp"
 
 #include <gtest/gtest.h>
 

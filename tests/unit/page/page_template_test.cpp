@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/page/page_template.hpp"
+#include "codegen/answer/page/page_template.hpp"
 
 #include <gtest/gtest.h>
 
-#include "codegen/page/page_data.hpp"
+#include "codegen/answer/page/page_data.hpp"
 #include "codegen/support/errors.hpp"
 #include "runtime/files/sha256.hpp"
 

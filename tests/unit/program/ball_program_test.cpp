@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/program/ball_program.hpp"
+#include "codegen/kernel/program/ball_program.hpp"
 
 // The threads of a search must hold no number of CLN: this header may not even declare one.
 #if defined(_CL_OBJECT_H) || defined(_CL_NUMBER_H) || defined(_CL_RATIONAL_H) || \
     defined(GINAC_EX_H) || defined(GINAC_BASIC_H)
-#error "codegen/program/ball_program.hpp includes CLN or GiNaC"
+#error "codegen/kernel/program/ball_program.hpp includes CLN or GiNaC"
 #endif
 
 #include <cln/rational.h>
@@ -13,8 +13,8 @@
 
 #include <thread>
 
-#include "codegen/program/arb_arithmetic.hpp"
-#include "codegen/program/interpreter.hpp"
+#include "codegen/kernel/program/arb_arithmetic.hpp"
+#include "codegen/kernel/program/interpreter.hpp"
 
 namespace regulus {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/program/enclose.hpp"
+#include "codegen/kernel/program/enclose.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <functional>
 #include <stdexcept>
 
-#include "codegen/program/rational_bounds.hpp"
+#include "codegen/kernel/program/rational_bounds.hpp"
 
 namespace regulus {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/program/magnitude.hpp"
+#include "codegen/kernel/program/magnitude.hpp"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 
-#include "codegen/program/enclose.hpp"
+#include "codegen/kernel/program/enclose.hpp"
 
 namespace regulus {
 namespace {

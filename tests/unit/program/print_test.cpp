@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/program/print.hpp"
+#include "codegen/kernel/program/print.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include <functional>
 #include <stdexcept>
 
-#include "codegen/program/print.hpp"
-#include "codegen/program/program.hpp"
+#include "codegen/kernel/program/print.hpp"
+#include "codegen/kernel/program/program.hpp"
 
 namespace regulus {
 namespace {

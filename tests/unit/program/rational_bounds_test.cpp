@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/program/rational_bounds.hpp"
+#include "codegen/kernel/program/rational_bounds.hpp"
 
 #include <cln/integer.h>
 #include <gtest/gtest.h>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/quantity/inverse_columns.hpp"
+#include "codegen/question/quantity/inverse_columns.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "codegen/model/model_file.hpp"
-#include "codegen/quantity/sample_point.hpp"
+#include "codegen/model/file/model_file.hpp"
+#include "codegen/question/quantity/sample_point.hpp"
 
 namespace regulus::test {
 namespace {

@@ -7,10 +7,10 @@
 #include <limits>
 #include <string>
 
-#include "codegen/engine/search_run.hpp"
-#include "codegen/engine/settings.hpp"
-#include "codegen/report/progress.hpp"
-#include "codegen/report/report.hpp"
+#include "codegen/answer/report/progress.hpp"
+#include "codegen/answer/report/report.hpp"
+#include "codegen/question/engine/search_run.hpp"
+#include "codegen/question/engine/settings.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace regulus {

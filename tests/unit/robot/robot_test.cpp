@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/robot/robot.hpp"
+#include "codegen/model/robot/robot.hpp"
 
 #include <gtest/gtest.h>
 
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
 #include "tests/support/example_model.hpp"
 #include "tests/support/model_text.hpp"
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/symbolic/expression.hpp"
+#include "codegen/kernel/symbolic/expression.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "codegen/symbolic/evaluate.hpp"
-#include "codegen/symbolic/measure.hpp"
-#include "codegen/symbolic/print.hpp"
+#include "codegen/kernel/symbolic/evaluate.hpp"
+#include "codegen/kernel/symbolic/measure.hpp"
+#include "codegen/kernel/symbolic/print.hpp"
 
 namespace regulus {
 namespace {
@@ -157,7 +157,7 @@ TEST(Measure, SineAndCosineTogetherWeighAsOneVariable) {
 
 TEST(Evaluate, RootsOfSquaresAreRational) {
   const auto known = [](const Expression& e) -> std::optional<cln::cl_RA> {
-    if (e.kind() == Kind::kVariable) return cln::cl_RA(9) / 4;
+    if (e.kind() == ExpressionKind::kVariable) return cln::cl_RA(9) / 4;
     return std::nullopt;
   };
   EXPECT_EQ(evaluate(call(Call::kSqrt, {x}), known), cln::cl_RA(3) / 2);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/symbolic/from_ginac.hpp"
+#include "codegen/kernel/symbolic/from_ginac.hpp"
 
 #include <gtest/gtest.h>
 
+#include "codegen/kernel/symbolic/print.hpp"
 #include "codegen/support/errors.hpp"
-#include "codegen/symbolic/print.hpp"
 
 namespace regulus {
 namespace {

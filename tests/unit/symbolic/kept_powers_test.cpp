@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/symbolic/kept_powers.hpp"
+#include "codegen/kernel/symbolic/kept_powers.hpp"
 
 #include <gtest/gtest.h>
 
-#include "codegen/symbolic/print.hpp"
+#include "codegen/kernel/symbolic/print.hpp"
 
 namespace regulus {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/trajectory/path_bounds.hpp"
+#include "codegen/question/way/path_bounds.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "codegen/program/rational_bounds.hpp"
+#include "codegen/kernel/program/rational_bounds.hpp"
 
 namespace regulus {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "runtime/certificate/verifier/verify.hpp"
+#include "runtime/verifier/verify.hpp"
 #include "tests/unit/verifier/bound_claims.hpp"
 
 namespace regulus::test {

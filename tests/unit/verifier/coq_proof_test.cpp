@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The text of a theorem for Coq. The tests of tests/formal let Coq read such texts.
-#include "runtime/certificate/verifier/coq_proof.hpp"
+#include "runtime/formal/coq_proof.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <sstream>
 
-#include "runtime/certificate/verifier/coq_expression.hpp"
-#include "runtime/certificate/verifier/expression.hpp"
+#include "runtime/formal/coq_expression.hpp"
+#include "runtime/verifier/expression.hpp"
 
 namespace regulus::test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "runtime/certificate/verifier/linear_algebra.hpp"
+#include "runtime/verifier/linear_algebra.hpp"
 #include "tests/support/certificate_texts.hpp"
 
 namespace regulus::test {

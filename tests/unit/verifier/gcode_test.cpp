@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the verifier's own readers of trajectories.
-#include "runtime/certificate/verifier/gcode.hpp"
+#include "runtime/verifier/model/gcode.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 
-#include "runtime/certificate/verifier/evaluation.hpp"
-#include "runtime/certificate/verifier/spline.hpp"
+#include "runtime/verifier/evaluation.hpp"
+#include "runtime/verifier/model/spline.hpp"
 
 namespace regulus::verifier {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/certificate/verifier/interval.hpp"
+#include "runtime/verifier/interval.hpp"
 
 #include <arb.h>
 #include <gtest/gtest.h>
 
-#include "runtime/certificate/verifier/ball.hpp"
-#include "runtime/certificate/verifier/elementary.hpp"
+#include "runtime/verifier/ball.hpp"
+#include "runtime/verifier/elementary.hpp"
 #include "tests/support/random_source.hpp"
 
 namespace regulus::verifier {

@@ -3,7 +3,7 @@
 // in the certificate, whoever wrote the certificate.
 #include <gtest/gtest.h>
 
-#include "runtime/certificate/verifier/model_file.hpp"
+#include "runtime/verifier/model/model_file.hpp"
 #include "tests/support/certificate_texts.hpp"
 
 namespace regulus::test {

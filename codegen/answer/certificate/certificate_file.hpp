@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The option --certificate.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "codegen/answer/certificate/proof_status.hpp"
+#include "codegen/question/engine/pipeline.hpp"
+#include "runtime/files/file_lock.hpp"
+#include "runtime/proof/writer.hpp"
+
+namespace regulus {
+
+class CertificateFile {
+ public:
+  /// An empty `path` means no certificate. Throws FileError, before the search, if the file cannot
+  /// be made. `partial`: for a search that may be continued, or that continues an earlier one.
+  /// `shard_size`: as ProofFile::set_shard_size.
+  CertificateFile(const std::string& path, const PreparedSearch& preparation,
+                  const std::optional<ProofFile::Partial>& partial = std::nullopt,
+                  std::uint64_t shard_size = 0);
+
+  /// Returns the observer of the search; nullptr if no certificate is wanted, or none can be made.
+  [[nodiscard]] Observer* observer() noexcept { return writer_ ? &*writer_ : nullptr; }
+
+  /// Moves the file to its final name if the verdict claims something. Throws FileError.
+  void finish(const Result& result);
+
+  /// Returns nullptr if no certificate is wanted, or none can be made.
+  [[nodiscard]] ProofFile* file() noexcept { return writer_ ? &writer_->file() : nullptr; }
+  [[nodiscard]] const ProofStatus& status() const noexcept { return status_; }
+
+ private:
+  std::optional<FileLock> lock_;  ///< of a file that several runs write
+  std::optional<CertificateWriter> writer_;
+  ProofStatus status_;
+  std::string doubt_safe_, doubt_singular_;  ///< why the verifier may not finish, by verdict
+};
+
+}  // namespace regulus

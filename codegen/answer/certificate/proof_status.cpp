@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/answer/certificate/proof_status.hpp"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace regulus {
+namespace {
+
+constexpr const char* kSafe = ".safe";
+constexpr const char* kSingular = ".singular";
+/// Under the word `certificate` of the line above.
+constexpr const char* kMargin = "           ";
+
+std::string none(const std::string& obstacle) { return "certificate none: " + obstacle + '\n'; }
+
+std::string line_of(const EndProof& end, const std::string& name) {
+  if (!end.file.empty()) return end.file + ": " + end.words + '\n';
+  return "none for the " + name + " end: " + end.words + '\n';
+}
+
+}  // namespace
+
+void put_in_place(std::shared_ptr<ProofFile> proof, HeldFiles* held) {
+  const std::string path = proof->path();
+  hold_or_put(held, path,
+              [proof = std::move(proof)] { with_file_errors([&] { proof->put_in_place(); }); });
+}
+
+void write_witness(const std::string& path, const std::string& head, const std::string& witness,
+                   HeldFiles* held) {
+  const auto file = with_file_errors([&] { return std::make_shared<ProofFile>(path); });
+  with_file_errors([&] { file->complete_with(head, witness); });
+  put_in_place(file, held);
+}
+
+void ProofStatus::set_written(std::string note) {
+  is_written_ = true;
+  obstacle_.clear();
+  note_ = std::move(note);
+}
+
+std::string ProofStatus::line() const {
+  if (!is_wanted()) return "";
+  if (!is_written_) return none(obstacle_);
+  return "certificate " + path_ + '\n' + (note_.empty() ? "" : kMargin + note_ + '\n');
+}
+
+void ProofStatus::add_to(nlohmann::ordered_json& report) const {
+  if (!is_wanted()) return;
+  report["certificate"] = nullptr;
+  if (is_written_) report["certificate"] = path_;
+  if (!is_written_) report["certificate_obstacle"] = obstacle_;
+  if (is_written_ && !note_.empty()) report["certificate_note"] = note_;
+}
+
+EndProofs::EndProofs(std::string path, HeldFiles* held, std::string no_safe,
+                     std::string no_singular, const char* safe_name, const char* singular_name)
+    : path_(std::move(path)),
+      held_(held),
+      safe_{{}, std::move(no_safe)},
+      singular_{{}, std::move(no_singular)},
+      safe_name_(safe_name),
+      singular_name_(singular_name) {
+  if (!are_wanted()) return;
+  for (const std::string& file : {safe_file(), singular_file()})
+    with_file_errors([&] { const ProofFile probe(file); });
+}
+
+std::vector<OutputFile> EndProofs::files(const std::string& path) {
+  if (path.empty()) return {};
+  return {{"--certificate", path + kSafe, true}, {"--certificate", path + kSingular, true}};
+}
+
+void EndProofs::write_safe(std::shared_ptr<ProofFile> complete, std::string words) {
+  put_in_place(std::move(complete), held_);
+  set_safe(std::move(words));
+}
+
+void EndProofs::write_singular(const std::string& head, const std::string& witness,
+                               std::string words) {
+  write_witness(singular_file(), head, witness, held_);
+  set_singular(std::move(words));
+}
+
+std::string EndProofs::safe_file() const { return path_ + kSafe; }
+
+std::string EndProofs::singular_file() const { return path_ + kSingular; }
+
+void EndProofs::set_no_safe(std::string why) {
+  if (safe_.file.empty()) safe_.words = std::move(why);
+}
+
+void EndProofs::set_no_singular(std::string why) {
+  if (singular_.file.empty()) singular_.words = std::move(why);
+}
+
+std::string EndProofs::lines() const {
+  if (!are_wanted()) return "";
+  const bool has_none = safe_.file.empty() && singular_.file.empty();
+  if (has_none && safe_.words == singular_.words) return none(safe_.words);
+  return "certificate " + line_of(safe_, safe_name_) + kMargin + line_of(singular_, singular_name_);
+}
+
+void EndProofs::add_to(nlohmann::ordered_json& report) const {
+  if (!are_wanted()) return;
+  for (const auto& [name, end] : {std::pair("safe", &safe_), std::pair("singular", &singular_)}) {
+    nlohmann::ordered_json& file = report["certificates"][name];
+    if (end->file.empty())
+      report["certificate_obstacles"][name] = end->words;
+    else
+      file = end->file;
+  }
+}
+
+}  // namespace regulus

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the option --certificate gave: a file, or the reason why there is none.
+#pragma once
+
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "codegen/support/earlier_outputs.hpp"
+#include "codegen/support/errors.hpp"
+#include "codegen/support/held_files.hpp"
+#include "runtime/proof/proof_file.hpp"
+
+namespace regulus {
+
+inline constexpr const char* kNothingClaimed =
+    "POSSIBLE PROBLEM claims nothing that could be proved";
+
+// Why an end of a bracket has no proof.
+inline constexpr const char* kNoSafeProof = "no safe value was found";
+inline constexpr const char* kNoSingularProof = "no singularity was found";
+
+/// Reports a failure of a ProofFile as a FileError.
+template <class Action>
+auto with_file_errors(const Action& action) {
+  try {
+    return action();
+  } catch (const std::runtime_error& error) {
+    throw FileError(error.what());
+  }
+}
+
+/// Puts a complete proof in its place; `held`: at the end of the run that it belongs to. Throws
+/// FileError.
+void put_in_place(std::shared_ptr<ProofFile> proof, HeldFiles* held);
+
+/// Writes the proof of a verdict that has a witness, and puts it in its place. Throws FileError.
+void write_witness(const std::string& path, const std::string& head, const std::string& witness,
+                   HeldFiles* held);
+
+/// The proof of a verdict.
+class ProofStatus {
+ public:
+  /// An empty `path` means that none is wanted.
+  explicit ProofStatus(std::string path = "") : path_(std::move(path)) {}
+
+  [[nodiscard]] bool is_wanted() const noexcept { return !path_.empty(); }
+  [[nodiscard]] const std::string& path() const noexcept { return path_; }
+  [[nodiscard]] bool is_written() const noexcept { return is_written_; }
+  /// Returns the reason why there is none; empty if there is one, or none is wanted.
+  [[nodiscard]] const std::string& obstacle() const noexcept { return obstacle_; }
+
+  /// `note`: why the verifier may not finish; empty if no reason is known.
+  void set_written(std::string note = "");
+  void set_obstacle(std::string obstacle) { obstacle_ = std::move(obstacle); }
+
+  /// Returns lines of the report; empty if no certificate was wanted.
+  [[nodiscard]] std::string line() const;
+  /// Adds the key `certificate` to a JSON report: the file, or null. Also adds
+  /// `certificate_obstacle`, the reason why there is none, and `certificate_note`.
+  void add_to(nlohmann::ordered_json& report) const;
+
+ private:
+  std::string path_, obstacle_, note_;
+  bool is_written_ = false;
+};
+
+/// The proof of one end of a bracket. `words` say what it proves; without a file, why there is none.
+struct EndProof {
+  std::string file;
+  std::string words;
+};
+
+/// The proofs of both ends of a bracket: FILE.safe and FILE.singular.
+class EndProofs {
+ public:
+  EndProofs() = default;
+  /// An empty `path` means that none are wanted. `no_safe`, `no_singular`: why an end has no proof, as
+  /// long as none is written. Throws FileError if a file cannot be created there: a search may take
+  /// long. `held`: where the files wait for the end of the run.
+  EndProofs(std::string path, HeldFiles* held, std::string no_safe, std::string no_singular,
+            const char* safe_name = "safe", const char* singular_name = "singular");
+
+  /// Returns the files of `path`; none if it is empty.
+  [[nodiscard]] static std::vector<OutputFile> files(const std::string& path);
+
+  [[nodiscard]] bool are_wanted() const noexcept { return !path_.empty(); }
+  [[nodiscard]] const EndProof& safe() const noexcept { return safe_; }
+  [[nodiscard]] const EndProof& singular() const noexcept { return singular_; }
+  [[nodiscard]] std::string safe_file() const;
+  [[nodiscard]] std::string singular_file() const;
+
+  [[nodiscard]] HeldFiles* held() const noexcept { return held_; }
+
+  /// The file of an end has been written.
+  void set_safe(std::string words) { safe_ = {safe_file(), std::move(words)}; }
+  void set_singular(std::string words) { singular_ = {singular_file(), std::move(words)}; }
+  /// Writes the file of an end. Throws FileError.
+  void write_safe(std::shared_ptr<ProofFile> complete, std::string words);
+  void write_singular(const std::string& head, const std::string& witness, std::string words);
+  /// Takes the file of an end, or why there is none, from an earlier run for the same files.
+  void keep_safe(const EndProofs& earlier) { safe_ = earlier.safe_; }
+  void keep_singular(const EndProofs& earlier) { singular_ = earlier.singular_; }
+  /// An end has no proof; one that was written before stays.
+  void set_no_safe(std::string why);
+  void set_no_singular(std::string why);
+
+  /// Returns a line of the report for each end; empty if none was wanted.
+  [[nodiscard]] std::string lines() const;
+  /// Adds the key `certificates`, with the file of each end or null, and `certificate_obstacles`,
+  /// with the reason for each end without a file. Adds nothing if none was wanted.
+  void add_to(nlohmann::ordered_json& report) const;
+
+ private:
+  std::string path_;
+  HeldFiles* held_ = nullptr;
+  EndProof safe_, singular_;
+  const char* safe_name_ = "safe";  ///< for people
+  const char* singular_name_ = "singular";
+};
+
+}  // namespace regulus

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/answer/certificate/verification_report.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace regulus {
+namespace {
+
+const char* json_name(verifier::Outcome outcome) {
+  return outcome == verifier::Outcome::kVerified   ? "verified"
+         : outcome == verifier::Outcome::kRejected ? "rejected"
+                                                   : "unfinished";
+}
+
+}  // namespace
+
+nlohmann::ordered_json json_verification(const VerificationRequest& request,
+                                         const Verified& verified) {
+  const verifier::Verification& v = verified.verification;
+  nlohmann::ordered_json report = {{"outcome", json_name(v.outcome)},
+                                   {"reason", v.reason},
+                                   {"claim", v.claim},
+                                   {"bound", v.bound},
+                                   {"model", v.model},
+                                   {"model_sha256", v.sha256},
+                                   {"motion", v.motion},
+                                   {"shards", v.shards},
+                                   {"leaves", v.leaves},
+                                   {"boxes", v.boxes},
+                                   {"note", v.note}};
+  const bool is_paving =
+      std::ranges::any_of(v.paved, [](std::uint64_t count) { return count > 0; });
+  for (std::size_t i = 0; is_paving && i < v.paved.size(); ++i)
+    report["paved"][verifier::kPavedWords[i]] = v.paved[i];
+  report["certificate"] = request.path;
+  report["model_file"] = nullptr;
+  if (!request.model.empty()) report["model_file"] = request.model;
+  report["differences"] = verified.differences;
+  report["numbers_compared"] = v.numbers;
+  return report;
+}
+
+}  // namespace regulus

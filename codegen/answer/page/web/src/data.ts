@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The data of a page, as codegen/answer/page/page_data.cpp writes it.
+import { Damage } from "./expression";
+import { sha256 } from "./sha256";
+
+export type Bounds = readonly [number | null, number | null];
+
+export interface ReportedPoint {
+  readonly parameters: Record<string, Bounds>;
+  readonly pose: Record<string, Bounds>;
+  readonly uncertain: Record<string, Bounds>;
+  readonly determinant?: Bounds;
+}
+
+export interface TwistColumn {
+  readonly column: number;
+  readonly name?: string;
+  readonly unit?: string;
+  readonly kind?: string;
+}
+
+export interface Degeneracy {
+  readonly nullity?: number;
+  readonly singular_values?: readonly number[];
+  readonly twist?: { readonly columns: readonly TwistColumn[]; readonly vectors: readonly (readonly number[])[]; readonly normalised?: string };
+  readonly rows?: { readonly taking_part: readonly number[]; readonly vectors: readonly (readonly number[])[] };
+}
+
+export interface ReportedWitness extends Degeneracy {
+  readonly points: readonly ReportedPoint[];
+  readonly near?: ReportedPoint;
+}
+
+export interface UncertainQuantity {
+  readonly name: string;
+  readonly group: string;
+  readonly shape: string;
+  readonly unit: string;
+  readonly tolerance_exact?: string;
+  readonly radius_exact?: string;
+}
+
+export interface Report {
+  readonly verdict: "no-singularity" | "singularity" | "possible-problem";
+  readonly claim: string;
+  readonly matrix: string;
+  readonly alpha: number;
+  readonly reason: string;
+  readonly blocking_box: Record<string, Bounds> | null;
+  readonly model: string;
+  readonly model_sha256: string;
+  readonly motion: string;
+  readonly boxes: number;
+  readonly method: string;
+  readonly leaves: Record<string, number>;
+  readonly witness: ReportedWitness | null;
+  readonly nearest_singular?: (Degeneracy & ReportedPoint) | null;
+  readonly question?: { readonly uncertain: readonly UncertainQuantity[]; readonly ranges_exact?: Record<string, readonly [string, string]>; readonly pose_exact?: Record<string, string> };
+  /** Of a motion along way-points: where the singular pose is. */
+  readonly segment?: { readonly segment: number; readonly s?: Bounds; readonly time?: number } | null;
+}
+
+export interface DrawnPart {
+  readonly kind: "base" | "platform" | "leg" | "link" | "rail" | "joint";
+  readonly row: number;
+  readonly points: readonly number[]; // of `points`
+}
+
+export interface DrawingData {
+  readonly lets: readonly (readonly [string, string])[];
+  readonly points: readonly (readonly [string, string, string])[];
+  readonly parts: readonly DrawnPart[];
+}
+
+export interface Stretch {
+  readonly kind: string; // a claim
+  readonly segments: readonly [number, number]; // from 1
+  readonly s: readonly [number, number]; // in the first and in the last of them
+}
+
+export interface PavingData {
+  readonly summary: Record<string, any>;
+  readonly tree?: string | null;
+  readonly stretches?: readonly Stretch[] | null;
+}
+
+/** The way-points of a motion. */
+export interface WayData {
+  readonly file: string;
+  readonly interpolation: string;
+  readonly time_unit: string | null; // null: there are no times
+  readonly pieces: readonly { readonly lines: readonly [number, number]; readonly times: readonly [number, number] }[];
+  /** The question about the piece with the singular pose. */
+  readonly deciding_question?: string;
+}
+
+export interface PageData {
+  readonly format: 1;
+  readonly version: string;
+  readonly command: string;
+  readonly again: readonly string[]; // commands
+  /** Of the answer that the page is about. Only a check has a proof that a page does again. */
+  readonly kind: "check" | "paving" | "margin" | "bound" | "load" | "load-paving" | "datasheet";
+  readonly headline: string;
+  readonly text: string; // the report for people; empty for a check
+  readonly report: Report;
+  readonly units: Record<string, string>; // by parameter
+  readonly question: string;
+  readonly certificate: string | null;
+  readonly certificate_note: string;
+  readonly model: { readonly file: string; readonly text: string };
+  readonly drawing: DrawingData | null;
+  readonly paving: PavingData | null;
+  readonly way: WayData | null;
+  readonly bounds: readonly any[];
+  readonly margins: readonly any[];
+}
+
+/** Reads the data of this page. Throws Damage unless they are those that were written. */
+export function readPageData(): PageData {
+  const element = document.getElementById("data");
+  const text = element?.textContent;
+  if (!element || !text) throw new Damage("the page has no data");
+  if (sha256(text) !== element.dataset.sha256)
+    throw new Damage("the data of the page are not those that Regulus wrote: their SHA-256 differs");
+  const data = JSON.parse(text) as PageData;
+  if (data.format !== 1) throw new Damage("the data of the page have an unknown format");
+  if (sha256(data.model.text) !== data.report.model_sha256)
+    throw new Damage("the model text is not that of the report: its SHA-256 differs");
+  return data;
+}

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/answer/picture/picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "codegen/answer/picture/gnuplot.hpp"
+#include "codegen/answer/picture/plot.hpp"
+#include "codegen/answer/report/report_parts.hpp"
+
+namespace regulus {
+namespace {
+
+/// The panels of a picture.
+struct Grid {
+  int columns = 1, rows = 1;
+};
+
+Grid grid_of(std::size_t panels) {
+  Grid grid;
+  while (std::size_t(grid.columns) * std::size_t(grid.rows) < panels)
+    ++(grid.columns <= grid.rows ? grid.columns : grid.rows);
+  return grid;
+}
+
+/// Each panel is as large as about half a picture of one.
+std::string terminal(const std::string& file, Grid grid) {
+  const double across = grid.columns == 1 ? 1 : 0.5 * grid.columns + 0.15;
+  const double up = grid.columns == 1 ? 1 : 0.5 * grid.rows + 0.3;
+  if (file.ends_with(".png"))
+    return fmt::format("set terminal pngcairo size {:.0f},{:.0f} font 'Sans,18' noenhanced\n",
+                       1280 * across, 1000 * up);
+  if (file.ends_with(".pdf"))
+    return fmt::format("set terminal pdfcairo size {:.2f}in,{:.2f}in font 'Sans,11' noenhanced\n",
+                       5.6 * across, 4.5 * up);
+  return fmt::format(
+      "set terminal svg size {:.0f},{:.0f} font 'Helvetica,Arial,sans-serif,14' noenhanced "
+      "background '#ffffff'\n",
+      720 * across, 580 * up);
+}
+
+std::string value_text(const VariableLabel& variable, double value) {
+  return fmt::format("{} = {}{}", variable.name, short_interval(Interval(value)),
+                     unit_suffix(variable.unit));
+}
+
+/// Returns the motion parameters that are not drawn, with their values or ranges.
+std::vector<std::string> describe_others(const PreparedSearch& p, const PictureOptions& options) {
+  std::vector<std::string> words;
+  bool projected = false;
+  for (std::size_t k = 0; k < p.labels.variables.size(); ++k) {
+    const VariableLabel& variable = p.labels.variables[k];
+    const bool is_cut = !options.slices.empty() && options.slices.front().axis == k;
+    if (!is_motion(variable) || is_cut || std::ranges::count(options.drawn, k) != 0) continue;
+    const bool ranges = std::ranges::count(options.paving.axes, k) != 0;
+    projected = projected || ranges;
+    words.push_back(fmt::format("{} {} {}{}", variable.name, ranges ? "in" : "=",
+                                short_interval(p.variety.outer[k]), unit_suffix(variable.unit)));
+  }
+  if (projected)
+    words.back() +=
+        options.shade == Shade::kShare ? ": the part that is free" : ": the worst of them";
+  return words;
+}
+
+/// Joins words with commas, in lines that fit over a picture.
+std::vector<std::string> wrapped(const std::vector<std::string>& words) {
+  constexpr std::size_t kLine = 70;
+  std::vector<std::string> lines;
+  for (const std::string& word : words) {
+    if (!lines.empty()) lines.back() += ',';
+    if (lines.empty() || lines.back().size() + word.size() > kLine)
+      lines.push_back(word);
+    else
+      lines.back() += ' ' + word;
+  }
+  return lines;
+}
+
+std::string title(const PreparedSearch& p, const PictureOptions& options) {
+  std::string text = Gnuplot::quoted(fmt::format("{}, {}", p.labels.model, p.labels.motion));
+  for (const std::string& line : wrapped(describe_others(p, options)))
+    text += ".newline." + Gnuplot::quoted(line);
+  return text + '\n';
+}
+
+/// Says what the percentages of the legend are parts of.
+std::string key_title(const PictureOptions& options) {
+  const std::size_t ranges = options.paving.axes.size();
+  if (options.shade == Shade::kShare) return "";
+  return "title " + Gnuplot::quoted(ranges == 1 ? "parts of the range"
+                                    : ranges == 2
+                                        ? "parts of the area"
+                                        : fmt::format("parts of the {}-D volume", ranges));
+}
+
+std::string single_picture(const PreparedSearch& p, const PictureOptions& options,
+                           const Volumes& volumes, const Canvas& canvas) {
+  return "set title " + title(p, options) + "set bmargin 7\n" +
+         (canvas.is_flat() ? curve_commands(p, options, volumes, canvas)
+                           : map_commands(p, options, volumes, canvas, true));
+}
+
+/// The first panel has the legend of all.
+std::string slice_pictures(const PreparedSearch& p, const PictureOptions& options,
+                           const Volumes& volumes, const std::deque<Canvas>& canvases, Grid grid) {
+  std::string text =
+      fmt::format(
+          "set multiplot layout {},{} margins screen 0.08,0.97,{:.3f},{:.3f} "
+          "spacing screen {:.3f},{:.3f} title ",
+          grid.rows, grid.columns, 0.26 / (0.5 * grid.rows + 0.3),
+          1 - 0.15 / (0.5 * grid.rows + 0.3), 0.20 / grid.columns, 0.28 / grid.rows) +
+      title(p, options);
+  for (const Canvas& canvas : canvases) {
+    const VariableLabel& variable = p.labels.variables[canvas.slice()->axis];
+    text += "set title " + Gnuplot::quoted(value_text(variable, canvas.slice()->value)) + '\n' +
+            map_commands(p, options, volumes, canvas, &canvas == &canvases.front()) + "unset key\n";
+  }
+  return text + "unset multiplot\n";
+}
+
+}  // namespace
+
+std::string picture_commands(const std::string& file, const PreparedSearch& p,
+                             const PictureOptions& options, const Volumes& volumes,
+                             const std::deque<Canvas>& canvases) {
+  const Grid grid = grid_of(canvases.size());
+  return "set encoding utf8\n" + terminal(file, grid) + "newline = \"\\n\"\n" +
+         Gnuplot::kQuoteCommand + "set xlabel " +
+         Gnuplot::quoted(axis_of(p, options.drawn[0]).label()) +
+         "\nset key at screen 0.5, screen 0.02 center bottom horizontal Left reverse samplen 1.5 " +
+         key_title(options) +
+         "\nset tics out nomirror\n"
+         "set border linecolor rgb '#404040'\n" +
+         (options.slices.empty() ? single_picture(p, options, volumes, canvases.front())
+                                 : slice_pictures(p, options, volumes, canvases, grid));
+}
+
+}  // namespace regulus

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/answer/picture/picture_options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "codegen/support/errors.hpp"
+
+namespace regulus {
+namespace {
+
+using Axes = std::vector<std::size_t>;
+
+std::string listed(const PreparedSearch& p, const Axes& axes) {
+  std::string words;
+  for (const std::size_t k : axes)
+    words += (words.empty() ? "" : ", ") + p.labels.variables[k].name;
+  return words.empty() ? "a motion with ranges" : words;
+}
+
+/// `option` and `choice` are parts of the message: "--axes", "two of".
+std::size_t parse_axis(const std::string& wanted, const PreparedSearch& p, const Axes& axes,
+                       const char* option, const char* choice) {
+  for (const std::size_t k : axes)
+    if (p.labels.variables[k].name == wanted) return k;
+  throw UsageError(fmt::format("{}: '{}' is not a parameter with a range; choose {}: {}", option,
+                               wanted, choice, listed(p, axes)));
+}
+
+Axes parse_axes(const std::string& text, const PreparedSearch& p, const Axes& axes) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos)
+    throw UsageError("--axes: found '" + text + "', expected two motion parameters, p,q");
+  const auto axis = [&](const std::string& name) {
+    return parse_axis(name, p, axes, "--axes", "two of");
+  };
+  const std::size_t first = axis(text.substr(0, comma));
+  const std::size_t second = axis(text.substr(comma + 1));
+  if (first == second)
+    throw UsageError("--axes: found '" + text + "', expected two different parameters");
+  return {first, second};
+}
+
+/// The values are the middles of equal parts of the range: no picture is one of its ends.
+std::vector<Slice> parse_slices(const std::string& text, const PreparedSearch& p,
+                                const Axes& axes) {
+  constexpr unsigned kMaxSlices = 36;
+  const std::size_t equals = text.find('=');
+  const std::string number = equals == std::string::npos ? "" : text.substr(equals + 1);
+  unsigned count = 0;
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), count);
+  if (error != std::errc() || end != number.data() + number.size() || count < 2 ||
+      count > kMaxSlices)
+    throw UsageError(fmt::format(
+        "--slices: found '{}', expected p=N, a motion parameter and a number from 2 to {}", text,
+        kMaxSlices));
+  const std::size_t axis = parse_axis(text.substr(0, equals), p, axes, "--slices", "one of");
+  const Interval range = p.variety.outer[axis];
+  std::vector<Slice> slices;
+  for (unsigned i = 0; i < count; ++i)
+    slices.push_back({axis, range.lo + (range.hi - range.lo) * (i + 0.5) / count});
+  return slices;
+}
+
+bool ends_with_any(const std::string& file, std::initializer_list<const char*> endings) {
+  return std::ranges::any_of(endings, [&](const char* ending) { return file.ends_with(ending); });
+}
+
+void require_axes_for(const PictureRequest& request, const PictureOptions& options) {
+  const std::size_t ranges = options.paving.axes.size();
+  if (!request.files.empty() && options.drawn.empty())
+    throw UsageError(
+        "--picture: there is nothing to draw, because no motion parameter has a range");
+  for (const std::string& file : request.files)
+    if (is_grid_file(file) && ranges != 3)
+      throw UsageError(fmt::format(
+          "--picture {}: boxes in space need three motion parameters with ranges; this motion has "
+          "{}; --range p=V sets a parameter to one value",
+          file, ranges));
+  if (!options.slices.empty() && options.drawn.size() < 2)
+    throw UsageError("--slices: two other motion parameters with ranges are needed to draw");
+  if (options.shade == Shade::kShare && options.drawn.size() < 2)
+    throw UsageError("--shade share: two motion parameters with ranges are needed to draw");
+}
+
+}  // namespace
+
+void require_picture_format(const std::string& file) {
+  if (!ends_with_any(file, {".svg", ".pdf", ".png", ".vtu"}))
+    throw UsageError("--picture: found '" + file +
+                     "', expected a name that ends in .svg, .pdf, .png or .vtu");
+}
+
+bool is_grid_file(const std::string& file) { return file.ends_with(".vtu"); }
+
+PictureOptions resolve_pictures(const PictureRequest& request, const PavingOptions& paving,
+                                const PreparedSearch& p) {
+  PictureOptions options{paving, paving.axes, {}, request.shade};
+  if (request.files.empty()) {
+    for (const auto& [option, text] :
+         {std::pair{"--axes", &request.axes}, std::pair{"--slices", &request.slices}})
+      if (!text->empty()) throw UsageError(fmt::format("{} needs --picture", option));
+  }
+  if (!request.slices.empty()) {
+    options.slices = parse_slices(request.slices, p, paving.axes);
+    std::erase(options.drawn, options.slices.front().axis);
+  }
+  const Axes choice = options.drawn;
+  if (options.drawn.size() > 2) options.drawn.resize(2);
+  if (!request.axes.empty()) options.drawn = parse_axes(request.axes, p, choice);
+  require_axes_for(request, options);
+  return options;
+}
+
+}  // namespace regulus

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The choices for pictures of a paving: axes, slices and shades.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "codegen/answer/picture/picture_request.hpp"
+#include "codegen/answer/report/paving_options.hpp"
+
+namespace regulus {
+
+/// A plane in which a motion parameter has one value.
+struct Slice {
+  std::size_t axis = 0;
+  double value = 0;
+};
+
+struct PictureOptions {
+  PavingOptions paving;
+  std::vector<std::size_t> drawn;  ///< the motion parameters along the axes: two, or the only one
+  std::vector<Slice> slices;       ///< a map for each of them; empty: one map
+  Shade shade = Shade::kWorst;
+};
+
+/// Throws UsageError unless the name of the file ends as that of a picture.
+void require_picture_format(const std::string& file);
+/// Returns whether the file holds boxes in space, .vtu, and not a drawing.
+[[nodiscard]] bool is_grid_file(const std::string& file);
+
+/// Throws UsageError for an unknown axis or slice, and for a picture of nothing.
+[[nodiscard]] PictureOptions resolve_pictures(const PictureRequest& request,
+                                              const PavingOptions& paving,
+                                              const PreparedSearch& preparation);
+
+}  // namespace regulus

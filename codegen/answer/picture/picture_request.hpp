@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace regulus {
+
+/// The meaning of a tile's colour, about all boxes over it.
+enum class Shade : std::uint8_t {
+  kWorst,  ///< the worst claim of them
+  kShare,  ///< the part of their volume that is free
+};
+
+/// The options as on the command line.
+struct PictureRequest {
+  std::vector<std::string> files{};  ///< .svg, .pdf, .png: a map or a curve; .vtu: boxes in space
+  std::string axes{};    ///< "p,q"; empty: the first two that are not single values nor sliced
+  std::string slices{};  ///< "p=N"; empty: one picture of all values
+  Shade shade = Shade::kWorst;
+};
+
+}  // namespace regulus

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All pictures of one paving. Their files are opened and gnuplot is started before the search, so
+// that errors are reported at once.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "codegen/answer/picture/box_grid.hpp"
+#include "codegen/answer/picture/canvas.hpp"
+#include "codegen/answer/picture/gnuplot.hpp"
+#include "runtime/files/atomic_file.hpp"
+#include "runtime/search/paving.hpp"
+
+namespace regulus {
+
+class Pictures {
+ public:
+  /// Throws UsageError for options that no picture can have, and FileError for a file that cannot
+  /// be written.
+  Pictures(const PictureRequest& request, const PavingOptions& paving,
+           const PreparedSearch& preparation);
+
+  /// Returns what must see each box.
+  [[nodiscard]] std::vector<Observer*> observers();
+  /// Throws FileError if a picture cannot be written.
+  void draw(const Volumes& volumes);
+
+ private:
+  struct Drawing {
+    std::string file;
+    std::unique_ptr<Gnuplot> gnuplot;
+  };
+  struct GridFile {
+    std::string name;
+    AtomicFile file;
+  };
+  void open(const std::string& file);
+
+  const PreparedSearch& preparation_;
+  PictureOptions options_;
+  std::vector<Drawing> drawings_;
+  std::vector<GridFile> grids_;
+  std::deque<Canvas> canvases_;
+  std::optional<BoxGrid> boxes_;
+};
+
+}  // namespace regulus

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/answer/picture/plot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "codegen/answer/picture/gnuplot.hpp"
+#include "codegen/answer/report/paving_report.hpp"
+
+namespace regulus {
+
+Plot::Plot(Axis across, Axis up) : across_(std::move(across)), up_(std::move(up)) {}
+
+void Plot::begin_layer(const std::string& name, const std::string& colour) {
+  name_ = name;
+  colour_ = colour;
+  lines_.clear();
+}
+
+/// Left, right, bottom and top on each line.
+void Plot::add_rectangle(Interval x, Interval y) {
+  lines_ += across_.ends(x) + ' ' + up_.ends(y) + '\n';
+}
+
+void Plot::end_layer() {
+  if (lines_.empty()) return;
+  blocks_ += fmt::format("${} << EOD\n{}EOD\n", name_, lines_);
+  parts_.push_back(
+      fmt::format("${} using (($1+$2)/2):(($3+$4)/2):1:2:3:4 with boxxyerror fillcolor rgb '{}' "
+                  "fillstyle solid 1 noborder notitle",
+                  name_, colour_));
+}
+
+void Plot::add_level(double y, bool broken) {
+  const std::string ends = up_.ends(Interval(y));
+  parts_.push_back(fmt::format("{} with lines linecolor rgb '#000000'{} notitle",
+                               ends.substr(0, ends.find(' ')), broken ? " dashtype 2" : ""));
+}
+
+void Plot::add_legend(const std::string& colour, const std::string& text) {
+  parts_.push_back(fmt::format(
+      "keyentry with boxes fillcolor rgb '{}' fillstyle solid 1 border rgb '#404040' title {}",
+      colour, Gnuplot::quoted(text)));
+}
+
+std::string Plot::commands() const {
+  std::string text = across_.range_command("x") + up_.range_command("y") + blocks_ + "plot ";
+  for (std::size_t i = 0; i < parts_.size(); ++i) text += (i > 0 ? ", \\\n  " : "") + parts_[i];
+  return text + '\n';
+}
+
+const char* colour_of(Claim claim) {
+  switch (claim) {
+    case Claim::kFree:
+      return "#56b4e9";
+    case Claim::kSingular:
+      return "#d55e00";
+    case Claim::kUndecided:
+      return "#f0e442";
+    case Claim::kOutside:
+      return "#dddddd";
+    case Claim::kUnreachable:
+      return "#999999";
+  }
+  return "";
+}
+
+void add_legends(Plot& plot, const Volumes& volumes) {
+  for (const Claim claim :
+       {Claim::kFree, Claim::kSingular, Claim::kUndecided, Claim::kOutside, Claim::kUnreachable})
+    if (const Share& share = volumes.of(claim); share.boxes > 0)
+      plot.add_legend(colour_of(claim),
+                      fmt::format("{} {}", name(claim), percentage(volumes, share)));
+}
+
+Interval part_of(Interval range, std::size_t begin, std::size_t end, std::size_t count) {
+  const double width = (range.hi - range.lo) / double(count);
+  return {range.lo + double(begin) * width, range.lo + double(end) * width};
+}
+
+Interval overlapping(Interval part, Interval range, std::size_t count) {
+  const double overlap = 0.1 * (range.hi - range.lo) / double(count);
+  return {part.lo, std::min(part.hi + overlap, range.hi)};
+}
+
+}  // namespace regulus

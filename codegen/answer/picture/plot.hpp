@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Parts of gnuplot's commands that all plots of a paving have: blocks of rectangles, layers in
+// their colours, legends.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "codegen/answer/picture/axis.hpp"
+#include "codegen/answer/picture/canvas.hpp"
+#include "runtime/search/paving.hpp"
+
+namespace regulus {
+
+/// A plot that grows layer by layer. Later layers are drawn over earlier ones.
+class Plot {
+ public:
+  Plot(Axis across, Axis up);
+
+  /// Adds rectangles of one colour; `name` is a word of letters and digits.
+  void begin_layer(const std::string& name, const std::string& colour);
+  void add_rectangle(Interval x, Interval y);
+  void end_layer();
+
+  /// Adds a horizontal line; a broken one if `broken`.
+  void add_level(double y, bool broken);
+  /// Adds a line of the legend.
+  void add_legend(const std::string& colour, const std::string& text);
+
+  [[nodiscard]] const Axis& across() const noexcept { return across_; }
+  [[nodiscard]] const Axis& up() const noexcept { return up_; }
+  [[nodiscard]] std::string commands() const;
+
+ private:
+  Axis across_, up_;
+  std::string name_, colour_, lines_;  ///< of the layer that is open
+  std::string blocks_;
+  std::vector<std::string> parts_;
+};
+
+/// Returns the colour of a claim, after Okabe and Ito, for readers who cannot distinguish red and
+/// green.
+[[nodiscard]] const char* colour_of(Claim claim);
+
+/// Adds a line for each claim that some box has, with the part of the volume.
+void add_legends(Plot& plot, const Volumes& volumes);
+
+/// Returns part [begin, end) of `count` equal parts of a range.
+[[nodiscard]] Interval part_of(Interval range, std::size_t begin, std::size_t end,
+                               std::size_t count);
+/// Extends the part slightly under its neighbour, to avoid a visible hairline between them.
+[[nodiscard]] Interval overlapping(Interval part, Interval range, std::size_t count);
+
+/// Later kinds are drawn over earlier ones.
+inline constexpr std::array kDrawingOrder{Claim::kFree, Claim::kUnreachable, Claim::kOutside,
+                                          Claim::kUndecided, Claim::kSingular};
+
+/// The commands of a map of two ranges, each tile coloured by the worst claim or by its share.
+[[nodiscard]] std::string map_commands(const PreparedSearch& preparation,
+                                       const PictureOptions& options, const Volumes& volumes,
+                                       const Canvas& canvas, bool has_legend);
+/// The commands of the determinant over the only range.
+[[nodiscard]] std::string curve_commands(const PreparedSearch& preparation,
+                                         const PictureOptions& options, const Volumes& volumes,
+                                         const Canvas& canvas);
+
+}  // namespace regulus

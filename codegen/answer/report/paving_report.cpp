@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/answer/report/paving_report.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+
+#include "codegen/answer/report/question_report.hpp"
+#include "codegen/answer/report/report_parts.hpp"
+#include "codegen/answer/report/undefined_report.hpp"
+#include "codegen/answer/report/witness_report.hpp"
+#include "codegen/question/analysis/undefined.hpp"
+
+namespace regulus {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kFormatVersion = 1;
+constexpr std::array kEveryClaim{Claim::kFree, Claim::kSingular, Claim::kUndecided, Claim::kOutside,
+                                 Claim::kUnreachable};
+
+/// Returns the claim of a box of that kind, for every value of the uncertain quantities or for
+/// some.
+std::string describe_claim(const PreparedSearch& p, Claim claim) {
+  const bool threshold = p.variety.alpha.hi > 0;
+  const std::string alpha = threshold_text(p.variety.alpha, claim == Claim::kFree);
+  const bool uncertain = uncertain_count(p) > 0;
+  const char* poses = p.labels.constraints > p.labels.reach
+                          ? "pose of the box that meets the constraints"
+                      : p.labels.reach > 0 ? "pose of the box that the robot reaches"
+                                           : "pose of the box";
+  switch (claim) {
+    case Claim::kFree:
+      return fmt::format("{} at every {}{}",
+                         threshold ? fmt::format("|det J⁻¹| > {}", alpha)
+                                   : fmt::format("the {} has full rank", describe_size(p)),
+                         poses, uncertain ? ", for every value of the uncertain quantities" : "");
+    case Claim::kSingular:
+      return fmt::format("{} at some {}{}",
+                         threshold ? fmt::format("|det J⁻¹| ≤ {}", alpha)
+                                   : fmt::format("the {} is singular", describe_size(p)),
+                         poses, uncertain ? ", for some value of the uncertain quantities" : "");
+    case Claim::kUndecided:
+      return "neither was shown";
+    case Claim::kOutside:
+      return "a constraint excludes every pose of the box";
+    case Claim::kUnreachable:
+      return "the robot reaches no pose of the box: a root is negative";
+  }
+  return "";
+}
+
+/// Returns "cm^2*rad", for example; "1" if no range has a unit.
+std::string volume_unit(const PreparedSearch& p, const std::vector<std::size_t>& axes) {
+  std::map<std::string, int> powers;
+  for (const std::size_t k : axes) {
+    const std::string& unit = p.labels.variables[k].unit;
+    if (!unit_suffix(unit).empty()) ++powers[unit];
+  }
+  std::string text;
+  for (const auto& [unit, power] : powers)
+    text += fmt::format("{}{}{}", text.empty() ? "" : "*", unit,
+                        power > 1 ? fmt::format("^{}", power) : "");
+  return text.empty() ? "1" : text;
+}
+
+Json json_ranges(const PreparedSearch& p) {
+  Json ranges = Json::array();
+  for (std::size_t k = 0; k < p.labels.variables.size(); ++k) {
+    const VariableLabel& variable = p.labels.variables[k];
+    if (is_motion(variable))
+      ranges.push_back({{"name", variable.name},
+                        {"unit", variable.unit},
+                        {"range", json_interval(p.variety.outer[k])}});
+  }
+  return ranges;
+}
+
+Json json_share(const Volumes& volumes, const Share& share) {
+  return {{"boxes", share.boxes},
+          {"volume", json_interval(share.volume)},
+          {"fraction", json_interval(volumes.fraction(share))}};
+}
+
+std::uint64_t all_boxes(const Volumes& volumes) {
+  std::uint64_t boxes = 0;
+  for (const Claim claim : kEveryClaim) boxes += volumes.of(claim).boxes;
+  return boxes;
+}
+
+std::string counted(const Share& share) {
+  return fmt::format("{} {}", share.boxes, share.boxes == 1 ? "box" : "boxes");
+}
+
+std::string format_share(const Volumes& volumes, Claim claim) {
+  const Share& share = volumes.of(claim);
+  const bool beyond = claim == Claim::kUnreachable;
+  return fmt::format("{:<11}{}, {}{}\n", beyond ? "outside" : name(claim),
+                     percentage(volumes, share), counted(share), beyond ? ", out of reach" : "");
+}
+
+/// Nothing if all poses meet the constraints.
+std::string format_workspace(const PreparedSearch& p, const Volumes& volumes) {
+  const auto& workspace = volumes.workspace();
+  if (!workspace || workspace->outside.boxes + workspace->undecided.boxes == 0) return "";
+  const Interval part = volumes.workspace_fraction();
+  return fmt::format(
+      "workspace  {:.2f} to {:.2f} % of the ranges {}\n", std::floor(1e4 * part.lo) / 100,
+      std::ceil(1e4 * part.hi) / 100,
+      p.labels.constraints > p.labels.reach ? "meet the constraints" : "are within reach");
+}
+
+Json json_workspace(const Volumes& volumes) {
+  if (!volumes.workspace()) return nullptr;
+  const Workspace& workspace = *volumes.workspace();
+  return {{"fraction", json_interval(volumes.workspace_fraction())},
+          {"inside", json_share(volumes, workspace.inside)},
+          {"outside", json_share(volumes, workspace.outside)},
+          {"undecided", json_share(volumes, workspace.undecided)}};
+}
+
+std::string format_share(const PreparedSearch& p, const Volumes& volumes, const Result& result) {
+  std::string lines;
+  for (const Claim claim : kEveryClaim)
+    if ((claim != Claim::kOutside || p.labels.constraints > p.labels.reach) &&
+        (claim != Claim::kUnreachable || p.labels.reach > 0))
+      lines += format_share(volumes, claim);
+  lines += format_workspace(p, volumes);
+  if (result.stopped_by)
+    lines += fmt::format("stopped    {}: {}, {}, not searched, undecided\n",
+                         describe(*result.stopped_by), counted(volumes.unfinished()),
+                         percentage(volumes, volumes.unfinished()));
+  return lines;
+}
+
+}  // namespace
+
+Json json_paving_header(const PreparedSearch& p, const PavingOptions& options) {
+  Json claims = Json::object();
+  for (const Claim claim : kEveryClaim) claims[name(claim)] = describe_claim(p, claim);
+  Json header = {{"regulus_paving", kFormatVersion},
+                 {"model", p.labels.model},
+                 {"model_sha256", p.labels.model_sha256},
+                 {"motion", p.labels.motion},
+                 {"parameters", json_ranges(p)},
+                 {"uncertain", json_uncertain(p, p.variety.outer)},
+                 {"where", p.labels.where},
+                 {"constraints", p.labels.constraints - p.labels.reach},
+                 {"alpha", mid(p.variety.alpha)},
+                 {"alpha_enclosure", json_interval(p.variety.alpha)},
+                 {"resolution", options.resolution},
+                 {"claims", claims}};
+  if (options.encloses_determinants)
+    header["determinant_of"] =
+        p.variety.alpha.hi > 0 ? "J^-1" : "the matrix as the model writes it";
+  return header;
+}
+
+Json json_paving_summary(const PreparedSearch& p, const SearchOptions& search,
+                         const PavingOptions& options, const Volumes& volumes,
+                         const Result& result) {
+  Json summary = {
+      {"verdict", json_name(result.verdict)},  {"reason", describe(result.reason)},
+      {"nonempty", json_occupancy(result)},    {"model", p.labels.model},
+      {"model_sha256", p.labels.model_sha256}, {"motion", p.labels.motion},
+      {"alpha", mid(p.variety.alpha)},         {"resolution", options.resolution},
+      {"unit", volume_unit(p, options.axes)},  {"volume", json_interval(volumes.total())}};
+  for (const Claim claim : kEveryClaim)
+    summary[name(claim)] = json_share(volumes, volumes.of(claim));
+  summary["unfinished"] = json_share(volumes, volumes.unfinished());
+  summary["workspace"] = json_workspace(volumes);
+  summary["stopped_by"] = result.stopped_by ? Json(describe(*result.stopped_by)) : Json(nullptr);
+  summary["method"] = name(result.method);
+  summary["without"] = search.without;
+  summary["forms"] = json_forms(p);
+  summary["boxes"] = result.statistics.boxes;
+  summary["max_frontier"] = result.statistics.max_frontier;
+  summary["probes"] = result.statistics.probes;
+  summary["bits"] = p.bits;
+  if (result.reason == Reason::kUndefined)
+    summary["undefined"] = json_undefined(p, find_undefined(p, result.blocking_box));
+  summary["witness"] = json_witness(p, result);
+  summary["question"] = json_question(p, search);
+  summary["seconds"] = json_seconds(p.seconds_spent());
+  return summary;
+}
+
+std::string percentage(const Volumes& volumes, const Share& share) {
+  const Interval part = volumes.fraction(share);
+  if (share.boxes == 0) return "0 %";
+  if (share.boxes == all_boxes(volumes)) return "100 %";
+  const double percent = 100 * mid(part);
+  if (percent < 0.005) return "< 0.01 %";
+  if (percent > 99.995) return "> 99.99 %";
+  return fmt::format("{:.2f} %", percent);
+}
+
+std::string paving_report(const PreparedSearch& p, const SearchOptions& search,
+                          const PavingOptions& options, const Volumes& volumes,
+                          const Result& result) {
+  std::string text =
+      format_question(p) + format_method(p, search, result.method, result.statistics.boxes);
+  if (!options.axes.empty())
+    text += fmt::format("resolution 1/{:g} of each range\n", 1 / options.resolution);
+  text += fmt::format("boxes      {} evaluated, at most {} waiting\n", result.statistics.boxes,
+                      result.statistics.max_frontier);
+  text +=
+      format_time(p.seconds_spent()) + format_share(p, volumes, result) + format_witness(p, result);
+  if (result.reason == Reason::kUndefined)
+    text += format_undefined(p, find_undefined(p, result.blocking_box));
+  text += format_occupancy(result);
+  return text + fmt::format("claim      {}\n           {}\n",
+                            "free: " + describe_claim(p, Claim::kFree),
+                            "singular: " + describe_claim(p, Claim::kSingular));
+}
+
+}  // namespace regulus

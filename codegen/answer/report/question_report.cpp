@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/answer/report/question_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "codegen/answer/certificate/certificate_expression_writer.hpp"
+#include "codegen/answer/report/report_parts.hpp"
+#include "codegen/model/exact/ginac_text.hpp"
+#include "codegen/question/engine/choices.hpp"
+#include "codegen/question/engine/settings.hpp"
+#include "regulus/version.hpp"
+
+namespace regulus {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The groups that are described; more are counted.
+constexpr std::size_t kDescribed = 6;
+
+const char* word_of_kind(const VariableLabel& variable) {
+  return variable.kind == VariableKind::kControl ? "control" : "geometry";
+}
+
+/// Returns the options that may change the answer or its time, by their names on the command line.
+Json json_options(const SearchOptions& search) {
+  const auto limit = [](auto value) { return value == 0 ? Json(nullptr) : Json(value); };
+  return {{"method", name(search.method)},
+          {"determinant", word_of(search.determinant)},
+          {"entries", word_of(search.entries)},
+          {"bisect", word_of(search.bisection)},
+          {"uncertainty", word_of(search.uncertainty)},
+          {"engine", word_of(search.engine)},
+          {"threads", settings_from(search).threads},
+          {"max_boxes", limit(search.max_boxes)},
+          {"time_limit", limit(search.time_limit)},
+          {"precision", search.precision},
+          {"symbolic_budget", search.symbolic_budget},
+          {"without", search.without}};
+}
+
+/// The labels, the ranges as doubles, and the exact question if it has the same ranges.
+struct AskedQuestion {
+  const ReportLabels& labels;
+  const Variety& variety;
+  const Request& request;
+  std::vector<Variable> exact;  ///< in the order of the labels; empty if they are not known
+};
+
+/// Returns the constant of the model; nullptr for a control error.
+const GeometryParameter* constant_of(const Request& request, const VariableLabel& variable) {
+  if (variable.kind != VariableKind::kGeometry) return nullptr;
+  const auto& geometry = request.model.geometry;
+  const auto at = std::ranges::find(geometry, variable.name, &GeometryParameter::name);
+  return at == geometry.end() ? nullptr : &*at;
+}
+
+Json json_quantity(const AskedQuestion& asked, std::size_t index) {
+  const VariableLabel& variable = asked.labels.variables[index];
+  const GeometryParameter* const constant = constant_of(asked.request, variable);
+  const bool in_ball = constant != nullptr && constant->ball >= 0;
+  Json quantity{{"name", variable.name},
+                {"kind", word_of_kind(variable)},
+                {"group", constant == nullptr ? "" : constant->group},
+                {"shape", in_ball ? "ball" : "range"},
+                {"unit", variable.unit},
+                {"range", json_interval(asked.variety.outer[index])}};
+  if (asked.exact.empty()) return quantity;
+  const Range& range = asked.exact[index].range;
+  quantity["value_exact"] = formula_text((range.lo + range.hi) / 2);
+  quantity[in_ball ? "radius_exact" : "tolerance_exact"] = formula_text((range.hi - range.lo) / 2);
+  return quantity;
+}
+
+/// Returns the pose parameters that are formulas or constants of the motion. The order and the signs
+/// of GiNaC's own terms may differ in another process; those of a certificate do not.
+Json json_pose_formulas(const Request& request) {
+  Json formulas = Json::object();
+  for (std::size_t i = 0; i < request.model.pose.size(); ++i) {
+    const PoseParameter& p = request.model.pose[i];
+    if (!request.motion.pose[i].is_equal(p.symbol))
+      formulas[p.name] = expression_text(request.motion.pose[i]);
+  }
+  return formulas;
+}
+
+/// Adds the exact ranges, threshold and formulas.
+void add_exact(const AskedQuestion& asked, Json& question) {
+  Json ranges = Json::object();
+  for (const Variable& v : asked.exact)
+    if (v.kind == VariableKind::kMotion)
+      ranges[v.name] = {formula_text(v.range.lo), formula_text(v.range.hi)};
+  question["ranges_exact"] = ranges;
+  question["alpha_exact"] = formula_text(asked.request.motion.alpha);
+  // A motion along way-points has none; their file has the poses.
+  if (!asked.request.motion.trajectory) {
+    question["pose_exact"] = json_pose_formulas(asked.request);
+    Json constraints = Json::array();
+    for (const auto& constraint : asked.request.motion.constraints)
+      constraints.push_back(expression_text(constraint));
+    question["constraints_exact"] = constraints;
+  }
+}
+
+/// Words, each with the number of times it was added, in the order of first occurrence.
+class Counts {
+ public:
+  void add(const std::string& word) {
+    const auto at = std::ranges::find(counts_, word, &Count::first);
+    if (at == counts_.end())
+      counts_.emplace_back(word, 1);
+    else
+      ++at->second;
+  }
+
+  using Count = std::pair<std::string, std::size_t>;
+  [[nodiscard]] const std::vector<Count>& all() const noexcept { return counts_; }
+
+ private:
+  std::vector<Count> counts_;
+};
+
+Counts count_groups(const ReportLabels& labels) {
+  Counts groups;
+  for (const VariableLabel& v : labels.variables)
+    if (v.kind == VariableKind::kGeometry) groups.add(v.group);
+  return groups;
+}
+
+std::size_t control_errors(const ReportLabels& labels) {
+  return std::size_t(
+      std::ranges::count(labels.variables, VariableKind::kControl, &VariableLabel::kind));
+}
+
+Json json_groups(const ReportLabels& labels) {
+  Json groups = Json::array();
+  const Counts counts = count_groups(labels);
+  for (const auto& [group, count] : counts.all())
+    groups.push_back({{"group", group}, {"kind", "geometry"}, {"quantities", count}});
+  if (const std::size_t errors = control_errors(labels); errors > 0)
+    groups.push_back({{"group", ""}, {"kind", "control"}, {"quantities", errors}});
+  return groups;
+}
+
+Json json_asked(const AskedQuestion& asked, const SearchOptions& search) {
+  const ReportLabels& labels = asked.labels;
+  Json ranges = Json::object(), uncertain = Json::array();
+  for (std::size_t i = 0; i < labels.variables.size(); ++i)
+    if (is_motion(labels.variables[i]))
+      ranges[labels.variables[i].name] = json_interval(asked.variety.outer[i]);
+    else
+      uncertain.push_back(json_quantity(asked, i));
+  Json question{{"model_sha256", labels.model_sha256},
+                {"motion", labels.motion},
+                {"ranges", ranges},
+                {"uncertain", uncertain},
+                {"groups", json_groups(labels)},
+                {"alpha", json_interval(asked.variety.alpha)},
+                {"where", labels.where},
+                {"constraints", labels.constraints}};
+  if (asked.exact.size() == labels.variables.size()) add_exact(asked, question);
+  question["options"] = json_options(search);
+  question["version"] = kVersion;
+  return question;
+}
+
+/// Returns "base ±0.05": six digits, for people.
+std::string describe_tolerance(const PreparedSearch& p, std::size_t index) {
+  const VariableLabel& variable = p.labels.variables[index];
+  const Interval& range = p.variety.outer[index];
+  return fmt::format("{} ±{:.6g}{}{}", variable.group.empty() ? variable.name : variable.group,
+                     (range.hi - range.lo) / 2, unit_suffix(variable.unit),
+                     variable.in_ball ? " in balls" : "");
+}
+
+/// The question about way-points has the constants and errors of any pose; their file has the poses.
+Motion at_one_pose_if_along_waypoints(Motion motion) {
+  if (!motion.trajectory) return motion;
+  motion.waypoints.reset();
+  motion.trajectory.reset();
+  for (GiNaC::ex& value : motion.pose) value = 0;
+  motion.must_be_defined.clear();
+  return motion;
+}
+
+}  // namespace
+
+Json json_question(const PreparedSearch& p, const SearchOptions& search) {
+  const Request& request = p.stages->request();
+  AskedQuestion asked{p.labels, p.variety, request, {}};
+  if (!p.is_replanned) asked.exact = formulate_shape(request.model, request.motion).variables;
+  return json_asked(asked, search);
+}
+
+Json json_question(const Request& request, const SearchOptions& search) {
+  const Motion motion = at_one_pose_if_along_waypoints(request.motion);
+  const Formulation shape = formulate_shape(request.model, motion);
+  const ReportLabels labels = report_labels(request, shape);
+  const Variety variety = enclose_variety(request.model, motion, shape.variables);
+  return json_asked({labels, variety, request, shape.variables}, search);
+}
+
+Json json_vector_set(const VectorSet& set) {
+  Json members = Json::array();
+  for (const GeometryParameter& entry : set.entries) {
+    Json member{{"name", entry.name}, {"value_exact", formula_text(entry.value)}};
+    if (entry.ball >= 0)
+      member["radius_exact"] = formula_text(set.balls.at(std::size_t(entry.ball)).radius);
+    else
+      member["tolerance_exact"] = formula_text(entry.tolerance);
+    members.push_back(std::move(member));
+  }
+  return {{"name", set.name}, {"entries", members}};
+}
+
+std::string describe_groups(const ReportLabels& labels) {
+  std::vector<std::string> words;
+  const Counts counts = count_groups(labels);
+  for (const auto& [group, count] : counts.all())
+    words.push_back(group.empty() ? fmt::format("{} without a group", count)
+                                  : fmt::format("{} of {}", count, group));
+  if (const std::size_t errors = control_errors(labels); errors > 0)
+    words.push_back(fmt::format("{} control error{}", errors, errors == 1 ? "" : "s"));
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+std::string describe_tolerances(const PreparedSearch& p) {
+  Counts tolerances;
+  for (std::size_t i = 0; i < p.labels.variables.size(); ++i)
+    if (!is_motion(p.labels.variables[i])) tolerances.add(describe_tolerance(p, i));
+  std::vector<std::string> words;
+  for (const auto& [tolerance, count] : tolerances.all())
+    words.push_back(count == 1 ? tolerance : fmt::format("{} of {}", count, tolerance));
+  const std::size_t left = words.size() > kDescribed ? words.size() - kDescribed : 0;
+  words.resize(words.size() - left);
+  return fmt::format("{}{}", fmt::join(words, ", "),
+                     left > 0 ? fmt::format(" and {} more", left) : "");
+}
+
+}  // namespace regulus

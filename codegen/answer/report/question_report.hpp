@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The question of a report, whole: what is uncertain and by how much, ranges, options, version.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "codegen/question/engine/pipeline.hpp"
+
+namespace regulus {
+
+/// Returns the question: ranges and uncertain quantities as they were searched, [lower, upper]
+/// rounded outward, and the exact numbers as texts that model files and options take; the options
+/// of the search; the version. With the model file of the report's hash it can be asked again.
+///
+/// The exact numbers are left out if `preparation` has other ranges than the request that it was
+/// made for (PreparedSearch::is_replanned): give the request of the question then.
+[[nodiscard]] nlohmann::ordered_json json_question(const PreparedSearch& preparation,
+                                                   const SearchOptions& search);
+
+/// Overload for a request: of a motion along way-points, everything but the poses.
+///
+/// Throws    InputError if a range has no certain value.
+[[nodiscard]] nlohmann::ordered_json json_question(const Request& request,
+                                                   const SearchOptions& search);
+
+/// Returns a load or a twist set: {"name", "entries": [{"name", "value_exact", "tolerance_exact"}]};
+/// of a member of a ball "radius_exact".
+[[nodiscard]] nlohmann::ordered_json json_vector_set(const VectorSet& set);
+
+/// Returns "18 of base, 6 control errors": how many quantities of each group are uncertain.
+[[nodiscard]] std::string describe_groups(const ReportLabels& labels);
+
+/// Returns "18 of base ±0.05, 18 of platform ±0.1 in balls": the groups of uncertain quantities.
+///
+/// Requires  some quantity is uncertain.
+[[nodiscard]] std::string describe_tolerances(const PreparedSearch& preparation);
+
+}  // namespace regulus

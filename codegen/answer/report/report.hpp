@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reports of a check, for people and for programs.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "codegen/question/analysis/least_singular.hpp"
+#include "codegen/question/engine/pipeline.hpp"
+#include "runtime/problem/result.hpp"
+
+namespace regulus {
+
+/// Returns the report as a JSON object. Bounds are [lo, hi]; an infinite bound is null. `nearest`:
+/// the pose to look at, if nothing was proved.
+[[nodiscard]] nlohmann::ordered_json json_report(
+    const PreparedSearch& preparation, const SearchOptions& search, const Result& result,
+    const std::optional<LeastSingular>& nearest = std::nullopt);
+
+/// Returns the lines before the verdict on a terminal: the question, the method, the claim, and the
+/// place where it fails.
+[[nodiscard]] std::string text_report(const PreparedSearch& preparation,
+                                      const SearchOptions& search, const Result& result,
+                                      const std::optional<LeastSingular>& nearest = std::nullopt);
+
+/// Returns the claim of the verdict about this model, in words.
+[[nodiscard]] std::string claim(const PreparedSearch& preparation, const Result& result);
+
+}  // namespace regulus

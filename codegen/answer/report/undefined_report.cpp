@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/answer/report/undefined_report.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "codegen/answer/report/report_parts.hpp"
+
+namespace regulus {
+
+nlohmann::ordered_json json_undefined(const PreparedSearch& p, const Undefined& undefined) {
+  auto expressions = nlohmann::ordered_json::array();
+  for (const UndefinedExpression& e : undefined.expressions) {
+    nlohmann::ordered_json object = {{"expression", e.text}};
+    if (!e.argument.empty()) {
+      object["argument"] = e.argument;
+      object["enclosure"] = json_interval(e.enclosure);
+    }
+    expressions.push_back(std::move(object));
+  }
+  return {{"parameters", json_parameters(p, undefined.variables)},
+          {"pose", json_pose(p, undefined.pose)},
+          {"uncertain", json_uncertain(p, undefined.variables)},
+          {"expressions", expressions}};
+}
+
+std::string format_undefined(const PreparedSearch& p, const Undefined& undefined) {
+  std::string lines;
+  for (const UndefinedExpression& e : undefined.expressions)
+    lines += fmt::format("undefined  {}{}\n", e.text,
+                         e.argument.empty() ? ""
+                                            : fmt::format(", where {} {} {}", e.argument,
+                                                          is_thin(e.enclosure) ? "=" : "in",
+                                                          short_interval(e.enclosure)));
+  if (undefined.expressions.empty()) lines = "undefined  a value is too large to be enclosed\n";
+  return lines + fmt::format("           at {}\n", describe_place(p, undefined.variables)) +
+         format_pose(p, undefined.pose);
+}
+
+}  // namespace regulus

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "codegen/kernel/formulation/formulator.hpp"
+
+namespace regulus {
+namespace {
+
+/// The legs of robots with rotary motors have roots and quotients. If entries with such parts are
+/// expanded and differentiated twice, they grow to millions of terms, and no bound becomes
+/// narrower. In a matrix with such entries, parts of more than kMostTermsOfAPart terms stay as the
+/// model writes them.
+constexpr std::size_t kMostTermsOfAPart = 8;
+
+bool has_roots_or_quotients(const Model& model, const Motion& motion, const FormingWatch* watch) {
+  WorkMeter meter(WorkMeter::kNoLimit, watch, WorkStage::kSubstitution);
+  Substitution substitution(model, motion, &meter);
+  for (unsigned i = 0; i < model.matrix.rows(); ++i)
+    for (unsigned j = 0; j < model.matrix.cols(); ++j)
+      if (!substitution.apply(model.matrix(i, j)).is_total()) return true;
+  return false;
+}
+
+/// Returns the options for one level of detail within a budget.
+FormulationOptions with_detail(FormulationOptions options, FormDetail detail) {
+  if (detail == FormDetail::kFull) return options;
+  options.columns = ColumnSearch::kNone;
+  options.rewriting.most_terms = std::min(options.rewriting.most_terms, kMostTermsOfAPart);
+  if (detail == FormDetail::kSmallParts) return options;
+  options.rewriting.most_terms = 1;
+  options.rewriting.rewrite = options.determinant = false;
+  options.matrix_derivatives = options.derivatives = false;
+  options.expansion = ExpansionForm::kNone;
+  return options;
+}
+
+Formulation formed(const Model& model, const Motion& motion, const FormulationOptions& options,
+                   FormDetail detail, std::uint64_t budget, const FormingWatch* watch) {
+  WorkMeter meter(budget, watch);
+  Formulation result = Formulator(model, motion, with_detail(options, detail), meter, watch).run();
+  result.detail = detail;
+  result.work = meter.spent();
+  return result;
+}
+
+}  // namespace
+
+Formulation formulate(const Model& model, const Motion& motion, const FormulationOptions& options,
+                      const FormingWatch* watch) {
+  // A determinant in closed form is always expanded, and has a budget of its own.
+  if (options.determinant)
+    return formed(model, motion, options, FormDetail::kFull, WorkMeter::kNoLimit, watch);
+  FormulationOptions adapted = options;
+  if (has_roots_or_quotients(model, motion, watch))
+    adapted.rewriting.most_terms = std::min(options.rewriting.most_terms, kMostTermsOfAPart);
+  for (const FormDetail detail : {FormDetail::kFull, FormDetail::kSmallParts}) try {
+      return formed(model, motion, adapted, detail, options.forming_budget, watch);
+    } catch (const OverBudget&) {
+    }
+  return formed(model, motion, adapted, FormDetail::kAsWritten, WorkMeter::kNoLimit, watch);
+}
+
+void set_shape(const Model& model, const Motion& motion, const Substitution& substitution,
+               Formulation& of) {
+  of.model = model.name;
+  of.motion = motion.name;
+  of.variables = substitution.variables();
+  of.rows = static_cast<int>(model.matrix.rows());
+  of.columns = static_cast<int>(model.matrix.cols());
+}
+
+Formulation formulate_shape(const Model& model, const Motion& motion) {
+  Formulation result;
+  set_shape(model, motion, Substitution(model, motion), result);
+  result.detail = FormDetail::kAsWritten;
+  return result;
+}
+
+std::string point_name(int row, int column) {
+  return "k_" + std::to_string(row) + "_" + std::to_string(column);
+}
+
+}  // namespace regulus

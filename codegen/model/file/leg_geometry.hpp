@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The points, lengths and axes of legs in a model file.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "codegen/model/file/sections.hpp"
+#include "codegen/model/mechanism/legs.hpp"
+
+namespace regulus {
+
+/// Quantities of one kind, with one tolerance.
+enum class LegGroup : std::size_t { kBase, kPlatform, kCrank, kRod, kAxis };
+
+/// Reads geometry. Each coordinate and each length becomes a parameter of the model's geometry in the
+/// group of its kind, however it is written.
+class LegGeometry {
+ public:
+  LegGeometry(ModelReading& reading, const TomlEntry& legs) : reading_(reading), legs_(legs) {}
+
+  /// Returns the keys of tolerances in [legs].
+  [[nodiscard]] static std::vector<std::string> keys();
+
+  void read_tolerances();
+  /// Refuses tolerances that no leg has a quantity for.
+  void require_uses() const;
+  void set_coordinates(std::size_t count) { coordinates_ = count; }
+
+  // `number`: of the leg, the end of the names.
+
+  [[nodiscard]] FormulaPoint point(const TomlEntry& list, LegGroup kind, const std::string& number);
+  [[nodiscard]] Formula length(const TomlEntry& entry, LegGroup kind, const std::string& number);
+  /// An axis of exact numbers becomes a unit vector. If axes have a tolerance, its coordinates are
+  /// parameters.
+  [[nodiscard]] LegAxis axis(const TomlEntry& list, const std::string& number);
+
+  /// Returns a unit vector of exact numbers.
+  [[nodiscard]] FormulaPoint direction(const TomlEntry& list);
+  [[nodiscard]] ParsedExpression constant(const TomlEntry& entry,
+                                          NumberUnit unit = NumberUnit::kPlain);
+  [[nodiscard]] std::vector<TomlEntry> elements(const TomlEntry& list, std::size_t count) const;
+
+ private:
+  struct Group {
+    const char* name;    ///< of the group
+    const char* letter;  ///< of its parameters
+    const char* key;
+    const char* quantities;  ///< in messages
+    GiNaC::ex tolerance = 0;
+    TomlEntry given{};
+    bool is_used = false;
+  };
+
+  [[nodiscard]] Group& group(LegGroup kind) { return groups_[std::size_t(kind)]; }
+  /// Declares the quantity, and returns its name.
+  [[nodiscard]] Formula quantity(const TomlEntry& entry, const ParsedExpression& value,
+                                 const std::string& name, Group& group, int ball);
+  [[nodiscard]] Point unit(const TomlEntry& list, const Point& v) const;
+
+  ModelReading& reading_;
+  const TomlEntry& legs_;
+  std::array<Group, 5> groups_ = {{{"base", "a", "base_tolerance", "joint of the base"},
+                                   {"platform", "b", "platform_tolerance", "joint of the platform"},
+                                   {"cranks", "crank_", "crank_tolerance", "crank"},
+                                   {"rods", "rod_", "rod_tolerance", "rod"},
+                                   {"axes", "n", "axis_tolerance", "axis"}}};
+  bool balls_ = false;
+  std::size_t coordinates_ = 3;
+};
+
+}  // namespace regulus

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads a table of way-points (CSV), and joins them.
+#pragma once
+
+#include <string>
+
+#include "codegen/model/way/trajectory.hpp"
+
+namespace regulus {
+
+constexpr std::size_t kLargestWaypointFile = std::size_t{1} << 28;
+constexpr std::size_t kMostWaypoints = 1'000'000;
+
+/// Returns the pieces between the rows of the file, in the interpolation that the motion asks for.
+///
+/// Ensures   linear: the straight line. hermite: the cubic with the given values and derivatives.
+///           cubic: the same with slopes that are those of the natural spline with continuous
+///           second derivatives, rounded to doubles; the trajectory is the exact cubic with these
+///           slopes, so its second derivatives agree to rounding.
+/// Errors    InputError with the line of the file; FileError.
+[[nodiscard]] Trajectory read_waypoints(const Model& model, const Motion& motion,
+                                        const std::string& file);
+
+/// Returns the value of a pose parameter that a motion holds. Throws InputError with `remedy` if it
+/// is not constant there.
+[[nodiscard]] GiNaC::ex held_value(const Model& model, const Motion& motion, std::size_t parameter,
+                                   const std::string& file, int line, const std::string& remedy);
+
+}  // namespace regulus

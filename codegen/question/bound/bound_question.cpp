@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/question/bound/bound_question.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "codegen/model/exact/certain_sign.hpp"
+#include "codegen/model/exact/expression_parser.hpp"
+#include "codegen/model/names.hpp"
+#include "codegen/question/bound/bound_run.hpp"
+#include "codegen/support/errors.hpp"
+
+namespace regulus {
+namespace {
+
+bool is_word(const std::string& text) {
+  return std::ranges::all_of(text, [](char c) { return c == '-' || ('a' <= c && c <= 'z'); });
+}
+
+}  // namespace
+
+/// A text that is neither a quantity nor an expression may be a mistyped word.
+Request read_asked(ModelOptions model, const QuantityOptions& quantity) {
+  const std::string& text = quantity.quantity;
+  if (!kind_of(text)) model.asked = text;
+  try {
+    return read_request(model);
+  } catch (const UsageError&) {
+    if (model.asked.empty() || !is_word(text)) throw;
+  }
+  throw UsageError("QUANTITY: there is no " + in_quotes(text) + "; " +
+                   suggestion(text, quantity_words(),
+                              fmt::format("it is {}, or an expression of the model",
+                                          fmt::join(quantity_words(), ", "))));
+}
+
+GiNaC::ex read_limit(const std::string& text, const Quantity& quantity) {
+  GiNaC::ex limit;
+  from_option("--limit",
+              [&] { limit = parse_constant(text, {.file = "", .key = "--limit"}).value; });
+  const bool must_be_positive =
+      std::ranges::any_of(quantity.components, [](const Component& c) { return c.is_absolute; });
+  if (must_be_positive && certain_sign(limit) != CertainSign::kPositive)
+    throw UsageError("--limit: found " + text + ", expected a positive number");
+  return limit;
+}
+
+BoundQuestion read_bound_question(const ModelOptions& model, const QuantityOptions& words,
+                                  const std::string& limit) {
+  if (words.quantity.empty())
+    throw UsageError(fmt::format("bound: no QUANTITY; it is {}, or an expression of the model",
+                                 fmt::join(quantity_words(), ", ")));
+  refuse_threshold(model);
+  BoundQuestion question{read_asked(model, words), {}, {}};
+  question.quantity = quantity_of(question.request.model, words);
+  if (!limit.empty()) question.limit = read_limit(limit, question.quantity);
+  return question;
+}
+
+}  // namespace regulus

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The question of `regulus bound`: a quantity of a model over a motion, and perhaps a limit.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <optional>
+#include <string>
+
+#include "codegen/model/request.hpp"
+#include "codegen/question/quantity/quantity.hpp"
+
+namespace regulus {
+
+struct BoundQuestion {
+  Request request;
+  Quantity quantity;  ///< of request.model; it may be moved with this object
+  std::optional<GiNaC::ex> limit;
+};
+
+/// Reads the model; a quantity that is no word is an expression of it. Throws UsageError.
+[[nodiscard]] Request read_asked(ModelOptions model, const QuantityOptions& quantity);
+
+/// Throws    UsageError for a text that is not a constant, or is not positive where it must be.
+[[nodiscard]] GiNaC::ex read_limit(const std::string& text, const Quantity& quantity);
+
+/// Reads the model, the quantity and the limit. `limit`: empty if there is none.
+///
+/// Throws    InputError and FileError for the model, UsageError for the options, and for a
+///           threshold, which would be ignored.
+[[nodiscard]] BoundQuestion read_bound_question(const ModelOptions& model,
+                                                const QuantityOptions& words,
+                                                const std::string& limit);
+
+}  // namespace regulus

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/question/bound/bound_report.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "codegen/answer/report/question_report.hpp"
+#include "codegen/answer/report/report_parts.hpp"
+#include "codegen/model/exact/ginac_text.hpp"
+#include "codegen/question/bound/quantity_report.hpp"
+#include "codegen/question/way/trajectory_report.hpp"
+
+namespace regulus {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// True if the bracket is for a least value: its proved end is the lower one.
+bool is_least(const Component& c) {
+  return c.sign < 0 || c.kind == QuantityKind::kSigmaMin || c.kind == QuantityKind::kDeterminant;
+}
+
+RoundTo side_of_proved(const Component& c) {
+  return is_least(c) ? RoundTo::kBelow : RoundTo::kAbove;
+}
+/// An attained value is shown on the side that claims less.
+RoundTo side_of_attained(const Component& c) {
+  return is_least(c) ? RoundTo::kAbove : RoundTo::kBelow;
+}
+
+/// Returns as many digits as a gap needs to be seen.
+int digits_for(const std::optional<double>& gap) {
+  if (!gap || !(*gap > 0)) return 5;
+  return std::clamp(3 - static_cast<int>(std::floor(std::log10(*gap))), 5, 15);
+}
+
+std::optional<double> gap_of(const ComponentBound& c) {
+  if (!c.attained || !c.proved) return std::nullopt;
+  const double a = std::abs(c.attained->approx), b = std::abs(c.proved->approx);
+  return std::abs(c.attained->approx - c.proved->approx) / std::max({a, b, 1e-300});
+}
+
+std::string with_unit(const std::string& number, const std::string& unit) {
+  return unit == "1" ? number : number + " " + unit;
+}
+
+std::string label_of(const Component& c) { return c.label.empty() ? "" : " (" + c.label + ")"; }
+
+/// Returns the bracket of two ends that may be of different components.
+std::string describe_ends(const ComponentBound* attained, const ComponentBound* proved,
+                          const std::optional<double>& gap, bool capitals) {
+  const auto word = [&](const char* text) {
+    std::string result = text;
+    if (capitals)
+      for (char& c : result) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return result;
+  };
+  const int digits = digits_for(gap);
+  const auto attained_text = [&] {
+    return rounded_text(*attained->attained, side_of_attained(attained->component), digits);
+  };
+  const auto proved_text = [&] {
+    return rounded_text(*proved->proved, side_of_proved(proved->component), digits);
+  };
+  if (!attained && !proved) return word("nothing known");
+  const Component& c = attained ? attained->component : proved->component;
+  const bool least = is_least(c);
+  if (!attained) return word(least ? "at least " : "at most ") + with_unit(proved_text(), c.unit);
+  if (!proved) return word(least ? "at most " : "at least ") + with_unit(attained_text(), c.unit);
+  const std::string low = least ? proved_text() : attained_text();
+  const std::string high = least ? attained_text() : proved_text();
+  return word("between ") + low + word(" and ") + with_unit(high, c.unit);
+}
+
+const ComponentBound* unbounded(const Bound& bound) {
+  for (const ComponentBound& c : bound.components)
+    if (c.is_unbounded) return &c;
+  return nullptr;
+}
+
+bool is_empty(const Bound& bound) {
+  return std::ranges::any_of(bound.components, &ComponentBound::is_empty);
+}
+
+/// Returns the symbol of the quantity in a claim: "|force in leg 3 under payload|".
+std::string subject_of(const Bound& bound, const Component& c) {
+  const std::string words =
+      c.label.empty() ? bound.quantity.name : fmt::format("{} of {}", bound.quantity.name, c.label);
+  const bool has_bars = c.is_absolute && c.part == PosePart::kColumn &&
+                        (c.kind == QuantityKind::kForce || c.kind == QuantityKind::kSpeed ||
+                         c.kind == QuantityKind::kError || c.kind == QuantityKind::kDeflection);
+  return has_bars ? "|" + words + "|" : words;
+}
+
+std::string claim_words(const Request& request, const Component& c) {
+  std::string words = request.motion.where == Where::kReachable
+                          ? "for every reachable pose of the variety"
+                      : request.motion.where == Where::kWithinRanges
+                          ? "for every pose of the variety with the actuated joints in range"
+                          : "for every pose of the variety";
+  bool is_uncertain = false;
+  for (const GeometryParameter& g : request.model.geometry)
+    is_uncertain = is_uncertain || !g.tolerance.is_zero();
+  if (is_uncertain) words += ", every value of the uncertain quantities";
+  if (c.set) words += ", every value of " + c.set->name;
+  if (c.kind == QuantityKind::kError) words += ", every error of the motors";
+  return words;
+}
+
+const ComponentBound* exceeded(const Bound& bound) {
+  for (const ComponentBound& c : bound.components)
+    if (c.verdict == LimitVerdict::kExceeded) return &c;
+  return nullptr;
+}
+
+std::string format_place(const char* word, const ComponentBound& c) {
+  if (!c.place) return "";
+  return fmt::format("{:<10} {}{}\n{}", word,
+                     c.component.label.empty() ? "" : c.component.label + ": ", c.place->pose,
+                     c.place->values);
+}
+
+std::string format_claim(const Request& request, const Bound& bound, const ComponentBound& c) {
+  const bool least = is_least(c.component);
+  const std::string end =
+      rounded_text(*c.proved, side_of_proved(c.component), digits_for(bound.gap()));
+  return fmt::format("proved     {} {} {}, {}\n", subject_of(bound, c.component), least ? ">" : "<",
+                     with_unit(end, c.component.unit), claim_words(request, c.component));
+}
+
+StageSeconds seconds_of(const Bound& bound) {
+  StageSeconds sum;
+  for (const ComponentBound& c : bound.components) sum += c.seconds;
+  return sum;
+}
+
+std::uint64_t boxes_of(const Bound& bound) {
+  std::uint64_t sum = 0;
+  for (const ComponentBound& c : bound.components) sum += c.boxes;
+  return sum;
+}
+
+const char* word_of_verdict(LimitVerdict verdict) {
+  switch (verdict) {
+    case LimitVerdict::kWithin:
+      return "within";
+    case LimitVerdict::kExceeded:
+      return "exceeded";
+    case LimitVerdict::kUndecided:
+      break;
+  }
+  return "possible-problem";
+}
+
+Json json_end(const std::optional<BoundEnd>& end, RoundTo side) {
+  if (!end) return nullptr;
+  return rounded_number(*end, side);
+}
+
+Json json_exact(const std::optional<BoundEnd>& end) {
+  return end ? Json(formula_text(end->exact)) : Json(nullptr);
+}
+
+Json json_component(const ComponentBound& c, bool has_limit) {
+  Json object = {{"label", c.component.label}, {"unit", c.component.unit}};
+  if (has_limit) {
+    object["verdict"] = word_of_verdict(c.verdict);
+  } else {
+    object["attained"] = json_end(c.attained, side_of_attained(c.component));
+    object["proved"] = json_end(c.proved, side_of_proved(c.component));
+    object["attained_exact"] = json_exact(c.attained);
+    object["proved_exact"] = json_exact(c.proved);
+    object["unbounded"] = c.is_unbounded;
+    object["closed"] = c.is_closed;
+  }
+  object["reason"] = c.reason;
+  object["nonempty"] = c.is_empty ? Json(false) : Json(nullptr);
+  object["place"] = c.place ? c.place->json : Json(nullptr);
+  object["boxes"] = c.boxes;
+  object["seconds"] = json_seconds(c.seconds);
+  c.proofs.add_to(object);
+  return object;
+}
+
+}  // namespace
+
+std::string describe_bound(const Bound& bound, const BoundSettings& settings) {
+  if (is_empty(bound)) return "NO POSE REMAINS";
+  if (settings.limit) {
+    if (bound.verdict() == LimitVerdict::kWithin) return "WITHIN";
+    if (const ComponentBound* c = exceeded(bound)) return "EXCEEDED" + label_of(c->component);
+    return "POSSIBLE PROBLEM";
+  }
+  if (const ComponentBound* c = unbounded(bound)) return "UNBOUNDED" + label_of(c->component);
+  const ComponentBound *attained = bound.decisive_attained(), *proved = bound.decisive_proved();
+  const ComponentBound* named = attained ? attained : proved;
+  return describe_ends(attained, proved, bound.gap(), true) +
+         (named ? label_of(named->component) : "");
+}
+
+EndTexts end_texts(const ComponentBound& c) {
+  const int digits = digits_for(gap_of(c));
+  std::string attained, proved;
+  if (c.attained) attained = rounded_text(*c.attained, side_of_attained(c.component), digits);
+  if (c.proved) proved = rounded_text(*c.proved, side_of_proved(c.component), digits);
+  if (is_least(c.component)) return {proved, attained};
+  return {attained, proved};
+}
+
+std::string format_component(const ComponentBound& c, bool has_limit) {
+  std::string words = has_limit        ? word_of_verdict(c.verdict)
+                      : c.is_unbounded ? "unbounded"
+                                       : describe_ends(c.attained ? &c : nullptr,
+                                                       c.proved ? &c : nullptr, gap_of(c), false);
+  if (!c.reason.empty()) words += "; " + c.reason;
+  return fmt::format("{:<10} {:<44} {:>7} boxes {:>7.2f} s\n", c.component.label, words, c.boxes,
+                     c.seconds.symbolic + c.seconds.emit + c.seconds.compile + c.seconds.search);
+}
+
+std::string bound_report(const Request& request, const Bound& bound,
+                         const BoundSettings& settings) {
+  std::string text;
+  if (settings.limit) {
+    if (const ComponentBound* c = exceeded(bound)) text += format_place("exceeded", *c);
+    if (bound.verdict() == LimitVerdict::kWithin)
+      text += fmt::format("proved     {} is within the limit, {}\n", bound.quantity.name,
+                          claim_words(request, bound.components.front().component));
+  } else if (const ComponentBound* singular = unbounded(bound)) {
+    text += format_place("singular", *singular);
+  } else {
+    const ComponentBound *proved = bound.decisive_proved(), *attained = bound.decisive_attained();
+    if (proved) text += format_claim(request, bound, *proved);
+    if (attained) text += format_place("attained", *attained);
+  }
+  for (const ComponentBound& c : bound.components) text += c.proofs.lines();
+  text += fmt::format("boxes      {} evaluated\n", boxes_of(bound));
+  text += format_time(seconds_of(bound));
+  if (const auto gap = bound.gap(); gap && !settings.limit)
+    text += fmt::format("gap        {:.3g} % of the larger end\n", 100 * *gap);
+  return text;
+}
+
+Json json_bound(const Request& request, const Bound& bound, const BoundSettings& settings) {
+  Json report = json_bracket_of(request, bound, settings);
+  report["question"] = json_question(request, settings.search);
+  return report;
+}
+
+Json json_bracket_of(const Request& request, const Bound& bound, const BoundSettings& settings) {
+  const bool has_limit = settings.limit.has_value();
+  const ComponentBound *attained = bound.decisive_attained(), *proved = bound.decisive_proved();
+  Json report = {{"bound", bound.quantity.name}, {"result", describe_bound(bound, settings)}};
+  report["quantity"] = json_quantity(request.model, bound.quantity);
+  report["least"] = bound.quantity.is_least;
+  if (has_limit) {
+    report["limit"] = formula_text(*settings.limit);
+    report["verdict"] = word_of_verdict(bound.verdict());
+  } else {
+    report["attained"] = attained
+                             ? json_end(attained->attained, side_of_attained(attained->component))
+                             : Json(nullptr);
+    report["attained_by"] = attained ? Json(attained->component.label) : Json(nullptr);
+    report["proved"] =
+        proved ? json_end(proved->proved, side_of_proved(proved->component)) : Json(nullptr);
+    report["gap"] = bound.gap() ? Json(*bound.gap()) : Json(nullptr);
+    report["gap_wanted"] = settings.gap;
+    report["closed"] = bound.is_closed();
+  }
+  report["unit"] = bound.quantity.unit;
+  report["model"] = request.model.name;
+  report["model_file"] = request.model.path;
+  report["model_sha256"] = request.model.sha256;
+  report["motion"] = request.motion.name;
+  if (request.motion.trajectory) report["waypoints"] = json_waypoints(*request.motion.trajectory);
+  report["components"] = Json::array();
+  for (const ComponentBound& c : bound.components)
+    report["components"].push_back(json_component(c, has_limit));
+  report["boxes"] = boxes_of(bound);
+  report["seconds"] = json_seconds(seconds_of(bound));
+  return report;
+}
+
+}  // namespace regulus

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/question/bound/bound_run.hpp"
+
+#include <algorithm>
+
+#include "codegen/model/exact/certain_sign.hpp"
+#include "codegen/question/bound/norm_of_part.hpp"
+#include "codegen/question/bound/reference.hpp"
+#include "codegen/question/bound/variety_bound.hpp"
+#include "codegen/question/bound/way_bound.hpp"
+#include "codegen/question/condition/condition_run.hpp"
+#include "codegen/support/errors.hpp"
+#include "codegen/support/time_budget.hpp"
+
+namespace regulus {
+namespace {
+
+/// "leg 3" becomes "leg_3".
+std::string in_file_name(std::string label) {
+  std::erase(label, ',');
+  std::ranges::replace(label, ' ', '_');
+  return label;
+}
+
+std::string certificate_of(const Component& c, const std::string& certificate) {
+  return certificate.empty() ? certificate : certificate + certificate_suffix(c);
+}
+
+ComponentBound bound_variety(const Request& request, const Component& component, std::size_t number,
+                             const BoundSettings& settings, const TimeBudget& budget) {
+  if (component.kind != QuantityKind::kCondition2)
+    return bound_over_variety(request, component, number, settings, budget);
+  const auto other = [&](const Component& c, const BoundSettings& of, double seconds) {
+    return bound_variety(request, c, 0, of, TimeBudget(seconds));
+  };
+  return bound_condition_number(request, component, settings, budget.left(), budget.all(), other);
+}
+
+/// Compares exact numbers; approximately only if their difference has no certain sign.
+bool is_beyond(const BoundEnd& end, const BoundEnd& other, bool below) {
+  const CertainSign sign = certain_sign(below ? other.exact - end.exact : end.exact - other.exact);
+  if (sign == CertainSign::kUnknown) return below != (end.approx > other.approx);
+  return sign == CertainSign::kPositive;
+}
+
+/// Returns the component with the extreme end; nullptr if one has none.
+const ComponentBound* decisive(const Bound& bound, std::optional<BoundEnd> ComponentBound::*end,
+                               bool all_needed) {
+  const ComponentBound* best = nullptr;
+  if (all_needed && bound.components.size() < bound.quantity.components.size()) return nullptr;
+  for (const ComponentBound& c : bound.components) {
+    const std::optional<BoundEnd>& here = c.*end;
+    if (!here) {
+      if (all_needed && !c.is_empty) return nullptr;
+      continue;
+    }
+    if (!best || is_beyond(*here, *(best->*end), bound.quantity.is_least)) best = &c;
+  }
+  return best;
+}
+
+/// Uses what other components attain.
+void use_freedoms(ComponentBound& component, const Bound& bound, const Model& model, double gap) {
+  raise_by_freedoms(component, bound.components, model);
+  const std::optional<double> width = relative_gap(&component, &component);
+  if (component.is_closed || !width || !(*width <= gap)) return;
+  component.is_closed = true;
+  component.reason.clear();
+}
+
+}  // namespace
+
+const ComponentBound* Bound::decisive_attained() const {
+  return decisive(*this, &ComponentBound::attained, false);
+}
+
+const ComponentBound* Bound::decisive_proved() const {
+  return decisive(*this, &ComponentBound::proved, true);
+}
+
+std::optional<double> Bound::gap() const {
+  return relative_gap(decisive_attained(), decisive_proved());
+}
+
+bool Bound::is_closed() const {
+  return components.size() == quantity.components.size() &&
+         std::ranges::all_of(components, &ComponentBound::is_closed);
+}
+
+LimitVerdict Bound::verdict() const {
+  const auto has = [this](LimitVerdict verdict) {
+    return std::ranges::any_of(components,
+                               [&](const ComponentBound& c) { return c.verdict == verdict; });
+  };
+  if (has(LimitVerdict::kExceeded)) return LimitVerdict::kExceeded;
+  const bool all = components.size() == quantity.components.size();
+  return all && !has(LimitVerdict::kUndecided) ? LimitVerdict::kWithin : LimitVerdict::kUndecided;
+}
+
+Bound bound_quantity(const Request& request, Quantity quantity, const BoundSettings& settings,
+                     const BoundListener& listener) {
+  const bool is_along_way = request.motion.trajectory != nullptr;
+  refuse_unsupported(request, quantity);
+  Bound bound{std::move(quantity), {}};
+  const TimeBudget all = TimeBudget::of_option(settings.search.time_limit, settings.forming_limit);
+  const std::vector<Component>& components = bound.quantity.components;
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    const TimeBudget budget = all.share(components.size() - i);
+    bound.components.push_back(is_along_way
+                                   ? bound_along_way(request, components[i], settings, budget)
+                                   : bound_variety(request, components[i], i, settings, budget));
+    // A certificate is of the end that the component's own search found.
+    if (!settings.limit && settings.certificate.empty())
+      use_freedoms(bound.components.back(), bound, request.model, settings.gap);
+    listener(bound.components.back());
+    if (settings.interrupt != nullptr && *settings.interrupt) break;
+  }
+  return bound;
+}
+
+std::string certificate_suffix(const Component& component) {
+  return component.label.empty() ? "" : "." + in_file_name(component.label);
+}
+
+void refuse_threshold(const ModelOptions& options) {
+  if (!options.alpha.empty())
+    throw UsageError(
+        "--alpha: a bound has no threshold; to compare |det J^-1| with a number, use "
+        "the quantity determinant with --limit");
+}
+
+std::vector<OutputFile> certificate_files(const Quantity& quantity,
+                                          const std::string& certificate) {
+  std::vector<OutputFile> files;
+  for (const Component& c : quantity.components)
+    for (const OutputFile& file : EndProofs::files(certificate_of(c, certificate)))
+      files.push_back(file);
+  return files;
+}
+
+}  // namespace regulus

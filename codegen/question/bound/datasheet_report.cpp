@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "codegen/answer/report/question_report.hpp"
+#include "codegen/question/bound/bound_report.hpp"
+#include "codegen/question/bound/datasheet.hpp"
+
+namespace regulus {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A quantity with more components than this has one row, that of its extreme values.
+constexpr std::size_t kMostRows = 12;
+
+using Row = std::array<std::string, 6>;
+constexpr std::array<const char*, 6> kHead{"quantity", "of", "from", "to", "unit", "limit"};
+
+const char* word_of(LimitState state) {
+  switch (state) {
+    case LimitState::kKept:
+      return "kept";
+    case LimitState::kExceeded:
+      return "EXCEEDED";
+    case LimitState::kUnknown:
+      return "unknown";
+    case LimitState::kNone:
+      break;
+  }
+  return "";
+}
+
+std::string name_of(const Bound& bound) {
+  const Component& c = bound.quantity.components.front();
+  if (bound.quantity.is_least && c.sign < 0) return "least " + bound.quantity.name;
+  if (!c.is_absolute) return "largest " + bound.quantity.name;
+  return bound.quantity.name;
+}
+
+Row row_of(const Model& model, const Bound& bound, const ComponentBound& c) {
+  const EndTexts ends = end_texts(c);
+  const std::string unknown = "?";
+  return {name_of(bound),
+          c.component.label,
+          c.is_unbounded     ? "unbounded"
+          : ends.low.empty() ? unknown
+                             : ends.low,
+          c.is_unbounded      ? ""
+          : ends.high.empty() ? unknown
+                              : ends.high,
+          c.component.unit == "1" ? "" : c.component.unit,
+          word_of(limit_state(model, c))};
+}
+
+std::vector<Row> rows_of(const Model& model, const Datasheet& sheet) {
+  std::vector<Row> rows;
+  for (const Bound& bound : sheet.bounds) {
+    if (bound.components.size() <= kMostRows) {
+      for (const ComponentBound& c : bound.components) rows.push_back(row_of(model, bound, c));
+    } else if (const ComponentBound* c = bound.decisive_attained()) {
+      ComponentBound whole = *c;
+      if (const ComponentBound* p = bound.decisive_proved()) whole.proved = p->proved;
+      rows.push_back(row_of(model, bound, whole));
+    }
+  }
+  return rows;
+}
+
+/// Returns the width of a text in characters: UTF-8 is counted by its first bytes.
+std::size_t width_of(const std::string& text) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+std::string format_rows(const std::vector<Row>& rows, const std::string& before,
+                        const std::string& between, bool has_rule) {
+  std::array<std::size_t, 6> widths{};
+  const auto measure = [&](const Row& row) {
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width_of(row[i]));
+  };
+  Row head;
+  std::ranges::copy(kHead, head.begin());
+  measure(head);
+  for (const Row& row : rows) measure(row);
+  std::string text;
+  const auto write = [&](const Row& row, char fill) {
+    text += before;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (i > 0) text += between;
+      text += row[i] + std::string(widths[i] - width_of(row[i]), fill);
+    }
+    if (before.empty()) text.erase(text.find_last_not_of(' ') + 1);
+    text += (before.empty() ? "" : " |") + std::string("\n");
+  };
+  write(head, ' ');
+  if (has_rule) {
+    text += "|";
+    for (const std::size_t width : widths) text += std::string(width + 2, '-') + "|";
+    text += '\n';
+  }
+  for (const Row& row : rows) write(row, ' ');
+  return text;
+}
+
+/// A bar in a cell, as of |det J^-1|, would end the cell.
+std::vector<Row> in_markdown(std::vector<Row> rows) {
+  for (Row& row : rows)
+    for (std::string& cell : row)
+      for (std::size_t at = 0; (at = cell.find('|', at)) != std::string::npos; at += 2)
+        cell.insert(at, 1, '\\');
+  return rows;
+}
+
+constexpr const char* kMeaning =
+    "Each row is a proved bracket: no value is beyond the outer end, over every pose and every\n"
+    "uncertain value, and the inner end is attained.";
+
+}  // namespace
+
+std::string text_datasheet(const Request& request, const Datasheet& sheet) {
+  const std::vector<Row> rows = rows_of(request.model, sheet);
+  std::string text =
+      rows.empty() ? "no quantity of this model is bounded\n" : format_rows(rows, "", "  ", false);
+  for (const std::string& reason : sheet.left_out) text += "not bounded: " + reason + '\n';
+  return text;
+}
+
+std::string markdown_datasheet(const Request& request, const Datasheet& sheet) {
+  std::string text =
+      fmt::format("# {}, motion {}\n\n{}\n\n", request.model.name, request.motion.name, kMeaning);
+  text += format_rows(in_markdown(rows_of(request.model, sheet)), "| ", " | ", true) + '\n';
+  text += "Attained at:\n\n";
+  for (const Bound& bound : sheet.bounds)
+    if (const ComponentBound* c = bound.decisive_attained(); c && c->place)
+      text +=
+          fmt::format("- {}{}: {}\n", name_of(bound),
+                      c->component.label.empty() ? "" : ", " + c->component.label, c->place->pose);
+  if (!sheet.left_out.empty()) text += "\nNot bounded:\n\n";
+  for (const std::string& reason : sheet.left_out) text += "- " + reason + '\n';
+  return text + fmt::format("\nModel {}, SHA-256 {}\n", request.model.path, request.model.sha256);
+}
+
+Json json_datasheet(const Request& request, const Datasheet& sheet, const BoundSettings& settings) {
+  Json report = {{"model", request.model.name},
+                 {"model_file", request.model.path},
+                 {"model_sha256", request.model.sha256},
+                 {"motion", request.motion.name},
+                 {"interrupted", sheet.is_interrupted},
+                 {"bounds", Json::array()},
+                 {"not_bounded", sheet.left_out},
+                 {"question", json_question(request, settings.search)}};
+  for (const Bound& bound : sheet.bounds) {
+    Json object = json_bracket_of(request, bound, settings);
+    for (std::size_t i = 0; i < bound.components.size(); ++i) {
+      const LimitState state = limit_state(request.model, bound.components[i]);
+      object["components"][i]["limit"] =
+          state == LimitState::kNone ? Json(nullptr) : Json(word_of(state));
+    }
+    report["bounds"].push_back(std::move(object));
+  }
+  return report;
+}
+
+}  // namespace regulus

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/question/condition/box_judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace regulus {
+
+BoxJudge::BoxJudge(const ConditionQuestion& question)
+    : problem_(question.problem),
+      rows_(question.problem.kernel->rows),
+      columns_(question.problem.kernel->columns),
+      rotated_(question.problem, question.scaling),
+      matrices_(rotated_.matrices()) {}
+
+void BoxJudge::judge(std::span<const Box> boxes, std::span<BoxFinding> findings, double attained) {
+  rotated_.evaluate(boxes);
+  std::vector<Box> points;
+  std::vector<std::size_t> of;
+  for (std::size_t lane = 0; lane < boxes.size(); ++lane) {
+    BoxFinding& finding = findings[lane];
+    finding.is_outside = matrices_.is_outside(lane);
+    if (finding.is_outside) continue;
+    const std::optional<RotatedBox> rotated = rotated_.rotated(lane);
+    finding.is_undefined = !rotated;
+    if (rotated) finding.bound = bound_condition(*rotated);
+    // Perhaps constraints exclude the box: all variables must become small to show it.
+    if (!matrices_.is_inhabited(lane)) finding.bound.impact.clear();
+    if (attained == kInfinity) continue;
+    if (matrices_.is_inhabited(lane))
+      keep(finding, matrices_.point(lane), matrices_.matrix_at_point(lane), attained);
+    if (finding.bound.growth.empty() || !(finding.bound.upper > attained)) continue;
+    points.push_back(corner(boxes[lane], matrices_.point(lane), finding.bound.growth));
+    of.push_back(lane);
+  }
+  if (points.empty()) return;
+  const auto matrices = matrices_.at(points);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (matrices[i]) keep(findings[of[i]], points[i], *matrices[i], attained);
+}
+
+/// Returns the corner of the box in whose direction κ grows.
+BoxJudge::Box BoxJudge::corner(const Box& box, Box point, const std::vector<double>& growth) const {
+  for (std::size_t v = 0; v < point.size(); ++v) {
+    const std::optional<Interval>& inner = problem_.inner[v];
+    if (!inner || growth[v] == 0 || std::isnan(growth[v])) continue;
+    point[v] = std::clamp(growth[v] > 0 ? box[v].hi : box[v].lo, inner->lo, inner->hi);
+  }
+  return point;
+}
+
+void BoxJudge::keep(BoxFinding& finding, const Box& point, std::span<const Interval> A,
+                    double attained) const {
+  StretchedVectors shown = attained_condition(A, rows_, columns_);
+  const double known = finding.attained ? finding.attained->shown.condition : attained;
+  if (shown.condition > known) finding.attained.emplace(ConditionWitness{point, std::move(shown)});
+}
+
+}  // namespace regulus

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Decides boxes for the search of a condition number, in one thread.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "codegen/question/condition/condition_test.hpp"
+
+namespace regulus {
+
+/// The question for a kernel of the matrix with derivatives of its entries.
+struct ConditionQuestion {
+  const Problem& problem;
+  const MatrixScaling& scaling;  ///< of the kernel's matrix
+};
+
+/// A pose of the variety and values of the uncertain quantities, with vectors that show κ there.
+struct ConditionWitness {
+  std::vector<Interval> variables;  ///< thin, or enclosing the only value
+  StretchedVectors shown;
+};
+
+/// The result for one box. It depends on the box alone, but for `attained`.
+struct BoxFinding {
+  bool is_outside = false, is_undefined = false;
+  ConditionBound bound{};
+  std::optional<ConditionWitness> attained{};
+};
+
+/// Each thread has its own.
+class BoxJudge {
+ public:
+  using Box = BoxMatrices::Box;
+
+  /// The parts of the question must outlive this object.
+  explicit BoxJudge(const ConditionQuestion& question);
+  BoxJudge(const BoxJudge&) = delete;
+  BoxJudge& operator=(const BoxJudge&) = delete;
+
+  /// `attained`: a smaller κ is of no use; infinite: no κ is.
+  ///
+  /// Requires  at most kLanes boxes, and as many findings, which are new.
+  /// Rounding  outward; MXCSR at nearest.
+  void judge(std::span<const Box> boxes, std::span<BoxFinding> findings, double attained);
+
+ private:
+  [[nodiscard]] Box corner(const Box& box, Box point, const std::vector<double>& growth) const;
+  void keep(BoxFinding& finding, const Box& point, std::span<const Interval> A,
+            double attained) const;
+
+  const Problem& problem_;
+  const std::size_t rows_, columns_;
+  RotatedBoxes rotated_;
+  BoxMatrices& matrices_;
+};
+
+}  // namespace regulus

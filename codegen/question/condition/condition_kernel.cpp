@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/question/condition/condition_kernel.hpp"
+
+#include <algorithm>
+
+#include "codegen/answer/certificate/certificate_question.hpp"
+#include "codegen/question/quantity/inverse_in_one_unit.hpp"
+#include "codegen/support/errors.hpp"
+
+namespace regulus {
+namespace {
+
+/// With more variables the second derivatives of Taylor's expansion are too many.
+constexpr std::size_t kMostExpanded = 12;
+
+bool may_expand(const Request& request) {
+  const auto moves = [](const GiNaC::ex& error) { return !error.is_zero(); };
+  const auto errors = std::size_t(std::ranges::count_if(request.motion.error, moves));
+  return uncertain_names(request).size() + request.motion.parameters.size() + errors <=
+         kMostExpanded;
+}
+
+/// The kernel needs the entries of the matrix and the expansion of K·A, in which every quantity is
+/// treated alike; of a model with many uncertain quantities, only derivatives of the entries.
+SearchOptions options_of_kernel(SearchOptions search, bool expands) {
+  search.method = expands ? Method::kAuto : Method::kReg;
+  search.entries = expands ? Entries::kNatural : Entries::kDerivatives;
+  search.uncertainty = Uncertainty::kElements;
+  for (const char* ingredient : {"columns", "rows"})
+    if (std::ranges::find(search.without, ingredient) == search.without.end())
+      search.without.emplace_back(ingredient);
+  return search;
+}
+
+/// True if Taylor's expansion was formed: not if it was too costly.
+bool has_expansion(const PreparedSearch& prepared) {
+  const regulus_kernel& kernel = *prepared.problem().kernel;
+  if (kernel.expansion == nullptr) return false;
+  const int* rows = kernel.expansion->row_of_variable;
+  return rows != nullptr && std::all_of(rows, rows + kernel.variables, [](int r) { return r < 0; });
+}
+
+PreparedSearch form_kernel(const Request& request, const SearchOptions& search, bool expands,
+                           const FormingWatch& watch) {
+  return prepare(inverse_in_one_unit(request), 0, options_of_kernel(search, expands), watch);
+}
+
+}  // namespace
+
+ConditionKernel form_condition_kernel(const Request& request, const SearchOptions& search,
+                                      const FormingWatch& watch) {
+  bool expands = may_expand(request);
+  PreparedSearch prepared = form_kernel(request, search, expands, watch);
+  if (expands && !prepared.stopped && !has_expansion(prepared)) {
+    expands = false;
+    prepared = form_kernel(request, search, expands, watch);
+  }
+  return {std::move(prepared), expands};
+}
+
+BracketTopic topic_of(const ConditionKernel& kernel) {
+  BracketTopic topic;
+  topic.kind = kernel.is_expanded ? TopicKind::kExpandedMatrix : TopicKind::kMatrixWithSlopes;
+  return topic;
+}
+
+bool is_about_condition(const BracketTopic& topic) { return topic.kind != TopicKind::kBracket; }
+
+PreparedSearch prepare_condition(const BracketTopic& topic, const Request& request,
+                                 const SearchOptions& search) {
+  const bool expands = topic.kind == TopicKind::kExpandedMatrix;
+  SearchOptions forming = search;
+  forming.time_limit = 0;  // the process that asks ends the search
+  PreparedSearch prepared = form_kernel(request, forming, expands, {});
+  if (expands && !prepared.stopped && !has_expansion(prepared))
+    throw InternalError("the ranks have formed different matrices");
+  return prepared;
+}
+
+}  // namespace regulus

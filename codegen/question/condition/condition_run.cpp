@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/question/condition/condition_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "codegen/answer/certificate/certificate_question.hpp"
+#include "codegen/answer/report/progress.hpp"
+#include "codegen/answer/report/report_parts.hpp"
+#include "codegen/model/exact/expression_parser.hpp"
+#include "codegen/question/condition/condition_certificate.hpp"
+#include "codegen/question/condition/condition_checkpoint.hpp"
+#include "codegen/question/condition/condition_kernel.hpp"
+#include "codegen/question/engine/search_run.hpp"
+#include "codegen/question/engine/settings.hpp"
+#include "codegen/support/errors.hpp"
+#include "runtime/problem/observers.hpp"
+
+namespace regulus {
+namespace {
+
+/// Seconds of a search, if there are as many: enough for an attained end.
+constexpr double kLeastConditionSearch = 0.5;
+/// The gap of the bounds of singular values whose ratio is a bound of κ.
+constexpr double kGapOfExtremes = 0.01;
+
+constexpr int kDigitsOfEnd = 12;
+
+/// Returns the number itself, as a fraction.
+GiNaC::ex exact_number(double x) {
+  int exponent = 0;
+  const double fraction = std::frexp(x, &exponent);
+  return GiNaC::numeric(static_cast<long>(std::ldexp(fraction, 53))) *
+         GiNaC::pow(GiNaC::ex(2), exponent - 53);
+}
+
+/// Returns a decimal that is not above, or not below, the number: shorter in a report and in a
+/// certificate than the number itself.
+BoundEnd decimal_end(double x, RoundTo side) {
+  const std::string text = rounded_text(end_at(exact_number(x)), side, kDigitsOfEnd);
+  return end_at(parse_constant(text, {.file = "", .key = ""}).value);
+}
+
+class ConditionRun {
+ public:
+  ConditionRun(const Request& request, const Component& component, const BoundSettings& settings,
+               double seconds, double left, const OtherBound& other)
+      : request_(request),
+        settings_(settings),
+        other_(other),
+        seconds_(std::max(seconds, 1e-3)),
+        left_(left) {
+    result_.component = component;
+    SearchOptions forming = settings.search;
+    forming.time_limit = std::max(left, 1e-3);
+    kernel_ =
+        form_condition_kernel(request, forming, forming_watch(settings.output, settings.interrupt));
+  }
+
+  ComponentBound run() {
+    certificate_.emplace(certificate_path(), request_, result_.component,
+                         uncertain_names(prepared_.labels), settings_.held);
+    if (prepared_.stopped) return stopped();
+    const MatrixScaling scaling = prepared_.stages->formulation().scaling;
+    const Problem problem = prepared_.problem();
+    SearchDisplay display(settings_.output);
+    std::vector<Observer*> watching;
+    for (Observer* observer : {certificate_->observer(), display.observer()})
+      if (observer != nullptr) watching.push_back(observer);
+    Observers observers(std::move(watching));
+    const ConditionResult found = search_with_checkpoint({problem, scaling}, search_settings(),
+                                                         &observers, settings_.checkpoint);
+    prepared_.seconds.search = found.seconds;
+    result_.boxes += found.boxes;
+    result_.seconds += prepared_.seconds_spent();
+    result_.is_empty = found.is_empty;
+    result_.is_unbounded = found.is_singular;
+    if (found.attained && !result_.place)
+      result_.place = place_of(
+          found.attained->variables,
+          BoxMatrices(problem, scaling, problem.outer.size()).pose_at(found.attained->variables));
+    if (settings_.limit)
+      set_verdict(found);
+    else
+      set_ends(found);
+    certify(found);
+    result_.proofs = certificate_->proofs();
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] std::string certificate_path() const {
+    return settings_.certificate.empty()
+               ? ""
+               : settings_.certificate + certificate_suffix(result_.component);
+  }
+
+  /// Without a matrix there are no boxes to decide.
+  ComponentBound stopped() {
+    result_.seconds += prepared_.seconds_spent();
+    result_.reason = regulus::describe(prepared_.stopped->interrupted ? Reason::kInterrupted
+                                                                      : Reason::kTimeBudget);
+    result_.proofs = certificate_->proofs();
+    return std::move(result_);
+  }
+
+  /// The certificate of a comparison is about the limit.
+  void certify(const ConditionResult& found) {
+    const auto end = [this](const std::optional<BoundEnd>& own, LimitVerdict verdict) {
+      if (!settings_.limit) return own;
+      return result_.verdict == verdict ? std::optional(end_at(*settings_.limit)) : std::nullopt;
+    };
+    if (found.attained && found.attained->shown.condition == kInfinity)
+      certificate_->show_singular(found.attained->variables);
+    const auto attained = end(result_.attained, LimitVerdict::kExceeded);
+    if (attained && !found.is_singular) certificate_->attain(*attained, found.attained->variables);
+    const auto proved = end(result_.proved, LimitVerdict::kWithin);
+    if (proved && found.is_by_hint)
+      certificate_->note_ratio();
+    else if (proved)
+      certificate_->prove(*proved);
+  }
+
+  [[nodiscard]] ConditionSettings search_settings() {
+    ConditionSettings settings;
+    settings.threads = settings_from(settings_.search).threads;
+    settings.gap = settings_.gap;
+    if (settings_.limit) settings.limit = enclose_constant(*settings_.limit, "--limit");
+    if (settings_.search.max_boxes != 0) settings.max_boxes = settings_.search.max_boxes;
+    const double least = std::min(kLeastConditionSearch, seconds_left(prepared_, left_));
+    settings.time_limit =
+        prepared_.stopped ? 0 : std::max(seconds_left(prepared_, seconds_), least);
+    settings.interrupt = settings_.interrupt;
+    settings.ask = [this](double seconds) { return hint(seconds); };
+    settings.workers = settings_.search.workers;
+    if (settings.workers != nullptr) settings.workers->turn_to(write_topic(topic_of(kernel_)));
+    return settings;
+  }
+
+  /// Its seconds are seconds of the search that asks.
+  ConditionHint hint(double seconds) {
+    ConditionHint hint;
+    if (!(seconds > 0) || prepared_.stopped) return hint;
+    hint.is_singular = has_singular_pose(seconds / 2);
+    if (hint.is_singular) return hint;
+    const std::optional<Interval> largest = extreme("sigma-max", seconds / 8);
+    const std::optional<Interval> least = extreme("sigma-min", seconds / 8);
+    if (largest && least && least->lo > 0) hint.upper = div_ru(largest->hi, least->lo);
+    return hint;
+  }
+
+  /// Encloses the proved bound of the largest or the least singular value at all poses.
+  std::optional<Interval> extreme(const char* quantity, double seconds) {
+    BoundSettings settings = settings_;
+    settings.limit.reset();
+    settings.certificate.clear();
+    settings.checkpoint = nullptr;      // it is of this search
+    settings.search.workers = nullptr;  // the same
+    settings.gap = kGapOfExtremes;
+    const Quantity asked = quantity_of(request_.model, {.quantity = quantity});
+    const ComponentBound bound = other_(asked.components.front(), settings, seconds);
+    result_.boxes += bound.boxes;
+    if (!bound.proved) return std::nullopt;
+    return enclose_constant(bound.proved->exact, quantity);
+  }
+
+  /// Searches for a singular pose, as `check` does.
+  bool has_singular_pose(double seconds) {
+    SearchOptions search = settings_.search;
+    search.time_limit = seconds;
+    search.workers = nullptr;  // they have another kernel
+    Request request = request_;
+    request.motion.alpha = 0;
+    PreparedSearch prepared = prepare(std::move(request), 0, search,
+                                      forming_watch(settings_.output, settings_.interrupt));
+    const Settings settings = settings_of(prepared, search, settings_.interrupt);
+    const Result result = run_search(prepared, search, settings);
+    result_.boxes += result.statistics.boxes;
+    if (result.verdict != Verdict::kSingularity) return false;
+    result_.place = attained_place(prepared, result, "");
+    certificate_->show_singular(result, uncertain_names(prepared.labels));
+    return true;
+  }
+
+  [[nodiscard]] AttainedPlace place_of(const std::vector<Interval>& variables,
+                                       const std::vector<Interval>& pose) const {
+    Result result;
+    result.witness.emplace().points.push_back({variables, {}, {}, {}, pose});
+    return attained_place(prepared_, result, "");
+  }
+
+  void set_verdict(const ConditionResult& found) {
+    const Interval limit = enclose_constant(*settings_.limit, "--limit");
+    const bool is_exceeded =
+        found.is_singular || (found.attained && found.attained->shown.condition >= limit.hi);
+    if (is_exceeded)
+      result_.verdict = LimitVerdict::kExceeded;
+    else if (found.is_closed && found.proved <= limit.lo)
+      result_.verdict = LimitVerdict::kWithin;
+    else if (!found.is_empty)
+      result_.reason = describe_end(found);
+  }
+
+  void set_ends(const ConditionResult& found) {
+    if (found.is_singular || found.is_empty) return;
+    if (std::isfinite(found.proved)) result_.proved = decimal_end(found.proved, RoundTo::kAbove);
+    if (found.attained)
+      result_.attained = decimal_end(found.attained->shown.condition, RoundTo::kBelow);
+    result_.is_closed = found.is_closed && found.attained.has_value();
+    if (!result_.is_closed) result_.reason = describe_end(found);
+  }
+
+  const Request& request_;
+  const BoundSettings& settings_;
+  const OtherBound& other_;
+  const double seconds_, left_;
+  ConditionKernel kernel_;
+  PreparedSearch& prepared_ = kernel_.prepared;
+  std::optional<ConditionCertificate> certificate_;
+  ComponentBound result_;
+};
+
+}  // namespace
+
+void refuse_unsupported(const Request& request, const Quantity& quantity) {
+  if (quantity.kind != QuantityKind::kCondition2) return;
+  if (request.motion.trajectory)
+    throw UsageError(
+        "condition --norm 2: a motion along way-points cannot be bounded yet; give the motion a "
+        "formula, or ranges");
+}
+
+ComponentBound bound_condition_number(const Request& request, const Component& component,
+                                      const BoundSettings& settings, double seconds, double left,
+                                      const OtherBound& other) {
+  return ConditionRun(request, component, settings, seconds, left, other).run();
+}
+
+}  // namespace regulus

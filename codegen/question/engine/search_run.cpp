@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/question/engine/search_run.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "codegen/question/engine/algebra_oracle.hpp"
+#include "codegen/question/engine/arb_oracle.hpp"
+#include "codegen/question/engine/closed_form_bounds.hpp"
+#include "codegen/support/errors.hpp"
+#include "codegen/support/stopwatch.hpp"
+#include "runtime/problem/observers.hpp"
+#include "runtime/search/solver.hpp"
+#include "runtime/witness/point_witness.hpp"
+
+namespace regulus {
+
+namespace {
+
+/// Runs a search with exact algebra; with more digits if there is a determinant.
+template <class Search>
+Result with_oracle(PreparedSearch& preparation, const SearchOptions& search, Settings& settings,
+                   Search run) {
+  std::optional<ArbOracle> oracle;
+  ExactAlgebra algebra(preparation);
+  if (preparation.matrix)
+    settings.oracle =
+        &oracle.emplace(*preparation.matrix, preparation.labels.rows, search.precision);
+  if (!preparation.stopped) settings.algebra = &algebra;
+  ClosedFormBounds closed_form(*preparation.stages);
+  if (search.filters.empty()) settings.closed_form = &closed_form;
+  Result result = run();
+  settings.closed_form = nullptr;
+  if (oracle) preparation.bits = std::max(preparation.bits, oracle->bits());
+  return result;
+}
+
+}  // namespace
+
+double seconds_left(const PreparedSearch& preparation, double time_limit) {
+  const StageSeconds spent = preparation.seconds_spent();
+  return std::max(0.0, time_limit - (spent.model + spent.symbolic + spent.emit + spent.compile));
+}
+
+Result run_search(PreparedSearch& preparation, const SearchOptions& search, Settings settings,
+                  Observer* observer, const Checkpoint* from) {
+  std::vector<Observer*> watching;
+  if (observer != nullptr) watching.push_back(observer);
+  if (preparation.late) watching.push_back(preparation.late.get());
+  Observers observers(std::move(watching));
+  const Problem problem = preparation.problem();
+  const double before = preparation.stages->seconds();
+  Stopwatch watch;
+  const Method method = settings.method;
+  if (preparation.stopped) {
+    settings.time_limit = 0;
+    settings.method = Method::kAuto;  // any other method needs its functions in the kernel
+  }
+  Result result = with_oracle(preparation, search, settings, [&] {
+    Solver& solver = preparation.solver;
+    return from != nullptr ? solver.resume(problem, settings, from->open(), from->state, &observers)
+                           : solver.solve(problem, settings, &observers);
+  });
+  result.method = method;
+  // The search has ended its own count when the stages serve its conclusion.
+  const double earlier = from != nullptr ? from->state.statistics.seconds : 0;
+  const double spent_by_stages = preparation.stages->seconds() - before;
+  preparation.seconds.search = earlier + std::max(0.0, watch.lap() - spent_by_stages);
+  return result;
+}
+
+void decide_for_another(PreparedSearch& preparation, const SearchOptions& search,
+                        const cluster::SearchDescription& description,
+                        const std::function<void(const Problem&, const Settings&)>& decide) {
+  const Problem own = preparation.problem();
+  Problem problem = description.problem;
+  problem.kernel = own.kernel;
+  problem.faster_kernel = own.faster_kernel;
+  Settings settings = description.settings;
+  if (const auto fault = find_fault(problem, settings))
+    throw InternalError("the ranks have prepared different questions: " + *fault);
+  static_cast<void>(with_oracle(preparation, search, settings, [&] {
+    if (settings.closed_form != nullptr && settings.method == Method::kAuto)
+      settings.closed_form->make();
+    decide(problem, settings);
+    return Result{};
+  }));
+}
+
+Result prove_between(PreparedSearch& preparation, const SearchOptions& search, Settings settings,
+                     std::span<const std::vector<double>> points) {
+  return with_oracle(preparation, search, settings,
+                     [&] { return prove_singularity(preparation.problem(), settings, points); });
+}
+
+void close_in_on_witness(PreparedSearch& preparation, const SearchOptions& search,
+                         Settings settings, Result& result) {
+  result = with_oracle(preparation, search, settings, [&] {
+    Result closer = result;
+    close_in(preparation.problem(), settings, closer);
+    return closer;
+  });
+}
+
+}  // namespace regulus

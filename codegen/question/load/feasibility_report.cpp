@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/question/load/feasibility_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "codegen/answer/report/paving_report.hpp"
+#include "codegen/answer/report/question_report.hpp"
+#include "codegen/answer/report/report_parts.hpp"
+
+namespace regulus {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kFormatVersion = 1;
+constexpr std::array kEveryClaim{ForceClaim::kFeasible, ForceClaim::kInfeasible,
+                                 ForceClaim::kUndecided, ForceClaim::kOutside};
+
+/// The claim of Volumes that stands for a claim about forces.
+Claim stand_in(ForceClaim claim) noexcept {
+  switch (claim) {
+    case ForceClaim::kFeasible:
+      return Claim::kFree;
+    case ForceClaim::kInfeasible:
+      return Claim::kSingular;
+    case ForceClaim::kUndecided:
+      return Claim::kUndecided;
+    case ForceClaim::kOutside:
+      return Claim::kOutside;
+  }
+  return Claim::kUndecided;
+}
+
+std::string short_numbers(const std::vector<double>& values) {
+  std::string text;
+  for (const double value : values)
+    text += fmt::format("{}{:.5g}", text.empty() ? "" : ", ", value);
+  return text;
+}
+
+/// Returns the direction with a largest component of ±1, and the two numbers for it.
+std::string format_direction(const Shortage& s) {
+  constexpr double kNoise = 1e-9;
+  double most = 0;
+  for (const double y : s.direction) most = std::fmax(most, std::fabs(y));
+  std::vector<double> shown;
+  for (const double y : s.direction) shown.push_back(std::fabs(y) > kNoise * most ? y / most : 0.0);
+  return fmt::format("along ({}), approximately, it needs {:.5g}, the forces give at most {:.5g}",
+                     short_numbers(shown), s.needed.lo / most, s.possible.hi / most);
+}
+
+std::vector<double> middles(const std::vector<Interval>& values) {
+  std::vector<double> result;
+  for (const Interval& value : values) result.push_back(mid(value));
+  return result;
+}
+
+std::string describe_uncertain(const PreparedSearch& p) {
+  return uncertain_count(p) > 0 ? ", for every value of the uncertain quantities" : "";
+}
+
+std::string describe_claim_of_all(const PreparedForces& prepared) {
+  const PreparedSearch& p = prepared.preparation;
+  return fmt::format("at every {}{}, forces {} hold every wrench of {}", describe_pose(p),
+                     describe_uncertain(p), describe_limits(prepared), prepared.load);
+}
+
+std::string format_witness_of(const PreparedForces& prepared, const ForceWitness& witness) {
+  const PreparedSearch& p = prepared.preparation;
+  return fmt::format("at         {}\n", describe_place(p, witness.variables)) +
+         format_uncertain_values(p, witness.variables) + format_shortage(prepared, witness);
+}
+
+std::string format_reason(const PreparedForces& prepared, const FeasibilityResult& result) {
+  const PreparedSearch& p = prepared.preparation;
+  std::string text;
+  if (result.verdict == FeasibilityVerdict::kPossibleProblem)
+    text += fmt::format("reason     {}\n", describe_reason(prepared, result));
+  if (!result.blocking_box.empty() && result.verdict == FeasibilityVerdict::kPossibleProblem)
+    text += fmt::format("blocked by {}\n", describe_short_place(p, result.blocking_box));
+  if (result.verdict == FeasibilityVerdict::kFeasible && !result.is_inhabited)
+    text += "warning    no pose was found that certainly meets the constraints\n";
+  return text;
+}
+
+}  // namespace
+
+std::string describe_limits(const PreparedForces& prepared) {
+  const auto& limits = prepared.forces.certain;
+  const bool same = std::ranges::all_of(limits, [&](Interval x) { return x == limits.front(); });
+  if (!same) return "within their limits";
+  return fmt::format("within [{:.6g}, {:.6g}]{}", limits.front().lo, limits.front().hi,
+                     unit_suffix(prepared.force_unit));
+}
+
+std::string format_shortage(const PreparedForces& prepared, const ForceWitness& witness) {
+  const Shortage& s = witness.shortage;
+  std::string text = fmt::format("           {} has a wrench that no forces {} hold,\n",
+                                 prepared.load, describe_limits(prepared));
+  text += fmt::format("           near the corner ({})\n",
+                      short_numbers(middles(prepared.forces.corners[s.corner])));
+  text += fmt::format("           {}\n", format_direction(s));
+  return text;
+}
+
+std::string describe_reason(const PreparedForces& prepared, const FeasibilityResult& result) {
+  if (result.reason == Reason::kUncertainty && uncertain_count(prepared.preparation) == 0)
+    return "at one pose the forces are too near their limits, or the matrix is too near to losing "
+           "rank";
+  return describe(result.reason);
+}
+
+Json json_witness_of(const PreparedForces& prepared, const ForceWitness& witness) {
+  const PreparedSearch& p = prepared.preparation;
+  const Shortage& s = witness.shortage;
+  Json corner = Json::array();
+  for (const Interval& w : prepared.forces.corners[s.corner]) corner.push_back(json_interval(w));
+  return {{"parameters", json_parameters(p, witness.variables)},
+          {"uncertain", json_uncertain(p, witness.variables)},
+          {"wrench", corner},
+          {"direction", s.direction},
+          {"needed", json_interval(s.needed)},
+          {"possible", json_interval(s.possible)}};
+}
+
+Json json_limits(const PreparedForces& prepared) {
+  Json limits = Json::array();
+  for (const Interval& limit : prepared.forces.certain) limits.push_back(json_interval(limit));
+  return limits;
+}
+
+const char* json_word(FeasibilityVerdict verdict) noexcept {
+  switch (verdict) {
+    case FeasibilityVerdict::kFeasible:
+      return "feasible";
+    case FeasibilityVerdict::kInfeasible:
+      return "infeasible";
+    case FeasibilityVerdict::kPossibleProblem:
+      break;
+  }
+  return "possible-problem";
+}
+
+const char* name(ForceClaim claim) noexcept {
+  switch (claim) {
+    case ForceClaim::kFeasible:
+      return "feasible";
+    case ForceClaim::kInfeasible:
+      return "infeasible";
+    case ForceClaim::kUndecided:
+      return "undecided";
+    case ForceClaim::kOutside:
+      return "outside";
+  }
+  return "";
+}
+
+std::string describe_claim(const PreparedForces& prepared, ForceClaim claim) {
+  const PreparedSearch& p = prepared.preparation;
+  switch (claim) {
+    case ForceClaim::kFeasible:
+      return fmt::format("at every pose of the box{}, forces {} hold every wrench of {}",
+                         describe_uncertain(p), describe_limits(prepared), prepared.load);
+    case ForceClaim::kInfeasible:
+      return fmt::format("at every pose of the box{}, {} has a wrench that no forces {} hold",
+                         describe_uncertain(p), prepared.load, describe_limits(prepared));
+    case ForceClaim::kUndecided:
+      return "neither was shown";
+    case ForceClaim::kOutside:
+      return "a constraint excludes every pose of the box";
+  }
+  return "";
+}
+
+void ForceVolumes::add(std::span<const Interval> box, ForceClaim claim) noexcept {
+  volumes_.add(stand_in(claim), box);
+}
+
+const Share& ForceVolumes::of(ForceClaim claim) const noexcept {
+  return volumes_.of(stand_in(claim));
+}
+
+std::string ForceVolumes::percentage(ForceClaim claim) const {
+  return regulus::percentage(volumes_, of(claim));
+}
+
+Interval ForceVolumes::fraction(ForceClaim claim) const noexcept {
+  return volumes_.fraction(of(claim));
+}
+
+std::string format_forces(const PreparedForces& prepared, const FeasibilityResult& result,
+                          const ForceVolumes* volumes) {
+  const PreparedSearch& p = prepared.preparation;
+  std::string text = format_question(p);
+  text += fmt::format("load       {}, forces {}\n", prepared.load, describe_limits(prepared));
+  for (const ForceClaim claim : kEveryClaim)
+    if (volumes != nullptr && (claim != ForceClaim::kOutside || p.labels.constraints > 0))
+      text += fmt::format("{:10} {} in {} boxes\n", name(claim), volumes->percentage(claim),
+                          volumes->of(claim).boxes);
+  text += fmt::format("boxes      {} evaluated\n", result.boxes);
+  text += format_time(p.seconds_spent());
+  if (result.stopped_by && result.verdict != FeasibilityVerdict::kPossibleProblem)
+    text += fmt::format("stopped    {}\n", describe(*result.stopped_by));
+  if (result.verdict == FeasibilityVerdict::kFeasible)
+    text += fmt::format("proved     {}\n", describe_claim_of_all(prepared));
+  if (result.witness) text += format_witness_of(prepared, *result.witness);
+  return text + format_reason(prepared, result);
+}
+
+Json json_forces(const PreparedForces& prepared, const FeasibilityResult& result,
+                 const ForceVolumes* volumes) {
+  const PreparedSearch& p = prepared.preparation;
+  const bool undecided = result.verdict == FeasibilityVerdict::kPossibleProblem;
+  Json report = {{"load", prepared.load},
+                 {"verdict", json_word(result.verdict)},
+                 {"reason", undecided ? Json(describe_reason(prepared, result)) : Json(nullptr)},
+                 {"claim", result.verdict == FeasibilityVerdict::kFeasible
+                               ? Json(describe_claim_of_all(prepared))
+                               : Json(nullptr)},
+                 {"forces", json_limits(prepared)},
+                 {"force_unit", prepared.force_unit},
+                 {"model", p.labels.model},
+                 {"model_file", p.model_file},
+                 {"model_sha256", p.labels.model_sha256},
+                 {"motion", p.labels.motion}};
+  report["witness"] = result.witness ? json_witness_of(prepared, *result.witness) : Json(nullptr);
+  report["blocking_box"] = undecided && !result.blocking_box.empty()
+                               ? json_parameters(p, result.blocking_box)
+                               : Json(nullptr);
+  report["nonempty"] = result.is_empty       ? Json(false)
+                       : result.is_inhabited ? Json(true)
+                                             : Json(nullptr);
+  for (const ForceClaim claim : kEveryClaim)
+    if (volumes != nullptr)
+      report["boxes_by_claim"][name(claim)] = {
+          {"boxes", volumes->of(claim).boxes},
+          {"fraction", json_interval(volumes->fraction(claim))}};
+  report["boxes"] = result.boxes;
+  report["stopped_by"] = result.stopped_by ? Json(describe(*result.stopped_by)) : Json(nullptr);
+  report["question"] = json_question(p, prepared.search);
+  report["seconds"] = json_seconds(p.seconds_spent());
+  return report;
+}
+
+Json json_forces_header(const PreparedForces& prepared, double resolution) {
+  const PreparedSearch& p = prepared.preparation;
+  Json claims = Json::object();
+  for (const ForceClaim claim : kEveryClaim) claims[name(claim)] = describe_claim(prepared, claim);
+  return {{"regulus_forces", kFormatVersion},
+          {"model", p.labels.model},
+          {"model_sha256", p.labels.model_sha256},
+          {"motion", p.labels.motion},
+          {"load", prepared.load},
+          {"forces", json_limits(prepared)},
+          {"force_unit", prepared.force_unit},
+          {"parameters", json_parameters(p, p.variety.outer)},
+          {"uncertain", json_uncertain(p, p.variety.outer)},
+          {"resolution", resolution},
+          {"kinds", claims}};
+}
+
+Json json_forces_box(const PreparedForces& prepared, std::span<const Interval> box,
+                     ForceClaim claim) {
+  return {{"kind", name(claim)}, {"box", json_parameters(prepared.preparation, box)}};
+}
+
+}  // namespace regulus

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/question/load/feasibility_run.hpp"
+
+#include "codegen/question/bound/bound_run.hpp"
+#include "codegen/question/engine/search_run.hpp"
+#include "codegen/question/engine/settings.hpp"
+#include "codegen/support/errors.hpp"
+
+namespace regulus {
+namespace {
+
+/// The kernel needs the entries of the matrix and their derivatives, and no product.
+SearchOptions with_derivatives(SearchOptions search) {
+  search.method = Method::kReg;
+  search.entries = Entries::kDerivatives;
+  search.uncertainty = Uncertainty::kElements;
+  return search;
+}
+
+}  // namespace
+
+PreparedForces prepare_forces(const ModelOptions& model, const std::string& load,
+                              const SearchOptions& search, FormingWatch watch) {
+  Stopwatch stopwatch;
+  Request request = read_request(model);
+  if (request.motion.trajectory)
+    throw UsageError(
+        "--load: a motion along way-points is not paved; regulus check --load decides about it");
+  return prepare_forces(std::move(request), stopwatch.lap(), load, search, std::move(watch));
+}
+
+PreparedForces prepare_forces(Request request, double model_seconds, const std::string& load,
+                              const SearchOptions& search, FormingWatch watch) {
+  if (request.model.matrix_kind != MatrixKind::kInverse)
+    throw UsageError(
+        "--load: the matrix of a serial robot is its Jacobian in a frame of its own, so it has no "
+        "loads");
+  PreparedForces prepared;
+  const VectorSet& set = choose_load(request.model, load);
+  prepared.load = set.name;
+  prepared.force_unit = request.model.actuators.force_unit;
+  prepared.forces = force_problem(request.model, set);
+  prepared.search = search;
+  prepared.request = request;
+  prepared.request.motion.alpha = 0;
+  prepared.preparation = prepare(with_scaled_rows(std::move(request)), model_seconds,
+                                 with_derivatives(search), std::move(watch));
+  prepared.scaling = prepared.preparation.stages->formulation().scaling;
+  prepared.problem = prepared.preparation.problem();
+  return prepared;
+}
+
+FeasibilitySettings settings_of(const PreparedForces& prepared,
+                                const std::atomic<bool>* interrupt) {
+  FeasibilitySettings settings;
+  const SearchOptions& search = prepared.search;
+  settings.threads = settings_from(search).threads;
+  if (search.max_boxes != 0) settings.max_boxes = search.max_boxes;
+  if (search.time_limit != 0)
+    settings.time_limit = seconds_left(prepared.preparation, search.time_limit);
+  if (prepared.preparation.stopped) settings.time_limit = 0;
+  settings.interrupt = interrupt;
+  return settings;
+}
+
+FeasibilityResult run_forces(PreparedForces& prepared, const FeasibilitySettings& settings,
+                             const ForceListener& listener, Observer* progress) {
+  FeasibilityResult result = search_forces(prepared.question(), settings, listener, progress);
+  prepared.preparation.seconds.search = result.seconds;
+  return result;
+}
+
+}  // namespace regulus

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The option --certificate of `regulus margin`: a proof of each end of the bracket.
+#pragma once
+
+#include <memory>
+#include <set>
+#include <string>
+
+#include "codegen/answer/certificate/proof_status.hpp"
+#include "codegen/question/margin/margin_question.hpp"
+#include "runtime/proof/writer.hpp"
+
+namespace regulus {
+
+/// Returns the proofs FILE.safe and FILE.singular of the ends at which a run stops, without the
+/// endings. `path` empty: none are wanted. `held`: where they wait for the end of the run; null: each
+/// is put in place at once. Throws FileError if a file cannot be created there.
+[[nodiscard]] EndProofs margin_proofs(const std::string& path, HeldFiles* held);
+
+/// Writes them.
+class MarginCertificates {
+ public:
+  MarginCertificates(EndProofs proofs, const MarginRequest& request, const ReportLabels& subject);
+
+  /// Returns the observer of a search at this value; nullptr if none is wanted. It replaces the
+  /// previous one. Throws FileError.
+  [[nodiscard]] Observer* watch(const MarginValue& value);
+  /// Writes the certificate of the last observed search, or of a witness that no search has found.
+  /// Throws FileError.
+  void finish(const MarginValue& value, const Result& result);
+
+  [[nodiscard]] const EndProofs& proofs() const noexcept { return proofs_; }
+
+ private:
+  [[nodiscard]] CertifiedQuestion question_at(const MarginValue& value) const;
+  [[nodiscard]] bool is_refused(const CertifiedQuestion& question, bool singular);
+
+  EndProofs proofs_;
+  const MarginRequest& request_;
+  std::set<std::string> uncertain_;
+  std::shared_ptr<CertificateWriter> search_;
+};
+
+}  // namespace regulus

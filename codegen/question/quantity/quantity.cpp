@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/question/quantity/quantity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "codegen/model/mechanism/twist.hpp"
+#include "codegen/model/names.hpp"
+#include "codegen/support/errors.hpp"
+
+namespace regulus {
+namespace {
+
+using Kind = TwistComponent::Kind;
+
+struct QuantityWord {
+  const char* word;
+  QuantityKind kind;
+  const char* description;
+};
+
+constexpr const char* kCondition2 = "condition number of J^-1 in the 2-norm";
+
+constexpr std::array<QuantityWord, 8> kWords{{
+    {"force", QuantityKind::kForce, "force"},
+    {"error", QuantityKind::kError, "error of the pose"},
+    {"speed", QuantityKind::kSpeed, "speed of the motors"},
+    {"sigma-min", QuantityKind::kSigmaMin, "least singular value of J^-1"},
+    {"sigma-max", QuantityKind::kSigmaMax, "largest singular value of J^-1"},
+    {"condition", QuantityKind::kCondition, "condition number of J^-1 in the maximum norm"},
+    {"deflection", QuantityKind::kDeflection, "deflection"},
+    {"determinant", QuantityKind::kDeterminant, "least |det J^-1|"},
+}};
+
+/// Returns the set of that name, or the only one.
+const VectorSet& choose_set(const std::vector<VectorSet>& sets, const std::string& wanted,
+                            const std::string& option) {
+  std::vector<std::string> names;
+  for (const VectorSet& set : sets) names.push_back(set.name);
+  if (sets.empty())
+    throw UsageError(
+        fmt::format("--{0}: the model has no [{0}.NAME]; add one to the model file", option));
+  if (wanted.empty()) {
+    if (sets.size() == 1) return sets.front();
+    throw UsageError(
+        fmt::format("--{}: the model has {}; choose one", option, fmt::join(names, ", ")));
+  }
+  const auto at = std::ranges::find(names, wanted);
+  if (at == names.end())
+    throw UsageError(fmt::format(
+        "--{}: there is no {}; {}", option, in_quotes(wanted),
+        suggestion(wanted, names, fmt::format("this model has {}", fmt::join(names, ", ")))));
+  return sets[static_cast<std::size_t>(at - names.begin())];
+}
+
+/// Makes the components of one quantity.
+class Components {
+ public:
+  Components(const Model& model, const QuantityOptions& options)
+      : model_(model), options_(options) {}
+
+  Quantity of(QuantityKind kind) {
+    quantity_.kind = kind;
+    for (const QuantityWord& known : kWords)
+      if (known.kind == kind) quantity_.name = known.description;
+    if (kind == QuantityKind::kCondition2) quantity_.name = kCondition2;
+    refuse_foreign_options();
+    if (kind != QuantityKind::kSpeed) require_inverse();
+    switch (kind) {
+      case QuantityKind::kForce:
+        add_rows(choose_set(model_.loads, options_.load, "load"));
+        break;
+      case QuantityKind::kSpeed:
+        add_rows(choose_set(model_.twists, options_.twist, "twist"));
+        break;
+      case QuantityKind::kError:
+        require(model_.actuators.error, "error", "the error of each motor");
+        add_freedoms(nullptr, true);
+        break;
+      case QuantityKind::kDeflection:
+        require(model_.actuators.stiffness, "stiffness", "the stiffness of each motor");
+        add_freedoms(&choose_set(model_.loads, options_.load, "load"), false);
+        break;
+      case QuantityKind::kSigmaMin:
+      case QuantityKind::kSigmaMax:
+      case QuantityKind::kCondition2:
+        require_one_unit();
+        add_one(kind);
+        break;
+      case QuantityKind::kDeterminant:
+        add_one(kind);
+        break;
+      case QuantityKind::kCondition:
+        require_one_unit();
+        add_pairs();
+        break;
+      case QuantityKind::kExpression:
+        break;
+    }
+    quantity_.is_least = options_.least || is_always_least();
+    return std::move(quantity_);
+  }
+
+  Quantity of_expression() {
+    refuse_foreign_options();
+    quantity_.kind = QuantityKind::kExpression;
+    quantity_.name = options_.quantity;
+    quantity_.unit = "1";
+    quantity_.is_least = options_.least;
+    Component c = component(QuantityKind::kExpression);
+    c.expression = model_.asked->value;
+    c.must_be_defined = model_.asked->must_be_defined;
+    quantity_.components.push_back(std::move(c));
+    return std::move(quantity_);
+  }
+
+ private:
+  /// An option that does not belong to the quantity would be ignored.
+  void refuse_foreign_options() const {
+    const bool rows =
+        quantity_.kind == QuantityKind::kForce || quantity_.kind == QuantityKind::kSpeed;
+    const bool freedoms =
+        quantity_.kind == QuantityKind::kError || quantity_.kind == QuantityKind::kDeflection;
+    const bool loads =
+        quantity_.kind == QuantityKind::kForce || quantity_.kind == QuantityKind::kDeflection;
+    const bool signs = rows || quantity_.kind == QuantityKind::kDeflection;
+    const bool expression = quantity_.name.empty();
+    const auto refuse = [&](bool given, const char* option) {
+      if (given)
+        throw UsageError(fmt::format("--{}: has no meaning for {}", option, options_.quantity));
+    };
+    refuse(!options_.row.empty() && !rows, "leg");
+    refuse(!options_.freedom.empty() && !freedoms, "freedom");
+    refuse(!options_.load.empty() && !loads, "load");
+    refuse(!options_.twist.empty() && quantity_.kind != QuantityKind::kSpeed, "twist");
+    refuse(options_.is_signed && !signs, "signed");
+    const bool norms =
+        quantity_.kind == QuantityKind::kCondition || quantity_.kind == QuantityKind::kCondition2;
+    refuse(!options_.norm.empty() && !norms, "norm");
+    refuse(options_.least && !signs && !expression && quantity_.kind != QuantityKind::kSigmaMin,
+           "min");
+  }
+
+  [[nodiscard]] bool is_always_least() const {
+    return quantity_.kind == QuantityKind::kSigmaMin ||
+           quantity_.kind == QuantityKind::kDeterminant;
+  }
+
+  void require_inverse() const {
+    const auto rows = model_.matrix.rows(), columns = model_.matrix.cols();
+    if (model_.matrix_kind != MatrixKind::kInverse)
+      throw UsageError(
+          fmt::format("{}: the matrix of a serial robot is its Jacobian in a frame of "
+                      "its own; bound an expression of the model instead",
+                      options_.quantity));
+    const bool any_shape = quantity_.kind == QuantityKind::kSigmaMin ||
+                           quantity_.kind == QuantityKind::kSigmaMax ||
+                           quantity_.kind == QuantityKind::kCondition2;
+    if (rows != columns && !any_shape)
+      throw UsageError(
+          fmt::format("{}: the {}×{} matrix is not square, so it has no inverse; "
+                      "sigma-min, sigma-max, speed and condition --norm 2 can be bounded",
+                      options_.quantity, rows, columns));
+  }
+
+  void require(const std::vector<GiNaC::ex>& values, const char* key, const char* meaning) const {
+    if (values.empty())
+      throw UsageError(fmt::format("{}: the model does not give {}; add [actuators] {} = …",
+                                   options_.quantity, meaning, key));
+  }
+
+  /// Returns the unit of the force or the speed of a motor.
+  [[nodiscard]] std::string unit_of_motor(std::size_t row) const {
+    const Actuators& motors = model_.actuators;
+    if (quantity_.kind == QuantityKind::kForce) return motors.force_unit;
+    return (motors.units.empty() ? length_unit(model_) : motors.units[row]) + "/s";
+  }
+
+  [[nodiscard]] Component component(QuantityKind kind) const {
+    Component c;
+    c.kind = kind;
+    c.unit = quantity_.unit;
+    // The least singular value is a least value without --min, too.
+    const bool is_least = options_.least && kind != QuantityKind::kSigmaMin;
+    const bool has_sign = is_least || options_.is_signed || kind == QuantityKind::kExpression;
+    c.is_absolute = !has_sign;
+    c.sign = is_least ? -1 : 1;
+    return c;
+  }
+
+  void add_rows(const VectorSet& set) {
+    quantity_.name += (quantity_.kind == QuantityKind::kForce ? " under " : " for ") + set.name;
+    const std::size_t rows = model_.matrix.rows();
+    std::size_t first = 0, last = rows;
+    if (!options_.row.empty()) {
+      first = row_number(rows);
+      last = first + 1;
+    }
+    for (std::size_t i = first; i < last; ++i) {
+      Component c = component(quantity_.kind);
+      c.label = fmt::format("leg {}", i + 1);
+      c.row = i;
+      c.unit = unit_of_motor(i);
+      c.set = &set;
+      quantity_.components.push_back(std::move(c));
+    }
+    quantity_.unit = quantity_.components.front().unit;
+  }
+
+  [[nodiscard]] std::size_t row_number(std::size_t rows) const {
+    const std::string& text = options_.row;
+    std::size_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size() || value < 1 || value > rows)
+      throw UsageError(
+          fmt::format("--leg: found {}, expected a number from 1 to {}", in_quotes(text), rows));
+    return value - 1;
+  }
+
+  /// Adds the columns, and for errors the norms of the two parts of the pose.
+  void add_freedoms(const VectorSet* set, bool with_parts) {
+    const std::vector<TwistComponent> twist = twist_of(model_);
+    if (set) quantity_.name += " under " + set->name;
+    std::vector<std::string> known;
+    const auto offer = [&](const std::string& name, Component c) {
+      known.push_back(name);
+      if (!options_.freedom.empty() && options_.freedom != name) return;
+      c.label = name;
+      c.set = set;
+      quantity_.components.push_back(std::move(c));
+    };
+    for (std::size_t k = 0; k < model_.matrix.cols(); ++k) {
+      Component c = component(quantity_.kind);
+      c.column = k;
+      if (k < twist.size()) c.unit = twist[k].unit;
+      offer(k < twist.size() ? twist[k].name : fmt::format("column {}", k + 1), std::move(c));
+    }
+    if (with_parts && !twist.empty()) {
+      offer_part(twist, Kind::kLinear, "position", offer);
+      offer_part(twist, Kind::kAngular, "rotation", offer);
+    }
+    if (quantity_.components.empty())
+      throw UsageError(
+          fmt::format("--freedom: there is no {}; {}", in_quotes(options_.freedom),
+                      suggestion(options_.freedom, known,
+                                 fmt::format("this model has {}", fmt::join(known, ", ")))));
+  }
+
+  template <class Offer>
+  void offer_part(const std::vector<TwistComponent>& twist, Kind kind, const char* name,
+                  const Offer& offer) const {
+    const auto of_kind = [&](const TwistComponent& t) { return t.kind == kind; };
+    if (std::ranges::count_if(twist, of_kind) < 2) return;
+    Component c = component(quantity_.kind);
+    c.part = kind == Kind::kLinear ? PosePart::kLinear : PosePart::kAngular;
+    c.unit = std::ranges::find_if(twist, of_kind)->unit;
+    offer(name, std::move(c));
+  }
+
+  /// Singular values and condition numbers compare velocities with angular velocities.
+  void require_one_unit() {
+    const std::vector<TwistComponent> twist = twist_of(model_);
+    const auto is_angular = [](const TwistComponent& t) { return t.kind == Kind::kAngular; };
+    const auto angular = std::ranges::count_if(twist, is_angular);
+    if (angular == 0 || angular == std::ranges::ssize(twist)) return;
+    if (!model_.characteristic_length)
+      throw UsageError(
+          fmt::format("{}: the matrix mixes lengths and angles; add characteristic_length = … to "
+                      "the model, the "
+                      "length that an angle of 1 rad stands for",
+                      options_.quantity));
+  }
+
+  void add_one(QuantityKind kind) {
+    quantity_.unit = "1";
+    quantity_.components.push_back(component(kind));
+  }
+
+  void add_pairs() {
+    quantity_.unit = "1";
+    for (std::size_t i = 0; i < model_.matrix.rows(); ++i)
+      for (std::size_t k = 0; k < model_.matrix.cols(); ++k) {
+        Component c = component(QuantityKind::kCondition);
+        c.label = fmt::format("row {}, column {}", i + 1, k + 1);
+        c.row = i;
+        c.column = k;
+        quantity_.components.push_back(std::move(c));
+      }
+  }
+
+  const Model& model_;
+  const QuantityOptions& options_;
+  Quantity quantity_;
+};
+
+std::optional<QuantityKind> with_norm(std::optional<QuantityKind> kind, const std::string& norm) {
+  if (!norm.empty() && norm != "2" && norm != "max")
+    throw UsageError(fmt::format("--norm: found {}, expected 2 or max", in_quotes(norm)));
+  return kind == QuantityKind::kCondition && norm == "2" ? QuantityKind::kCondition2 : kind;
+}
+
+}  // namespace
+
+std::vector<std::string> quantity_words() {
+  std::vector<std::string> words;
+  for (const QuantityWord& known : kWords) words.emplace_back(known.word);
+  return words;
+}
+
+std::optional<QuantityKind> kind_of(const std::string& word) {
+  for (const QuantityWord& known : kWords)
+    if (word == known.word) return known.kind;
+  return std::nullopt;
+}
+
+Quantity quantity_of(const Model& model, const QuantityOptions& options) {
+  Components components(model, options);
+  const std::optional<QuantityKind> kind = with_norm(kind_of(options.quantity), options.norm);
+  Quantity quantity = kind ? components.of(*kind) : components.of_expression();
+  for (Component& c : quantity.components)
+    if (c.unit.empty()) c.unit = quantity.unit;
+  return quantity;
+}
+
+const VectorSet& choose_load(const Model& model, const std::string& wanted) {
+  return choose_set(model.loads, wanted, "load");
+}
+
+}  // namespace regulus

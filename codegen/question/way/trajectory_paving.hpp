@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Divides a motion along a trajectory into stretches: free, singular, undecided, outside, out of
+// reach.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "codegen/question/way/trajectory_run.hpp"
+#include "runtime/search/paving.hpp"
+
+namespace regulus {
+
+/// The default resolution: the part of a segment that is left undecided.
+inline constexpr double kPathResolution = 0x1p-9;
+
+/// A place on the trajectory: 0 ≤ s ≤ 1 on a piece, which is counted from 0.
+struct PathPlace {
+  std::size_t piece = 0;
+  double s = 0;
+};
+
+/// A part of the trajectory from one place to another.
+///
+/// Ensures   the claim holds for this part, for all control errors and all values of the uncertain
+///           quantities. A singular one contains a singular pose for some of these.
+struct PathStretch {
+  Claim claim = Claim::kUndecided;
+  Reason reason = Reason::kAllBoxesCertified;  ///< of its first part, if it is undecided
+  PathPlace begin, end;
+};
+
+struct PathPaving {
+  TrajectoryCheck check;  ///< without deciding piece; its verdict is that of the paving
+  double resolution = 1;  ///< part of a segment
+  std::vector<PathStretch> stretches;  ///< in order, without gaps
+
+  /// Returns the part of the claim in the time of the trajectory, approximately, in [0, 1].
+  [[nodiscard]] double approx_share(Claim claim) const;
+};
+
+/// Divides the trajectory of a request, which took `model_seconds` to read. A part of a segment
+/// that is neither certified nor singular is not divided further at `resolution`.
+/// Throws as check_trajectory.
+[[nodiscard]] PathPaving pave_trajectory(Request request, double model_seconds,
+                                         SearchOptions search, double resolution,
+                                         const std::atomic<bool>* interrupt);
+
+/// Returns the lines for people, without the verdict.
+[[nodiscard]] std::string format_path_paving(const PathPaving& paving, SearchOptions search);
+[[nodiscard]] nlohmann::ordered_json json_path_paving(const PathPaving& paving,
+                                                      const SearchOptions& search);
+/// Returns one stretch as an object: its claim, its segments, its lines and its times.
+[[nodiscard]] nlohmann::ordered_json json_stretch(const PathPaving& paving,
+                                                  const PathStretch& stretch);
+
+}  // namespace regulus

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "codegen/answer/report/report.hpp"
+#include "codegen/answer/report/report_parts.hpp"
+#include "codegen/question/way/trajectory_paving.hpp"
+#include "codegen/question/way/trajectory_report.hpp"
+
+namespace regulus {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMostLines = 40;
+constexpr std::array kClaimsInOrder = {Claim::kFree, Claim::kSingular, Claim::kUndecided,
+                                       Claim::kOutside, Claim::kUnreachable};
+
+const Trajectory& trajectory_of(const PathPaving& paving) {
+  return *paving.check.request.motion.trajectory;
+}
+
+/// Approximate: for people.
+double time_at(const PathPaving& paving, const PathPlace& place) {
+  const TrajectoryPiece& piece = trajectory_of(paving).pieces[place.piece];
+  const double begin = GiNaC::ex_to<GiNaC::numeric>(piece.begin).to_double();
+  const double end = GiNaC::ex_to<GiNaC::numeric>(piece.end).to_double();
+  return begin + place.s * (end - begin);
+}
+
+/// "segments 3 to 117, t from 0.02 to 1.1632 s"
+std::string describe_stretch(const PathPaving& paving, const PathStretch& stretch) {
+  const Trajectory& t = trajectory_of(paving);
+  const std::size_t first = stretch.begin.piece, last = stretch.end.piece;
+  std::string text = first == last ? fmt::format("segment {}", first + 1)
+                                   : fmt::format("segments {} to {}", first + 1, last + 1);
+  if (t.has_time)
+    text += fmt::format(", t from {:.6g} to {:.6g}{}", time_at(paving, stretch.begin),
+                        time_at(paving, stretch.end), unit_suffix(t.time_unit));
+  else if (stretch.begin.s > 0 || stretch.end.s < 1)
+    text += fmt::format(", from {:.4g} of its way to {:.4g} of its way", stretch.begin.s,
+                        stretch.end.s);
+  text += fmt::format(" (lines {} to {})", t.pieces[first].first_line, t.pieces[last].last_line);
+  if (stretch.claim == Claim::kUndecided) text += fmt::format(": {}", describe(stretch.reason));
+  return text;
+}
+
+/// "100 %" and "0 %" only for all and nothing.
+std::string percentage(double share) {
+  if (share <= 0 || share >= 1) return share <= 0 ? "0 %" : "100 %";
+  return fmt::format("{:.3g} %", std::clamp(100 * share, 0.001, 99.9));
+}
+
+std::string format_shares(const PathPaving& paving) {
+  std::string words;
+  for (const Claim claim : kClaimsInOrder)
+    if (const double share = paving.approx_share(claim); share > 0)
+      words += fmt::format("{}{} {}", words.empty() ? "" : ", ", name(claim), percentage(share));
+  return fmt::format("share      {} of the {}\n", words,
+                     trajectory_of(paving).has_time ? "time" : "segments");
+}
+
+}  // namespace
+
+std::string format_path_paving(const PathPaving& paving, SearchOptions search) {
+  std::string text = format_trajectory_question(paving.check, std::move(search));
+  std::size_t lines = 0;
+  for (const PathStretch& stretch : paving.stretches) {
+    if (++lines > kMostLines) {
+      text += fmt::format("           and {} stretches more; --output FILE has all of them\n",
+                          paving.stretches.size() - kMostLines);
+      break;
+    }
+    text += fmt::format("{:<11}{}\n", name(stretch.claim), describe_stretch(paving, stretch));
+  }
+  return text + format_shares(paving);
+}
+
+Json json_stretch(const PathPaving& paving, const PathStretch& stretch) {
+  const Trajectory& t = trajectory_of(paving);
+  Json line{
+      {"kind", name(stretch.claim)},
+      {"segments", {stretch.begin.piece + 1, stretch.end.piece + 1}},
+      {"s", {stretch.begin.s, stretch.end.s}},
+      {"lines", {t.pieces[stretch.begin.piece].first_line, t.pieces[stretch.end.piece].last_line}}};
+  if (t.has_time) line["time"] = {time_at(paving, stretch.begin), time_at(paving, stretch.end)};
+  if (stretch.claim == Claim::kUndecided) line["reason"] = describe(stretch.reason);
+  return line;
+}
+
+Json json_path_paving(const PathPaving& paving, const SearchOptions& search) {
+  Json report;
+  report["verdict"] = json_name(paving.check.verdict);
+  report["reason"] = describe(paving.check.reason);
+  add_trajectory_question(report, paving.check, search);
+  report["resolution"] = paving.resolution;
+  report["stretches"] = paving.stretches.size();
+  for (const Claim claim : kClaimsInOrder)
+    report["share"][name(claim)] = paving.approx_share(claim);
+  return report;
+}
+
+}  // namespace regulus

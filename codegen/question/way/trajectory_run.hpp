@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Checks a motion along a trajectory.
+//
+// All pieces are searched first, with one kernel (path_search.hpp). Each piece that this does not
+// certify gets a search of its own, over its exact parameter: it may certify the piece, or find a
+// singular pose on it.
+#pragma once
+
+#include <atomic>
+#include <optional>
+#include <string>
+
+#include "codegen/question/engine/options.hpp"
+#include "codegen/question/engine/pipeline.hpp"
+#include "codegen/question/way/path_search.hpp"
+
+namespace regulus {
+
+/// The piece that decides the verdict, with the search of its own.
+struct DecidingPiece {
+  std::size_t index = 0;
+  std::unique_ptr<PreparedSearch> preparation;  ///< null if it was not searched by itself
+  Result result;
+};
+
+struct TrajectoryCheck {
+  Request request;  ///< with the trajectory
+  PreparedSearch hull;
+  Engine engine = Engine::kInterpreted;  ///< that was used
+  Verdict verdict = Verdict::kPossibleProblem;
+  Reason reason = Reason::kBadProblem;
+  std::optional<DecidingPiece> deciding;  ///< none for NO SINGULARITY
+  PathSearchResult path;                  ///< with the trees of all pieces, if they are wanted
+  std::size_t searched_alone = 0;         ///< pieces with a search of their own
+  StageSeconds seconds;
+};
+
+/// Throws as `prepare`. `request`: its motion has a trajectory, which took `model_seconds` to read.
+[[nodiscard]] TrajectoryCheck check_trajectory(Request request, double model_seconds,
+                                               SearchOptions search, bool wants_trees,
+                                               const std::atomic<bool>* interrupt);
+
+}  // namespace regulus

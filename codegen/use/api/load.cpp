@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/use/api/load.hpp"
+
+#include "codegen/answer/ask.hpp"
+#include "codegen/support/stopwatch.hpp"
+#include "codegen/use/api/algebra_lock.hpp"
+#include "codegen/use/api/answer_fields.hpp"
+
+namespace regulus {
+namespace {
+
+LoadFinding finding_of(const LoadAnswer& answer, double seconds) {
+  LoadFinding finding;
+  finding.verdict = answer.verdict;
+  finding.claim = answer.claim;
+  finding.reason = answer.reason;
+  finding.variables = answer.variables;
+  finding.boxes = answer.boxes;
+  set_reports(answer, "", finding);
+  set_proof(answer.proof, finding);
+  finding.seconds = seconds;
+  return finding;
+}
+
+}  // namespace
+
+LoadFinding check_load(const Question& question, const std::string& load,
+                       const SearchOptions& options, const std::atomic<bool>* interrupt,
+                       const std::string& certificate) {
+  const AlgebraLock lock;
+  Stopwatch watch;
+  const auto answer =
+      ask(AskLoad{question.options(), options, load}, services_of(certificate, interrupt));
+  return finding_of(*answer, watch.lap());
+}
+
+LoadPaving locate_load(const Question& question, const LocateLoadOptions& options,
+                       const std::atomic<bool>* interrupt) {
+  const AlgebraLock lock;
+  Stopwatch watch;
+  Services services = services_of(options.certificate, interrupt);
+  services.on_force_box = options.on_box;
+  const auto answer =
+      ask(AskLoadPaving{question.options(), options.search, options.load, options.resolution},
+          services);
+  return {finding_of(*answer, watch.lap()), answer->feasible, answer->infeasible, answer->undecided,
+          answer->outside};
+}
+
+}  // namespace regulus

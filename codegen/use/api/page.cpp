@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/use/api/page.hpp"
+
+#include "codegen/answer/page_of_answers.hpp"
+#include "codegen/support/errors.hpp"
+#include "codegen/use/api/algebra_lock.hpp"
+
+namespace regulus {
+
+void write_page(const Question& question, const PageContents& contents, const std::string& file) {
+  const AlgebraLock lock;
+  auto report = nlohmann::ordered_json::parse(contents.json, nullptr, false);
+  if (report.is_discarded()) throw UsageError("page: `json` is no JSON object");
+  PageOfAnswers page(contents.page_template.empty() ? PageTemplate::installed()
+                                                    : PageTemplate::of_file(contents.page_template),
+                     question.options(), "");
+  page.add({contents.kind, contents.headline, contents.report, std::move(report),
+            contents.certificate, contents.no_certificate});
+  static_cast<void>(page.write(file));
+}
+
+}  // namespace regulus

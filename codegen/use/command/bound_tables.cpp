@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The tables of `regulus bound` and `regulus datasheet`.
+#include "codegen/use/command/certificate_options.hpp"
+#include "codegen/use/command/command_tables.hpp"
+#include "codegen/use/command/shared_options.hpp"
+
+namespace regulus {
+namespace {
+
+constexpr const char* kBoundFooter =
+    "With one word after MODEL, that word is QUANTITY. The last line on standard output:\n"
+    "  BETWEEN a AND b   every value is below b, and a is attained at the reported pose; of a\n"
+    "                    least value: every value is above a, and b is attained\n"
+    "  UNBOUNDED         the robot is singular at the reported pose\n"
+    "  WITHIN, EXCEEDED or POSSIBLE PROBLEM   with --limit\n"
+    "Exit: 0 the bracket is as narrow as --gap asks, or WITHIN; 1 UNBOUNDED or EXCEEDED;\n"
+    "2 otherwise; 64 usage, 65 bad model, 70 internal fault, 74 file error.";
+
+constexpr const char* kDatasheetFooter =
+    "Every row is a bracket: its outer end is proved, its inner end attained. The model file says\n"
+    "what there is to bound: [load.NAME], [twist.NAME], [actuators], characteristic_length.\n"
+    "Exit: 0 every bracket is as narrow as --gap asks and no limit is exceeded; 1 the robot is\n"
+    "singular, or a limit is exceeded; 2 otherwise; 64 usage, 65 bad model, 70 internal fault,\n"
+    "74 file error.";
+
+constexpr const char* kBoundCertificate =
+    "Write two proofs for each leg or freedom: FILE.leg_3.safe proves that no value is beyond the "
+    "bracket, FILE.leg_3.singular that its other end is attained";
+
+constexpr const char* kDatasheetCertificate =
+    "Write two proofs for each bracket: FILE.force_payload.leg_3.safe proves that no value is "
+    "beyond it, FILE.force_payload.leg_3.singular that its other end is attained";
+
+constexpr const char* kBoundCheckpoint =
+    "Save the outcome of each search to FILE when it ends (of condition --norm 2 the search "
+    "itself, "
+    "about every ten seconds); if FILE exists, continue from it, and prove again what it says";
+
+}  // namespace
+
+void CommandTables::add_bound() {
+  bound.search.engine = Engine::kAuto;
+  bound.search.time_limit = kMarginSeconds;
+  bound_command = app.add_subcommand(
+      "bound", "Bracket the largest force, error, speed or other quantity, over every pose");
+  add_model_options(*bound_command, bound.model);
+  add_waypoint_options(*bound_command, bound.model);
+  add_bound_options(*bound_command, bound);
+  add_search_options(*bound_command, bound.search);
+  bound_command->get_option("--time-limit")->default_str("60");
+  add_certificate_option(*bound_command, bound.certificate, kBoundCertificate);
+  refuse_shard_option(*bound_command);
+  add_bracket_checkpoint(*bound_command, bound.checkpoint);
+  bound_command->get_option("--checkpoint")->description(kBoundCheckpoint);
+  add_output_options(*bound_command, bound.output);
+  add_page_option(*bound_command, bound.output);
+  bound_command->footer(kBoundFooter);
+}
+
+void CommandTables::add_datasheet() {
+  datasheet.search.engine = Engine::kAuto;
+  datasheet.search.time_limit = 10 * kMarginSeconds;
+  datasheet_command = app.add_subcommand(
+      "datasheet", "Bracket every quantity that the model has data for, in one table");
+  add_model_options(*datasheet_command, datasheet.model);
+  add_waypoint_options(*datasheet_command, datasheet.model);
+  datasheet_command
+      ->add_option("--gap", datasheet.gap,
+                   "Stop when each bracket is at most this part of its larger end")
+      ->type_name("G")
+      ->capture_default_str();
+  datasheet_command->add_flag("--markdown", datasheet.markdown,
+                              "Print the table as Markdown on standard output");
+  add_search_options(*datasheet_command, datasheet.search);
+  datasheet_command->get_option("--time-limit")->default_str("600");
+  add_certificate_option(*datasheet_command, datasheet.certificate, kDatasheetCertificate);
+  refuse_shard_option(*datasheet_command);
+  add_bracket_checkpoint(*datasheet_command, datasheet.checkpoint);
+  datasheet_command->get_option("--checkpoint")->description(kBoundCheckpoint);
+  add_output_options(*datasheet_command, datasheet.output);
+  add_page_option(*datasheet_command, datasheet.output);
+  datasheet_command->footer(kDatasheetFooter);
+}
+
+}  // namespace regulus

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/use/command/import_options.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace regulus {
+namespace {
+
+constexpr const char* kImportFooter =
+    "The model of an arm has two motions: limits, the ranges of the joints in the file, and home,\n"
+    "every joint at zero. From a file to a verdict: codegen/model/import/IMPORTING.md.\n"
+    "Exit: 0 written; 64 usage, 65 bad file, 70 internal fault, 74 file error.";
+
+}  // namespace
+
+void add_import_options(CLI::App& app, ImportCommand& command) {
+  app.add_option("FILE", command.path, "Robot file of another program: URDF, MJCF or SDF")
+      ->required();
+  app.add_option("-o,--output", command.output, "Model file to write; default: standard output")
+      ->type_name("MODEL.toml");
+  app.add_option("--base", command.options.base,
+                 "Link that the arm stands on; default: the link without a parent")
+      ->type_name("LINK");
+  app.add_option("--tip", command.options.tip,
+                 "Link at the end of the arm; default: the link behind its last joint, if the file "
+                 "has no branches")
+      ->type_name("LINK");
+  app.add_option(
+         "--cut", command.options.cuts,
+         "Two links, or joints before them, whose origins are one point: a loop that a URDF file "
+         "cannot have; may be repeated")
+      ->take_all()
+      ->expected(1)
+      ->type_name("LINK=LINK");
+  app.add_option("--actuated", command.options.actuated,
+                 "Driven joints of a robot in the plane with loops, one of each leg; default: the "
+                 "joint at the base, or the one that slides")
+      ->take_all()
+      ->expected(1)
+      ->type_name("JOINT,JOINT");
+  app.add_option("--snap", command.options.snap,
+                 "Take a number within this distance of a multiple of pi/12, or of a decimal with "
+                 "fewer digits, for that number; each is reported. 0: take all numbers as they are")
+      ->type_name("DISTANCE")
+      ->capture_default_str();
+  app.add_flag("--quiet", command.quiet, "Do not report what was read");
+  app.add_flag("--json", command.json,
+               "Print the model and the report on standard output, as one JSON object");
+  app.footer(kImportFooter);
+}
+
+}  // namespace regulus

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/formal/coq_expression.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "runtime/verifier/infix_reader.hpp"
+
+namespace regulus::verifier {
+namespace {
+
+/// Coq refuses a file in which another word of its own is a name: it is never misread.
+constexpr auto kWordsOfCoq =
+    std::to_array<std::string_view>({"Axiom",       "CoFixpoint",   "Definition",  "Fixpoint",
+                                     "Hypothesis",  "IF",           "Leaf",        "Method",
+                                     "Name",        "None",         "Parameter",   "Proof",
+                                     "Prop",        "Qed",          "Question",    "SProp",
+                                     "Set",         "Some",         "Theorem",     "Type",
+                                     "Variable",    "as",           "at",          "check",
+                                     "cofix",       "cons",         "coordinates", "discriminated",
+                                     "else",        "end",          "exists",      "exists2",
+                                     "expression",  "fix",          "for",         "forall",
+                                     "force_below", "force_within", "fun",         "if",
+                                     "in",          "is",           "let",         "list",
+                                     "match",       "method",       "mod",         "nat",
+                                     "negative",    "nil",          "no_entry",    "no_singularity",
+                                     "nth",         "pair",         "piece",       "positive",
+                                     "question",    "return",       "singularity", "struct",
+                                     "then",        "true",         "using",       "where",
+                                     "with",        "within"});
+
+/// Takes the longest beginning of `text` of which every character satisfies `is_part`.
+template <class Predicate>
+std::string_view take_while(std::string_view& text, Predicate is_part) {
+  const auto end = std::find_if_not(text.begin(), text.end(), is_part);
+  const std::string_view taken = text.substr(0, std::size_t(end - text.begin()));
+  text.remove_prefix(taken.size());
+  return taken;
+}
+
+/// Takes a decimal. Coq wants a digit before and after the point.
+std::string take_number(std::string_view& text) {
+  std::string number(take_while(text, is_digit));
+  if (number.empty()) number.push_back('0');
+  if (text.starts_with('.')) {
+    text.remove_prefix(1);
+    const std::string_view digits = take_while(text, is_digit);
+    if (!digits.empty()) number.append(1, '.').append(digits);
+  }
+  if (text.starts_with('e')) {
+    text.remove_prefix(1);
+    number += 'e';
+    if (text.starts_with('-') || text.starts_with('+')) {
+      number += text.front();
+      text.remove_prefix(1);
+    }
+    number += take_while(text, is_digit);
+  }
+  return number;
+}
+
+}  // namespace
+
+std::string coq_identifier(std::string_view name) {
+  const bool is_taken =
+      std::find(kWordsOfCoq.begin(), kWordsOfCoq.end(), name) != kWordsOfCoq.end();
+  return std::string(name) + (is_taken ? "'" : "");
+}
+
+std::string coq_expression(std::string_view text, const CoqNames& names) {
+  std::string result;
+  while (!text.empty()) {
+    const char c = text.front();
+    if (is_letter(c)) {
+      const std::string_view name =
+          take_while(text, [](char x) { return is_letter(x) || is_digit(x) || x == '_'; });
+      result += is_reserved(name) ? std::string(name) : names.find(name)->second;
+    } else if (is_digit(c) || c == '.') {
+      result += take_number(text);
+    } else {
+      // "--" and "(*" are words of Coq.
+      const bool is_operator = c == '-' || c == '*';
+      const bool follows_space = result.empty() || result.back() == ' ' || result.back() == '(';
+      if (is_operator && !follows_space) result += ' ';
+      if (c != ' ' || !follows_space) result += c;
+      if (is_operator) result += ' ';
+      text.remove_prefix(1);
+    }
+  }
+  return result;
+}
+
+std::string coq_comment(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if ((c == '*' || c == ')') && !result.empty() && (result.back() == '(' || result.back() == '*'))
+      result += ' ';
+    result += c == '"' ? '\'' : c;
+  }
+  return result;
+}
+
+}  // namespace regulus::verifier

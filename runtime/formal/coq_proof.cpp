@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/formal/coq_proof.hpp"
+
+#include <cstdio>
+#include <span>
+#include <sstream>
+#include <vector>
+
+#include "runtime/formal/coq_expression.hpp"
+#include "runtime/formal/coq_force.hpp"
+#include "runtime/formal/coq_question.hpp"
+#include "runtime/verifier/pieces.hpp"
+#include "runtime/verifier/proof.hpp"
+#include "runtime/verifier/question.hpp"
+
+namespace regulus::verifier {
+namespace {
+
+/// The most splits one after the other that Coq makes.
+constexpr int kDeepest = 60;
+
+std::string heading(const Question& q, const std::string& claim) {
+  return "(* A theorem for the verdict of a certificate.\n\n   model   " + coq_comment(q.model) +
+         "\n   sha256  " + coq_comment(q.sha256) + "\n   motion  " + coq_comment(q.motion) +
+         "\n   claim   " + coq_comment(claim) +
+         "\n\n   Check it with: coqc -Q FOLDER Regulus FILE. FOLDER has the compiled library. *)\n"
+         "From Coq Require Import List.\n"
+         "From Coq Require Import PrimFloat.\n"
+         "From Regulus Require Import Expressions Questions Search Singularity Threshold Forces.\n"
+         "From Regulus Require Import Notations.\n"
+         "Import ListNotations.\n\n";
+}
+
+std::string heading(const Question& q) { return heading(q, q.claim()); }
+
+/// `check`: the theorem that is applied, and its arguments.
+std::string theorem(const std::string& claim, const std::string& check) {
+  return "\nTheorem the_claim : " + claim + ".\nProof.\n  apply (" + check +
+         ").\n  vm_cast_no_check (eq_refl true).\nQed.\n";
+}
+
+std::string method(const CoqQuestion& question) {
+  return "\nDefinition the_method : method := Method " + std::to_string(question.second_order) +
+         " " + std::to_string(kDeepest) + ".\n";
+}
+
+/// A coordinate of a certificate. The ends of a range become numbers beyond it, which Coq moves.
+std::string coq_coordinate(std::string_view word) {
+  if (word == "lower" || word == "upper") return word == "lower" ? "neg_infinity" : "infinity";
+  if (word.find(':') != std::string_view::npos)
+    throw Unfinished("there is no theorem about a range that contains no double yet");
+  const double x = read_double(word);
+  char text[40];
+  std::snprintf(text, sizeof text, x < 0 ? "(%a)" : "%a", x);
+  return text;
+}
+
+/// Reads the line `point SIGN …`.
+std::string coq_point(Lines& lines, std::string_view sign, std::size_t variables) {
+  if (!lines.next()) throw Rejection("the file ends before the line 'end'");
+  const auto words = words_of(lines.text());
+  if (words.size() != variables + 2 || words[0] != "point" || words[1] != sign)
+    throw Rejection("expected 'point " + std::string(sign) + "' and a number for each variable");
+  std::vector<CoqItem> coordinates;
+  for (const std::string_view word : std::span(words).subspan(2))
+    coordinates.push_back({"", coq_coordinate(word)});
+  return coq_list(coordinates, "   ") + "%float";
+}
+
+/// Coq searches two points on the line through those of the certificate.
+std::string segment_theorem(Lines& lines, const Question& question) {
+  const std::string positive = coq_point(lines, "+", question.variables.size());
+  const std::string negative = coq_point(lines, "-", question.variables.size());
+  return "\n(** Two points on a line along which the determinant changes its sign. *)\n"
+         "Definition negative : coordinates :=\n  " +
+         negative + ".\nDefinition positive : coordinates :=\n  " + positive + ".\n" +
+         (question.has_threshold
+              ? theorem("determinant_not_above the_question the_scales the_threshold",
+                        "check_crossing_correct the_question the_scales the_threshold negative "
+                        "positive")
+              : theorem("singularity the_question",
+                        "check_singularity_correct the_question negative positive"));
+}
+
+std::string point_theorem(Lines& lines, const Question& question) {
+  return "\n(** A point at which the determinant is at most the threshold. *)\n"
+         "Definition the_point : coordinates :=\n  " +
+         coq_point(lines, "0", question.variables.size()) + ".\n" +
+         theorem("determinant_not_above the_question the_scales the_threshold",
+                 "check_point_correct the_question the_scales the_threshold the_point");
+}
+
+std::string singular_theorem(Lines& lines, const Question& question) {
+  if (!lines.next()) throw Rejection("the file ends before the line 'end'");
+  if (lines.text() == "reason small-determinant" && question.has_threshold)
+    return point_theorem(lines, question);
+  if (lines.text() == "reason opposite-signs") return segment_theorem(lines, question);
+  throw Unfinished("there is no theorem about SINGULARITY by '" + lines.text() + "' yet");
+}
+
+/// The theorem about each point of the set; of each piece, if the question has pieces.
+std::string regular_theorem(const Question& question, bool has_pieces) {
+  const std::string of_threshold = question.has_threshold ? " the_scales the_threshold" : "";
+  const std::string check = std::string("check") + (question.has_threshold ? "_determinant" : "") +
+                            (has_pieces ? "_pieces" : "") + "_correct the_question" + of_threshold +
+                            " the_method";
+  const std::string claim = question.has_threshold ? "determinant_above " : "no_singularity ";
+  if (!has_pieces) return theorem(claim + "the_question" + of_threshold, check);
+  return theorem(
+      "Forall (fun piece => " + claim + "(the_question piece)" + of_threshold + ") pieces",
+      check + " pieces");
+}
+
+/// The question has the constants of a piece as an argument; the theorem is about all pieces.
+std::string trajectory(Lines& lines) {
+  const Pieces pieces = read_pieces(lines);
+  std::istringstream text(pieces.question_of(0));
+  Lines first(text);
+  Question question;
+  read_question(first, question);
+  if (question.singular) throw Rejection("a singular pose lies on one piece: there are several");
+  const CoqQuestion coq = coq_question(lines_of(pieces.question_of(0)), question, pieces.names);
+  std::vector<CoqItem> values;
+  for (std::size_t k = 0; k < pieces.values.size(); ++k) {
+    std::vector<CoqItem> value;
+    for (const std::string& constant : pieces.values_of(k)) {
+      static_cast<void>(parse(constant, {}, question.graph));
+      value.push_back({"", coq_expression(constant, {})});
+    }
+    values.push_back({"", coq_list(value, std::string(4, ' '))});
+  }
+  return heading(question) + coq.text + "\nDefinition pieces : list (list expression) :=\n  " +
+         coq_list(values, "   ") + ".\n" + method(coq) + regular_theorem(question, true);
+}
+
+/// The theorem about a force. `bordered`: the question of the certificate.
+std::string force(const Question& bordered, const std::vector<std::string>& lines) {
+  const ForceQuestion force = split_force(bordered, lines);
+  std::istringstream text(force.question);
+  Lines plain(text);
+  Question question;
+  read_question(plain, question);
+  std::vector<std::string> with_load = lines_of(force.question);
+  for (const std::string& expression : force.load) with_load.push_back("load " + expression);
+  const CoqQuestion coq = coq_question(with_load, question);
+  const std::string kind = force.is_two_sided ? "force_within" : "force_below";
+  const std::string arguments = " the_question the_row the_load the_limit";
+  return heading(question, describe(force)) + coq.text +
+         "\n(** The row of the force, the first being row 0, and the limit. *)\n"
+         "Definition the_row : nat := " +
+         std::to_string(force.row) +
+         ".\nDefinition the_limit : expression := " + coq_expression(force.limit, {}) + ".\n" +
+         method(coq) +
+         theorem(kind + arguments, "check_" + kind + "_correct" + arguments + " the_method");
+}
+
+/// Reads the question, and what its theorem needs of the proof.
+std::string read_and_write(Lines& lines, CoqStatement statement) {
+  Question question;
+  lines.keep();
+  read_question(lines, question);
+  if (question.load)
+    throw Unfinished("a claim about forces within limits cannot be written as a theorem");
+  if (statement == CoqStatement::kForce) return force(question, lines.take_kept());
+  if (question.is_piecewise) return trajectory(lines);
+  if (question.quantity)
+    throw Unfinished(
+        "a claim about the bound of a quantity is no theorem about a matrix; --force writes the "
+        "theorem about a force");
+  const CoqQuestion coq = coq_question(lines.take_kept(), question);
+  if (question.singular) return heading(question) + coq.text + singular_theorem(lines, question);
+  return heading(question) + coq.text + method(coq) + regular_theorem(question, false);
+}
+
+}  // namespace
+
+std::string coq_proof(std::istream& certificate, CoqStatement statement) {
+  Lines lines(certificate);
+  try {
+    return read_and_write(lines, statement);
+  } catch (const Rejection& why) {
+    throw Rejection("line " + std::to_string(lines.number()) + ": " + why.what());
+  }
+}
+
+}  // namespace regulus::verifier

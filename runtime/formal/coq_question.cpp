@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/formal/coq_question.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "runtime/formal/coq_expression.hpp"
+
+namespace regulus::verifier {
+
+std::string_view take_until(std::string_view& text, std::string_view mark) {
+  const std::size_t at = text.find(mark);
+  const std::string_view taken = text.substr(0, at);
+  text.remove_prefix(at == std::string_view::npos ? text.size() : at + mark.size());
+  return taken;
+}
+
+std::string coq_list(const std::vector<CoqItem>& items, const std::string& margin) {
+  std::string text = "[";
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (i > 0) text += ";\n" + margin;
+    if (!items[i].comment.empty()) text += "(* " + items[i].comment + " *) ";
+    text += items[i].text;
+  }
+  return text + "]";
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::string_view rest = text;
+  while (!rest.empty()) lines.emplace_back(take_until(rest, "\n"));
+  return lines;
+}
+
+namespace {
+
+/// Turns the lines of a question that has been read without a fault into definitions of Coq.
+class QuestionWriter {
+ public:
+  /// `piece_names`: the constants that each piece of a trajectory gives a value.
+  QuestionWriter(std::vector<std::string> lines, const Question& question,
+                 const std::vector<std::string>& piece_names)
+      : lines_(std::move(lines)), q_(question), piece_names_(piece_names) {
+    declare_variables();
+    for (const std::string& line : lines_) read(line);
+  }
+
+  [[nodiscard]] std::string text() const {
+    std::string text =
+        "(** The names: the variables, then the definitions of the question. *)\n" + names_text_ +
+        "\n(** The question, in the order of its certificate: the ranges of the "
+        "variables, the definitions,\n    the constraints, more expressions that "
+        "must have a value, the matrix and its number of columns. *)\n"
+        "Definition the_question " +
+        (piece_names_.empty() ? "" : "(piece : list expression) ") + ": question := Question\n";
+    for (const auto* list : {&ranges_, &definitions_, &constraints_, &defined_})
+      text += "  " + coq_list(*list, "   ") + "\n";
+    text += "  " + matrix() + "\n  " + std::to_string(q_.columns) + ".\n";
+    if (q_.has_threshold) text += threshold();
+    return loads_.empty() ? text : text + load();
+  }
+
+  /// The number of variables that are kept to the second order. Each uncertain quantity is small
+  /// and there are many.
+  [[nodiscard]] std::size_t second_order() const {
+    return has_uncertain_ ? parameters_ : q_.variables.size();
+  }
+
+ private:
+  /// The variables come first, whatever the order of their lines.
+  void declare_variables() {
+    for (const std::string& line : lines_) {
+      std::string_view rest = line;
+      const std::string_view key = take_until(rest, " ");
+      if (key == "pose" && rest.find(" +- ") != std::string_view::npos)
+        with_error_.emplace(take_until(rest, " = "));
+    }
+    for (const Variable& v : q_.variables) {
+      parameters_ += v.kind == VariableKind::kParameter;
+      has_uncertain_ |= v.kind == VariableKind::kUncertain;
+      const bool is_error = v.kind == VariableKind::kError;
+      const std::string name = is_error ? v.name.substr(0, v.name.find(' ')) : v.name;
+      const std::string identifier = fresh(is_error                     ? error_of(name)
+                                           : with_error_.contains(name) ? commanded(name)
+                                                                        : coq_identifier(name));
+      declare(identifier);
+      if (!is_error) commanded_[name] = identifier;
+      if (v.kind == VariableKind::kUncertain) actual_[name] = identifier;
+    }
+  }
+
+  static std::string commanded(std::string_view name) { return std::string(name) + "'commanded"; }
+  static std::string error_of(std::string_view name) { return std::string(name) + "'error"; }
+
+  /// A shared expression may have the name of a parameter that the matrix does not use.
+  std::string fresh(std::string identifier) {
+    while (!declared_.insert(identifier).second) identifier += '\'';
+    return identifier;
+  }
+
+  void declare(const std::string& identifier) {
+    names_text_ += "Definition " + identifier + " := Name " + std::to_string(next_name_++) + ".\n";
+  }
+
+  void define(const std::string& identifier, const std::string& expression) {
+    declare(identifier);
+    definitions_.push_back({identifier, expression});
+  }
+
+  void read(const std::string& line) {
+    std::string_view rest = line;
+    const std::string_view key = take_until(rest, " ");
+    if (key == "parameter") {
+      read_parameter(rest);
+    } else if (key == "constant") {
+      const std::string name(take_until(rest, " = "));
+      commanded_[name] = actual_[name] = fresh(coq_identifier(name));
+      define(actual_[name], constant(name, rest));
+    } else if (key == "uncertain") {
+      read_uncertain(rest);
+    } else if (key == "ball") {
+      read_ball(rest);
+    } else if (key == "pose") {
+      read_pose(rest);
+    } else if (key == "alpha") {
+      threshold_ = coq_expression(rest, {});
+    } else if (key == "let") {
+      const std::string name(take_until(rest, " = "));
+      const std::string expression = coq_expression(rest, actual_);
+      actual_[name] = fresh(coq_identifier(name));
+      define(actual_[name], expression);
+    } else {
+      read_list(key, rest);
+    }
+  }
+
+  [[nodiscard]] std::string constant(const std::string& name, std::string_view value) const {
+    const auto found = std::find(piece_names_.begin(), piece_names_.end(), name);
+    if (found == piece_names_.end()) return coq_expression(value, {});
+    return "nth " + std::to_string(found - piece_names_.begin()) + " piece no_entry";
+  }
+
+  void read_list(std::string_view key, std::string_view rest) {
+    if (key == "entry")
+      entries_.push_back({"", coq_expression(rest, actual_)});
+    else if (key == "scale")
+      scales_.push_back({"", coq_expression(rest, actual_)});
+    else if (key == "load")
+      loads_.push_back({"", coq_expression(rest, actual_)});
+    else if (key == "defined")
+      defined_.push_back({"", coq_expression(rest, actual_)});
+    else if (key == "motion-defined")
+      defined_.push_back({"", coq_expression(rest, commanded_)});
+    else if (key == "reach")
+      constraints_.push_back({"reach", "- (" + coq_expression(rest, commanded_) + ")"});
+    else if (key == "constraint")
+      constraints_.push_back({"", coq_expression(rest, commanded_)});
+  }
+
+  void read_parameter(std::string_view rest) {
+    const std::string_view name = take_until(rest, " in ");
+    const std::string lower = coq_expression(take_until(rest, " : "), {});
+    ranges_.push_back(
+        {commanded_.find(name)->second, "(" + lower + ", " + coq_expression(rest, {}) + ")"});
+  }
+
+  void read_uncertain(std::string_view rest) {
+    const std::string name(take_until(rest, " = "));
+    const std::string middle = coq_expression(take_until(rest, " +- "), {});
+    const std::string spread = coq_expression(rest, {});
+    ranges_.push_back({actual_[name], "within (" + middle + ") (" + spread + ")"});
+    middles_[name] = middle;
+    spreads_[name] = spread;
+  }
+
+  /// A ball is the constraint that the squared distance from its middle is at most ρ².
+  void read_ball(std::string_view names) {
+    std::string sum, radius;
+    while (!names.empty()) {
+      const std::string name(take_until(names, " "));
+      sum += (sum.empty() ? "(" : " + (") + actual_[name] + " - (" + middles_[name] + ")) ^ 2";
+      radius = spreads_[name];
+    }
+    constraints_.push_back({"ball", sum + " - (" + radius + ") ^ 2"});
+  }
+
+  /// Poses are read before `let`, so a pose is defined by parameters and constants alone.
+  void read_pose(std::string_view rest) {
+    const std::string name(take_until(rest, " = "));
+    const std::string expression = coq_expression(take_until(rest, " +- "), pose_scope());
+    const bool has_error = with_error_.contains(name);
+    if (!commanded_.contains(name)) {
+      commanded_[name] = fresh(has_error ? commanded(name) : coq_identifier(name));
+      define(commanded_[name], expression);
+    }
+    actual_[name] = has_error ? fresh(coq_identifier(name)) : commanded_[name];
+    if (!has_error) return;
+    ranges_.push_back({error_of(name), "within 0 (" + coq_expression(rest, {}) + ")"});
+    define(actual_[name], commanded_[name] + " + " + error_of(name));
+  }
+
+  /// A pose cannot use an earlier one unless that is a parameter.
+  const CoqNames& pose_scope() {
+    if (pose_scope_.empty()) pose_scope_ = commanded_;
+    return pose_scope_;
+  }
+
+  [[nodiscard]] std::string threshold() const {
+    return "\n(** The scales of the rows, and the threshold. *)\n"
+           "Definition the_scales : list expression :=\n  " +
+           coq_list(scales_, "   ") + ".\nDefinition the_threshold : expression := " + threshold_ +
+           ".\n";
+  }
+
+  [[nodiscard]] std::string load() const {
+    return "\n(** The load, divided by the scale of the row. *)\n"
+           "Definition the_load : list expression :=\n  " +
+           coq_list(loads_, "   ") + ".\n";
+  }
+
+  [[nodiscard]] std::string matrix() const {
+    std::vector<CoqItem> rows;
+    for (std::size_t i = 0; i < q_.rows; ++i) {
+      const auto begin = entries_.begin() + std::ptrdiff_t(i * q_.columns);
+      rows.push_back(
+          {"", coq_list({begin, begin + std::ptrdiff_t(q_.columns)}, std::string(4, ' '))});
+    }
+    return coq_list(rows, "   ");
+  }
+
+  const std::vector<std::string> lines_;
+  const Question& q_;
+  const std::vector<std::string> piece_names_;
+  std::size_t next_name_ = 0, parameters_ = 0;
+  bool has_uncertain_ = false;
+  std::set<std::string, std::less<>> with_error_;  ///< poses with a control error
+  std::set<std::string> declared_;
+  CoqNames commanded_, actual_, pose_scope_, middles_, spreads_;
+  std::string names_text_, threshold_;
+  std::vector<CoqItem> ranges_, definitions_, constraints_, defined_, entries_, scales_, loads_;
+};
+
+}  // namespace
+
+CoqQuestion coq_question(std::vector<std::string> lines, const Question& question,
+                         const std::vector<std::string>& piece_names) {
+  const QuestionWriter writer(std::move(lines), question, piece_names);
+  return {writer.text(), writer.second_order()};
+}
+
+}  // namespace regulus::verifier

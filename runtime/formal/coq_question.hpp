@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// The lines of a question as definitions of Coq.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/verifier/question.hpp"
+
+namespace regulus::verifier {
+
+/// An item of a list, and the comment before it.
+struct CoqItem {
+  std::string comment, text;
+};
+
+/// Returns the list in the notation of Coq. `margin` begins each line but the first.
+[[nodiscard]] std::string coq_list(const std::vector<CoqItem>& items, const std::string& margin);
+
+/// Takes the part of `text` before `mark`, and `mark`; all of it if there is none.
+std::string_view take_until(std::string_view& text, std::string_view mark);
+
+/// Returns the lines of a text, without their ends.
+[[nodiscard]] std::vector<std::string> lines_of(const std::string& text);
+
+struct CoqQuestion {
+  std::string text;  ///< the definitions
+  /// The number of variables that are kept to the second order. Each uncertain quantity is small
+  /// and there are many.
+  std::size_t second_order = 0;
+};
+
+/// Returns the definitions of a question that has been read without a fault. Lines `load EXPRESSION`
+/// are not part of a certificate, and may follow: the load on the robot, by column.
+///
+/// `piece_names`: the constants that each piece of a trajectory gives a value.
+[[nodiscard]] CoqQuestion coq_question(std::vector<std::string> lines, const Question& question,
+                                       const std::vector<std::string>& piece_names = {});
+
+}  // namespace regulus::verifier

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <unistd.h>
+
+#include <charconv>
+#include <iostream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "runtime/files/atomic_file.hpp"
+#include "runtime/formal/coq_proof.hpp"
+#include "runtime/verifier/expression.hpp"
+#include "runtime/verifier/input_file.hpp"
+#include "runtime/verifier/verify.hpp"
+
+namespace {
+
+using regulus::verifier::Options;
+using regulus::verifier::Verification;
+
+constexpr int kUsageError = 64, kFileError = 74;
+constexpr unsigned kMostThreads = 1024;
+constexpr std::size_t kMaxModelBytes = std::size_t{1} << 22;
+
+constexpr const char* kHelp =
+    "usage: regulus-verify [options] CERTIFICATE\n"
+    "\n"
+    "Proves the claim of a certificate anew. The answer is the line on standard output:\n"
+    "  VERIFIED    the claim is true                                     (exit 0)\n"
+    "  REJECTED    not a certificate, incomplete, or false               (exit 1)\n"
+    "  UNFINISHED  neither could be shown within the bounds below        (exit 2)\n"
+    "Standard error says what was checked, and why the claim is not verified.\n"
+    "If CERTIFICATE is the index of a proof in shards, they are in CERTIFICATE.shards.\n"
+    "Other exit codes: 64 usage, 74 a file cannot be read or written.\n"
+    "\n"
+    "  --model FILE     the question must also be that of this model file, line by line;\n"
+    "                   UNFINISHED if a line cannot be compared\n"
+    "  --waypoints FILE with --model: the table of way-points that check --waypoints took\n"
+    "  --allow-options  allow ranges, tolerances and alpha to differ from that file, because\n"
+    "                   options of regulus change them; list the differences\n"
+    "  --time-limit S   stop after S seconds; the answer is then UNFINISHED\n"
+    "  --threads N      prove leaves by N threads (default 1); the answer is the same\n"
+    "  --max-boxes N    evaluate at most N boxes for all leaves together (default 4194304)\n"
+    "  --coq FILE       do not prove the claim, but write it as a theorem that Coq proves:\n"
+    "                   coqc -Q FOLDER Regulus FILE (runtime/formal/FORMAL.md)\n"
+    "  --force          with --coq: the certificate is FILE.leg_N.safe of `regulus bound MODEL "
+    "MOTION\n"
+    "                   force`; write the theorem that the force is within the bound\n"
+    "  --quiet          print only the answer\n"
+    "  --help           print this text\n";
+
+struct Usage {
+  std::string certificate, model, coq;
+  Options options;
+  bool help = false, quiet = false, is_force = false;
+  std::string mistake;  ///< about a word that is not understood
+};
+
+template <class Number>
+bool read_number(const std::string& text, Number& value) {
+  const char* last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, value);
+  return error == std::errc() && end == last && value > 0;
+}
+
+/// Returns what is wrong with a word that is not understood.
+std::string mistake_in(const std::string& word, const std::string& next) {
+  const auto expected = [&](const std::string& number) {
+    return word + ": found '" + next + "', expected " + number;
+  };
+  if (word == "--time-limit") return expected("a number of seconds above 0");
+  if (word == "--threads")
+    return expected("a whole number from 1 to " + std::to_string(kMostThreads));
+  if (word == "--max-boxes") return expected("a whole number from 1 on");
+  return word.starts_with("-") ? "'" + word + "' is no option, or lacks its value"
+                               : "'" + word + "' is a second certificate";
+}
+
+/// Returns false if the words are not understood.
+bool read_usage(const std::vector<std::string>& words, Usage& usage) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    const std::string next = i + 1 < words.size() ? words[i + 1] : "";
+    if (word == "--help" || word == "-h") {
+      usage.help = true;
+    } else if (word == "--quiet") {
+      usage.quiet = true;
+    } else if (word == "--force") {
+      usage.is_force = true;
+    } else if (word == "--allow-options") {
+      usage.options.all_overridden = true;
+    } else if (word == "--model" && !next.empty()) {
+      usage.model = words[++i];
+    } else if (word == "--waypoints" && !next.empty()) {
+      usage.options.waypoints = words[++i];
+    } else if (word == "--coq" && !next.empty()) {
+      usage.coq = words[++i];
+    } else if (word == "--time-limit" && read_number(next, usage.options.time_limit)) {
+      ++i;
+    } else if (word == "--threads" && read_number(next, usage.options.threads) &&
+               usage.options.threads <= kMostThreads) {
+      ++i;
+    } else if (word == "--max-boxes" && read_number(next, usage.options.max_boxes)) {
+      ++i;
+    } else if (!word.starts_with("-") && usage.certificate.empty()) {
+      usage.certificate = word;
+    } else {
+      usage.mistake = mistake_in(word, next);
+      return false;
+    }
+  }
+  return usage.help || (!usage.certificate.empty() && (!usage.is_force || !usage.coq.empty()));
+}
+
+/// Writes one line over the previous one, on a terminal only.
+void show_progress(const Verification& v) {
+  std::cerr << "\r\033[K" << v.leaves << " leaves, " << v.boxes << " boxes" << std::flush;
+}
+
+Verification verify(std::istream& file, const Usage& usage) try {
+  return regulus::verifier::verify(file, usage.options);
+} catch (const std::runtime_error& error) {
+  throw std::runtime_error(usage.certificate + ": " + error.what());
+}
+
+int verify(Usage& usage) {
+  regulus::verifier::InputFile bytes(usage.certificate);
+  std::istream file(&bytes);
+  usage.options.path = usage.certificate;
+  if (!usage.model.empty()) {
+    usage.options.model_text = regulus::verifier::read_text(usage.model, kMaxModelBytes);
+    usage.options.model_name = usage.model;
+  }
+  const bool is_terminal = !usage.quiet && isatty(STDERR_FILENO) != 0;
+  if (is_terminal) usage.options.progress = show_progress;
+  const Verification v = verify(file, usage);
+  if (is_terminal) std::cerr << "\r\033[K";
+  if (!usage.quiet) std::cerr << regulus::verifier::describe(v);
+  std::cout << regulus::verifier::name(v.outcome) << '\n';
+  return static_cast<int>(v.outcome);
+}
+
+void write_file(const std::string& name, const std::string& text) try {
+  regulus::AtomicFile output(name);
+  output.write(text);
+  output.put_in_place();
+} catch (const std::system_error& error) {
+  throw std::runtime_error("the file '" + name + "' cannot " + error.what());
+}
+
+/// Returns the exit code: that of the answer if there is no theorem.
+int write_coq(const Usage& usage) {
+  const auto refuse = [&usage](regulus::verifier::Outcome outcome, const std::exception& why) {
+    std::cerr << "regulus-verify: " << usage.certificate << ": " << why.what() << '\n';
+    return static_cast<int>(outcome);
+  };
+  regulus::verifier::InputFile bytes(usage.certificate);
+  std::istream file(&bytes);
+  try {
+    const auto statement = usage.is_force ? regulus::verifier::CoqStatement::kForce
+                                          : regulus::verifier::CoqStatement::kClaim;
+    write_file(usage.coq, regulus::verifier::coq_proof(file, statement));
+    return 0;
+  } catch (const regulus::verifier::Rejection& why) {
+    return refuse(regulus::verifier::Outcome::kRejected, why);
+  } catch (const regulus::verifier::Unfinished& why) {
+    return refuse(regulus::verifier::Outcome::kUnfinished, why);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Usage usage;
+  if (!read_usage({argv + 1, argv + argc}, usage)) {
+    if (!usage.mistake.empty())
+      std::cerr << "regulus-verify: " << usage.mistake << "; --help lists the options\n";
+    else
+      std::cerr << kHelp;
+    return kUsageError;
+  }
+  if (usage.help) {
+    std::cout << kHelp;
+    return 0;
+  }
+  try {
+    return usage.coq.empty() ? verify(usage) : write_coq(usage);
+  } catch (const std::exception& error) {
+    std::cerr << "regulus-verify: " << error.what() << '\n';
+    return kFileError;
+  }
+}

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "runtime/verifier/model/section_reading.hpp"
+
+namespace regulus::verifier {
+
+/// Returns the reader of [gough].
+[[nodiscard]] std::unique_ptr<SectionReading> gough_reading(const WrittenValues& values);
+
+}  // namespace regulus::verifier

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// [serial]: the joints of an arm, one after the other, as a model file places them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/verifier/model/rigid_motion.hpp"
+#include "runtime/verifier/model/section_reading.hpp"
+
+namespace regulus::verifier {
+
+/// A joint that moves.
+struct ChainJoint {
+  bool slides = false;
+  PlacementNodes origin{};  ///< of its frame in that of the joint before, all joints at 0
+  VectorNodes axis{};       ///< through the origin of its frame; of length 1
+  std::size_t column = 0;   ///< of the joint, or of the one that it follows
+  NodeId rate = kNoNode;    ///< its speed at unit speed of the column's joint
+  NodeId value = kNoNode;
+  NodeId free_value = kNoNode;  ///< the same if a motion gives its pose parameter no value,
+  NodeId free_pose = kNoNode;   ///< but this
+};
+
+/// A joint that follows no other.
+struct ChainName {
+  std::string name;
+  bool slides = false;
+  std::string range;  ///< its place in the file; "": it has none
+};
+
+/// Returns the joints that follow no other, in their order: the pose parameters.
+[[nodiscard]] std::vector<ChainName> chain_names(const WrittenValues& values);
+
+/// Returns true if numbers of angles are degrees.
+[[nodiscard]] bool is_arm_in_degrees(const WrittenValues& values);
+
+[[nodiscard]] bool depends_on_variables(const Graph& graph, NodeId node);
+
+/// Reads every joint that moves; compares every length and angle that has a tolerance with the
+/// certificate's. Throws Unfinished for a table that it does not understand.
+[[nodiscard]] std::vector<ChainJoint> read_chain(SectionComparer& comparer);
+
+}  // namespace regulus::verifier

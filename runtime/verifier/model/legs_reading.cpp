@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: Apache-2.0
+// [legs]: a row for each motor, then a row for each moment, in the order of the legs.
+#include "runtime/verifier/model/legs_reading.hpp"
+
+#include <algorithm>
+
+#include "runtime/verifier/model/leg_rows.hpp"
+#include "runtime/verifier/model/orientation_reading.hpp"
+#include "runtime/verifier/model/section_values.hpp"
+
+namespace regulus::verifier {
+namespace {
+
+constexpr std::string_view kAxes = "xyz", kLegs = "legs.leg[";
+
+struct LegType {
+  std::string_view name;
+  LegKind kind;
+  bool is_planar, keeps_orientation;
+};
+constexpr std::array<LegType, 12> kTypes = {{{"RPR", LegKind::kTelescopic, true, false},
+                                             {"RRR", LegKind::kCrank, true, false},
+                                             {"PRR", LegKind::kSlider, true, false},
+                                             {"UPS", LegKind::kTelescopic, false, false},
+                                             {"SPS", LegKind::kTelescopic, false, false},
+                                             {"UPU", LegKind::kTelescopic, false, true},
+                                             {"RUS", LegKind::kCrank, false, false},
+                                             {"RSS", LegKind::kCrank, false, false},
+                                             {"delta", LegKind::kCrank, false, true},
+                                             {"PUS", LegKind::kSlider, false, false},
+                                             {"PSS", LegKind::kSlider, false, false},
+                                             {"linear-delta", LegKind::kSlider, false, true}}};
+
+/// Quantities of one kind: the letters of their names.
+struct Group {
+  std::string letters;
+  SectionTolerance tolerance;
+};
+const Group kBase{"a", {"legs.base_tolerance", "tolerance base"}};
+const Group kPlatform{"b", {"legs.platform_tolerance", "tolerance platform"}};
+const Group kCranks{"crank_", {"legs.crank_tolerance", "tolerance cranks"}};
+const Group kRods{"rod_", {"legs.rod_tolerance", "tolerance rods"}};
+const Group kAxisGroup{"n", {"legs.axis_tolerance", "tolerance axes"}};
+
+class LegsReading final : public SectionReading {
+ public:
+  explicit LegsReading(const WrittenValues& values) : values_(values) {
+    for (auto at = values.lower_bound(kLegs); at != values.end() && at->first.starts_with(kLegs);
+         ++at)
+      count_ = std::max(count_, std::size_t(std::atoi(at->first.c_str() + kLegs.size())) + 1);
+    is_planar_ = count_ > 0 && type_of(0).is_planar;
+    orientation_ = text("legs.orientation", is_planar_ ? "angle" : "");
+    is_in_degrees_ = text("legs.angle_unit", "rad") != "rad";
+  }
+
+  [[nodiscard]] std::vector<SectionPose> pose() const override {
+    const std::string unit = text("legs.unit", "1");
+    std::vector<SectionPose> result;
+    for (std::size_t i = 0; i < axes(); ++i) result.push_back({std::string(1, kAxes[i]), unit});
+    for (const std::string& name : angles())
+      result.push_back({name, orientation_ == "quaternion" ? "1" : text("legs.angle_unit", "rad")});
+    return result;
+  }
+
+  [[nodiscard]] NodeId name(std::string_view name, const Scope& scope,
+                            SectionComparer& comparer) override {
+    const std::size_t digits = name.find_first_of("0123456789");
+    if (digits == std::string_view::npos) return kNoNode;
+    const std::size_t end = std::min(name.find('_', digits), name.size());
+    const std::string_view before = name.substr(0, digits), after = name.substr(end);
+    const int number = std::atoi(std::string(name.substr(digits)).c_str());
+    if (number < 1 || std::size_t(number) > count_) return kNoNode;
+    const std::size_t axis = after.size() == 2 ? kAxes.find(after[1]) : kAxes.npos;
+    if (!after.empty() && axis >= axes()) return kNoNode;
+    GraphAlgebra algebra(comparer.question().graph);
+    const LegValues& leg = values_of(std::size_t(number) - 1, comparer, algebra);
+    LegAtPose at = at_pose(leg, scope, algebra);
+    if (after.empty()) {
+      if (before == "rho_") return at.rho;
+      if (before == "s_") return at.place;
+      return before == "w" ? at.w : kNoNode;
+    }
+    if (before == "r" && orientation_ != "point") return at.r[axis];
+    if (before == "e") return at.e[axis];
+    return before == "d" && leg.kind != LegKind::kTelescopic ? at.d[axis] : kNoNode;
+  }
+
+  [[nodiscard]] std::optional<std::vector<NodeId>> range_constraints(
+      SectionComparer& comparer) override {
+    GraphAlgebra algebra(comparer.question().graph);
+    std::vector<NodeId> result;
+    for (std::size_t i = 0; i < count_; ++i) {
+      const LegValues& leg = values_of(i, comparer, algebra);
+      if (!leg.range) continue;
+      for (const NodeId one : at_pose(leg, comparer.question().commanded, algebra).range())
+        result.push_back(one);
+    }
+    return result;
+  }
+
+  void compare(SectionComparer& comparer) override {
+    GraphAlgebra algebra(comparer.question().graph);
+    const Question& q = comparer.question();
+    std::size_t row = 0;
+    for (const bool of_motors : {true, false})
+      for (std::size_t i = 0; i < count_; ++i) {
+        const LegValues& leg = values_of(i, comparer, algebra);
+        if (of_motors ? leg.actuated == 0 : !leg.keeps_orientation) continue;
+        LegAtPose at = at_pose(leg, q.actual, algebra);
+        const LegRow one =
+            of_motors ? at.motor() : LegRow{algebra.zero(), at.moment(), algebra.number(1)};
+        compare_row(comparer, {place(i), 0, of_motors ? "a motor's row" : "a moment"}, row++, one);
+      }
+    if (row != q.rows)
+      comparer.refuse({"legs", 0, std::to_string(row) + " rows"}, std::to_string(q.rows) + " rows");
+  }
+
+ private:
+  // The file.
+
+  [[nodiscard]] std::string text(const std::string& place, const std::string& otherwise) const {
+    const auto found = values_.find(place);
+    return found == values_.end() ? otherwise : found->second.text;
+  }
+  static std::string place(std::size_t leg) {
+    return std::string(kLegs) + std::to_string(leg) + ']';
+  }
+  [[nodiscard]] bool has(const std::string& place) const {
+    const auto at = values_.lower_bound(place);
+    return at != values_.end() && (at->first == place || at->first.starts_with(place + '['));
+  }
+  /// Returns the place of a key of a leg, which may stand in [legs].
+  [[nodiscard]] std::string shared(std::size_t leg, const std::string& key) const {
+    const std::string own = place(leg) + '.' + key;
+    return has(own) ? own : "legs." + key;
+  }
+  [[nodiscard]] const LegType& type_of(std::size_t leg) const {
+    const std::string word = text(shared(leg, "type"), "");
+    const auto* const type = std::ranges::find(kTypes, word, &LegType::name);
+    if (type == kTypes.end()) throw Unfinished("the leg type '" + word + "' is not known");
+    return *type;
+  }
+  [[nodiscard]] std::size_t axes() const { return is_planar_ ? 2 : 3; }
+  [[nodiscard]] std::vector<std::string> angles() const {
+    if (orientation_ == "angle") return {"phi"};
+    return orientation_names(orientation_);
+  }
+
+  // Values.
+
+  static std::string element(const std::string& list, std::size_t i) {
+    return list + '[' + std::to_string(i) + ']';
+  }
+
+  NodeId written(const std::string& place, SectionComparer& comparer) const {
+    return SectionValues(comparer, is_in_degrees_).constant(place);
+  }
+
+  /// Returns true if the value has no names of the robot's constants.
+  bool is_number(const std::string& place, SectionComparer& comparer) {
+    try {
+      static_cast<void>(comparer.expression_at(place, no_names_));
+      return true;
+    } catch (const Unfinished&) {
+      return false;
+    }
+  }
+
+  NodeId quantity(const std::string& place, const std::string& name, const Group& group,
+                  SectionComparer& comparer, std::vector<std::string>* names = nullptr) const {
+    return SectionValues(comparer, is_in_degrees_).quantity(place, name, group.tolerance, names);
+  }
+
+  VectorNodes point(const std::string& list, const std::string& number, const Group& group,
+                    SectionComparer& comparer, GraphAlgebra& algebra) {
+    VectorNodes result = algebra.zero();
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < axes(); ++i) {
+      const std::string name = group.letters + number + '_' + kAxes[i];
+      result[i] = quantity(element(list, i), name, group, comparer, &names);
+    }
+    if (!names.empty() && text("legs.tolerance_shape", "box") == "ball")
+      comparer.expect_ball(comparer.place_of("legs.tolerance_shape"), names);
+    return result;
+  }
+
+  VectorNodes numbers(const std::string& list, SectionComparer& comparer, GraphAlgebra& algebra) {
+    VectorNodes result = algebra.zero();
+    for (std::size_t i = 0; i < axes(); ++i) result[i] = written(element(list, i), comparer);
+    return result;
+  }
+
+  /// An axis of numbers without a tolerance is taken by its direction alone.
+  void read_axis(LegValues& leg, const std::string& list, const std::string& number,
+                 SectionComparer& comparer, GraphAlgebra& algebra) {
+    bool is_exact = !values_.contains(kAxisGroup.tolerance.key);
+    for (std::size_t i = 0; i < axes(); ++i)
+      is_exact = is_exact && is_number(element(list, i), comparer);
+    if (is_exact) {
+      leg.axis = algebra.unit(numbers(list, comparer, algebra));
+      leg.size = algebra.number(1);
+    } else {
+      leg.axis = point(list, number, kAxisGroup, comparer, algebra);
+      leg.size = algebra.dot(leg.axis, leg.axis);
+    }
+  }
+
+  const LegValues& values_of(std::size_t index, SectionComparer& comparer, GraphAlgebra& algebra) {
+    const auto known = legs_.find(index);
+    if (known != legs_.end()) return known->second;
+    if (!open_.insert(index).second) throw Unfinished(place(index) + " depends on itself");
+    const LegType& type = type_of(index);
+    if (type.is_planar != is_planar_) throw Unfinished("legs in the plane and in space");
+    const std::string number = std::to_string(index + 1), own = place(index) + '.';
+    LegValues leg;
+    leg.kind = type.kind;
+    leg.is_planar = type.is_planar;
+    leg.keeps_orientation = type.keeps_orientation;
+    leg.actuated = type.kind == LegKind::kTelescopic ? 2 : 1;
+    if (const std::string driven = text(shared(index, "actuated"), ""); !driven.empty())
+      leg.actuated = driven == "none" ? 0 : std::atoi(driven.c_str());
+    leg.base = point(own + "base", number, kBase, comparer, algebra);
+    leg.platform = orientation_ == "point"
+                       ? algebra.zero()
+                       : point(own + "platform", number, kPlatform, comparer, algebra);
+    if (type.kind == LegKind::kCrank)
+      leg.crank = quantity(shared(index, "crank"), "crank_" + number, kCranks, comparer);
+    if (type.kind != LegKind::kTelescopic)
+      leg.rod = quantity(shared(index, "rod"), "rod_" + number, kRods, comparer);
+    read_directions(leg, index, number, comparer, algebra);
+    leg.mode = text(shared(index, "mode"), "+") == "+";
+    read_range(leg, index, comparer, algebra);
+    return legs_.emplace(index, leg).first->second;
+  }
+
+  void read_directions(LegValues& leg, std::size_t index, const std::string& number,
+                       SectionComparer& comparer, GraphAlgebra& algebra) {
+    const bool crank = leg.kind == LegKind::kCrank, slider = leg.kind == LegKind::kSlider;
+    leg.axis = {algebra.number(0), algebra.number(0), algebra.number(1)};
+    leg.size = algebra.number(1);
+    if (slider || (!leg.is_planar && (crank || leg.keeps_orientation)))
+      read_axis(leg, shared(index, "axis"), number, comparer, algebra);
+    if (!leg.keeps_orientation) return;
+    leg.bar = leg.axis;
+    if (slider) leg.bar = algebra.unit(numbers(shared(index, "bar"), comparer, algebra));
+  }
+
+  void read_range(LegValues& leg, std::size_t index, SectionComparer& comparer,
+                  GraphAlgebra& algebra) {
+    const std::string list = shared(index, "range");
+    if (!has(list) || leg.actuated == 0) return;
+    const bool is_length = leg.kind == LegKind::kTelescopic
+                               ? leg.actuated == 2
+                               : leg.kind == LegKind::kSlider && leg.actuated == 1;
+    SectionValues section(comparer, is_in_degrees_);
+    const auto end = [&](std::size_t i) {
+      return is_length ? section.constant(element(list, i)) : section.angle(element(list, i));
+    };
+    leg.range.emplace(end(0), end(1));
+    if (leg.kind == LegKind::kCrank && !leg.is_planar)
+      leg.zero = algebra.unit(numbers(shared(index, "zero"), comparer, algebra));
+  }
+
+  // The pose.
+
+  static NodeId pose_of(const Scope& scope, const std::string& name) {
+    const auto found = scope.find(name);
+    if (found == scope.end()) throw Unfinished("the certificate has no pose parameter " + name);
+    return found->second;
+  }
+
+  MatrixNodes rotation(const Scope& scope, GraphAlgebra& algebra) const {
+    if (orientation_ == "angle") {
+      const NodeId phi = pose_of(scope, "phi");
+      return algebra.turn(2, is_in_degrees_ ? algebra.degrees(phi) : phi);
+    }
+    const OrientationNodes R = read_orientation(orientation_, scope, is_in_degrees_, algebra);
+    MatrixNodes result = R.scaled;
+    for (VectorNodes& row : result)
+      for (NodeId& entry : row) entry = algebra.quotient(entry, R.size);
+    return result;
+  }
+
+  LegAtPose at_pose(const LegValues& leg, const Scope& scope, GraphAlgebra& algebra) const {
+    VectorNodes position = algebra.zero();
+    for (std::size_t i = 0; i < axes(); ++i) position[i] = pose_of(scope, std::string(1, kAxes[i]));
+    return LegAtPose(leg, position, rotation(scope, algebra), algebra);
+  }
+
+  void compare_row(SectionComparer& comparer, const FilePlace& from, std::size_t row,
+                   const LegRow& one) {
+    std::vector<NodeId> entries(one.force.begin(), one.force.begin() + std::ptrdiff_t(axes()));
+    if (orientation_ != "point" && is_planar_) entries.push_back(one.moment[2]);
+    if (orientation_ != "point" && !is_planar_)
+      entries.insert(entries.end(), one.moment.begin(), one.moment.end());
+    const Question& q = comparer.question();
+    if (entries.size() != q.columns || row >= q.rows)
+      comparer.refuse(from, "a matrix of another shape");
+    for (std::size_t j = 0; j < entries.size(); ++j)
+      comparer.compare(from, entries[j], "entry " + std::to_string(row * q.columns + j));
+    comparer.compare(from, one.scale, "scale " + std::to_string(row));
+    comparer.expect_defined(from, one.scale);
+  }
+
+  const WrittenValues& values_;
+  const Scope no_names_;
+  std::size_t count_ = 0;
+  bool is_planar_ = false, is_in_degrees_ = false;
+  std::string orientation_;
+  std::map<std::size_t, LegValues> legs_;
+  std::set<std::size_t> open_;  ///< legs whose values have been asked for
+};
+
+}  // namespace
+
+std::unique_ptr<SectionReading> legs_reading(const WrittenValues& values) {
+  return std::make_unique<LegsReading>(values);
+}
+
+}  // namespace regulus::verifier

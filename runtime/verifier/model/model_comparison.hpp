@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Decides if a question is that of a model file. The verifier's own readers read every value and
+// every expression of the file; each is compared with the value that the certificate states for it.
+#pragma once
+
+#include "runtime/verifier/model/model_file.hpp"
+#include "runtime/verifier/question.hpp"
+#include "runtime/verifier/verify.hpp"
+
+namespace regulus::verifier {
+
+/// The certificate is about another model file.
+class OtherModel : public Rejection {
+ public:
+  using Rejection::Rejection;
+};
+
+/// Compares all that the question states with all that the file says about this robot and this
+/// motion. Counts in `result` the compared values, and lists those that options may have changed.
+/// `compared`: keys of Question::stated that are compared elsewhere.
+/// Throws OtherModel for any other difference, with both texts and their lines; Unfinished if a value
+/// of the file or a line of the certificate could not be compared.
+void compare_with_model(Question& question, const WrittenValues& values, const Options& options,
+                        Verification& result, const std::vector<std::string>& compared = {});
+
+}  // namespace regulus::verifier

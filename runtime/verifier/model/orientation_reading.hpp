@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// The orientation of a platform by the names of its pose.
+#pragma once
+
+#include "runtime/verifier/model/rigid_motion.hpp"
+#include "runtime/verifier/model/section_reading.hpp"
+
+namespace regulus::verifier {
+
+/// `size` times a rotation; size is 1 but for a quaternion of any length.
+struct OrientationNodes {
+  MatrixNodes scaled;
+  NodeId size;
+};
+
+/// Returns the names of the word of `orientation`; empty for one that has no angles.
+[[nodiscard]] std::vector<std::string> orientation_names(const std::string& word);
+
+/// `in_degrees`: the names are numbers of degrees. Throws Unfinished if the scope lacks a name.
+[[nodiscard]] OrientationNodes read_orientation(const std::string& word, const Scope& scope,
+                                                bool in_degrees, GraphAlgebra& algebra);
+
+}  // namespace regulus::verifier

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a section of a model file, [gough], [legs] or [serial], says of the robot, as nodes of the
+// question's graph. The reader of each section is the verifier's own.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/verifier/model/equality.hpp"
+#include "runtime/verifier/model/model_file.hpp"
+#include "runtime/verifier/question.hpp"
+
+namespace regulus::verifier {
+
+/// A part of a model file: "legs.leg[0].rod", its line, and the text that a message shows.
+struct FilePlace {
+  std::string place;
+  std::size_t line = 0;
+  std::string text;
+};
+
+/// The steps of a comparison that the readers of sections use. What differs throws OtherModel, with
+/// both texts and lines. What cannot be compared is kept, and makes the answer UNFINISHED.
+class SectionComparer {
+ public:
+  virtual ~SectionComparer() = default;
+
+  [[nodiscard]] virtual Question& question() = 0;
+  [[nodiscard]] virtual const WrittenValues& values() const = 0;
+  /// Returns the place of a value that the file has.
+  [[nodiscard]] virtual FilePlace place_of(const std::string& place) const = 0;
+
+  /// Returns the expression at a place of the file, with the names of `scope` (Question::actual or
+  /// Question::commanded), of [let] and of the section. Throws Unfinished or Rejection if it cannot.
+  [[nodiscard]] virtual NodeId expression_at(const std::string& place, const Scope& scope) = 0;
+
+  /// Compares a value of the file with what the certificate states under a key of Question::stated:
+  /// "value a1_x", "spread a1_x", "entry 0", "scale 0". A spread that is not stated is 0; any other
+  /// value that is not stated differs. `option`: the option that may have changed it, as in
+  /// Options::overridden; "" for none.
+  virtual void compare(const FilePlace& from, NodeId value, const std::string& stated,
+                       const std::string& option) = 0;
+  /// The same, without an option.
+  void compare(const FilePlace& from, NodeId value, const std::string& stated) {
+    compare(from, value, stated, "");
+  }
+  /// These constants, by name, are the coordinates of a point in a ball; its radius is their spread.
+  virtual void expect_ball(const FilePlace& from, const std::vector<std::string>& names) = 0;
+  /// The model means nothing where an operation of this expression has no value. The certificate must
+  /// state so, in an entry or in a line `defined`. What is compared as an entry or as a constant is
+  /// expected to be defined without this call; a scale is not.
+  virtual void expect_defined(const FilePlace& from, NodeId value) = 0;
+  /// A value has been compared in another way, or what the certificate states under this key follows
+  /// from values that have been.
+  virtual void note_compared(const std::string& stated) = 0;
+  /// The comparison of a part of the file, or of what the certificate states, is not possible.
+  virtual void leave_out(const FilePlace& from, const std::string& why) = 0;
+  /// Throws OtherModel: the file has this, and the certificate has something else.
+  [[noreturn]] virtual void refuse(const FilePlace& from, const std::string& stated) = 0;
+};
+
+/// A pose parameter and its unit.
+struct SectionPose {
+  std::string name, unit;
+};
+
+class SectionReading {
+ public:
+  virtual ~SectionReading() = default;
+
+  /// Returns the pose parameters, in their order.
+  [[nodiscard]] virtual std::vector<SectionPose> pose() const = 0;
+
+  /// Returns the meaning of a name that the section declares for expressions of the file, such as
+  /// rho_1 of [legs], by the pose of `scope`; kNoNode: it has no such name.
+  [[nodiscard]] virtual NodeId name(std::string_view, const Scope&, SectionComparer&) {
+    return kNoNode;
+  }
+  /// Returns what where = "within-ranges" adds to the constraints, in the order of the certificate's
+  /// lines: each is ≤ 0, by the commanded pose. nullopt: this reader does not know.
+  [[nodiscard]] virtual std::optional<std::vector<NodeId>> range_constraints(SectionComparer&) {
+    return std::nullopt;
+  }
+  /// Returns the place of the file that gives the range or the value of a pose parameter in a motion
+  /// that the section makes ("serial.joints[0].range"); "": it makes no such motion.
+  [[nodiscard]] virtual std::string place_in_motion(const std::string& /*motion*/,
+                                                    const std::string& /*pose*/) const {
+    return "";
+  }
+
+  /// Compares every constant with its spread, every ball, entry and scale, and says what must be
+  /// defined.
+  virtual void compare(SectionComparer& comparer) = 0;
+};
+
+/// Returns the reader of the section that describes the robot; nullptr if the file has none of
+/// [gough], [legs] and [serial], or if no reader knows that section.
+[[nodiscard]] std::unique_ptr<SectionReading> read_section(const WrittenValues& values);
+
+}  // namespace regulus::verifier

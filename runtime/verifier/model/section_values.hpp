@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// The numbers of a section of a model file: constants, angles, and quantities with a tolerance.
+#pragma once
+
+#include "runtime/verifier/model/rigid_motion.hpp"
+#include "runtime/verifier/model/section_reading.hpp"
+
+namespace regulus::verifier {
+
+/// The tolerance of the quantities of one kind: its key, and the option that changes it.
+struct SectionTolerance {
+  std::string key, option;
+  bool is_angle = false;
+};
+
+class SectionValues {
+ public:
+  /// `in_degrees`: numbers of angles are degrees.
+  SectionValues(SectionComparer& comparer, bool in_degrees)
+      : comparer_(comparer), algebra_(comparer.question().graph), in_degrees_(in_degrees) {}
+
+  /// Returns a value that does not depend on the pose. Throws Unfinished if there is none.
+  [[nodiscard]] NodeId constant(const std::string& place);
+  /// Returns an angle in its own unit, which may be degrees.
+  [[nodiscard]] NodeId number_of_angle(const std::string& place);
+  /// Returns an angle in radians.
+  [[nodiscard]] NodeId angle(const std::string& place);
+  /// Returns an angle in its unit as an angle in radians.
+  [[nodiscard]] NodeId in_radians(NodeId angle) {
+    return in_degrees_ ? algebra_.degrees(angle) : angle;
+  }
+
+  /// Returns a quantity, and compares it with the constant `name` of the certificate, or its error with
+  /// `name`_error, which varies about 0. Adds the name to `names`, if it is not null. What the
+  /// certificate does not state must have no tolerance.
+  [[nodiscard]] NodeId quantity(const std::string& place, const std::string& name,
+                                const SectionTolerance& tolerance,
+                                std::vector<std::string>* names = nullptr);
+
+ private:
+  NodeId checked(const std::string& place, NodeId node);
+  void compare_spread(const std::string& name, const SectionTolerance& tolerance);
+
+  SectionComparer& comparer_;
+  GraphAlgebra algebra_;
+  const bool in_degrees_;
+};
+
+}  // namespace regulus::verifier

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+// The question about a piece is the text of the common question, with a line `constant` for each
+// name of `piecewise`. It is read anew for each piece by the reader of any other question, so that a
+// piece is proved exactly as a certificate of its own.
+#include "runtime/verifier/pieces.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <sstream>
+
+#include "runtime/verifier/bordered_matrix.hpp"
+#include "runtime/verifier/model/model_comparison.hpp"
+#include "runtime/verifier/model/waypoints.hpp"
+#include "runtime/verifier/proof.hpp"
+#include "runtime/verifier/quantity_lines.hpp"
+#include "runtime/verifier/single_values.hpp"
+#include "runtime/verifier/tree_reader.hpp"
+
+namespace regulus::verifier {
+namespace {
+
+std::string piece(std::size_t k) { return "piece " + std::to_string(k + 1); }
+
+void advance(Lines& lines) {
+  if (!lines.next()) throw Rejection("the file ends before its line 'end'");
+}
+
+class PieceChecker {
+ public:
+  PieceChecker(Lines& lines, const Options& options, Verification& result)
+      : lines_(lines),
+        options_(options),
+        rest_(options),
+        result_(result),
+        pieces_(read_pieces(lines)) {
+    result_.pieces = pieces_.values.size();
+  }
+
+  void check() {
+    advance(lines_);
+    for (std::size_t k = 0; k < pieces_.values.size(); ++k) {
+      if (lines_.text() != "tree") throw Rejection("expected the line 'tree' of " + piece(k));
+      check_piece(k);
+    }
+    const auto words = words_of(lines_.text());
+    if (words.size() != 2 || words[0] != "end") throw Rejection("expected 'end LEAVES'");
+    if (read_count(words[1], std::size_t(-1)) != result_.leaves)
+      throw Rejection("the line 'end' gives a wrong number of leaves");
+    if (lines_.next()) throw Rejection("there is text after the line 'end'");
+  }
+
+ private:
+  void check_piece(std::size_t k) {
+    std::istringstream text(pieces_.question_of(k));
+    Lines head(text);
+    Question question;
+    try {
+      read_question(head, question);
+    } catch (const Rejection& why) {
+      throw Rejection(piece(k) + ": line " + std::to_string(head.number()) +
+                      " of its question: " + why.what());
+    }
+    if (question.singular) throw Rejection("a singular pose lies on one piece: there are several");
+    if (k == 0) describe(question);
+    question.graph.end_of_file();
+    if (!options_.model_text.empty()) compare(question, k);
+    if (question.quantity) border(question);
+    const Variety variety = enclose_variety(question);
+    put_in_single_values(question);
+    if (options_.time_limit > 0) rest_.time_limit = options_.time_limit - seconds();
+    if (rest_.time_limit < 0) throw Unfinished("the time limit was reached");
+    const Shown shown = check_tree_of_piece(lines_, question, variety, rest_, result_);
+    shown_.has_met_variety |= shown.has_met_variety;
+    shown_.has_met_point |= shown.has_met_point;
+    // The constraints may exclude some pieces, but not all.
+    if (k + 1 == pieces_.values.size()) require_poses(question, shown_, result_);
+  }
+
+  void describe(const Question& question) {
+    result_.claim = question.claim();
+    result_.model = question.model;
+    result_.sha256 = question.sha256;
+    result_.motion = question.motion;
+    describe_bound(question, result_);
+  }
+
+  /// Every piece is compared in full: a value of its own may stand in any line.
+  void compare(Question& question, std::size_t k) {
+    if (k == 0) begin_comparison(question);
+    const std::size_t poses = waypoints_->compare(question, k);
+    std::vector<std::string> compared = waypoints_->compared_keys(question);
+    for (const std::string& name : pieces_.names) compared.push_back("value " + name);
+    Verification of_piece;
+    compare_with_model(question, model_, options_, of_piece, compared);
+    result_.numbers += poses + (k == 0 ? of_piece.numbers : 0);
+    for (const std::string& difference : of_piece.differences)
+      if (std::ranges::find(result_.differences, difference) == result_.differences.end())
+        result_.differences.push_back(difference);
+  }
+
+  void begin_comparison(const Question& question) {
+    model_ = read_model_values(options_.model_text);
+    waypoints_.emplace(model_, question.motion, options_.model_name, options_.waypoints);
+    const std::size_t count = pieces_.values.size();
+    if (!waypoints_->is_named())
+      throw Unfinished("the certificate has " + std::to_string(count) +
+                       " pieces, and the motion names no file of way-points; name it by "
+                       "--waypoints");
+    if (waypoints_->pieces() != count)
+      throw OtherModel("the certificate is not about " + waypoints_->file() + ": it has " +
+                       std::to_string(count) + " pieces, the file " +
+                       std::to_string(waypoints_->pieces()));
+  }
+
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+  Lines& lines_;
+  const Options& options_;
+  Options rest_;  ///< with the time that is left
+  Verification& result_;
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  const Pieces pieces_;
+  WrittenValues model_;
+  std::optional<WaypointComparison> waypoints_;
+  Shown shown_;  ///< by all pieces
+};
+
+}  // namespace
+
+Pieces read_pieces(Lines& lines) {
+  Pieces pieces;
+  std::vector<std::string> before = lines.take_kept();
+  for (std::size_t i = 0; i + 1 < before.size(); ++i) pieces.before += before[i] + '\n';
+  for (const std::string_view word : words_of(before.back())) pieces.names.emplace_back(word);
+  pieces.names.erase(pieces.names.begin());
+  if (pieces.names.empty() || pieces.names.size() > format::kMostPieceNames)
+    throw Rejection("the line 'piecewise' has too few or too many names");
+  for (advance(lines); lines.text().starts_with("piece "); advance(lines)) {
+    if (pieces.values.size() == format::kMostPieces) throw Rejection("there are too many pieces");
+    pieces.values.push_back(lines.text().substr(6));
+  }
+  if (pieces.values.empty()) throw Rejection("there is no piece");
+  for (std::size_t count = 0; lines.text() != "proof"; advance(lines)) {
+    if (++count > format::kMostLines) throw Rejection("there are too many lines before 'proof'");
+    pieces.after += lines.text() + '\n';
+  }
+  pieces.after += "proof\n";
+  return pieces;
+}
+
+std::vector<std::string> Pieces::values_of(std::size_t k) const {
+  constexpr std::string_view kBetween = " | ";
+  std::vector<std::string> result;
+  std::string_view rest = values[k];
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::size_t end = rest.find(kBetween);
+    if ((end == std::string_view::npos) != (i + 1 == names.size()))
+      throw Rejection(piece(k) + " has a wrong number of values");
+    result.emplace_back(rest.substr(0, end));
+    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + kBetween.size());
+  }
+  return result;
+}
+
+std::string Pieces::question_of(std::size_t k) const {
+  const std::vector<std::string> constants = values_of(k);
+  std::string text = before;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += "constant " + names[i] + " = " + constants[i] + '\n';
+  return text + after;
+}
+
+void check_pieces(Lines& lines, const Options& options, Verification& result) {
+  PieceChecker(lines, options, result).check();
+}
+
+}  // namespace regulus::verifier

@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/verifier/question.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <set>
+
+#include "runtime/verifier/algebra.hpp"
+#include "runtime/verifier/load_lines.hpp"
+#include "runtime/verifier/quantity_lines.hpp"
+
+namespace regulus::verifier {
+namespace {
+
+/// Cuts `text` at the first `mark`; returns false if there is none.
+bool cut(std::string_view text, std::string_view mark, std::string_view& before,
+         std::string_view& after) {
+  const std::size_t at = text.find(mark);
+  if (at == std::string_view::npos) return false;
+  before = text.substr(0, at);
+  after = text.substr(at + mark.size());
+  return true;
+}
+
+class QuestionReader {
+ public:
+  QuestionReader(Lines& lines, Question& question) : lines_(lines), q_(question) {}
+
+  void read() {
+    advance();
+    q_.is_index = lines_.text() == format::kIndexMagic;
+    if (!q_.is_index && lines_.text() != format::kMagic)
+      throw Rejection("the first line is not '" + std::string(format::kMagic) + "'");
+    advance();
+    read_verdict();
+    const std::string claim(take("claim"));
+    read_labels();
+    read_variables();
+    if (is("piecewise")) {
+      q_.is_piecewise = true;
+      return;
+    }
+    read_poses();
+    keep_names();
+    read_model();
+    read_motion();
+    if (q_.load) read_load_lines(lines_, q_);
+    if (!q_.load && is("quantity")) read_quantity_lines(lines_, q_);
+    if (lines_.text() != "proof") throw Rejection("expected the line 'proof'");
+    if (claim != q_.claim())
+      throw Rejection("the claim is not about this matrix and set: expected '" + q_.claim() + "'");
+  }
+
+ private:
+  void advance() {
+    if (!lines_.next()) throw Rejection("the file ends before the proof");
+    if (lines_.number() > format::kMostLines)
+      throw Rejection("there are too many lines before 'proof'");
+  }
+
+  /// Returns true if the line is `key` alone, or begins with it and a space.
+  bool is(std::string_view key) const {
+    const std::string& line = lines_.text();
+    return line.starts_with(key) && (line.size() == key.size() || line[key.size()] == ' ');
+  }
+  /// Returns the text after a key with which the line begins.
+  std::string_view rest_of(std::string_view key) const {
+    const std::string_view line = lines_.text();
+    return line.substr(std::min(key.size() + 1, line.size()));
+  }
+
+  /// Returns the rest of a line that must begin with `key`, and goes to the next line.
+  std::string take(std::string_view key) {
+    if (!is(key)) throw Rejection("expected a line '" + std::string(key) + " …'");
+    std::string rest(rest_of(key));
+    advance();
+    return rest;
+  }
+
+  void read_verdict() {
+    const std::string verdict = take("verdict");
+    q_.singular = verdict == format::kSingularity || verdict == format::kInfeasible;
+    if (verdict == format::kFeasible || verdict == format::kInfeasible ||
+        verdict == format::kPaving)
+      q_.load.emplace().verdict = verdict;
+    else if (!q_.singular && verdict != format::kNoSingularity)
+      throw Rejection("the verdict is not " + std::string(format::kNoSingularity) + ", " +
+                      format::kSingularity + ", " + format::kFeasible + ", " + format::kInfeasible +
+                      " or " + format::kPaving);
+  }
+
+  void read_labels() {
+    q_.model = take("model");
+    q_.sha256 = take("sha256");
+    q_.motion = take("motion");
+    const std::string alpha = take("alpha");
+    q_.alpha = note("alpha", "", constant(alpha), alpha);
+    q_.has_threshold = alpha != "0";
+  }
+
+  NodeId constant(std::string_view text) { return parse(text, {}, q_.graph); }
+
+  /// Records the value that a line states.
+  NodeId note(std::string_view kind, std::string_view name, NodeId node, std::string_view text) {
+    std::string key(kind);
+    key += ' ';
+    key += name;
+    q_.stated.emplace(key, StatedValue{node, lines_.number(), std::string(text)});
+    return node;
+  }
+
+  void declare(Scope& scope, std::string_view name, NodeId meaning) {
+    if (!is_name(name) || is_reserved(name))
+      throw Rejection("'" + std::string(name) + "' cannot be a name");
+    if (!scope.emplace(name, meaning).second)
+      throw Rejection("'" + std::string(name) + "' is declared twice");
+  }
+
+  NodeId add_variable(std::string name, VariableKind kind, NodeId lo, NodeId hi) {
+    if (q_.variables.size() == format::kMostVariables) throw Rejection("too many variables");
+    const NodeId node = q_.graph.add(Op::kVariable, int(q_.variables.size()));
+    q_.variables.push_back({std::move(name), kind, lo, hi});
+    return node;
+  }
+
+  /// Reads the lines parameter, constant, uncertain and ball.
+  void read_variables() {
+    std::string_view name, value, lo, hi;
+    while (is("parameter")) {
+      if (!cut(rest_of("parameter"), " in ", name, value) || !cut(value, " : ", lo, hi))
+        throw Rejection("expected 'parameter NAME in LO : HI'");
+      declare(parameters_, name,
+              add_variable(std::string(name), VariableKind::kParameter,
+                           note("lower", name, constant(lo), lo),
+                           note("upper", name, constant(hi), hi)));
+      advance();
+    }
+    for (;; advance()) {
+      if (is("constant") && cut(rest_of("constant"), " = ", name, value))
+        declare(geometry_, name, note("value", name, constant(value), value));
+      else if (is("uncertain") && cut(rest_of("uncertain"), " = ", name, value) &&
+               cut(value, " +- ", lo, hi))
+        read_uncertain(std::string(name), note("value", name, constant(lo), lo),
+                       note("spread", name, constant(hi), hi));
+      else if (is("ball"))
+        read_ball(rest_of("ball"));
+      else
+        return;
+    }
+  }
+
+  void read_uncertain(const std::string& name, NodeId middle, NodeId spread) {
+    spreads_.resize(q_.variables.size(), -1);
+    spreads_.push_back(spread);
+    middles_.resize(q_.variables.size(), -1);
+    middles_.push_back(middle);
+    declare(
+        geometry_, name,
+        add_variable(name, VariableKind::kUncertain, q_.graph.add(Op::kSubtract, middle, spread),
+                     q_.graph.add(Op::kAdd, middle, spread)));
+  }
+
+  /// Reads names of earlier uncertain quantities with one spread, none of them in two balls.
+  void read_ball(std::string_view names) {
+    BallOfVariables ball;
+    while (!names.empty()) {
+      std::string_view name = names, rest;
+      if (cut(names, " ", name, rest))
+        names = rest;
+      else
+        names = {};
+      const auto found = geometry_.find(name);
+      const Node node =
+          found == geometry_.end() ? Node{Op::kPi} : q_.graph.nodes()[std::size_t(found->second)];
+      if (node.op != Op::kVariable || !in_ball_.insert(node.a).second)
+        throw Rejection("'" + std::string(name) + "' cannot be a coordinate of this ball");
+      const NodeId spread = spreads_[std::size_t(node.a)];
+      if (!ball.members.empty() && spread != ball.radius)
+        throw Rejection("the coordinates of a ball have different radii");
+      ball.radius = spread;
+      ball.members.push_back(std::size_t(node.a));
+      ball.middles.push_back(middles_[std::size_t(node.a)]);
+    }
+    if (ball.members.empty()) throw Rejection("a ball has no coordinates");
+    q_.balls.push_back(std::move(ball));
+  }
+
+  /// Reads pose NAME = EXPRESSION [+- ERROR]: commanded in constraints, with error in the matrix.
+  void read_poses() {
+    Scope scope = parameters_;
+    for (const auto& [name, node] : geometry_) declare(scope, name, node);
+    commanded_ = scope;
+    actual_ = geometry_;
+    std::string_view name, value, expression, error;
+    for (; is("pose"); advance()) {
+      if (!cut(rest_of("pose"), " = ", name, value)) throw Rejection("expected 'pose NAME = …'");
+      const bool has_error = cut(value, " +- ", expression, error);
+      const std::string_view text = has_error ? expression : value;
+      const NodeId commanded = note("pose", name, parse(text, scope, q_.graph), text);
+      read_pose(std::string(name), commanded,
+                has_error ? note("error", name, constant(error), error) : -1);
+    }
+  }
+
+  void read_pose(const std::string& name, NodeId commanded, NodeId error) {
+    // A commanded pose must have a value: the motion means nothing where it has none.
+    q_.motion_defined.push_back(commanded);
+    NodeId actual = commanded;
+    if (error >= 0)
+      actual = q_.graph.add(Op::kAdd, commanded,
+                            add_variable(name + " error", VariableKind::kError,
+                                         q_.graph.add(Op::kNegate, error), error));
+    declare(actual_, name, actual);
+    // A parameter of the same name must be the same quantity: constraints may use both.
+    const auto known = commanded_.find(name);
+    if (known != commanded_.end() && known->second != commanded)
+      throw Rejection("'" + name + "' is a parameter, and another pose parameter");
+    commanded_.emplace(name, commanded);
+  }
+
+  /// Saves the names of the model, before a `let` of the file can use one of them.
+  void keep_names() {
+    q_.actual = actual_;
+    q_.commanded = commanded_;
+  }
+
+  void read_model() {
+    std::string_view name, value;
+    for (; is("let"); advance()) {
+      if (!cut(rest_of("let"), " = ", name, value)) throw Rejection("expected 'let NAME = …'");
+      declare(actual_, name, parse(value, actual_, q_.graph));
+    }
+    const std::string shape = take("matrix");
+    if (!cut(shape, " ", name, value)) throw Rejection("expected 'matrix ROWS COLUMNS'");
+    q_.rows = read_count(name, format::kMostRows);
+    q_.columns = read_count(value, q_.rows);
+    if (q_.columns < 1) throw Rejection("the matrix has no columns");
+    for (std::size_t e = 0; e < q_.rows * q_.columns; ++e) {
+      if (!is("entry")) throw Rejection("expected a line 'entry …'");
+      const std::string_view text = rest_of("entry");
+      q_.matrix.push_back(note("entry", std::to_string(e), parse(text, actual_, q_.graph), text));
+      advance();
+    }
+    read_list("scale", actual_, q_.scale);
+    if (!q_.scale.empty() && q_.scale.size() != q_.rows)
+      throw Rejection("the number of scales differs from the number of rows");
+    read_list("defined", actual_, q_.defined);
+  }
+
+  void read_motion() {
+    read_list("motion-defined", commanded_, q_.motion_defined);
+    read_reach();
+    read_list("constraint", commanded_, q_.constraints);
+    if (q_.has_threshold && q_.rows != q_.columns) throw Rejection("alpha needs a square matrix");
+  }
+
+  /// Reads `reach E`: E ≥ 0 in the variety. It must be the operand of a root of the model, so that
+  /// poses where E < 0 are none of the robot.
+  void read_reach() {
+    std::vector<NodeId> operands;
+    for (const Node& node : q_.graph.nodes())
+      if (node.op == Op::kSqrt) operands.push_back(node.a);
+    for (std::size_t number = 0; is("reach"); ++number, advance()) {
+      const std::string_view text = rest_of("reach");
+      const NodeId claimed = parse(text, actual_, q_.graph);
+      if (std::none_of(operands.begin(), operands.end(),
+                       [&](NodeId operand) { return is_equal(operand, claimed); }))
+        throw Rejection("the model has no square root of '" + std::string(text.substr(0, 80)) +
+                        "', so that a pose where it is negative can be one of the robot");
+      const NodeId operand =
+          note("reach", std::to_string(number), parse(text, commanded_, q_.graph), text);
+      q_.constraints.push_back(q_.graph.add(Op::kNegate, operand));
+      q_.is_within_reach = true;
+    }
+  }
+
+  /// Shows that two expressions are equal: the same node, or the same polynomial.
+  bool is_equal(NodeId a, NodeId b) {
+    constexpr std::uint64_t kProducts = 1 << 16;
+    if (a == b) return true;
+    const std::vector<NodeId> none;
+    for (const auto form : {Algebra::Form::kPlain, Algebra::Form::kFull}) try {
+        AlgebraBudget budget(kProducts);
+        Algebra algebra(q_.graph, none, form, budget);
+        if (algebra.vanishes(algebra.of(q_.graph.add(Op::kSubtract, a, b)))) return true;
+      } catch (const TooLarge&) {
+        return false;
+      }
+    return false;
+  }
+
+  void read_list(std::string_view key, const Scope& scope, std::vector<NodeId>& list) {
+    for (std::size_t number = 0; is(key); ++number, advance()) {
+      const std::string_view text = rest_of(key);
+      list.push_back(note(key, std::to_string(number), parse(text, scope, q_.graph), text));
+    }
+  }
+
+  Lines& lines_;
+  Question& q_;
+  Scope parameters_, geometry_, commanded_, actual_;
+  std::vector<NodeId> middles_, spreads_;  ///< of each variable that is an uncertain quantity
+  std::set<int> in_ball_;
+};
+
+/// True if a character in UTF-8 could change what a terminal shows of the others: C1, the separators
+/// of lines and paragraphs, and the bidirectional controls of Unicode Standard Annex #9.
+bool hides_text(std::string_view line) {
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const auto byte = [&](std::size_t k) {
+      return i + k < line.size() ? static_cast<unsigned char>(line[i + k]) : 0U;
+    };
+    const unsigned first = byte(0), second = byte(1), third = byte(2);
+    if ((first == 0xc2 && second < 0xa0) || (first == 0xd8 && second == 0x9c)) return true;
+    if (first != 0xe2) continue;
+    if (second == 0x80 && (third == 0x8e || third == 0x8f || (third >= 0xa8 && third <= 0xae)))
+      return true;
+    if (second == 0x81 && third >= 0xa6 && third <= 0xa9) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool Lines::next() {
+  text_.clear();
+  ++number_;
+  named_ = 0;
+  for (int c; (c = in_.get()) != std::istream::traits_type::eof();) {
+    if (left_-- == 0) throw Rejection("the file is too large");
+    if (c == '\n') {
+      if (hides_text(text_)) throw Rejection("the line contains a control character");
+      if (keeps_) kept_.push_back(text_);
+      return true;
+    }
+    if (c < ' ' || c == 127) throw Rejection("the line contains a control character");
+    if (text_.size() == format::kLongestLine) throw Rejection("the line is too long");
+    text_.push_back(char(c));
+  }
+  if (in_.bad()) throw std::runtime_error("the file cannot be read");
+  if (!text_.empty()) throw Rejection("the last line has no newline");
+  return false;
+}
+
+format::ClaimedSet Question::claimed_set() const {
+  format::ClaimedSet set{rows, columns, 0, has_threshold, is_within_reach};
+  for (const Variable& v : variables) set.uncertain += v.kind != VariableKind::kParameter;
+  return set;
+}
+
+std::string Question::claim() const {
+  if (load) return format::describe_load_claim(claimed_set(), load->verdict);
+  if (quantity) return quantity->claim;
+  return format::describe_claim(claimed_set(), singular);
+}
+
+void read_question(Lines& lines, Question& question) { QuestionReader(lines, question).read(); }
+
+std::size_t read_count(std::string_view text, std::size_t most) {
+  std::size_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || value > most)
+    throw Rejection("found '" + std::string(text.substr(0, 40)) + "', expected a number up to " +
+                    std::to_string(most));
+  return value;
+}
+
+}  // namespace regulus::verifier

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// One file of a proof in shards.
+#pragma once
+
+#include <istream>
+
+#include "runtime/verifier/input_file.hpp"
+#include "runtime/verifier/tree_reader.hpp"
+
+namespace regulus::verifier {
+
+/// An entry of the index: one shard.
+struct ListedShard {
+  std::size_t number = 0;  ///< from 1
+  std::uint64_t leaves = 0;
+  std::string sha256;
+  std::size_t line = 0;  ///< of the index
+};
+
+class ShardFile {
+ public:
+  /// Throws Rejection if the file cannot be read, is another shard, or has other bytes than the
+  /// index says. `question`: SHA-256 of the question.
+  ShardFile(const std::string& path, const ListedShard& listed, const std::string& question);
+
+  /// Reads up to the line `proof`: the boxes that wait before the shard. Throws Rejection.
+  [[nodiscard]] OpenBoxes read_open(const Box& root);
+  [[nodiscard]] Lines& lines() noexcept { return lines_; }
+
+ private:
+  void advance();
+  void require(const std::string& line, const std::string& otherwise);
+  void read_box(const std::vector<std::string_view>& words, const Box& root, OpenBoxes& into) const;
+
+  InputFile bytes_;
+  std::istream stream_;
+  Lines lines_;
+};
+
+}  // namespace regulus::verifier

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+// The lines of all shards, one after the other, are the proof of a certificate in one file. Each
+// shard begins with the boxes that wait before its first line. The reader knows those that wait
+// after its last line: they must be the boxes with which the next shard begins. The first shard
+// begins with box 0, and after the last one no box waits. So the leaves of all shards tile box 0,
+// in whatever order and by whomever the shards are read. The hashes only tell which file is wrong.
+#include "runtime/verifier/shards.hpp"
+
+#include "runtime/files/sha256.hpp"
+#include "runtime/verifier/shard_file.hpp"
+
+namespace regulus::verifier {
+namespace {
+
+class ShardsChecker {
+ public:
+  ShardsChecker(Lines& lines, const std::vector<std::string>& head, Question& question,
+                const Variety& variety, const Options& options, Verification& result)
+      : lines_(lines),
+        question_(question),
+        variety_(variety),
+        options_(with_total_progress(options)),
+        result_(result),
+        clock_(options_, of_shard_),
+        proofs_(question, variety, options_, clock_, of_shard_),
+        sha256_(digest_of(head)) {}
+
+  void check() {
+    if (options_.path.empty()) throw Unfinished("the shards of an index need its path");
+    read_list();
+    proofs_of_shards_.resize(listed_.size());
+    prove_own_part();
+    if (options_.parts > 1) options_.exchange(proofs_of_shards_);
+    join();
+  }
+
+ private:
+  static std::string digest_of(const std::vector<std::string>& head) {
+    Sha256 digest;
+    for (std::size_t i = 1; i < head.size(); ++i) digest.add(head[i] + '\n');
+    return digest.text();
+  }
+
+  void read_list() {
+    for (;;) {
+      if (!lines_.next()) throw Rejection("the file ends before the line 'end'");
+      const auto words = words_of(lines_.text());
+      if (words.size() != 4 || words[0] != "shard") break;
+      if (listed_.size() == format::kMostShards) throw Rejection("there are too many shards");
+      listed_.push_back({read_count(words[1], format::kMostShards),
+                         read_count(words[2], std::size_t(-1)), std::string(words[3]),
+                         lines_.number()});
+      if (listed_.back().number != listed_.size())
+        throw Rejection("expected shard " + std::to_string(listed_.size()));
+      leaves_ += listed_.back().leaves;
+    }
+    const auto words = words_of(lines_.text());
+    if (words.size() != 2 || words[0] != "end" || listed_.empty())
+      throw Rejection("expected 'shard NUMBER LEAVES SHA256' or 'end LEAVES'");
+    if (read_count(words[1], std::size_t(-1)) != leaves_)
+      throw Rejection("the line 'end' gives a wrong number of leaves");
+    if (lines_.next()) throw Rejection("there is text after the line 'end'");
+    result_.shards = listed_.size();
+  }
+
+  /// Counts all shards, not the current one alone.
+  Options with_total_progress(Options options) {
+    if (!options.progress) return options;
+    options.progress = [this, tell = options.progress](const Verification&) {
+      Verification total = result_;
+      total.leaves += of_shard_.leaves;
+      total.boxes += of_shard_.boxes;
+      tell(total);
+    };
+    return options;
+  }
+
+  /// Stops at the first shard that is not proved, or if there are too many boxes: the shards after
+  /// it do not matter any more.
+  void prove_own_part() {
+    for (std::size_t i = options_.part; i < listed_.size(); i += options_.parts) {
+      ShardProof& proof = proofs_of_shards_[i];
+      try {
+        prove(listed_[i], proof);
+        proof.is_proved = true;
+      } catch (const Unfinished& why) {
+        proof.reason = why.what();
+      } catch (const std::runtime_error& why) {
+        proof.is_rejected = true;
+        proof.reason = why.what();
+      }
+      result_.leaves += of_shard_.leaves;
+      result_.boxes += of_shard_.boxes;
+      of_shard_ = {};
+      if (!proof.is_proved || result_.boxes > options_.max_boxes) return;
+    }
+  }
+
+  void prove(const ListedShard& listed, ShardProof& proof) {
+    ShardFile file(format::shard_file(options_.path, listed.number), listed, sha256_);
+    try {
+      OpenBoxes open = file.read_open(variety_.outer);
+      proof.before = open.text();
+      TreeReader reader(file.lines(), question_, open, proofs_, clock_);
+      const Shown shown = reader.read();
+      reader.require_end_word();
+      reader.require_end(shown.leaves);
+      if (shown.leaves != listed.leaves)
+        throw Rejection("the index gives another number of leaves");
+      proof.after = open.text();
+      proof.question = sha256_;
+      proof.leaves = shown.leaves;
+      proof.boxes = shown.boxes;
+      proof.has_met_variety = shown.has_met_variety;
+      proof.has_met_point = shown.has_met_point;
+      proof.sign = shown.sign;
+    } catch (const Rejection& why) {
+      throw Rejection("line " + std::to_string(file.lines().number()) + ": " + why.what());
+    } catch (const Unfinished& why) {
+      throw Unfinished("line " + std::to_string(file.lines().number()) + ": " + why.what());
+    }
+  }
+
+  /// Puts the parts together, in their order.
+  void join() {
+    Shown shown;
+    OpenBoxes root;
+    root.boxes.emplace(0, variety_.outer);
+    std::string expected = root.text();
+    result_.leaves = result_.boxes = 0;
+    for (std::size_t i = 0; i < listed_.size(); ++i) {
+      const ShardProof& proof = proofs_of_shards_[i];
+      lines_.name_line(listed_[i].line);
+      const std::string here = "shard " + std::to_string(listed_[i].number) + ": ";
+      if (!proof.is_proved && proof.is_rejected) throw Rejection(here + proof.reason);
+      if (!proof.is_proved) throw Unfinished(here + proof.reason);
+      if (proof.question != sha256_) throw Rejection(here + "it was proved for another question");
+      if (proof.before != expected)
+        throw Rejection(here + "it does not begin where the shard before it ends");
+      expected = proof.after;
+      add(proof, here, shown);
+    }
+    if (!expected.ends_with('\n') || expected.find('\n') + 1 != expected.size())
+      throw Rejection("after the last shard there are boxes without a leaf");
+    lines_.name_line(0);
+    require_poses(question_, shown, result_);
+  }
+
+  void add(const ShardProof& proof, const std::string& here, Shown& shown) {
+    result_.leaves += proof.leaves;
+    result_.boxes += proof.boxes;
+    if (result_.boxes > options_.max_boxes)
+      throw Unfinished(here + "the shards up to this one need more than " +
+                       std::to_string(options_.max_boxes) + " boxes");
+    if (shown.sign * proof.sign < 0)
+      throw Rejection(here +
+                      "the determinant has opposite signs at two points of the variety, one of "
+                      "them in it");
+    if (shown.sign == 0) shown.sign = proof.sign;
+    shown.has_met_variety |= proof.has_met_variety;
+    shown.has_met_point |= proof.has_met_point;
+  }
+
+  Lines& lines_;
+  Question& question_;
+  const Variety& variety_;
+  Verification of_shard_;  ///< counts of the current shard
+  const Options options_;
+  Verification& result_;
+  WorkClock clock_;
+  LeafProofs proofs_;
+  const std::string sha256_;  ///< of the question
+  std::vector<ListedShard> listed_;
+  std::vector<ShardProof> proofs_of_shards_;
+  std::uint64_t leaves_ = 0;
+};
+
+}  // namespace
+
+void check_shards(Lines& lines, const std::vector<std::string>& head, Question& question,
+                  const Variety& variety, const Options& options, Verification& result) {
+  ShardsChecker(lines, head, question, variety, options, result).check();
+}
+
+}  // namespace regulus::verifier

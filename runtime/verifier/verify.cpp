@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/verifier/verify.hpp"
+
+#include "runtime/verifier/bordered_matrix.hpp"
+#include "runtime/verifier/model/model_comparison.hpp"
+#include "runtime/verifier/model/waypoints.hpp"
+#include "runtime/verifier/pieces.hpp"
+#include "runtime/verifier/proof.hpp"
+#include "runtime/verifier/quantity_lines.hpp"
+#include "runtime/verifier/shards.hpp"
+#include "runtime/verifier/single_values.hpp"
+#include "runtime/verifier/usual_environment.hpp"
+
+namespace regulus::verifier {
+namespace {
+
+/// A trajectory has a singular pose on one of its pieces; other claims are about all of them.
+void compare(Question& question, const Options& options, Verification& result) {
+  const WrittenValues model = read_model_values(options.model_text);
+  const WaypointComparison waypoints(model, question.motion, options.model_name, options.waypoints);
+  if (!waypoints.is_named()) return compare_with_model(question, model, options, result);
+  if (!question.singular && waypoints.pieces() != 1)
+    throw OtherModel("the certificate is not about " + waypoints.file() +
+                     ": it is about one piece, and the file has " +
+                     std::to_string(waypoints.pieces()));
+  waypoints.require_some_piece(question);
+  compare_with_model(question, model, options, result, waypoints.compared_keys(question));
+}
+
+void check(Lines& lines, Question& question, const Options& options, Verification& result) {
+  lines.keep();
+  read_question(lines, question);
+  if (question.is_index &&
+      (question.is_piecewise || question.singular || question.load || question.quantity))
+    throw Rejection("an index is for a proof of NO SINGULARITY about one piece");
+  if (question.is_piecewise) return check_pieces(lines, options, result);
+  const std::vector<std::string> head = lines.take_kept();
+  result.claim = question.claim();
+  result.model = question.model;
+  result.sha256 = question.sha256;
+  result.motion = question.motion;
+  question.graph.end_of_file();
+  if (!options.model_text.empty()) compare(question, options, result);
+  describe_bound(question, result);
+  if (question.quantity) border(question);
+  const Variety variety = enclose_variety(question);
+  put_in_single_values(question);
+  if (question.is_index)
+    check_shards(lines, head, question, variety, options, result);
+  else if (question.singular)
+    check_witness(lines, question, variety, options, result);
+  else
+    check_tree(lines, question, variety, options, result);
+}
+
+std::string at_line(const Lines& lines, const std::string& why) {
+  return "line " + std::to_string(lines.number()) + ": " + why;
+}
+
+/// Returns "448 feasible, 139 infeasible, 407 undecided"; empty if it is not a paving.
+std::string describe_paved(const Verification& v) {
+  std::string text;
+  for (std::size_t i = 0; i < kPavedWords.size(); ++i)
+    if (v.paved[i] > 0)
+      text += (text.empty() ? "" : ", ") + std::to_string(v.paved[i]) + ' ' + kPavedWords[i];
+  return text;
+}
+
+}  // namespace
+
+Verification verify(std::istream& file, const Options& options) {
+  const UsualEnvironment environment;
+  require_usual_arithmetic();
+  Verification result;
+  Lines lines(file, options.max_bytes);
+  Question question;
+  try {
+    check(lines, question, options, result);
+    result.outcome = Outcome::kVerified;
+  } catch (const OtherModel& other) {
+    result.outcome = Outcome::kRejected;
+    result.reason = other.what();
+  } catch (const Rejection& rejection) {
+    result.outcome = Outcome::kRejected;
+    result.reason = at_line(lines, rejection.what());
+  } catch (const Unfinished& unfinished) {
+    result.outcome = Outcome::kUnfinished;
+    result.reason = at_line(lines, unfinished.what());
+  }
+  return result;
+}
+
+std::string describe(const Verification& v) {
+  std::string text;
+  const auto line = [&text](const std::string& key, const std::string& value) {
+    if (!value.empty()) text += key + std::string(11 - key.size(), ' ') + value + '\n';
+  };
+  line("model", v.model);
+  line("sha256", v.sha256);
+  line("motion", v.motion);
+  line("claim", v.claim);
+  line("bound", v.bound);
+  if (v.pieces > 0) line("pieces", std::to_string(v.pieces) + " of a trajectory");
+  if (v.shards > 0) line("shards", std::to_string(v.shards));
+  if (v.leaves > 0)
+    line("leaves", std::to_string(v.leaves) + ", in " + std::to_string(v.boxes) + " boxes");
+  line("paved", describe_paved(v));
+  if (v.numbers > 0)
+    line("numbers",
+         std::to_string(v.numbers) + " values and expressions of the model file compared");
+  for (const std::string& difference : v.differences) line("differs", difference);
+  line("note", v.note);
+  line("reason", v.reason);
+  return text;
+}
+
+const char* name(Outcome outcome) noexcept {
+  switch (outcome) {
+    case Outcome::kVerified:
+      return "VERIFIED";
+    case Outcome::kRejected:
+      return "REJECTED";
+    case Outcome::kUnfinished:
+      break;
+  }
+  return "UNFINISHED";
+}
+
+}  // namespace regulus::verifier
