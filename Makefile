@@ -1,21 +1,28 @@
 # SPDX-License-Identifier: Apache-2.0
 # Short names for the usual work; everything is in CMake. `make help` lists them.
-.PHONY: help demo build deb test test-all formal paper growth ablation datasheets bench fuzz attack asan ubsan tsan clang dependencies format clean
+.PHONY: help demo build without-page deb test test-all formal paper growth ablation datasheets bench fuzz attack asan ubsan tsan clang dependencies format clean
 .DEFAULT_GOAL := help
 # Several sources are compiled as one: half the time of a whole build.
 WHOLE := -DCMAKE_UNITY_BUILD=ON
+CONFIGURE := cmake --preset release -DREGULUS_TESTS=OFF $(WHOLE) >build-configure.log 2>&1 || \
+	{ cat build-configure.log; rm -f build-configure.log; exit 1; }; rm -f build-configure.log
 
 help:           ## this list
 	@sed -n 's/^\([a-z-]*\):[^#]*## /\1\t/p' Makefile | expand -t 16
 
-demo: build     ## install what is missing, build, certify two robots
+demo: without-page  ## install what is missing, build, certify two robots
+	@cmake --build --preset release --target regulus
 	build/bin/regulus check models/robot_1.toml wide_15
 	build/bin/regulus check models/robot_2.toml table5_30
 
-build: dependencies  ## the command, at build/bin/regulus
-	@cmake --preset release -DREGULUS_TESTS=OFF $(WHOLE) >build-configure.log 2>&1 || { cat build-configure.log; rm -f build-configure.log; exit 1; }
-	@rm -f build-configure.log
+build: dependencies  ## the command, at build/bin/regulus, and all that is installed with it
+	@$(CONFIGURE)
 	@cmake --build --preset release
+
+# Nothing but Debian's packages is fetched for the command alone.
+without-page:
+	@cmake/install-dependencies.sh --without-page
+	@$(CONFIGURE)
 
 deb: build      ## Debian packages of the command and of the library: build/*.deb
 	@cmake/install-dependencies.sh dpkg-dev file
@@ -84,9 +91,10 @@ tsan: dependencies  ## every test that runs several threads, under ThreadSanitiz
 	ctest --preset tsan
 
 MODELS ?= 100000
-attack: dependencies  ## MODELS hostile models, judged by what is known of them: build/attack.json
+attack: dependencies  ## MODELS hostile models and forged proofs, judged by what is known of them: build/attack.json, forge.json
 	cmake --preset release -DREGULUS_TESTS=ON
-	cmake --build --preset release --target attack
+	cmake --build --preset release --target attack forge
+	build/bin/forge --forgeries $(MODELS) --json build/forge.json
 	build/bin/attack --models $(MODELS) --fail-on-slow --least-verified 99 --json build/attack.json
 
 asan ubsan clang: dependencies  ## the fast tests under that preset

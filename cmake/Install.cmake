@@ -110,7 +110,7 @@ if(REGULUS_CODEGEN)
   install(FILES ${PROJECT_SOURCE_DIR}/codegen/model/file/model.schema.json ${PROJECT_SOURCE_DIR}/codegen/answer/report/report.schema.json
           DESTINATION ${CMAKE_INSTALL_DATADIR}/regulus/schema COMPONENT codegen)
   if(REGULUS_PAGE_TEMPLATE)
-    install(FILES ${REGULUS_PAGE_TEMPLATE} DESTINATION ${CMAKE_INSTALL_DATADIR}/regulus COMPONENT codegen)
+    install(FILES ${REGULUS_PAGE_TEMPLATE} DESTINATION ${CMAKE_INSTALL_DATADIR}/regulus COMPONENT codegen OPTIONAL)
   endif()
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/formal DESTINATION ${CMAKE_INSTALL_DATADIR}/regulus
           COMPONENT codegen FILES_MATCHING PATTERN "*.v" PATTERN "*.ml" PATTERN _CoqProject PATTERN "*.md")

@@ -1,9 +1,12 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Installs what cmake/packages-debian.txt names, and packages named as arguments, that the machine
-# lacks. Elsewhere than on Debian and its kin it prints the list and stops.
+# install-dependencies.sh [--without-page] PACKAGES...: installs what cmake/packages-debian.txt names, and
+# packages named as arguments, that the machine lacks; npm, too, unless without the page. Elsewhere than
+# on Debian and its kin it prints the list and stops.
 set -eu
 here=$(dirname "$0")
+with_page=yes
+[ "${1-}" != --without-page ] || { with_page= && shift; }
 packages=$(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$here/packages-debian.txt" | tr '\n' ' ')"$*"
 
 if ! command -v dpkg-query >/dev/null 2>&1; then
@@ -20,7 +23,7 @@ for package in $packages; do
 done
 # The page of `regulus report` alone needs npm, of any origin; everything else is built without it.
 page=
-command -v npm >/dev/null 2>&1 || page=npm
+[ -z "$with_page" ] || command -v npm >/dev/null 2>&1 || page=npm
 [ -n "$missing$page" ] || exit 0
 
 root=

@@ -77,7 +77,7 @@ class AnswerOfBound final : public BoundAnswer {
   void run(Quantity quantity, const Services& services) {
     HeldFiles held;
     settings_.held = &held;
-    std::optional<BoundCheckpoint> checkpoint;
+    std::optional<BracketCheckpoint> checkpoint;
     if (!services.checkpoint.path.empty())
       settings_.checkpoint = &checkpoint.emplace(
           services.checkpoint.path, checkpointed_question(request_, quantity, settings_.search));
@@ -157,7 +157,7 @@ class Sheet final : public DatasheetAnswer {
   void run(const Services& services) {
     HeldFiles held;
     settings_.held = &held;
-    std::optional<BoundCheckpoint> checkpoint;
+    std::optional<BracketCheckpoint> checkpoint;
     if (!services.checkpoint.path.empty())
       settings_.checkpoint = &checkpoint.emplace(
           services.checkpoint.path, checkpointed_datasheet(request_, settings_.search));

@@ -86,9 +86,11 @@ class VarietyCheck final : public CheckAnswer {
 class WayCheck final : public CheckAnswer {
  public:
   WayCheck(Request request, double model_seconds, const AskCheck& asked, const Services& services)
-      : search_(asked.search),
-        check_(check_trajectory(std::move(request), model_seconds, search_,
-                                !services.certificate.empty(), services.interrupt)) {
+      : search_(asked.search) {
+    SearchDisplay display(display_of(services));
+    check_ =
+        check_trajectory(std::move(request), model_seconds, search_, !services.certificate.empty(),
+                         {services.interrupt, display.observer()});
     proof = certify_trajectory(services.certificate, check_);
     if (check_.deciding) result = check_.deciding->result;
     result.verdict = check_.verdict;

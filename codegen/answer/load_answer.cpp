@@ -11,7 +11,7 @@
 #include "codegen/answer/report/report_text.hpp"
 #include "codegen/question/load/feasibility_report.hpp"
 #include "codegen/question/load/force_certificate.hpp"
-#include "codegen/question/load/way_forces.hpp"
+#include "codegen/question/load/way_force_paving.hpp"
 #include "codegen/question/way/read_trajectory.hpp"
 #include "codegen/support/stopwatch.hpp"
 #include "runtime/problem/observers.hpp"
@@ -37,10 +37,12 @@ class LoadSearch {
   /// An exception from the listener ends the search.
   void run(const FeasibilitySettings& settings, const ForceListener& listener,
            const Services& services) {
+    ForceCheckpoint checkpoint(services.checkpoint, prepared_, settings);
     SearchDisplay display(display_of(services));
     Observers observers(present({certificate_.observer(), display.observer()}));
-    result_ = run_forces(prepared_, settings, listener, &observers);
+    result_ = run_forces(prepared_, settings, listener, &observers, &checkpoint);
     certificate_.finish(result_);
+    checkpoint_line_ = checkpoint.line();
   }
 
   /// `volumes`: of a paving, or null.
@@ -63,11 +65,15 @@ class LoadSearch {
 
   [[nodiscard]] PreparedForces& prepared() { return prepared_; }
   [[nodiscard]] const FeasibilityResult& result() const { return result_; }
+  [[nodiscard]] std::string about_files() const {
+    return certificate_.status().line() + checkpoint_line_;
+  }
 
  private:
   PreparedForces prepared_;
   ForceCertificate certificate_;
   FeasibilityResult result_;
+  std::string checkpoint_line_;
 };
 
 class VarietyLoad final : public LoadAnswer {
@@ -82,6 +88,7 @@ class VarietyLoad final : public LoadAnswer {
   }
 
   [[nodiscard]] std::string text() const override { return search_.text(nullptr); }
+  [[nodiscard]] std::string about_files() const override { return search_.about_files(); }
   [[nodiscard]] Json json() const override { return search_.json(nullptr); }
 
  private:
@@ -91,9 +98,11 @@ class VarietyLoad final : public LoadAnswer {
 /// Of a motion along way-points: `variables` are empty.
 class WayLoad final : public LoadAnswer {
  public:
-  WayLoad(Request request, double model_seconds, const AskLoad& asked, const Services& services)
-      : found_(check_forces_along_way(std::move(request), model_seconds, asked.load, asked.search,
-                                      !services.certificate.empty(), services.interrupt)) {
+  WayLoad(Request request, double model_seconds, const AskLoad& asked, const Services& services) {
+    SearchDisplay display(display_of(services));
+    found_ = check_forces_along_way(std::move(request), model_seconds, asked.load, asked.search,
+                                    !services.certificate.empty(),
+                                    {services.interrupt, display.observer()});
     verdict = found_.verdict;
     boxes = found_.boxes;
     proof = certify_way_forces(services.certificate, found_);
@@ -135,6 +144,7 @@ class VarietyLoadPaving final : public LoadPavingAnswer {
   }
 
   [[nodiscard]] std::string text() const override { return search_.text(&volumes_); }
+  [[nodiscard]] std::string about_files() const override { return search_.about_files(); }
   [[nodiscard]] Json json() const override { return search_.json(&volumes_); }
 
  private:
@@ -156,6 +166,39 @@ class VarietyLoadPaving final : public LoadPavingAnswer {
   double resolution_ = 1;
 };
 
+/// Of a motion along way-points: stretches, and no boxes.
+class WayLoadPaving final : public LoadPavingAnswer {
+ public:
+  WayLoadPaving(Request request, double model_seconds, const AskLoadPaving& asked,
+                const Services& services)
+      : lines_(services.lines) {
+    SearchDisplay display(display_of(services));
+    paving_ = pave_forces_along_way(
+        std::move(request), model_seconds, asked.load, asked.search,
+        asked.resolution.empty() ? kPathResolution : read_resolution(asked.resolution),
+        {services.interrupt, display.observer()});
+    verdict = paving_.found.verdict;
+    boxes = paving_.found.boxes;
+    set_texts(*this, json_way_forces(paving_.found));
+    write();
+  }
+
+  [[nodiscard]] std::string text() const override { return format_way_force_paving(paving_); }
+  [[nodiscard]] Json json() const override { return json_way_force_paving(paving_); }
+
+ private:
+  void write() {
+    if (!lines_.is_wanted()) return;
+    for (const ForceStretch& stretch : paving_.stretches)
+      lines_.stream() << report_text(json_force_stretch(paving_, stretch)) << '\n';
+    lines_.stream() << report_text({{"summary", json()}}) << '\n';
+    lines_.finish();
+  }
+
+  LinesFile lines_;
+  WayForcePaving paving_;
+};
+
 }  // namespace
 
 std::unique_ptr<LoadAnswer> ask(const AskLoad& asked, const Services& services) {
@@ -175,7 +218,11 @@ std::unique_ptr<LoadPavingAnswer> ask(const AskLoadPaving& asked, const Services
   refuse_services(Kind::kLoadPaving, asked.search, services);
   refuse_services_along_way(Kind::kWayLoadPaving, asked.model, asked.search, services);
   set_outputs_aside(asked.model, asked.search, services);
-  return std::make_unique<VarietyLoadPaving>(asked, services);
+  Stopwatch watch;
+  std::optional<Request> along = read_trajectory(asked.model);
+  if (!along) return std::make_unique<VarietyLoadPaving>(asked, services);
+  services.begin_search();
+  return std::make_unique<WayLoadPaving>(std::move(*along), watch.lap(), asked, services);
 }
 
 }  // namespace regulus

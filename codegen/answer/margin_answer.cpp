@@ -105,7 +105,7 @@ class WayMargin final : public MarginAnswer {
                                       search_);
     HeldFiles held;
     found_ =
-        margin_of_trajectory(request_, question_, search_, gap_,
+        margin_of_trajectory(request_, question_, search_, gap_, display_of(services),
                              {{}, services.interrupt, steps_of(services), checkpoint.searches()},
                              margin_proofs(services.certificate, &held));
     held.put_in_place();
@@ -188,7 +188,7 @@ class MarginOfLimit final : public MarginAnswer {
   void run(const Json& checkpointed, Quantity quantity, const Services& services) {
     HeldFiles held;
     settings_.held = &held;
-    std::optional<BoundCheckpoint> checkpoint;
+    std::optional<BracketCheckpoint> checkpoint;
     if (!services.checkpoint.path.empty())
       settings_.checkpoint = &checkpoint.emplace(services.checkpoint.path, checkpointed);
     found_ = limit_margin(request_, question_, std::move(quantity), settings_, steps_of(services));

@@ -47,11 +47,4 @@ FormingWatch watch_of(const Services& services) {
   return forming_watch(display_of(services), services.interrupt);
 }
 
-std::vector<Observer*> present(std::initializer_list<Observer*> observers) {
-  std::vector<Observer*> result;
-  std::ranges::copy_if(observers, std::back_inserter(result),
-                       [](const Observer* observer) { return observer != nullptr; });
-  return result;
-}
-
 }  // namespace regulus

@@ -2,7 +2,6 @@
 // The files of a question, and what every answer does with its services.
 #pragma once
 
-#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -11,7 +10,7 @@
 #include "codegen/model/model_options.hpp"
 #include "codegen/question/engine/options.hpp"
 #include "codegen/support/work_meter.hpp"
-#include "runtime/problem/observer.hpp"
+#include "runtime/problem/observers.hpp"
 
 namespace regulus {
 
@@ -27,8 +26,5 @@ void set_outputs_aside(const ModelOptions& model, const SearchOptions& search,
 [[nodiscard]] FormingWatch watch_of(const Services& services);
 /// Returns what says whether a terminal shows the progress.
 [[nodiscard]] OutputOptions display_of(const Services& services);
-
-/// Returns those that are not null.
-[[nodiscard]] std::vector<Observer*> present(std::initializer_list<Observer*> observers);
 
 }  // namespace regulus

@@ -119,10 +119,11 @@ class WayPaving final : public PavingAnswer {
  public:
   WayPaving(Request request, double model_seconds, const AskPaving& asked, const Services& services)
       : search_(asked.search), lines_(services.lines) {
+    SearchDisplay display(display_of(services));
     paving_ = pave_trajectory(
         std::move(request), model_seconds, search_,
         asked.resolution.empty() ? kPathResolution : read_resolution(asked.resolution),
-        services.interrupt);
+        {services.interrupt, display.observer()});
     result.verdict = paving_.check.verdict;
     result.reason = paving_.check.reason;
     result.statistics = paving_.check.path.statistics;

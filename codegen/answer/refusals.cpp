@@ -17,12 +17,8 @@ namespace {
 constexpr std::string_view kOneFile = "the proof of an end of a bracket is one file";
 constexpr std::string_view kNoBoxes = "a picture is of the boxes of a paving; ask where, by locate";
 constexpr std::string_view kLoadPicture = "a load has no picture; draw the boxes of the paving";
-constexpr std::string_view kNotContinued =
-    "a search about a load cannot be continued; divide the ranges instead";
 constexpr std::string_view kOneMachine =
     "a motion along way-points is searched on one machine, by all of its threads";
-constexpr std::string_view kLoadOneMachine =
-    "a load is searched on one machine, by all of its threads";
 constexpr std::string_view kWayNotContinued = "a motion along way-points cannot be continued";
 constexpr std::string_view kNoRows = "a datasheet brackets many quantities; bound one of them";
 constexpr std::string_view kOneMethod = "for a load there is one method; leave the option out";
@@ -30,8 +26,6 @@ constexpr std::string_view kNoTheorem =
     "Coq proves what the regularity of a matrix says; regulus-verify proves this";
 constexpr std::string_view kNoWayCondition =
     "a motion along way-points cannot be bounded yet; give the motion a formula, or ranges";
-constexpr std::string_view kNoWayLoadPaving =
-    "a motion along way-points is not paved by loads; regulus check decides about it";
 
 using enum Kind;
 using enum Service;
@@ -45,12 +39,8 @@ constexpr Refusal kRefusals[] = {
     {kCondition2, kTheorem, kNoTheorem},
     {kLoad, kShards, "a proof about a load stays in one file"},
     {kLoad, kTheorem, kNoTheorem},
-    {kLoad, kCheckpoint, kNotContinued},
-    {kLoad, kRanks, kLoadOneMachine},
     {kLoadPaving, kShards, "a proof about a load stays in one file"},
     {kLoadPaving, kTheorem, kNoTheorem},
-    {kLoadPaving, kCheckpoint, kNotContinued},
-    {kLoadPaving, kRanks, kLoadOneMachine},
     {kLoadPaving, kPicture, kLoadPicture},
     {kDatasheet, kShards, kOneFile},
     {kDatasheet, kRanks, kNoRows},
@@ -74,9 +64,17 @@ constexpr Refusal kRefusals[] = {
     {kWayCondition2, kAnswer, kNoWayCondition},
     {kWayLoad, kShards, "a proof about a load stays in one file"},
     {kWayLoad, kTheorem, kNoTheorem},
-    {kWayLoad, kCheckpoint, kNotContinued},
+    {kWayLoad, kCheckpoint, kWayNotContinued},
     {kWayLoad, kRanks, kOneMachine},
-    {kWayLoadPaving, kAnswer, kNoWayLoadPaving},
+    {kWayLoadPaving, kProof,
+     "there is no proof of the stretches of a motion along way-points; check proves the whole "
+     "motion"},
+    {kWayLoadPaving, kShards, "there is no proof of stretches"},
+    {kWayLoadPaving, kTheorem, "there is no proof of stretches"},
+    {kWayLoadPaving, kCheckpoint, kWayNotContinued},
+    {kWayLoadPaving, kRanks, kOneMachine},
+    {kWayLoadPaving, kPicture,
+     "a motion along way-points is not drawn; the paving has its stretches"},
     {kWayDatasheet, kShards, kOneFile},
     {kWayDatasheet, kRanks, kNoRows},
     // What has no boxes has no picture.
@@ -107,8 +105,6 @@ constexpr OptionRefusal kOptionsOfLoads[] = {
     {"symbolic-budget", kOneMethod},
     {"without", kOneMethod},
     {"shard-size", "a proof about a load stays in one file"},
-    {"checkpoint", kNotContinued},
-    {"checkpoint-every", kNotContinued},
     {"picture", kLoadPicture},
     {"axes", kLoadPicture},
     {"slices", kLoadPicture},

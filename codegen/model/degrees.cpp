@@ -13,9 +13,6 @@
 namespace regulus {
 namespace {
 
-/// Just above 2π, as files round it; a warning needs no proof.
-constexpr double kOneTurn = 6.2832;
-
 bool is_plain(const GiNaC::ex& e) { return e.info(GiNaC::info_flags::rational); }
 
 }  // namespace

@@ -19,6 +19,9 @@ struct Place;
 /// The meaning of numbers that stand alone.
 enum class NumberUnit { kPlain, kDegrees };
 
+/// Just above 2π, as files round it; a warning needs no proof.
+constexpr double kOneTurn = 6.2832;
+
 /// One degree as an angle: Pi/180, exactly.
 [[nodiscard]] GiNaC::ex one_degree();
 

@@ -99,6 +99,19 @@ class ByteReader {
     if (count != 0) std::memcpy(static_cast<void*>(numbers.data()), bytes.data(), bytes.size());
     return numbers;
   }
+  /// Takes a list that must have so many numbers.
+  template <typename Number>
+  [[nodiscard]] std::vector<Number> take_list_of(std::size_t count) {
+    std::vector<Number> numbers = take_list<Number>();
+    if (numbers.size() != count) throw MalformedMessage();
+    return numbers;
+  }
+  /// Takes a bool.
+  [[nodiscard]] bool take_flag() {
+    const auto byte = take<unsigned char>();
+    if (byte > 1) throw MalformedMessage();
+    return byte == 1;
+  }
   [[nodiscard]] bool at_end() const noexcept { return rest_.empty(); }
   [[nodiscard]] std::string_view rest() const noexcept { return rest_; }
 

@@ -14,7 +14,12 @@ std::vector<Unit> take_groups(ByteReader& from) {
 
 }  // namespace
 
+/// No unit is without boxes: a horizon other than 0 comes after a number of 0.
 void put(ByteWriter& to, const Unit& unit) {
+  if (unit.horizon != 0) {
+    to.put_count(0);
+    to.put(unit.horizon);
+  }
   to.put_list(std::span<const std::uint32_t>(unit.depths));
   to.put_list(std::span<const Interval>(unit.ranges));
 }
@@ -22,6 +27,10 @@ void put(ByteWriter& to, const Unit& unit) {
 Unit take_unit(ByteReader& from) {
   Unit unit;
   unit.depths = from.take_list<std::uint32_t>();
+  if (unit.depths.empty()) {
+    unit.horizon = from.take<double>();
+    unit.depths = from.take_list<std::uint32_t>();
+  }
   unit.ranges = from.take_list<Interval>();
   if (unit.depths.empty() || unit.ranges.size() % unit.depths.size() != 0) throw MalformedMessage();
   return unit;

@@ -21,6 +21,7 @@ namespace regulus::cluster {
 struct Unit {
   std::vector<std::uint32_t> depths;  ///< of each box: the splits above it
   std::vector<Interval> ranges;       ///< box by box, of the variables that are split
+  double horizon = 0;  ///< of the search, if its boxes are judged with one (search/box_judges.hpp)
 
   [[nodiscard]] std::size_t size() const noexcept { return depths.size(); }
   friend bool operator==(const Unit&, const Unit&) = default;

@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <initializer_list>
 #include <utility>
 #include <vector>
 
 #include "runtime/problem/observer.hpp"
 
 namespace regulus {
+
+/// Returns those that are not null.
+[[nodiscard]] inline std::vector<Observer*> present(std::initializer_list<Observer*> observers) {
+  std::vector<Observer*> result;
+  for (Observer* observer : observers)
+    if (observer != nullptr) result.push_back(observer);
+  return result;
+}
 
 /// Calls several observers, in their order. It does not own them.
 class Observers final : public Observer {

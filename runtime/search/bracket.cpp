@@ -14,8 +14,8 @@ constexpr double kMostShare = 0.5;
 constexpr double kLastAttempt = 3;
 constexpr double kLastShare = 0.95;
 /// The value half-way to a ceiling takes four times as many boxes as the value before. If it takes
-/// kPatience times as many, it met a ceiling.
-constexpr std::uint64_t kPatience = 20;
+/// kBracketPatience times as many, it met a ceiling.
+constexpr std::uint64_t kBracketPatience = 20;
 /// So many boxes are always worth an attempt: a second of work, or less.
 constexpr std::uint64_t kFewBoxes = 1 << 16;
 /// The part of an attempt's boxes that its value should need; the prediction is rough.
@@ -85,7 +85,8 @@ bool Bracket::failed_at(double value) const noexcept {
 
 std::uint64_t Bracket::boxes_of_next() const noexcept {
   const std::uint64_t last = successes_.back().boxes;
-  const std::uint64_t most = last < kAnyBoxes / kPatience ? kPatience * last : kAnyBoxes;
+  const std::uint64_t most =
+      last < kAnyBoxes / kBracketPatience ? kBracketPatience * last : kAnyBoxes;
   return std::min(std::max(most, kFewBoxes), limits_.boxes);
 }
 

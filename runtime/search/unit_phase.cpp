@@ -21,7 +21,7 @@ constexpr std::size_t kFirstUnits = 64;
 /// Changes whenever the bytes of units or outcomes get another meaning.
 constexpr const char* kOutcomeFormat = "1 ";
 
-constexpr double kPatience = 30.0;
+constexpr double kPhasePatience = 30.0;
 constexpr double kSecondsBetweenShows = 0.25;
 
 cluster::Learned learned_by(SearchRecord& record) {
@@ -90,7 +90,7 @@ void UnitPhase::run() {
   save_units();
   workers_.begin(record_.problem, record_.settings, learned_, nullptr);
   supervisor_.emplace(units(), workers_.count(),
-                      cluster::Supervisor::Pace{workers_.seconds_of_grant(), kPatience});
+                      cluster::Supervisor::Pace{workers_.seconds_of_grant(), kPhasePatience});
   restore_early();
   record_.before_pause = [this] { save_early(); };
   while (goes_on() && !record_.must_stop()) {

@@ -5,53 +5,90 @@
 #include <optional>
 
 #include "runtime/evaluation/pose_evaluator.hpp"
+#include "runtime/search/box_search.hpp"
 
 namespace regulus {
 namespace {
 
-using Box = std::vector<Interval>;
+struct PoseQuestion {
+  const Problem& problem;
+};
 
-class WorkspaceSearch {
+struct PoseFinding {
+  bool is_outside = false, is_inside = false;
+};
+
+/// A judge of boxes (box_judges.hpp): do their poses meet the constraints?
+class PoseJudge {
  public:
-  WorkspaceSearch(const Problem& problem, const Volumes& volumes, double resolution)
-      : problem_(problem),
-        volumes_(volumes),
-        resolution_(resolution),
-        lanes_(problem),
-        pose_(lanes_) {}
+  using Question = PoseQuestion;
+  using Finding = PoseFinding;
 
-  Workspace run(const std::atomic<bool>& interrupt) {
-    open_.push_back(problem_.outer);
-    while (!open_.empty() && boxes_ < kMostWorkspaceBoxes && !interrupt) look_at_some();
-    for (const Box& box : open_) add(found_.undecided, box);
+  explicit PoseJudge(const PoseQuestion& question) : lanes_(question.problem), pose_(lanes_) {}
+  PoseJudge(const PoseJudge&) = delete;
+  PoseJudge& operator=(const PoseJudge&) = delete;
+
+  void judge(std::span<const std::vector<Interval>> boxes, std::span<PoseFinding> findings,
+             double) {
+    lanes_.clear();
+    pose_.forget();
+    for (std::size_t lane = 0; lane < boxes.size(); ++lane) lanes_.load(lane, boxes[lane]);
+    lanes_.seal(boxes.size());
+    const LaneMask outside = pose_.certain_outside(), inside = pose_.certain_inside();
+    for (std::size_t lane = 0; lane < boxes.size(); ++lane)
+      findings[lane] = {has_lane(outside, lane), has_lane(inside, lane)};
+  }
+  static void put(cluster::ByteWriter& to, const PoseFinding& finding) { to.put(finding); }
+  static PoseFinding take(cluster::ByteReader& from, const PoseQuestion&) {
+    const bool is_outside = from.take_flag();
+    return {is_outside, from.take_flag()};
+  }
+
+ private:
+  BoxLanes lanes_;
+  PoseEvaluator pose_;
+};
+
+/// The goal of the search: the widest boxes come first, so that a limit leaves narrow ones.
+class WorkspaceGoal {
+ public:
+  static constexpr bool kJudgesWhenMade = false;
+
+  WorkspaceGoal(const Problem& problem, const Volumes& volumes, double resolution)
+      : problem_(problem), volumes_(volumes), resolution_(resolution) {}
+
+  void start(TreeBox root) { open_.push_back(std::move(root.box)); }
+  [[nodiscard]] bool has_ended() const { return open_.empty(); }
+
+  void fill(std::vector<std::vector<Interval>>& boxes, std::uint64_t) {
+    while (boxes.size() < kLanes && !open_.empty()) {
+      boxes.push_back(std::move(open_.front()));
+      open_.pop_front();
+    }
+    round_ = boxes;
+  }
+
+  [[nodiscard]] double horizon() const { return 0; }
+  [[nodiscard]] std::size_t open() const { return open_.size(); }
+
+  void conclude(std::span<const PoseFinding> findings) {
+    for (std::size_t i = 0; i < round_.size(); ++i) {
+      if (findings[i].is_outside)
+        add(found_.outside, round_[i]);
+      else if (findings[i].is_inside)
+        add(found_.inside, round_[i]);
+      else
+        split(std::move(round_[i]));
+    }
+  }
+
+  Workspace finish() {
+    for (const std::vector<Interval>& box : open_) add(found_.undecided, box);
     return found_;
   }
 
  private:
-  /// Decides up to eight boxes. The widest come first, so that a limit leaves narrow ones.
-  void look_at_some() {
-    lanes_.clear();
-    pose_.forget();
-    std::vector<Box> some;
-    while (some.size() < kLanes && !open_.empty()) {
-      lanes_.load(some.size(), open_.front());
-      some.push_back(std::move(open_.front()));
-      open_.pop_front();
-    }
-    lanes_.seal(some.size());
-    boxes_ += some.size();
-    const LaneMask outside = pose_.certain_outside(), inside = pose_.certain_inside();
-    for (std::size_t lane = 0; lane < some.size(); ++lane) {
-      if (has_lane(outside, lane))
-        add(found_.outside, some[lane]);
-      else if (has_lane(inside, lane))
-        add(found_.inside, some[lane]);
-      else
-        split(std::move(some[lane]));
-    }
-  }
-
-  void split(Box box) {
+  void split(std::vector<Interval> box) {
     std::size_t widest = 0;
     double most = resolution_;
     for (const std::size_t k : volumes_.axes()) {
@@ -68,7 +105,7 @@ class WorkspaceSearch {
 
   static double approx_width(Interval x) { return x.hi - x.lo; }
 
-  void add(Share& share, const Box& box) const {
+  void add(Share& share, const std::vector<Interval>& box) const {
     ++share.boxes;
     share.volume += volumes_.volume(box);
   }
@@ -76,18 +113,22 @@ class WorkspaceSearch {
   const Problem& problem_;
   const Volumes& volumes_;
   const double resolution_;
-  BoxLanes lanes_;
-  PoseEvaluator pose_;
-  std::deque<Box> open_;
+  std::deque<std::vector<Interval>> open_;
+  std::vector<std::vector<Interval>> round_;
   Workspace found_;
-  std::uint64_t boxes_ = 0;
 };
 
 }  // namespace
 
 Workspace measure_workspace(const Problem& problem, const Volumes& volumes, double resolution,
                             const std::atomic<bool>& interrupt) {
-  return WorkspaceSearch(problem, volumes, resolution).run(interrupt);
+  BoxSearchSettings settings;
+  settings.max_boxes = kMostWorkspaceBoxes;
+  settings.interrupt = &interrupt;
+  BoxCourse course(problem, settings, nullptr);
+  WorkspaceGoal goal(problem, volumes, resolution);
+  BoxSearch<PoseJudge, WorkspaceGoal>({problem}, kLanes, course, goal).run();
+  return goal.finish();
 }
 
 }  // namespace regulus

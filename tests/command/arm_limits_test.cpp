@@ -15,8 +15,6 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string kCommand = REGULUS_BINARY_DIR "/bin/regulus";
-
 class Arm : public testing::Test {
  protected:
   void SetUp() override {
@@ -28,8 +26,7 @@ class Arm : public testing::Test {
 
   [[nodiscard]] CommandResult run(const std::string& command,
                                   std::vector<std::string> words) const {
-    words.insert(words.begin(), {kCommand, command, model_, "limits"});
-    return run_command(words);
+    return regulus({command, model_, "limits"}, words);
   }
 
   TemporaryDirectory directory_;
@@ -94,17 +91,16 @@ TEST(Explain, ShowsAllEntriesInFull) {
   TemporaryDirectory directory;
   const std::string path = directory.path() / "legs.toml";
   write_file(path, file_contents(model) + "[motion.zero]\nx = 0\ny = 0\nphi = 0\n");
-  EXPECT_THAT(run_command({kCommand, "explain", path}).output, HasSubstr("characters more"));
-  const std::string all = run_command({kCommand, "explain", path, "--all"}).output;
+  EXPECT_THAT(regulus({"explain", path}).output, HasSubstr("characters more"));
+  const std::string all = regulus({"explain", path, "--all"}).output;
   EXPECT_THAT(all, Not(HasSubstr("characters more")));
   EXPECT_THAT(all, Not(HasSubstr("symbols and operations")));
 }
 
 TEST(Claims, NameTheGroupsOfUncertainQuantities) {
-  const json report =
-      json::parse(run_command({kCommand, "check", REGULUS_SOURCE_DIR "/models/robot_1.toml",
-                               "T2_errors", "--tolerance", "base,platform=0.01", "--json"})
-                      .output);
+  const json report = json::parse(
+      regulus({"check", kRobot1, "T2_errors", "--tolerance", "base,platform=0.01", "--json"})
+          .output);
   EXPECT_THAT(report["claim"].get<std::string>(),
               HasSubstr("(18 of base, 18 of platform, 6 control errors)"));
   EXPECT_EQ(report["question"]["groups"],
@@ -115,8 +111,7 @@ TEST(Claims, NameTheGroupsOfUncertainQuantities) {
 
 /// The lines of the question without those about the file and its names.
 std::vector<std::string> question_of(const std::string& model, const std::string& certificate) {
-  EXPECT_EQ(run_command({kCommand, "check", model, "here", "--certificate", certificate}).exit_code,
-            0);
+  EXPECT_EQ(regulus({"check", model, "here", "--certificate", certificate}).exit_code, 0);
   std::vector<std::string> lines;
   std::istringstream text(file_contents(certificate));
   for (std::string line; std::getline(text, line);) {

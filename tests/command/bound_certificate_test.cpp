@@ -16,7 +16,7 @@ namespace {
 using testing::HasSubstr;
 
 /// J⁻¹ = [1 x/10; 0 1] with 0 ≤ x ≤ 2.
-constexpr const char* kShear = R"toml(regulus = 1
+constexpr const char* kProvedShear = R"toml(regulus = 1
 name = "shear"
 characteristic_length = 2
 [pose]
@@ -42,12 +42,12 @@ y = 0
 
 class BoundCertificateTest : public testing::Test {
  protected:
-  BoundCertificateTest() { write(kShear); }
+  BoundCertificateTest() { write(kProvedShear); }
 
   void write(const std::string& text) const { std::ofstream(model_, std::ios::trunc) << text; }
   /// Writes the model with another text in place of `from`.
   void change(const std::string& from, const std::string& to) const {
-    std::string text = kShear;
+    std::string text = kProvedShear;
     const std::size_t at = text.find(from);
     ASSERT_NE(at, std::string::npos) << from;
     write(text.replace(at, from.size(), to));
@@ -206,7 +206,7 @@ TEST_F(BoundCertificateTest, IsRefusedForAnotherModel) {
   std::string last;
   for (const Change& c : changes) {
     if (c.quantity != last) {
-      write(kShear);
+      write(kProvedShear);
       ASSERT_EQ(run({"regulus", "bound", model_, c.quantity, "--gap", "0.1", "--threads", "1",
                      "--certificate", proof_})
                     .exit_code,

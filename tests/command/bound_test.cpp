@@ -46,17 +46,12 @@ class BoundCommandTest : public testing::Test {
  protected:
   BoundCommandTest() { std::ofstream(model_) << kShear; }
 
-  CommandResult run(std::vector<std::string> words) {
-    words.insert(words.begin(), REGULUS_BINARY_DIR "/bin/regulus");
-    return run_command(words);
-  }
-
   TemporaryDirectory folder_;
   std::string model_ = folder_.path() / "shear.toml";
 };
 
 TEST_F(BoundCommandTest, PrintsTheBracketTheLegAndThePose) {
-  const CommandResult r = run({"bound", model_, "force", "--load", "any"});
+  const CommandResult r = regulus({"bound", model_, "force", "--load", "any"});
   EXPECT_EQ(r.exit_code, 0) << r.errors;
   EXPECT_THAT(r.output,
               testing::MatchesRegex("BETWEEN 2\\.9[0-9]* AND 3(\\.0[0-9]*)? N \\(leg 2\\)\n"));
@@ -65,8 +60,8 @@ TEST_F(BoundCommandTest, PrintsTheBracketTheLegAndThePose) {
 }
 
 TEST_F(BoundCommandTest, TakesTheMotionOrTheOnlyOne) {
-  EXPECT_EQ(run({"bound", model_, "m", "speed", "--quiet"}).output,
-            run({"bound", model_, "speed", "--quiet"}).output);
+  EXPECT_EQ(regulus({"bound", model_, "m", "speed", "--quiet"}).output,
+            regulus({"bound", model_, "speed", "--quiet"}).output);
 }
 
 /// κ₂ = (1 + √2)² at x = 2.
@@ -75,7 +70,7 @@ TEST_F(BoundCommandTest, KnowsTheConditionNumberInTheTwoNorm) {
   const auto with = [&](std::initializer_list<std::string> more) {
     std::vector<std::string> words = question;
     words.insert(words.end(), more);
-    return run(words);
+    return regulus(words);
   };
   const CommandResult r = with({"--gap", "1e-6", "--json"});
   ASSERT_EQ(r.exit_code, 0) << r.errors;
@@ -89,26 +84,26 @@ TEST_F(BoundCommandTest, KnowsTheConditionNumberInTheTwoNorm) {
   EXPECT_EQ(report["quantity"]["norm"], "2");
   EXPECT_EQ(with({"--limit", "5.9"}).output, "WITHIN\n");
   EXPECT_EQ(with({"--limit", "5.8"}).exit_code, 1);
-  EXPECT_EQ(run({"bound", model_, "condition", "--norm", "3"}).exit_code, 64);
-  EXPECT_EQ(run({"bound", model_, "speed", "--norm", "2"}).exit_code, 64);
-  const CommandResult margin = run({"margin", model_, "--scale", "0:1", "--quantity", "condition",
-                                    "--norm", "2", "--limit", "9"});
+  EXPECT_EQ(regulus({"bound", model_, "condition", "--norm", "3"}).exit_code, 64);
+  EXPECT_EQ(regulus({"bound", model_, "speed", "--norm", "2"}).exit_code, 64);
+  const CommandResult margin = regulus({"margin", model_, "--scale", "0:1", "--quantity",
+                                        "condition", "--norm", "2", "--limit", "9"});
   EXPECT_EQ(margin.exit_code, 64);
   EXPECT_THAT(margin.errors, HasSubstr("regulus bound --limit"));
 }
 
 TEST_F(BoundCommandTest, ComparesWithALimit) {
-  const CommandResult within = run({"bound", model_, "speed", "--limit", "3.1"});
+  const CommandResult within = regulus({"bound", model_, "speed", "--limit", "3.1"});
   EXPECT_EQ(within.output, "WITHIN\n");
   EXPECT_EQ(within.exit_code, 0);
-  const CommandResult exceeded = run({"bound", model_, "speed", "--limit", "2.9"});
+  const CommandResult exceeded = regulus({"bound", model_, "speed", "--limit", "2.9"});
   EXPECT_EQ(exceeded.output, "EXCEEDED (leg 1)\n");
   EXPECT_EQ(exceeded.exit_code, 1);
   EXPECT_THAT(exceeded.errors, HasSubstr("exceeded   leg 1: x = "));
 }
 
 TEST_F(BoundCommandTest, GivesNumbersThatClaimNoMore) {
-  const CommandResult r = run({"bound", model_, "speed", "--json", "--quiet"});
+  const CommandResult r = regulus({"bound", model_, "speed", "--json", "--quiet"});
   const json report = json::parse(r.output);
   EXPECT_LE(report.at("attained").get<double>(), 3);
   EXPECT_GE(report.at("proved").get<double>(), 3);
@@ -123,7 +118,8 @@ TEST_F(BoundCommandTest, NamesTheTwistThatIsFastest) {
   text.replace(text.find(box), box.size(), "velocity = { value = [0, 0], radius = 1 }");
   std::ofstream(model_, std::ios::trunc) << text;
   const json report = json::parse(
-      run({"bound", model_, "speed", "--gap", "1e-6", "--leg", "1", "--json", "--quiet"}).output);
+      regulus({"bound", model_, "speed", "--gap", "1e-6", "--leg", "1", "--json", "--quiet"})
+          .output);
   EXPECT_LE(report.at("gap"), 1e-6);
   EXPECT_LE(report.at("attained").get<double>(), std::sqrt(5));
   EXPECT_GE(report.at("proved").get<double>(), std::sqrt(5));
@@ -134,16 +130,16 @@ TEST_F(BoundCommandTest, NamesTheTwistThatIsFastest) {
 
 TEST_F(BoundCommandTest, WritesAProofOfEachEnd) {
   const std::string file = folder_.path() / "proof";
-  ASSERT_EQ(run({"bound", model_, "speed", "--certificate", file}).exit_code, 0);
+  ASSERT_EQ(regulus({"bound", model_, "speed", "--certificate", file}).exit_code, 0);
   for (const char* ending : {".leg_1.safe", ".leg_1.singular", ".leg_2.safe", ".leg_2.singular"})
-    EXPECT_EQ(run({"verify", file + ending}).output, "VERIFIED\n") << ending;
+    EXPECT_EQ(regulus({"verify", file + ending}).output, "VERIFIED\n") << ending;
 }
 
 /// The compiler's kernel takes over in the middle of the search, and a witness is found after it.
 TEST_F(BoundCommandTest, SurvivesAKernelThatIsCompiledMeanwhile) {
   setenv("XDG_CACHE_HOME", (folder_.path() / "empty").c_str(), 1);
-  const CommandResult r =
-      run({"bound", model_, "determinant", "--gap", "1e-9", "--time-limit", "4", "--threads", "1"});
+  const CommandResult r = regulus(
+      {"bound", model_, "determinant", "--gap", "1e-9", "--time-limit", "4", "--threads", "1"});
   unsetenv("XDG_CACHE_HOME");
   EXPECT_EQ(r.exit_code, 2) << r.errors;
   EXPECT_THAT(r.output, HasSubstr("BETWEEN 0.99"));
@@ -169,7 +165,7 @@ TEST_F(BoundCommandTest, RefusesWhatItCannotBound) {
   for (const Mistake& mistake : mistakes) {
     std::vector<std::string> words{"bound", model_};
     words.insert(words.end(), mistake.words.begin(), mistake.words.end());
-    const CommandResult r = run(words);
+    const CommandResult r = regulus(words);
     EXPECT_EQ(r.exit_code, 64) << mistake.words[0] << r.errors;
     EXPECT_THAT(r.errors, HasSubstr(mistake.message));
   }
@@ -181,7 +177,7 @@ TEST_F(BoundCommandTest, RefusesTablesThatItCannotRead) {
     std::ofstream(path) << "regulus = 1\nname = \"bad\"\n[pose]\nx = \"cm\"\n[matrix]\n"
                            "rows = [[\"x\"]]\n"
                         << table << "\n[motion.m]\nx = [1, 2]\n";
-    const CommandResult r = run({"bound", path, "speed"});
+    const CommandResult r = regulus({"bound", path, "speed"});
     EXPECT_EQ(r.exit_code, 65) << table << r.errors;
     return r.errors;
   };
@@ -200,7 +196,7 @@ TEST_F(BoundCommandTest, HasTheUnitOfEachMotorAndTheSpeedZeroWhereNoTwistMovesIt
       << "regulus = 1\nname = \"slider and crank\"\n[pose]\nx = \"m\"\ny = \"m\"\n"
          "[matrix]\nrows = [[2, 0], [0, \"1 + x^2\"]]\n[twist.along]\nvelocity = [1, 0]\n"
          "[actuators]\nunit = [\"m\", \"rad\"]\n[motion.m]\nx = [0, 1]\ny = 0\n";
-  const json bound = json::parse(run({"bound", path, "speed", "--json", "--quiet"}).output);
+  const json bound = json::parse(regulus({"bound", path, "speed", "--json", "--quiet"}).output);
   const json& legs = bound.at("components");
   EXPECT_EQ(legs[0].at("unit"), "m/s");
   EXPECT_EQ(legs[1].at("unit"), "rad/s");
@@ -213,20 +209,20 @@ TEST_F(BoundCommandTest, ClaimsNoSpeedWhereTheScaleOfARowIsUndefined) {
   std::ofstream(path) << "regulus = 1\nname = \"dead point\"\n[pose]\nx = \"m\"\ny = \"m\"\n"
                          "[matrix]\nrows = [[2, 0], [0, 1]]\nrow_scale = [1, \"1/x\"]\n"
                          "[twist.along]\nvelocity = [1, 0]\n[motion.m]\nx = [-1, 1]\ny = 0\n";
-  const CommandResult r = run({"bound", path, "speed", "--leg", "2", "--time-limit", "1"});
+  const CommandResult r = regulus({"bound", path, "speed", "--leg", "2", "--time-limit", "1"});
   EXPECT_EQ(r.exit_code, 2) << r.output;
 }
 
 TEST_F(BoundCommandTest, MakesADatasheetThatComparesLimits) {
-  const CommandResult r = run({"datasheet", model_});
+  const CommandResult r = regulus({"datasheet", model_});
   EXPECT_EQ(r.exit_code, 1) << r.errors;  // a force exceeds its limit
   EXPECT_THAT(r.output, HasSubstr("EXCEEDED"));
   EXPECT_THAT(r.output, HasSubstr("kept"));
-  const CommandResult markdown = run({"datasheet", model_, "--markdown", "--quiet"});
+  const CommandResult markdown = regulus({"datasheet", model_, "--markdown", "--quiet"});
   EXPECT_THAT(markdown.output, HasSubstr("| quantity"));
   EXPECT_THAT(markdown.output, HasSubstr("Attained at:"));
   EXPECT_THAT(markdown.output, HasSubstr("| least \\|det J^-1\\| "));
-  const json report = json::parse(run({"datasheet", model_, "--json", "--quiet"}).output);
+  const json report = json::parse(regulus({"datasheet", model_, "--json", "--quiet"}).output);
   EXPECT_GE(report.at("bounds").size(), 8u);
 }
 
@@ -267,7 +263,7 @@ class BoundCheckpointTest : public BoundCommandTest {
                                    "1",     "--checkpoint", file_,   "--certificate",
                                    proof_,  "--time-limit", "600"};
     words.insert(words.end(), more.begin(), more.end());
-    return run(words);
+    return regulus(words);
   }
   [[nodiscard]] nlohmann::ordered_json saved() const {
     return nlohmann::ordered_json::parse(std::ifstream(file_));

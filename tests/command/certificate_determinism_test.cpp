@@ -8,24 +8,20 @@
 namespace regulus::test {
 namespace {
 
-struct Asked {
+struct AskedTwice {
   std::string name;
   std::string model;
   std::vector<std::string> options;
 };
 
-class ACertificateFile : public testing::TestWithParam<Asked> {
+class ACertificateFile : public testing::TestWithParam<AskedTwice> {
  protected:
   /// Returns the bytes that a new process writes.
   [[nodiscard]] std::string written(const std::vector<std::string>& more = {}) const {
     const std::string path = (directory_.path() / "certificate").string();
     std::filesystem::remove(path);
-    std::vector<std::string> words = {REGULUS_BINARY_DIR "/bin/regulus",
-                                      "check",
-                                      REGULUS_SOURCE_DIR + GetParam().model,
-                                      "--quiet",
-                                      "--certificate",
-                                      path};
+    std::vector<std::string> words = {
+        kCommand, "check", REGULUS_SOURCE_DIR + GetParam().model, "--quiet", "--certificate", path};
     words.insert(words.end(), GetParam().options.begin(), GetParam().options.end());
     words.insert(words.end(), more.begin(), more.end());
     const CommandResult result = run_command(words);
@@ -66,17 +62,17 @@ TEST_P(ACertificateFile, DoesNotDependOnWhatTheCacheHolds) {
     }
 }
 
-const std::string kRobot1 = "/models/robot_1.toml", kRobot2 = "/models/robot_2.toml";
+const std::string kFirstRobot = "/models/robot_1.toml", kSecondRobot = "/models/robot_2.toml";
 
 INSTANTIATE_TEST_SUITE_P(
     Models, ACertificateFile,
-    testing::Values(Asked{"SingularWorkspace", kRobot1, {"wide_40"}},
-                    Asked{
-                        "Trajectory", kRobot1, {"T2_errors", "--tolerance", "base,platform=0.05"}},
-                    Asked{"Threshold", kRobot1, {"table4_5", "--alpha", "1/2*sqrt(2)"}},
-                    Asked{"Tolerances", kRobot2, {"table5_20", "--tolerance", "base,platform=20"}},
-                    Asked{"Planar", "/models/planar_3rpr.toml", {"regular"}},
-                    Asked{"Point", "/models/rump.toml", {"point"}}),
+    testing::Values(
+        AskedTwice{"SingularWorkspace", kFirstRobot, {"wide_40"}},
+        AskedTwice{"Trajectory", kFirstRobot, {"T2_errors", "--tolerance", "base,platform=0.05"}},
+        AskedTwice{"Threshold", kFirstRobot, {"table4_5", "--alpha", "1/2*sqrt(2)"}},
+        AskedTwice{"Tolerances", kSecondRobot, {"table5_20", "--tolerance", "base,platform=20"}},
+        AskedTwice{"Planar", "/models/planar_3rpr.toml", {"regular"}},
+        AskedTwice{"Point", "/models/rump.toml", {"point"}}),
     [](const auto& asked) { return asked.param.name; });
 
 }  // namespace

@@ -13,8 +13,6 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::string kCommand = REGULUS_BINARY_DIR "/bin/regulus";
-
 /// Returns x + u0 + u1 + …, where every u is known to 1/1000.
 std::string sum_of_quantities(int count) {
   std::string text = "regulus = 1\nname = \"sum\"\n[pose]\nx = \"m\"\n[geometry]\n", entry = "x";
@@ -31,13 +29,12 @@ TEST(AQuestionBeyondTheLimitsOfTheFormat, LeavesNoCertificate) {
   const std::string model = directory.path() / "sum.toml", file = directory.path() / "proof";
   const auto check = [&](int count) {
     write_file(model, sum_of_quantities(count));
-    return run_command(
-        {kCommand, "check", model, "--certificate", file, "--engine", "interpreted"});
+    return regulus({"check", model, "--certificate", file, "--engine", "interpreted"});
   };
   const CommandResult largest = check(127);  // 127 quantities and x
   EXPECT_EQ(largest.output, "NO SINGULARITY\n");
   EXPECT_THAT(largest.errors, HasSubstr("certificate " + file));
-  EXPECT_EQ(run_command({kCommand, "verify", file}).output, "VERIFIED\n");
+  EXPECT_EQ(regulus({"verify", file}).output, "VERIFIED\n");
   std::filesystem::remove(file);
 
   const CommandResult larger = check(128);
@@ -47,8 +44,8 @@ TEST(AQuestionBeyondTheLimitsOfTheFormat, LeavesNoCertificate) {
                         "many variables"));
   EXPECT_FALSE(std::filesystem::exists(file));
   const auto report =
-      nlohmann::json::parse(run_command({kCommand, "check", model, "--certificate", file, "--json",
-                                         "--quiet", "--engine", "interpreted"})
+      nlohmann::json::parse(regulus({"check", model, "--certificate", file, "--json", "--quiet",
+                                     "--engine", "interpreted"})
                                 .output);
   EXPECT_TRUE(report["certificate"].is_null());
   EXPECT_THAT(std::string(report["certificate_obstacle"]), HasSubstr("too many variables"));
@@ -60,8 +57,8 @@ TEST(NumbersBeyondTheBoundsOfTheVerifier, AreAnnounced) {
   const auto check = [&](const std::string& factor, const std::string& range) {
     write_file(model, "regulus = 1\nname = \"huge\"\n[pose]\nx = \"m\"\n[matrix]\nrows = [[\"x*" +
                           factor + " - 1\"]]\n[motion.only]\nx = " + range + "\n");
-    return nlohmann::json::parse(run_command({kCommand, "check", model, "--certificate", file,
-                                              "--json", "--quiet", "--engine", "interpreted"})
+    return nlohmann::json::parse(regulus({"check", model, "--certificate", file, "--json",
+                                          "--quiet", "--engine", "interpreted"})
                                      .output);
   };
   EXPECT_FALSE(check("2^100", "[1, 2]").contains("certificate_note"));

@@ -22,13 +22,8 @@ class InShards : public testing::Test {
     return (directory_.path() / name).string();
   }
   [[nodiscard]] CommandResult check(const std::vector<std::string>& options) const {
-    std::vector<std::string> words = {REGULUS_BINARY_DIR "/bin/regulus",
-                                      "check",
-                                      REGULUS_SOURCE_DIR "/models/robot_1.toml",
-                                      "wide_15",
-                                      "--tolerance",
-                                      "base,platform=0.09",
-                                      "--quiet"};
+    std::vector<std::string> words = {
+        kCommand, "check", kRobot1, "wide_15", "--tolerance", "base,platform=0.09", "--quiet"};
     words.insert(words.end(), options.begin(), options.end());
     return run_command(words);
   }
@@ -69,8 +64,7 @@ TEST_F(InShards, AProofIsVerifiedByAnyNumberOfThreads) {
     EXPECT_EQ(many.output, one.output);
     EXPECT_EQ(many.errors, one.errors);
   }
-  const CommandResult own =
-      verify(file("proof"), {"--model", REGULUS_SOURCE_DIR "/models/robot_1.toml"}, "regulus");
+  const CommandResult own = verify(file("proof"), {"--model", kRobot1}, "regulus");
   EXPECT_EQ(own.output, "VERIFIED\n") << own.errors;
   EXPECT_THAT(own.errors, HasSubstr("question   that of"));
 }

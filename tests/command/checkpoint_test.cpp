@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/command.hpp"
 #include "tests/support/interrupted_runs.hpp"
 
 namespace regulus::test {
@@ -13,14 +14,9 @@ using testing::HasSubstr;
 class CheckpointOption : public testing::Test {
  protected:
   CommandResult check(std::vector<std::string> more) const {
-    std::vector<std::string> words = {REGULUS_BINARY_DIR "/bin/regulus",
-                                      "check",
-                                      REGULUS_SOURCE_DIR "/models/robot_1.toml",
-                                      "table6_15_15",
-                                      "--tolerance",
-                                      "base,platform=0.1",
-                                      "--checkpoint",
-                                      file("checkpoint")};
+    std::vector<std::string> words = {kCommand,       "check",           kRobot1,
+                                      "table6_15_15", "--tolerance",     "base,platform=0.1",
+                                      "--checkpoint", file("checkpoint")};
     words.insert(words.end(), more.begin(), more.end());
     return run_command(words);
   }
@@ -50,8 +46,7 @@ TEST_F(CheckpointOption, ACertificateGoesOnWithIt) {
   EXPECT_FALSE(exists("pieces"));
   ASSERT_EQ(check({"--max-boxes", "600", "--certificate", file("pieces")}).exit_code, 2);
   ASSERT_EQ(check({"--certificate", file("pieces")}).exit_code, 0);
-  const CommandResult verified =
-      run_command({REGULUS_BINARY_DIR "/bin/regulus", "verify", file("pieces")});
+  const CommandResult verified = regulus({"verify", file("pieces")});
   EXPECT_EQ(verified.exit_code, 0) << verified.errors;
   EXPECT_FALSE(exists("pieces.partial"));
 }
@@ -140,17 +135,15 @@ TEST_F(CheckpointOption, BoxesThatAFilterVouchedForAreNotTakenOverWithoutIt) {
 }
 
 TEST_F(CheckpointOption, AFolderThatIsNotThereIsSaidBeforeTheSearch) {
-  const CommandResult result = run_command({REGULUS_BINARY_DIR "/bin/regulus", "check",
-                                            REGULUS_SOURCE_DIR "/models/robot_1.toml", "wide_15",
-                                            "--checkpoint", file("no/such/folder")});
+  const CommandResult result =
+      regulus({"check", kRobot1, "wide_15", "--checkpoint", file("no/such/folder")});
   EXPECT_EQ(result.exit_code, 74);
   EXPECT_THAT(result.errors, HasSubstr("folder cannot be locked"));
 }
 
 /// A closing terminal sends SIGHUP, perhaps twice; nohup asks programs to ignore it.
 TEST_F(CheckpointOption, SighupSavesWhatIsDone) {
-  RunningCommand run({REGULUS_BINARY_DIR "/bin/regulus", "check",
-                      REGULUS_SOURCE_DIR "/models/robot_1.toml", "table6_15_15", "--tolerance",
+  RunningCommand run({kCommand, "check", kRobot1, "table6_15_15", "--tolerance",
                       "base,platform=0.13", "--checkpoint", file("checkpoint"),
                       "--checkpoint-every", "0"});
   for (int i = 0; i < 10000 && !exists("checkpoint"); ++i)
@@ -164,10 +157,9 @@ TEST_F(CheckpointOption, SighupSavesWhatIsDone) {
 }
 
 TEST_F(CheckpointOption, SighupThatIsIgnoredStaysSo) {
-  RunningCommand run(
-      {"/bin/sh", "-c", "trap '' HUP; exec \"$0\" \"$@\"", REGULUS_BINARY_DIR "/bin/regulus",
-       "check", REGULUS_SOURCE_DIR "/models/robot_1.toml", "table6_15_15", "--tolerance",
-       "base,platform=0.1", "--checkpoint", file("checkpoint"), "--checkpoint-every", "0"});
+  RunningCommand run({"/bin/sh", "-c", "trap '' HUP; exec \"$0\" \"$@\"", kCommand, "check",
+                      kRobot1, "table6_15_15", "--tolerance", "base,platform=0.1", "--checkpoint",
+                      file("checkpoint"), "--checkpoint-every", "0"});
   for (int i = 0; i < 10000 && !exists("checkpoint"); ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   ::kill(run.pid(), SIGHUP);
@@ -175,8 +167,7 @@ TEST_F(CheckpointOption, SighupThatIsIgnoredStaysSo) {
 }
 
 TEST_F(CheckpointOption, SigtermSavesWhatIsDone) {
-  RunningCommand run({REGULUS_BINARY_DIR "/bin/regulus", "check",
-                      REGULUS_SOURCE_DIR "/models/robot_1.toml", "table6_15_15", "--tolerance",
+  RunningCommand run({kCommand, "check", kRobot1, "table6_15_15", "--tolerance",
                       "base,platform=0.13", "--checkpoint", file("checkpoint"),
                       "--checkpoint-every", "0"});
   for (int i = 0; i < 10000 && !exists("checkpoint"); ++i)

@@ -26,16 +26,8 @@ class ConditionCheckpointTest : public testing::Test {
   ConditionCheckpointTest() { std::ofstream(model_) << kTurn; }
 
   [[nodiscard]] std::vector<std::string> words(std::vector<std::string> more) const {
-    std::vector<std::string> all{REGULUS_BINARY_DIR "/bin/regulus",
-                                 "bound",
-                                 model_,
-                                 "condition",
-                                 "--norm",
-                                 "2",
-                                 "--time-limit",
-                                 "600",
-                                 "--json",
-                                 "--quiet"};
+    std::vector<std::string> all{kCommand, "bound",        model_, "condition", "--norm",
+                                 "2",      "--time-limit", "600",  "--json",    "--quiet"};
     all.insert(all.end(), more.begin(), more.end());
     return all;
   }
@@ -130,10 +122,7 @@ TEST_F(ConditionCheckpointTest, OfAnotherQuestionIsRefused) {
   const CommandResult other = ask({"--range", "x=0:2", "--gap", "0.3", "--checkpoint", file_});
   EXPECT_EQ(other.exit_code, 65);
   EXPECT_THAT(other.errors, HasSubstr("it is about another question"));
-  EXPECT_EQ(run_command({REGULUS_BINARY_DIR "/bin/regulus", "bound", model_, "sigma-max",
-                         "--checkpoint", file_})
-                .exit_code,
-            65);
+  EXPECT_EQ(regulus({"bound", model_, "sigma-max", "--checkpoint", file_}).exit_code, 65);
   EXPECT_EQ(text_of(file_), before);
 }
 

@@ -13,8 +13,6 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::string kCommand = REGULUS_BINARY_DIR "/bin/regulus";
-
 class ExactNumbers : public testing::Test {
  protected:
   /// Returns the verdict on the 1×1 matrix of that entry.
@@ -30,7 +28,7 @@ class ExactNumbers : public testing::Test {
   std::string certified(const std::string& entry, const std::string& range) {
     const std::string certificate = directory_.path() / "certificate";
     const std::string words = verdict(entry, range, {"--certificate", certificate});
-    return words + run_command({kCommand, "verify", certificate, "--model", model_}).output;
+    return words + regulus({"verify", certificate, "--model", model_}).output;
   }
 
   TemporaryDirectory directory_;

@@ -19,14 +19,11 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string kRobot1 = REGULUS_SOURCE_DIR "/models/robot_1.toml";
-const std::string kPlanar = REGULUS_SOURCE_DIR "/models/planar_3rpr.toml";
-
 std::string filter(const std::string& name) {
   return REGULUS_BINARY_DIR "/filters/" + name + ".so";
 }
 
-std::string read(const std::string& path) {
+std::string bytes_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
 }
@@ -34,8 +31,7 @@ std::string read(const std::string& path) {
 /// Method `reg` alone decides few boxes, so that most remain for a filter.
 CommandResult check(const std::string& model, const std::string& motion,
                     const std::vector<std::string>& filters, std::vector<std::string> more = {}) {
-  std::vector<std::string> words{
-      REGULUS_BINARY_DIR "/bin/regulus", "check", model, motion, "--engine", "interpreted"};
+  std::vector<std::string> words{kCommand, "check", model, motion, "--engine", "interpreted"};
   for (const std::string& name : filters) words.insert(words.end(), {"--filter", filter(name)});
   words.insert(words.end(), more.begin(), more.end());
   return run_command(words);
@@ -78,7 +74,7 @@ TEST(Filter, IsDescribedInJson) {
   EXPECT_EQ(filters[0]["name"], "timid");
   EXPECT_EQ(filters[0]["boxes"], 0);
   EXPECT_EQ(filters[1]["path"], filter("gershgorin"));
-  EXPECT_EQ(filters[1]["sha256"], sha256(read(filter("gershgorin"))));
+  EXPECT_EQ(filters[1]["sha256"], sha256(bytes_of(filter("gershgorin"))));
   EXPECT_GT(filters[1]["boxes"], 0);
   EXPECT_EQ(report("T1", {}, "auto")["filters"], json::array());
 }
@@ -130,16 +126,15 @@ TEST(Filter, IsRefusedWhenItCannotBeUsed) {
   EXPECT_EQ(refusal("nameless").exit_code, 65);
   EXPECT_THAT(refusal("nameless").errors,
               HasSubstr("the name of the filter does not have 1 to 64"));
-  const CommandResult text = run_command(
-      {REGULUS_BINARY_DIR "/bin/regulus", "check", kPlanar, "regular", "--filter", kPlanar});
+  const CommandResult text = regulus({"check", kPlanar, "regular", "--filter", kPlanar});
   EXPECT_EQ(text.exit_code, 65);
   EXPECT_THAT(text.errors, HasSubstr("the filter cannot be loaded: it is not a shared object"));
 }
 
 TEST(Filter, InTheManualIsTheOneTestedHere) {
-  const std::string source = read(REGULUS_SOURCE_DIR "/tests/command/filters/gershgorin.cpp");
+  const std::string source = bytes_of(REGULUS_SOURCE_DIR "/tests/command/filters/gershgorin.cpp");
   const std::string shown = source.substr(source.find("// Gershgorin"));
-  EXPECT_THAT(read(REGULUS_SOURCE_DIR "/codegen/use/command/CHECKING.md"), HasSubstr(shown));
+  EXPECT_THAT(bytes_of(REGULUS_SOURCE_DIR "/codegen/use/command/CHECKING.md"), HasSubstr(shown));
 }
 
 }  // namespace

@@ -18,12 +18,7 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const std::string kPlanar = REGULUS_SOURCE_DIR "/models/planar_3rpr.toml";
-
-CommandResult generate(std::vector<std::string> words) {
-  words.insert(words.begin(), {REGULUS_BINARY_DIR "/bin/regulus", "generate"});
-  return run_command(words);
-}
+CommandResult generate(std::vector<std::string> words) { return regulus({"generate"}, words); }
 
 std::string read(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -62,8 +57,7 @@ TEST(GenerateCommand, WritesTheTextThatExplainShows) {
       generate({kPlanar, "regular", "-o", folder.path().string(), "--name", "generated"}).exit_code,
       0);
   const auto body = [](const std::string& text) { return text.substr(text.find("// Model ")); };
-  const CommandResult shown = run_command(
-      {REGULUS_BINARY_DIR "/bin/regulus", "explain", kPlanar, "regular", "--stage", "text"});
+  const CommandResult shown = regulus({"explain", kPlanar, "regular", "--stage", "text"});
   EXPECT_EQ(body(read(folder.path() / "generated_kernel.inc")), body(shown.output));
 }
 
@@ -71,9 +65,7 @@ TEST(GenerateCommand, WritesTheTextThatExplainShows) {
 TEST(GenerateCommand, WritesTheSameTextInEveryProcess) {
   const std::string hexapod = REGULUS_SOURCE_DIR "/models/hexapod_6rus.toml";
   const auto text = [&hexapod] {
-    return run_command(
-               {REGULUS_BINARY_DIR "/bin/regulus", "explain", hexapod, "orbit", "--stage", "text"})
-        .output;
+    return regulus({"explain", hexapod, "orbit", "--stage", "text"}).output;
   };
   const std::string first = text();
   EXPECT_THAT(first, HasSubstr("regulus_kernel"));
@@ -111,7 +103,7 @@ TEST(GenerateCommand, CompilesTheKernelForEachInstructionSet) {
 TEST(GenerateCommand, WritesNothingWithoutACompilerForTheObject) {
   const TemporaryDirectory folder;
   const std::string out = (folder.path() / "out").string(), copy = folder.path() / "regulus";
-  fs::copy_file(REGULUS_BINARY_DIR "/bin/regulus", copy);
+  fs::copy_file(kCommand, copy);
   const CommandResult result =
       run_command({copy, "generate", kPlanar, "regular", "-o", out, "--object"});
   EXPECT_EQ(result.exit_code, 64);

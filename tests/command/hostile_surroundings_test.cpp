@@ -23,11 +23,6 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-const std::string kCommand = REGULUS_BINARY_DIR "/bin/regulus";
-const std::string kVerifier = REGULUS_BINARY_DIR "/bin/regulus-verify";
-const std::string kRobot1 = REGULUS_SOURCE_DIR "/models/robot_1.toml";
-const std::string kPlanar = REGULUS_SOURCE_DIR "/models/planar_3rpr.toml";
-
 // ---- The caller of the library has set another arithmetic.
 
 #if defined(__x86_64__)
@@ -149,10 +144,10 @@ TEST_P(ALibraryThatWasLoadedBefore, ChangesNoByteOfAVerdict) {
 
 TEST_P(ALibraryThatWasLoadedBefore, DoesNotChangeWhatIsVerified) {
   const std::string certificate = file("certificate");
-  (void)run_command({kCommand, "check", kPlanar, "regular", "--certificate", certificate});
+  (void)regulus({"check", kPlanar, "regular", "--certificate", certificate});
   EXPECT_EQ(run_after(GetParam(), {kCommand, "verify", certificate, "--model", kPlanar}).output,
             "VERIFIED\n");
-  const CommandResult alone = run_after(GetParam(), {kVerifier, certificate});
+  const CommandResult alone = run_after(GetParam(), {kVerify, certificate});
   EXPECT_TRUE(alone.output == "VERIFIED\n" || alone.exit_code == 74) << alone.errors;
 
   std::string text = file_contents(certificate);
@@ -160,7 +155,7 @@ TEST_P(ALibraryThatWasLoadedBefore, DoesNotChangeWhatIsVerified) {
   text.replace(text.find(end), end.size(), ": 1/3*pi");
   write_file(certificate, text);
   EXPECT_NE(run_after(GetParam(), {kCommand, "verify", certificate}).output, "VERIFIED\n");
-  EXPECT_NE(run_after(GetParam(), {kVerifier, certificate}).output, "VERIFIED\n");
+  EXPECT_NE(run_after(GetParam(), {kVerify, certificate}).output, "VERIFIED\n");
 }
 
 INSTANTIATE_TEST_SUITE_P(Preloaded, ALibraryThatWasLoadedBefore,

@@ -18,8 +18,6 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::string kRegulus = REGULUS_BINARY_DIR "/bin/regulus";
-
 /// An arm, and a region that is 5° or more away from its singular poses.
 struct Region {
   std::string arm;
@@ -50,13 +48,13 @@ class ImportedArm : public testing::TestWithParam<Region> {
  protected:
   void SetUp() override {
     model_ = directory_.path() / "arm.toml";
-    const CommandResult result = run_command(
-        {kRegulus, "import", robot_path(GetParam().arm + ".urdf"), "-o", model_, "--quiet"});
+    const CommandResult result =
+        regulus({"import", robot_path(GetParam().arm + ".urdf"), "-o", model_, "--quiet"});
     ASSERT_EQ(result.exit_code, 0) << result.output;
   }
 
   std::string verdict(const std::vector<std::string>& words) {
-    std::vector<std::string> line = {kRegulus,  "check",       model_, "limits",
+    std::vector<std::string> line = {kCommand,  "check",       model_, "limits",
                                      "--quiet", "--max-boxes", "3000"};
     line.insert(line.end(), words.begin(), words.end());
     return run_command(line).output;
@@ -86,8 +84,7 @@ INSTANTIATE_TEST_SUITE_P(Urdf, ImportedArm, testing::ValuesIn(kRegions),
                          [](const auto& region) { return region.param.arm; });
 
 TEST(ImportCommand, PrintsTheModelWithoutAFile) {
-  const CommandResult result =
-      run_command({kRegulus, "import", robot_path("ur5e.urdf"), "--quiet"});
+  const CommandResult result = regulus({"import", robot_path("ur5e.urdf"), "--quiet"});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_THAT(result.output, HasSubstr("[serial] # from link 'base_link'"));
 }
@@ -95,17 +92,14 @@ TEST(ImportCommand, PrintsTheModelWithoutAFile) {
 TEST(ImportCommand, HasAnExitCodeForEachKindOfMistake) {
   const TemporaryDirectory directory;
   const std::string file = directory.path() / "r.urdf";
-  EXPECT_EQ(run_command({kRegulus, "import", file}).exit_code, 74);
+  EXPECT_EQ(regulus({"import", file}).exit_code, 74);
   std::ofstream(file) << "<robot>";
-  EXPECT_EQ(run_command({kRegulus, "import", file}).exit_code, 65);
-  EXPECT_EQ(run_command({kRegulus, "import", robot_path("ur5e.urdf"), "--tip", "hand"}).exit_code,
-            64);
-  EXPECT_EQ(
-      run_command({kRegulus, "import", robot_path("ur5e.urdf"), "-o", directory.path()}).exit_code,
-      74);
+  EXPECT_EQ(regulus({"import", file}).exit_code, 65);
+  EXPECT_EQ(regulus({"import", robot_path("ur5e.urdf"), "--tip", "hand"}).exit_code, 64);
+  EXPECT_EQ(regulus({"import", robot_path("ur5e.urdf"), "-o", directory.path()}).exit_code, 74);
 }
 
-std::string contents(const std::string& path) {
+std::string text_in(const std::string& path) {
   std::ifstream file(path);
   return {std::istreambuf_iterator<char>(file), {}};
 }
@@ -114,39 +108,37 @@ TEST(ImportCommand, NeverOverwritesAModelThatAPersonHasEdited) {
   const TemporaryDirectory directory;
   const std::string model = directory.path() / "arm.toml";
   const auto import = [&] {
-    return run_command({kRegulus, "import", robot_path("ur5e.urdf"), "-o", model, "--quiet"});
+    return regulus({"import", robot_path("ur5e.urdf"), "-o", model, "--quiet"});
   };
   ASSERT_EQ(import().exit_code, 0);
-  const std::string written = contents(model);
+  const std::string written = text_in(model);
   EXPECT_EQ(import().exit_code, 0);
-  EXPECT_EQ(contents(model + ".old"), written);
+  EXPECT_EQ(text_in(model + ".old"), written);
 
   std::ofstream(model, std::ios::app) << "# my motion\n";
   const CommandResult refused = import();
   EXPECT_EQ(refused.exit_code, 74);
   EXPECT_THAT(refused.errors, HasSubstr("arm.toml was not written by regulus import, or was edited "
                                         "since; move it, or name another file"));
-  EXPECT_EQ(contents(model), written + "# my motion\n");
+  EXPECT_EQ(text_in(model), written + "# my motion\n");
 
   // Moved to a name that the next run would replace.
   std::filesystem::rename(model, model + ".old");
   EXPECT_EQ(import().exit_code, 0);
   EXPECT_EQ(import().exit_code, 74);
-  EXPECT_EQ(contents(model + ".old"), written + "# my motion\n");
+  EXPECT_EQ(text_in(model + ".old"), written + "# my motion\n");
 
   std::ofstream(model) << "another file\n";
   EXPECT_EQ(import().exit_code, 74);
-  EXPECT_EQ(contents(model), "another file\n");
+  EXPECT_EQ(text_in(model), "another file\n");
 }
 
 TEST(ImportCommand, MakesAPlatformOfAHexapod) {
   const TemporaryDirectory directory;
   const std::string model = directory.path() / "hexapod.toml";
   for (const char* file : {"hexapod.mjcf", "hexapod.sdf"}) {
-    ASSERT_EQ(run_command({kRegulus, "import", robot_path(file), "-o", model, "--quiet"}).exit_code,
-              0);
-    EXPECT_EQ(run_command({kRegulus, "check", model, "around_home", "--quiet"}).output,
-              "NO SINGULARITY\n")
+    ASSERT_EQ(regulus({"import", robot_path(file), "-o", model, "--quiet"}).exit_code, 0);
+    EXPECT_EQ(regulus({"check", model, "around_home", "--quiet"}).output, "NO SINGULARITY\n")
         << file;
   }
 }

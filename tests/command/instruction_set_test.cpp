@@ -23,9 +23,8 @@ class InstructionSet : public testing::TestWithParam<Isa> {
   }
 
   [[nodiscard]] json report(const std::string& engine) const {
-    return json::parse(run_command({REGULUS_BINARY_DIR "/bin/regulus", "check", model_, "--isa",
-                                    std::string(name(GetParam())), "--engine", engine, "--no-cache",
-                                    "--json", "--quiet"})
+    return json::parse(regulus({"check", model_, "--isa", std::string(name(GetParam())), "--engine",
+                                engine, "--no-cache", "--json", "--quiet"})
                            .output);
   }
 

@@ -18,23 +18,21 @@
 #include "runtime/problem/observers.hpp"
 #include "tests/support/cached_command.hpp"
 
-namespace regulus {
+namespace regulus::test {
 namespace {
 
-using test::CachedCommand;
 using testing::HasSubstr;
 using testing::Not;
 
-struct Question {
+struct LongQuestion {
   std::string model, motion;
   std::vector<std::string> tolerances;
   Method method = Method::kAuto;
 };
 
-const std::string kModels = REGULUS_SOURCE_DIR "/models/";
-const Question kFree{kModels + "robot_1.toml", "table6_15_15", {"base,platform=0.1"}};
-const Question kSingular{kModels + "robot_1.toml", "wide_40", {}};
-const Question kPlanar{kModels + "planar_3rpr.toml", "regular", {}};
+const LongQuestion kFree{kModels + "robot_1.toml", "table6_15_15", {"base,platform=0.1"}};
+const LongQuestion kSingular{kModels + "robot_1.toml", "wide_40", {}};
+const LongQuestion kPlanarFree{kModels + "planar_3rpr.toml", "regular", {}};
 
 SearchOptions options(Engine engine, unsigned threads = 1, std::uint64_t boxes = 64) {
   SearchOptions search;
@@ -44,7 +42,7 @@ SearchOptions options(Engine engine, unsigned threads = 1, std::uint64_t boxes =
   return search;
 }
 
-PreparedSearch prepared(const Question& question, const SearchOptions& search) {
+PreparedSearch prepared(const LongQuestion& question, const SearchOptions& search) {
   ModelOptions model;
   model.path = question.model;
   model.motion = question.motion;
@@ -74,8 +72,8 @@ struct Outcome {
 };
 
 /// `waits`: the compiled kernel takes over in the round after the request for it.
-Outcome run(const Question& question, const SearchOptions& search, bool waits = false) {
-  const test::TemporaryDirectory directory;
+Outcome run(const LongQuestion& question, const SearchOptions& search, bool waits = false) {
+  const TemporaryDirectory directory;
   const std::string file = directory.path() / "certificate";
   PreparedSearch preparation = prepared(question, search);
   Outcome outcome;
@@ -86,10 +84,10 @@ Outcome run(const Question& question, const SearchOptions& search, bool waits = 
     outcome.result = run_search(preparation, search, settings_from(search), &observers);
     certificate.finish(outcome.result);
   }
-  outcome.report = test::timeless(text_report(preparation, search, outcome.result, std::nullopt));
-  outcome.json = test::timeless(
-      nlohmann::json(json_report(preparation, search, outcome.result, std::nullopt)));
-  outcome.certificate = test::file_contents(file);
+  outcome.report = timeless(text_report(preparation, search, outcome.result, std::nullopt));
+  outcome.json =
+      timeless(nlohmann::json(json_report(preparation, search, outcome.result, std::nullopt)));
+  outcome.certificate = file_contents(file);
   return outcome;
 }
 
@@ -98,15 +96,15 @@ void expect_same_finding(const Outcome& found, const Outcome& expected) {
   EXPECT_EQ(found.certificate, expected.certificate);
   EXPECT_FALSE(found.certificate.empty());
   nlohmann::json a = found.json, b = expected.json;
-  for (nlohmann::json* json : {&a, &b}) {
-    for (const char* key : {"engine", "engine_boxes", "threads"}) json->erase(key);
-    for (const char* key : {"engine", "threads"}) json->at("question").at("options").erase(key);
+  for (nlohmann::json* report : {&a, &b}) {
+    for (const char* key : {"engine", "engine_boxes", "threads"}) report->erase(key);
+    for (const char* key : {"engine", "threads"}) report->at("question").at("options").erase(key);
   }
   EXPECT_EQ(a, b);
 }
 
 TEST(LateCompilation, GoesOverInTheMiddleOfASearchThatFindsTheSame) {
-  for (const Question& question : {kFree, kSingular}) {
+  for (const LongQuestion& question : {kFree, kSingular}) {
     const CachedCommand cache;
     const Outcome interpreted = run(question, options(Engine::kInterpreted));
     const Outcome compiled = run(question, options(Engine::kJit));
@@ -152,7 +150,7 @@ TEST(LateCompilation, ReportsTheSameWheneverTheCompilerIsDone) {
 
 TEST(LateCompilation, DoesNotBeginForAShortSearch) {
   const CachedCommand cache;
-  const Outcome outcome = run(kPlanar, options(Engine::kAuto, 1, kBoxesBeforeCompiling));
+  const Outcome outcome = run(kPlanarFree, options(Engine::kAuto, 1, kBoxesBeforeCompiling));
   EXPECT_THAT(outcome.report, HasSubstr("interpreted (the search ended before 50 000 boxes)"));
   EXPECT_EQ(outcome.json["engine_boxes"]["interpreted"], outcome.json["boxes"]);
   EXPECT_EQ(outcome.json["engine_boxes"]["compiled"], 0);
@@ -225,7 +223,7 @@ TEST(LateCompilation, IsNotWaitedForOnceThatIsGivenUp) {
 
 TEST(EngineAuto, CompilesBeforeTheSearchWhereTheProcessIsKept) {
   const CachedCommand cache;
-  const PreparedSearch p = prepared(kPlanar, options(Engine::kAuto, 1, 0));
+  const PreparedSearch p = prepared(kPlanarFree, options(Engine::kAuto, 1, 0));
   EXPECT_FALSE(p.late);
   EXPECT_EQ(p.cache, "miss");
   EXPECT_FALSE(cache.objects().empty());
@@ -240,10 +238,10 @@ const std::vector<std::string> kLong = {"check", kModels + "hexapod_6rus.toml",
 
 TEST(TheCommand, LeavesTheKernelInTheCacheAfterALongSearch) {
   const CachedCommand cache;
-  const test::CommandResult first = cache.run(kLong);
+  const CommandResult first = cache.run(kLong);
   EXPECT_THAT(first.errors, HasSubstr("compiled meanwhile from 50 000 boxes on"));
   EXPECT_FALSE(cache.objects().empty());
-  const test::CommandResult second = cache.run(kLong);
+  const CommandResult second = cache.run(kLong);
   EXPECT_THAT(second.errors, HasSubstr("cache hit"));
   EXPECT_EQ(second.output, first.output);
   EXPECT_EQ(second.exit_code, first.exit_code);
@@ -253,11 +251,11 @@ TEST(TheCommand, EndsWithItsReportWhereNothingIsKept) {
   const CachedCommand cache;
   std::vector<std::string> words = kLong;
   words.emplace_back("--no-cache");
-  const test::CommandResult result = cache.run(words);
+  const CommandResult result = cache.run(words);
   EXPECT_THAT(result.errors, HasSubstr("compiled meanwhile from 50 000 boxes on"));
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_TRUE(cache.objects().empty());
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::test

@@ -11,7 +11,7 @@
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus {
+namespace regulus::test {
 namespace {
 
 using nlohmann::json;
@@ -19,7 +19,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 /// A matrix of two columns and three legs; the legs are parallel at x = 1/3, y = -2/3 only.
-constexpr const char* kRedundant = R"toml(regulus = 1
+constexpr const char* kRedundantArm = R"toml(regulus = 1
 name = "redundant"
 [pose]
 x = "m"
@@ -43,7 +43,7 @@ y = "-T*2"
 
 class Redundant : public testing::Test {
  protected:
-  Redundant() { std::ofstream(path_) << kRedundant; }
+  Redundant() { std::ofstream(path_) << kRedundantArm; }
 
   [[nodiscard]] PreparedSearch prepared(const std::string& motion) const {
     ModelOptions model;
@@ -53,13 +53,12 @@ class Redundant : public testing::Test {
     search.engine = Engine::kInterpreted;
     return prepare(model, search);
   }
-  [[nodiscard]] test::CommandResult check(std::vector<std::string> words) const {
-    words.insert(words.begin(), {REGULUS_BINARY_DIR "/bin/regulus", "check", path_});
+  [[nodiscard]] CommandResult check(std::vector<std::string> words) const {
     words.insert(words.end(), {"--engine", "interpreted", "--max-boxes", "20000"});
-    return test::run_command(words);
+    return regulus({"check", path_}, words);
   }
 
-  test::TemporaryDirectory folder_;
+  TemporaryDirectory folder_;
   std::string path_ = folder_.path() / "redundant.toml";
 };
 
@@ -82,7 +81,7 @@ TEST_F(Redundant, IsLeftRegularWhereItIs) {
 }
 
 TEST_F(Redundant, IsReportedWithThePoseAndTheTwist) {
-  const test::CommandResult result = check({"all", "--json"});
+  const CommandResult result = check({"all", "--json"});
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.errors, AllOf(HasSubstr("nearest    x = 0.333333, y = -0.666667\n"),
                                    HasSubstr("this proves nothing\n"),
@@ -96,7 +95,7 @@ TEST_F(Redundant, IsReportedWithThePoseAndTheTwist) {
 }
 
 TEST_F(Redundant, HasNoSuchLinesWhereItIsCertified) {
-  const test::CommandResult result = check({"beside", "--json"});
+  const CommandResult result = check({"beside", "--json"});
   EXPECT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_FALSE(json::parse(result.output).contains("nearest_singular"));
 }
@@ -111,7 +110,7 @@ TEST_F(Redundant, OnAPathIsGivenInPoseParametersToo) {
 
 /// |det| = x, and the rows have lengths of about 1.
 TEST(AlmostSingular, IsNamedAfterNoSingularity) {
-  const test::TemporaryDirectory directory;
+  const TemporaryDirectory directory;
   const std::string path = directory.path() / "near.toml";
   std::ofstream(path) << R"toml(regulus = 1
 name = "near"
@@ -124,18 +123,14 @@ x = [1e-8, 1]
 [motion.far]
 x = [0.1, 1]
 )toml";
-  const auto check = [&](const char* motion) {
-    return test::run_command({REGULUS_BINARY_DIR "/bin/regulus", "check", path, motion});
-  };
-  const test::CommandResult near = check("near");
+  const auto check = [&](const char* motion) { return regulus({"check", path, motion}); };
+  const CommandResult near = check("near");
   EXPECT_EQ(near.output, "NO SINGULARITY\n");
   EXPECT_THAT(near.errors, AllOf(HasSubstr("nearest    x = "), HasSubstr("almost singular there")));
-  const json report = json::parse(test::run_command({REGULUS_BINARY_DIR "/bin/regulus", "check",
-                                                     path, "near", "--json", "--quiet"})
-                                      .output);
+  const json report = json::parse(regulus({"check", path, "near", "--json", "--quiet"}).output);
   EXPECT_LT(report["nearest_singular"]["hadamard_share"], 1e-6);
   EXPECT_THAT(check("far").errors, testing::Not(HasSubstr("nearest")));
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::test

@@ -55,9 +55,8 @@ class LimitMargin : public testing::Test {
   LimitMargin() { std::ofstream(model_) << kShapes; }
 
   [[nodiscard]] CommandResult margin(std::vector<std::string> words) const {
-    words.insert(words.begin(), {REGULUS_BINARY_DIR "/bin/regulus", "margin", model_});
     words.insert(words.end(), {"--engine", "interpreted", "--threads", "1"});
-    return run_command(words);
+    return regulus({"margin", model_}, words);
   }
   void expect_bracket(std::vector<std::string> words, double critical) const {
     words.insert(words.end(), {"--json", "--quiet", "--gap", "1e-4"});
@@ -120,8 +119,7 @@ TEST_F(LimitMargin, ProvesBothEndsByCertificates) {
                 .exit_code,
             0);
   for (const char* end : {".safe", ".singular"}) {
-    const CommandResult verified =
-        run_command({REGULUS_BINARY_DIR "/bin/regulus-verify", file + end});
+    const CommandResult verified = run_command({kVerify, file + end});
     EXPECT_EQ(verified.exit_code, 0) << end << verified.errors;
   }
 }

@@ -16,13 +16,6 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-const std::string kCommand = REGULUS_BINARY_DIR "/bin/regulus";
-
-CommandResult regulus(std::vector<std::string> words) {
-  words.insert(words.begin(), kCommand);
-  return run_command(words);
-}
-
 /// Returns the result of a command in another working directory.
 CommandResult regulus_in(const std::string& folder, const std::string& words) {
   return run_command({"/bin/sh", "-c", "cd '" + folder + "' && '" + kCommand + "' " + words});

@@ -21,13 +21,7 @@ using nlohmann::json;
 using testing::AllOf;
 using testing::HasSubstr;
 
-const std::string kRobot1 = REGULUS_SOURCE_DIR "/models/robot_1.toml";
-const std::string kPlanar = REGULUS_SOURCE_DIR "/models/planar_3rpr.toml";
-
-CommandResult locate(std::vector<std::string> words) {
-  words.insert(words.begin(), {REGULUS_BINARY_DIR "/bin/regulus", "locate"});
-  return run_command(words);
-}
+CommandResult locate(std::vector<std::string> words) { return regulus({"locate"}, words); }
 
 struct Paving {
   json header;
@@ -293,9 +287,8 @@ TEST(Locate, ListsWhatABudgetLeftUnseen) {
 TEST(Locate, EndsWithASummaryWhenInterrupted) {
   const TemporaryDirectory folder;
   const std::string file = (folder.path() / "boxes.jsonl").string();
-  RunningCommand running({REGULUS_BINARY_DIR "/bin/regulus", "locate", kRobot1, "wide_40",
-                          "--resolution", "1/1024", "--engine", "interpreted", "--json", "--output",
-                          file, "--quiet"});
+  RunningCommand running({kCommand, "locate", kRobot1, "wide_40", "--resolution", "1/1024",
+                          "--engine", "interpreted", "--json", "--output", file, "--quiet"});
   std::this_thread::sleep_for(std::chrono::seconds(2));
   kill(running.pid(), SIGINT);
   const CommandResult result = running.wait();

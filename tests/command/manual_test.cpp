@@ -16,13 +16,10 @@
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus {
+namespace regulus::test {
 namespace {
 
-using regulus::test::run_command;
 using testing::HasSubstr;
-
-const std::string kProgram = REGULUS_BINARY_DIR "/bin/regulus";
 
 std::string without_escapes(std::string text) {
   std::erase(text, '\\');
@@ -33,7 +30,7 @@ TEST(Manual, HasEveryOptionThatHelpShows) {
   const std::vector<CommandEntry> table = command_table(ShellSession::commands());
   ASSERT_GE(table.size(), 7U);
   for (const CommandEntry& command : table) {
-    std::vector<std::string> words = {kProgram, command.name, "--help"};
+    std::vector<std::string> words = {kCommand, command.name, "--help"};
     std::erase(words, "");
     std::istringstream help(run_command(words).output);
     const std::string page = without_escapes(manual_page(command, table));
@@ -67,7 +64,7 @@ TEST(Manual, OfTheShellHasItsCommands) {
 TEST(Manual, HasNoMistakesOfItsMacros) {
   if (run_command({"/bin/sh", "-c", "command -v mandoc"}).exit_code != 0)
     GTEST_SKIP() << "no mandoc";
-  const regulus::test::TemporaryDirectory directory;
+  const TemporaryDirectory directory;
   const std::vector<CommandEntry> table = command_table(ShellSession::commands());
   for (const CommandEntry& command : table) {
     const std::string file = (directory.path() / "page.1").string();
@@ -77,7 +74,7 @@ TEST(Manual, HasNoMistakesOfItsMacros) {
 }
 
 TEST(Completions, AreReadByTheirShells) {
-  const regulus::test::TemporaryDirectory directory;
+  const TemporaryDirectory directory;
   const std::vector<CommandEntry> table = command_table(ShellSession::commands());
   const std::string bash = (directory.path() / "bash").string();
   std::ofstream(bash) << bash_completion(table);
@@ -103,7 +100,7 @@ std::string bash_offers(const std::string& file, const std::string& words) {
 }
 
 TEST(Completions, OfferTheNamesOfTheModelOnTheLine) {
-  const regulus::test::TemporaryDirectory directory;
+  const TemporaryDirectory directory;
   const std::string bash = (directory.path() / "bash").string();
   std::ofstream(bash) << bash_completion(command_table());
   const std::string planar = "regulus check " REGULUS_SOURCE_DIR "/models/planar_3rpr.toml ";
@@ -127,7 +124,7 @@ TEST(Help, HasItsOptionsInGroups) {
         EXPECT_NE(option.group, option_groups().back()) << command.name << ' ' << option.name;
       }
   }
-  const std::string help = run_command({kProgram, "check", "--help"}).output;
+  const std::string help = regulus({"check", "--help"}).output;
   std::size_t at = 0;
   for (const char* head : {"\nQuestion:\n", "\nBudget:\n", "\nOutput:\n", "\nResearch:\n",
                            "\nOptions:\n", "Examples:\n", "Exit: "}) {
@@ -179,11 +176,11 @@ TEST(ShellPage, ShowsASessionThatTakesPlaceLikeThat) {
     else
       shown += line + '\n';
   ASSERT_GT(script.size(), 100U);
-  const regulus::test::TemporaryDirectory directory;
+  const TemporaryDirectory directory;
   const std::string file = (directory.path() / "script").string();
   std::ofstream(file) << script;
   const auto result = run_command(
-      {"/bin/sh", "-c", "cd " REGULUS_SOURCE_DIR " && " + kProgram + " shell < " + file});
+      {"/bin/sh", "-c", "cd " REGULUS_SOURCE_DIR " && " + kCommand + " shell < " + file});
   EXPECT_EQ(result.output, shown) << result.errors;
 }
 
@@ -198,4 +195,4 @@ TEST(OptionsOfScripts, AreTakenByEveryCommand) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::test

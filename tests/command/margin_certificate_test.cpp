@@ -14,7 +14,7 @@ using nlohmann::json;
 using testing::HasSubstr;
 
 /// det = a − x²/2: see margin_test.cpp. Critical: tolerance of a 1/2, scale √2, alpha 1/2.
-constexpr const char* kBowl = R"(regulus = 1
+constexpr const char* kProvedBowl = R"(regulus = 1
 name = "bowl"
 [pose]
 x = "1"
@@ -32,21 +32,21 @@ constraints = ["x"]
 
 class MarginCertificate : public testing::Test {
  protected:
-  MarginCertificate() { write_file(model_, kBowl); }
+  MarginCertificate() { write_file(model_, kProvedBowl); }
 
   [[nodiscard]] CommandResult margin(std::vector<std::string> words) const {
-    words.insert(words.begin(), {REGULUS_BINARY_DIR "/bin/regulus", "margin", model_});
     words.insert(words.end(), {"--engine", "interpreted", "--certificate", file("ends")});
-    return run_command(words);
+    return regulus({"margin", model_}, words);
   }
   [[nodiscard]] json report(std::vector<std::string> words) const {
     words.emplace_back("--json");
     return json::parse(margin(words).output);
   }
   [[nodiscard]] json verified(const std::string& end) const {
-    return json::parse(run_command({REGULUS_BINARY_DIR "/bin/regulus", "verify",
-                                    file("ends." + end), "--model", model_, "--json", "--quiet"})
-                           .output);
+    return json::parse(
+        regulus({"verify", file("ends." + end), "--model", model_, "--allow-options", "--json",
+                 "--quiet"})
+            .output);
   }
   /// Expects proofs of both ends, with one difference to the model: `what` has the reported value.
   void expect_both_ends(const std::vector<std::string>& words, const std::string& what) const {
@@ -91,10 +91,7 @@ error = { y = 0.1 }
 )");
   static_cast<void>(report({"crossing", "--tube", "x=0:1"}));
   EXPECT_EQ(verified("singular")["outcome"], "verified");
-  EXPECT_EQ(run_command({REGULUS_BINARY_DIR "/bin/regulus-verify", "--model", model_,
-                         file("ends.singular")})
-                .output,
-            "VERIFIED\n");
+  EXPECT_EQ(run_command({kVerify, "--model", model_, file("ends.singular")}).output, "VERIFIED\n");
   static_cast<void>(report({"beside", "--tube", "x=0:1e-9", "--max-boxes", "1000"}));
   EXPECT_EQ(verified("safe")["outcome"], "verified");
 }
@@ -143,9 +140,8 @@ TEST_F(MarginCertificate, IsNotWrittenForAnEndThatIsNotKnown) {
 }
 
 TEST_F(MarginCertificate, ThatCannotBeMadeIsSaidBeforeTheFirstSearch) {
-  const CommandResult result =
-      run_command({REGULUS_BINARY_DIR "/bin/regulus", "margin", model_, "small", "--tolerance",
-                   "a=0:0.9", "--certificate", file("no/such/folder")});
+  const CommandResult result = regulus({"margin", model_, "small", "--tolerance", "a=0:0.9",
+                                        "--certificate", file("no/such/folder")});
   EXPECT_EQ(result.exit_code, 74);
   EXPECT_THAT(result.errors, HasSubstr("cannot be created"));
   EXPECT_THAT(result.errors, testing::Not(HasSubstr("boxes")));

@@ -20,8 +20,6 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-const std::string kRobot1 = REGULUS_SOURCE_DIR "/models/robot_1.toml";
-
 /// det = a − x²/2, with a = 1 ± its tolerance and |x| ≤ 1. It is singular from tolerance 1/2 on; at
 /// tolerance 0 from |x| = √2 on, and |det| ≥ 1/2.
 constexpr const char* kBowl = R"(regulus = 1
@@ -48,9 +46,8 @@ class Margin : public testing::Test {
   Margin() { std::ofstream(model_) << kBowl; }
 
   [[nodiscard]] CommandResult margin(std::vector<std::string> words) const {
-    words.insert(words.begin(), {REGULUS_BINARY_DIR "/bin/regulus", "margin", model_});
     words.insert(words.end(), {"--engine", "interpreted"});
-    return run_command(words);
+    return regulus({"margin", model_}, words);
   }
   [[nodiscard]] json report(std::vector<std::string> words, int exit_code = 0) const {
     words.insert(words.end(), {"--json", "--quiet"});
@@ -149,8 +146,8 @@ TEST_F(Margin, SaysTheBracketOnTheLastLineAndEachStepOnStandardError) {
 TEST_F(Margin, ChecksWhatItClaims) {
   const json found = report({"small", "--tolerance", "a=1/3:0.9"});
   const auto check = [&](const std::string& value) {
-    return run_command({REGULUS_BINARY_DIR "/bin/regulus", "check", model_, "small", "--tolerance",
-                        "a=" + value, "--engine", "interpreted"})
+    return regulus(
+               {"check", model_, "small", "--tolerance", "a=" + value, "--engine", "interpreted"})
         .exit_code;
   };
   EXPECT_EQ(check(found["certified_exact"]), 0);
@@ -233,9 +230,9 @@ TEST_F(Margin, ContinuesFromItsCheckpoint) {
 }
 
 TEST_F(Margin, GivesTheBracketSoFarWhenInterrupted) {
-  RunningCommand running({REGULUS_BINARY_DIR "/bin/regulus", "margin", kRobot1, "table4_5",
-                          "--tolerance", "base,platform=0.19:0.4", "--engine", "interpreted",
-                          "--json", "--quiet"});
+  RunningCommand running({kCommand, "margin", kRobot1, "table4_5", "--tolerance",
+                          "base,platform=0.19:0.4", "--engine", "interpreted", "--json",
+                          "--quiet"});
   std::this_thread::sleep_for(std::chrono::seconds(3));
   kill(running.pid(), SIGINT);
   const CommandResult result = running.wait();

@@ -15,20 +15,13 @@
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus {
+namespace regulus::test {
 namespace {
 
-using test::CommandResult;
-using test::run_command;
-using test::TemporaryDirectory;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
-
-const std::string kCommand = REGULUS_BINARY_DIR "/bin/regulus";
-const std::string kPlanar = REGULUS_SOURCE_DIR "/models/planar_3rpr.toml";
-const std::string kRobot1 = REGULUS_SOURCE_DIR "/models/robot_1.toml";
 
 std::string contents(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -209,7 +202,7 @@ TEST(Gnuplot, ReportsItsComplaint) {
   }
 }
 
-std::string text_of(const std::filesystem::path& file) {
+std::string text_of_picture(const std::filesystem::path& file) {
   std::ifstream stream(file);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
@@ -219,10 +212,10 @@ TEST(Gnuplot, LeavesThePictureThatWasThereUntilItHasAnother) {
   const auto file = folder.path() / "p.svg";
   std::ofstream(file) << "an earlier picture, longer than what is drawn now";
   { const Gnuplot gnuplot(file.string()); }
-  EXPECT_THAT(text_of(file), HasSubstr("an earlier picture"));
+  EXPECT_THAT(text_of_picture(file), HasSubstr("an earlier picture"));
   Gnuplot(file.string()).draw("set terminal svg\nplot x\n");
-  EXPECT_THAT(text_of(file), testing::Not(HasSubstr("picture")));
-  EXPECT_THAT(text_of(file), HasSubstr("</svg>"));
+  EXPECT_THAT(text_of_picture(file), testing::Not(HasSubstr("picture")));
+  EXPECT_THAT(text_of_picture(file), HasSubstr("</svg>"));
 }
 
 TEST(Gnuplot, LeavesNoFileWithoutAPicture) {
@@ -308,4 +301,4 @@ TEST_F(CanvasTest, CoversEveryTileOfAKindOnce) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::test

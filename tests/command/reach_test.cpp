@@ -14,11 +14,8 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-const std::string kCommand = REGULUS_BINARY_DIR "/bin/regulus";
-const std::string kVerifier = REGULUS_BINARY_DIR "/bin/regulus-verify";
-
 /// Reaches the poses with x ≥ 0; its determinant is at least 2 there, and less than 0 nowhere.
-const std::string kModel =
+const std::string kReachModel =
     "regulus = 1\nname = \"half\"\n[pose]\nx = \"m\"\ny = \"m\"\n"
     "[geometry]\nd = { value = 0, tolerance = 0, group = \"g\" }\n"
     "[matrix]\nrows = [[\"2 + sqrt(x + d)\", \"y\"], [0, 1]]\n"
@@ -30,7 +27,7 @@ const std::string kModel =
 
 class Reach : public testing::Test {
  protected:
-  Reach() { write_file(model_, kModel); }
+  Reach() { write_file(model_, kReachModel); }
 
   CommandResult run(std::vector<std::string> words) const {
     words.insert(words.begin(), kCommand);
@@ -102,18 +99,17 @@ TEST_F(Reach, MakesNoPavingSafe) {
 
 TEST_F(Reach, IsInTheCertificate) {
   certify();
-  const CommandResult verified = run_command({kVerifier, proof_, "--model", model_});
+  const CommandResult verified = run_command({kVerify, proof_, "--model", model_});
   EXPECT_EQ(verified.exit_code, 0) << verified.output << verified.errors;
   EXPECT_THAT(verified.output + verified.errors,
               HasSubstr("is defined and has full rank at every reachable pose"));
-  EXPECT_EQ(run_command({kCommand, "verify", proof_, "--model", model_, "--quiet"}).output,
-            "VERIFIED\n");
+  EXPECT_EQ(regulus({"verify", proof_, "--model", model_, "--quiet"}).output, "VERIFIED\n");
 }
 
 TEST_F(Reach, OfACertificateMustBeThatOfARootOfTheMatrix) {
   certify();
   tamper("\nreach ", "\nreach -1/2 + ");
-  const CommandResult result = run_command({kVerifier, proof_});
+  const CommandResult result = run_command({kVerify, proof_});
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.output + result.errors, HasSubstr("the model has no square root of"));
 }
@@ -121,20 +117,20 @@ TEST_F(Reach, OfACertificateMustBeThatOfARootOfTheMatrix) {
 TEST_F(Reach, CannotBeHiddenInTheClaim) {
   certify();
   tamper("every reachable pose", "every pose");
-  EXPECT_THAT(run_command({kVerifier, proof_}).output, HasSubstr("REJECTED"));
+  EXPECT_THAT(run_command({kVerify, proof_}).output, HasSubstr("REJECTED"));
 }
 
 TEST_F(Reach, OfACertificateMustBeInTheFile) {
   certify();
-  write_file(model_, file_contents(model_).replace(kModel.find("where = \"reachable\"\ncons"), 19,
-                                                   "                   "));
-  const CommandResult result = run_command({kVerifier, proof_, "--model", model_});
+  write_file(model_, file_contents(model_).replace(kReachModel.find("where = \"reachable\"\ncons"),
+                                                   19, "                   "));
+  const CommandResult result = run_command({kVerify, proof_, "--model", model_});
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.output + result.errors, HasSubstr("the motion has no 'where'"));
 }
 
 TEST_F(Reach, IsListed) {
-  EXPECT_THAT(run_command({kCommand, "list", model_}).output, HasSubstr("where reachable"));
+  EXPECT_THAT(regulus({"list", model_}).output, HasSubstr("where reachable"));
 }
 
 }  // namespace

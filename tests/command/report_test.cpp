@@ -17,9 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-const std::string kProgram = REGULUS_BINARY_DIR "/bin/regulus";
-const std::string kModels = REGULUS_SOURCE_DIR "/models/";
-
 std::string text_of(const fs::path& file) {
   std::ostringstream text;
   text << std::ifstream(file).rdbuf();
@@ -42,9 +39,8 @@ class AReport : public testing::Test {
   }
 
   CommandResult report(std::vector<std::string> words) {
-    words.insert(words.begin(), {kProgram, "report"});
     words.insert(words.end(), {"-o", page_});
-    return run_command(words);
+    return regulus({"report"}, words);
   }
 
   TemporaryDirectory folder_;
@@ -123,8 +119,7 @@ TEST_F(AReport, RefusesWhatItCannotShow) {
   const CommandResult quantity = report({kModels + "orthoglide.toml", "cube", "--bound", "beauty"});
   EXPECT_EQ(quantity.exit_code, 64);
   EXPECT_FALSE(fs::exists(page_));
-  const CommandResult no_file =
-      run_command({kProgram, "report", kModels + "orthoglide.toml", "cube"});
+  const CommandResult no_file = regulus({"report", kModels + "orthoglide.toml", "cube"});
   EXPECT_EQ(no_file.exit_code, 64);
   EXPECT_THAT(no_file.errors, HasSubstr("--output"));
 }
@@ -134,9 +129,7 @@ class APage : public AReport {
  protected:
   /// Returns the data of the page of a question, whose command ends with `exit_code`.
   nlohmann::json page_of(std::vector<std::string> words, int exit_code) {
-    words.insert(words.begin(), kProgram);
-    words.insert(words.end(), {"--page", page_});
-    const CommandResult made = run_command(words);
+    const CommandResult made = regulus(std::move(words), {"--page", page_});
     EXPECT_EQ(made.exit_code, exit_code) << made.errors;
     EXPECT_THAT(made.errors, HasSubstr("page       " + page_));
     headline_ = made.output.substr(0, made.output.find('\n'));
@@ -208,7 +201,7 @@ TEST_F(APage, OfADatasheetHasARowOfBarsForEachQuantity) {
 TEST(AProgramWithoutThePage, SaysHowToGetIt) {
   const TemporaryDirectory folder;
   fs::create_directory(folder.path() / "bin");
-  fs::copy_file(kProgram, folder.path() / "bin/regulus");
+  fs::copy_file(kCommand, folder.path() / "bin/regulus");
   const CommandResult refused =
       run_command({folder.path() / "bin/regulus", "report", kModels + "orthoglide.toml", "cube",
                    "-o", folder.path() / "page.html"});

@@ -15,7 +15,7 @@
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus {
+namespace regulus::test {
 namespace {
 
 /// Returns a robot with det = x² + y² − h², singular on a circle.
@@ -103,14 +103,8 @@ std::string verdicts(const std::string& text, const Verdicts& of) {
   std::ofstream(file) << text;
   std::string all;
   for (const std::string& motion : of.motions) {
-    std::vector<std::string> words = {REGULUS_BINARY_DIR "/bin/regulus",
-                                      "check",
-                                      file,
-                                      motion,
-                                      "--json",
-                                      "--quiet",
-                                      "--engine",
-                                      "interpreted"};
+    std::vector<std::string> words = {kCommand, "check",   file,       motion,
+                                      "--json", "--quiet", "--engine", "interpreted"};
     words.insert(words.end(), of.options.begin(), of.options.end());
     const auto report = nlohmann::json::parse(regulus::test::run_command(words).output);
     all +=
@@ -154,4 +148,4 @@ TEST(ExampleRobots, TheGough6UpsHasTheVerdictsOfTheGoughTable) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::test

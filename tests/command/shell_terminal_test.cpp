@@ -14,16 +14,13 @@
 #include <fstream>
 #include <thread>
 
+#include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus {
+namespace regulus::test {
 namespace {
 
-using regulus::test::TemporaryDirectory;
 using testing::HasSubstr;
-
-const std::string kProgram = REGULUS_BINARY_DIR "/bin/regulus";
-const std::string kPlanar = REGULUS_SOURCE_DIR "/models/planar_3rpr.toml";
 
 /// Plays a person at a terminal.
 class Terminal {
@@ -37,7 +34,7 @@ class Terminal {
     unsetenv("NO_COLOR");
     setenv("TERM", kind, 1);
     putenv(more.data());
-    execl(kProgram.c_str(), "regulus", "shell", nullptr);
+    execl(kCommand.c_str(), "regulus", "shell", nullptr);
     _exit(127);
   }
   ~Terminal() {
@@ -209,4 +206,4 @@ TEST(ShellAtATerminal, NeedsNoHome) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::test

@@ -16,18 +16,13 @@
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus {
+namespace regulus::test {
 namespace {
 
-using regulus::test::CommandResult;
-using regulus::test::TemporaryDirectory;
 using testing::ElementsAre;
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-const std::string kProgram = REGULUS_BINARY_DIR "/bin/regulus";
-const std::string kPlanar = REGULUS_SOURCE_DIR "/models/planar_3rpr.toml";
 
 /// Runs `regulus shell` with the script as its standard input, after setting variables.
 CommandResult shell(const std::string& script, const std::string& option = "",
@@ -35,8 +30,8 @@ CommandResult shell(const std::string& script, const std::string& option = "",
   const TemporaryDirectory directory;
   const std::string file = (directory.path() / "script").string();
   std::ofstream(file) << script;
-  return regulus::test::run_command(
-      {"/bin/sh", "-c", variables + " " + kProgram + " shell " + option + " < " + file});
+  return run_command(
+      {"/bin/sh", "-c", variables + " " + kCommand + " shell " + option + " < " + file});
 }
 
 std::string loaded(const std::string& script) { return "load " + kPlanar + "\n" + script; }
@@ -56,8 +51,8 @@ TEST(ShellScript, ChecksAMotionAndEndsWithTheCodeOfTheVerdict) {
 }
 
 TEST(ShellScript, ReportsWhatTheCommandReports) {
-  const CommandResult alone = regulus::test::run_command(
-      {kProgram, "check", kPlanar, "crossing", "--engine", "interpreted", "--json", "--quiet"});
+  const CommandResult alone =
+      regulus({"check", kPlanar, "crossing", "--engine", "interpreted", "--json", "--quiet"});
   const CommandResult script =
       shell(loaded("set engine interpreted\nmotion crossing\ncheck --json --quiet\n"));
   const auto without_time = [](nlohmann::json report) {
@@ -319,4 +314,4 @@ TEST(ShellCompletion, TypesWhatAllHaveInCommon) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::test

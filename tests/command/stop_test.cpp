@@ -19,9 +19,7 @@ namespace {
 using testing::AnyOf;
 using testing::HasSubstr;
 
-const std::string kModels = REGULUS_SOURCE_DIR "/models/";
-
-constexpr const char* kCart = R"(regulus = 1
+constexpr const char* kStoppedCart = R"(regulus = 1
 name = "cart"
 [pose]
 x = "m"
@@ -38,17 +36,17 @@ force_unit = "N"
 force = [[-1, 1], [-1, 1]]
 )";
 
-struct Question {
+struct StoppedQuestion {
   const char* name;
   std::vector<std::string> words;
 };
 
-void PrintTo(const Question& question, std::ostream* out) { *out << question.name; }
+void PrintTo(const StoppedQuestion& question, std::ostream* out) { *out << question.name; }
 
-class Stop : public testing::TestWithParam<Question> {
+class Stop : public testing::TestWithParam<StoppedQuestion> {
  protected:
   Stop() {
-    std::ofstream(folder_.path() / "cart.toml") << kCart;
+    std::ofstream(folder_.path() / "cart.toml") << kStoppedCart;
     std::ofstream(folder_.path() / "way.csv") << "x,y\n1,1\n2,2\n3,1\n";
     setenv("XDG_CACHE_HOME", cache().c_str(), 1);
   }
@@ -61,7 +59,7 @@ class Stop : public testing::TestWithParam<Question> {
   /// The words of the command, for an empty cache.
   [[nodiscard]] std::vector<std::string> words() const {
     std::filesystem::remove_all(cache());
-    std::vector<std::string> words{REGULUS_BINARY_DIR "/bin/regulus"};
+    std::vector<std::string> words{kCommand};
     for (const std::string& word : GetParam().words)
       words.push_back(word == "cart.toml" || word == "way.csv" ? (folder_.path() / word).string()
                                                                : word);
@@ -113,21 +111,23 @@ TEST_P(Stop, ByAnInterruptGivesAnAnswer) {
 INSTANTIATE_TEST_SUITE_P(
     OfACommand, Stop,
     testing::Values(
-        Question{"Check", {"check", kModels + "robot_1.toml", "wide_15"}},
-        Question{"CheckOfASerialArm", {"check", kModels + "puma_560_serial.toml", "dexterous"}},
-        Question{"CheckOfLegs", {"check", kModels + "hexapod_6rus.toml", "work"}},
-        Question{"CheckAlongWayPoints", {"check", "cart.toml", "--waypoints", "way.csv"}},
-        Question{"CheckOfALoad", {"check", "cart.toml", "--load", "push"}},
-        Question{"Locate", {"locate", kModels + "robot_1.toml", "wide_15"}},
-        Question{"LocateOfALoad", {"locate", "cart.toml", "--load", "push"}},
-        Question{"Margin", {"margin", kModels + "robot_1.toml", "wide_15", "--scale", "1:3"}},
-        Question{"MarginAlongWayPoints",
-                 {"margin", "cart.toml", "--waypoints", "way.csv", "--tube", "0:1"}},
-        Question{"Bound", {"bound", kModels + "orthoglide.toml", "cube", "sigma-min"}},
-        Question{"BoundOfTheConditionNumber",
-                 {"bound", kModels + "robot_1.toml", "wide_15", "condition", "--norm", "2"}},
-        Question{"Datasheet", {"datasheet", kModels + "robot_1.toml", "wide_15"}}),
-    [](const testing::TestParamInfo<Question>& question) { return question.param.name; });
+        StoppedQuestion{"Check", {"check", kModels + "robot_1.toml", "wide_15"}},
+        StoppedQuestion{"CheckOfASerialArm",
+                        {"check", kModels + "puma_560_serial.toml", "dexterous"}},
+        StoppedQuestion{"CheckOfLegs", {"check", kModels + "hexapod_6rus.toml", "work"}},
+        StoppedQuestion{"CheckAlongWayPoints", {"check", "cart.toml", "--waypoints", "way.csv"}},
+        StoppedQuestion{"CheckOfALoad", {"check", "cart.toml", "--load", "push"}},
+        StoppedQuestion{"Locate", {"locate", kModels + "robot_1.toml", "wide_15"}},
+        StoppedQuestion{"LocateOfALoad", {"locate", "cart.toml", "--load", "push"}},
+        StoppedQuestion{"Margin",
+                        {"margin", kModels + "robot_1.toml", "wide_15", "--scale", "1:3"}},
+        StoppedQuestion{"MarginAlongWayPoints",
+                        {"margin", "cart.toml", "--waypoints", "way.csv", "--tube", "0:1"}},
+        StoppedQuestion{"Bound", {"bound", kModels + "orthoglide.toml", "cube", "sigma-min"}},
+        StoppedQuestion{"BoundOfTheConditionNumber",
+                        {"bound", kModels + "robot_1.toml", "wide_15", "condition", "--norm", "2"}},
+        StoppedQuestion{"Datasheet", {"datasheet", kModels + "robot_1.toml", "wide_15"}}),
+    [](const testing::TestParamInfo<StoppedQuestion>& question) { return question.param.name; });
 
 }  // namespace
 }  // namespace regulus::test

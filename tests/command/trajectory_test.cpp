@@ -22,10 +22,6 @@ using testing::AnyOf;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string kCommand = REGULUS_BINARY_DIR "/bin/regulus";
-const std::string kVerify = REGULUS_BINARY_DIR "/bin/regulus-verify";
-const std::string kRobot1 = REGULUS_SOURCE_DIR "/models/robot_1.toml";
-
 /// A cart on two cables, which is singular at y = 0 and nowhere else.
 constexpr const char* kCart = R"(regulus = 1
 name = "cart on two cables"
@@ -61,10 +57,6 @@ class Trajectories : public testing::Test {
     return path;
   }
   std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
-  static CommandResult regulus(std::vector<std::string> words) {
-    words.insert(words.begin(), kCommand);
-    return run_command(words);
-  }
   /// A circle of 200 way-points about (2, 2), but row `bad` is below the winches.
   static std::string circle(int bad = -1) {
     std::string text = "t [s],x [m],y [mm]\n";

@@ -16,7 +16,7 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr const char* kModel = R"toml(regulus = 1
+constexpr const char* kUndefinedModel = R"toml(regulus = 1
 name = "undefined"
 source = "a test"
 [pose]
@@ -46,11 +46,9 @@ y = 1
 
 class UndefinedPose : public testing::Test {
  protected:
-  UndefinedPose() { std::ofstream(path_) << kModel; }
+  UndefinedPose() { std::ofstream(path_) << kUndefinedModel; }
   CommandResult check(std::vector<std::string> words) {
-    words.insert(words.begin(),
-                 {REGULUS_BINARY_DIR "/bin/regulus", "check", path_, "--engine", "interpreted"});
-    return run_command(words);
+    return regulus({"check", path_, "--engine", "interpreted"}, words);
   }
 
  private:

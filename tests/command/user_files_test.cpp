@@ -20,18 +20,8 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string kCommand = REGULUS_BINARY_DIR "/bin/regulus";
-const std::string kRobot1 = REGULUS_SOURCE_DIR "/models/robot_1.toml";
-const std::string kPlanar = REGULUS_SOURCE_DIR "/models/planar_3rpr.toml";
-
-using Words = std::vector<std::string>;
-
 class UserFiles : public testing::Test {
  protected:
-  [[nodiscard]] static CommandResult regulus(Words words) {
-    words.insert(words.begin(), kCommand);
-    return run_command(words);
-  }
   /// Runs the command after a command of the shell, such as a limit.
   [[nodiscard]] static CommandResult after(const std::string& before, Words words) {
     words.insert(words.begin(), {"/bin/sh", "-c", before + "; exec \"$0\" \"$@\"", kCommand});

@@ -14,10 +14,6 @@ using nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const std::string kCommand = REGULUS_BINARY_DIR "/bin/regulus";
-const std::string kRobot1 = REGULUS_SOURCE_DIR "/models/robot_1.toml";
-const std::string kPlanar = REGULUS_SOURCE_DIR "/models/planar_3rpr.toml";
-
 class VerifyModel : public testing::Test {
  protected:
   void certify(const std::string& model, std::vector<std::string> words) const {
@@ -33,7 +29,7 @@ class VerifyModel : public testing::Test {
     return run_command(words);
   }
   [[nodiscard]] json report(const std::string& model) const {
-    return json::parse(verify(model, {"--json", "--quiet"}).output);
+    return json::parse(verify(model, {"--json", "--quiet", "--allow-options"}).output);
   }
   /// Replaces some text, which must exist.
   void tamper(const std::string& from, const std::string& to) const {
@@ -50,7 +46,7 @@ class VerifyModel : public testing::Test {
     EXPECT_THAT(result.errors, HasSubstr(why));
   }
   [[nodiscard]] bool is_verified_without_the_model() const {
-    return run_command({kCommand, "verify", certificate_}).output == "VERIFIED\n";
+    return regulus({"verify", certificate_}).output == "VERIFIED\n";
   }
 
   TemporaryDirectory directory_;
@@ -73,8 +69,8 @@ TEST_F(VerifyModel, ConfirmsTheProofOfAPaving) {
        {std::pair("regular", "is defined and has full rank at every pose"),
         {"reach", "is defined and has full rank at every pose"},
         {"crossing", "is singular at some pose"}}) {
-    const CommandResult paved = run_command({kCommand, "locate", kPlanar, motion, "--resolution",
-                                             "1/4", "--quiet", "--certificate", certificate_});
+    const CommandResult paved = regulus({"locate", kPlanar, motion, "--resolution", "1/4",
+                                         "--quiet", "--certificate", certificate_});
     EXPECT_LE(paved.exit_code, 1) << paved.errors;
     const json proof = report(kPlanar);
     EXPECT_EQ(proof["outcome"], "verified") << proof;
@@ -89,8 +85,17 @@ TEST_F(VerifyModel, ReportsWhatOptionsHaveChanged) {
   EXPECT_THAT(changed["differences"],
               ElementsAre("range x -1 : 2 instead of -2 : 4", "tolerance base 1/10 instead of 0",
                           "alpha 1/50 instead of 0"));
-  EXPECT_THAT(verify(kPlanar).errors,
+  EXPECT_THAT(verify(kPlanar, {"--allow-options"}).errors,
               HasSubstr("with range x -1 : 2 instead of -2 : 4, tolerance base 1/10"));
+}
+
+/// The singular poses of the file are outside of the range of the proof.
+TEST_F(VerifyModel, RefusesWhatOptionsHaveChangedUnlessItMayDiffer) {
+  certify(kPlanar, {"crossing", "--range", "phi=-1/4:-1/8"});
+  EXPECT_TRUE(is_verified_without_the_model());
+  expect_refused(kPlanar, "it has range phi -1/4 : -1/8 instead of -1/12*pi : 1/3*pi");
+  EXPECT_EQ(verify(kPlanar, {"--quiet"}).output, "REJECTED\n");
+  EXPECT_EQ(verify(kPlanar, {"--quiet", "--allow-options"}).output, "VERIFIED\n");
 }
 
 TEST_F(VerifyModel, ConfirmsAParameterThatAnOptionSetFree) {

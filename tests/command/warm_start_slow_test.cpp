@@ -4,6 +4,7 @@
 
 #include "codegen/model/file/model_file.hpp"
 #include "tests/support/cached_command.hpp"
+#include "tests/support/parameter_name.hpp"
 
 namespace regulus::test {
 namespace {
@@ -39,12 +40,16 @@ TEST_P(EveryMotion, HasTheSameReportWarmAsCold) {
   EXPECT_EQ(warm["seconds"]["emit"], 0.0);
   EXPECT_EQ(timeless(warm), timeless(cold));
   const std::string warm_lines = timeless(command.run(words).errors);
-  std::filesystem::remove(command.problems().front());
-  command.forget_shared_forms();
+  command.forget_forms();
   EXPECT_EQ(warm_lines, timeless(command.run(words).errors));
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, EveryMotion, testing::ValuesIn(every_question()));
+INSTANTIATE_TEST_SUITE_P(Models, EveryMotion, testing::ValuesIn(every_question()),
+                         [](const auto& question) {
+                           return name_of_words(
+                               question.param.model.substr(question.param.model.rfind('/') + 1) +
+                               ' ' + question.param.motion);
+                         });
 
 }  // namespace
 }  // namespace regulus::test

@@ -19,7 +19,7 @@ using nlohmann::json;
 using testing::HasSubstr;
 
 /// J⁻¹ = [1 x; 0 1] on 0 ≤ x ≤ 2, which the way covers in straight segments.
-constexpr const char* kShear = R"toml(regulus = 1
+constexpr const char* kWayShear = R"toml(regulus = 1
 name = "shear"
 [pose]
 x = "cm"
@@ -50,7 +50,7 @@ y = 0
 
 /// A cart on two cables: det J⁻¹ = 4y, and a wrench w needs the forces (w₁y − w₂(x − 4))/(4y) and
 /// (w₂x − w₁y)/(4y).
-constexpr const char* kCart = R"toml(regulus = 1
+constexpr const char* kCircleCart = R"toml(regulus = 1
 name = "cart"
 [pose]
 x = "mm"
@@ -102,8 +102,8 @@ double largest_force(const Point& p) {
 class WayBoundTest : public testing::Test {
  protected:
   WayBoundTest() {
-    shear_ = file("shear.toml", kShear);
-    cart_ = file("cart.toml", kCart);
+    shear_ = file("shear.toml", kWayShear);
+    cart_ = file("cart.toml", kCircleCart);
     file("way.csv", "t [s],x [cm]\n0,0\n1,0.5\n2,1\n3,1.25\n4,2\n");
     file("curve.csv", "t [s],x [cm]\n0,0\n1,0.5\n2,1\n3,1.5\n4,2\n");
     file("arc.gcode", "G21 G90\nG0 X3 Y2 Z0\nG3 X1 Y2 I-1 J0\nG1 X1 Y1\n");
@@ -127,12 +127,8 @@ class WayBoundTest : public testing::Test {
     file("circle.csv", text.str());
   }
 
-  static CommandResult regulus(std::vector<std::string> words) {
-    words.insert(words.begin(), REGULUS_BINARY_DIR "/bin/regulus");
-    return run_command(words);
-  }
   static bool proves(const std::string& certificate) {
-    return run_command({REGULUS_BINARY_DIR "/bin/regulus-verify", certificate}).exit_code == 0;
+    return run_command({kVerify, certificate}).exit_code == 0;
   }
   static json bound(std::vector<std::string> words) {
     words.insert(words.begin(), "bound");
@@ -284,8 +280,7 @@ TEST_F(WayBoundTest, ProvesItsNumbers) {
     const CommandResult ours = regulus({"verify", proof + end, "--model", cart_});
     EXPECT_EQ(ours.exit_code, 0) << end << ours.errors;
     EXPECT_THAT(ours.errors, HasSubstr("bound      about"));
-    const CommandResult other =
-        run_command({REGULUS_BINARY_DIR "/bin/regulus-verify", proof + end, "--model", cart_});
+    const CommandResult other = run_command({kVerify, proof + end, "--model", cart_});
     EXPECT_EQ(other.exit_code, 0) << end << other.errors;
     EXPECT_THAT(other.errors, HasSubstr("least singular value"));
   }
@@ -352,7 +347,7 @@ TEST_F(WayBoundTest, ShowsTheSegmentThatDoesNotHoldALoad) {
 }
 
 TEST_F(WayBoundTest, SaysThatTheConstraintsLeaveNoPose) {
-  std::string text = kShear;
+  std::string text = kWayShear;
   text.replace(text.find("waypoints = \"way.csv\"\n"), 0, "constraints = [\"x + 1\"]\n");
   const std::string model = file("empty.toml", text);
   const CommandResult r = regulus({"bound", model, "way", "speed", "--leg", "1"});
@@ -362,7 +357,7 @@ TEST_F(WayBoundTest, SaysThatTheConstraintsLeaveNoPose) {
 
 /// The largest speed of leg 1 is 1 + x, and the constraint ends at x = 1.5, on the last segment.
 TEST_F(WayBoundTest, LeavesOutPosesThatTheConstraintsExclude) {
-  std::string text = kShear;
+  std::string text = kWayShear;
   text.replace(text.find("waypoints = \"way.csv\"\n"), 0, "constraints = [\"x - 1.5\"]\n");
   const json found =
       bound({file("part.toml", text), "way", "speed", "--leg", "1", "--gap", "1e-4"});

@@ -178,6 +178,37 @@ TEST_F(Ranks, FindASingularPoseWhenTheyBoundAConditionNumber) {
   EXPECT_EQ(many.exit_code, one.exit_code);
 }
 
+/// Shared after 16 384 boxes, in rounds of 256.
+TEST_F(Ranks, PaveForALoadAsOneThreadDoes) {
+  const Words locate = {"locate",       model("delta"), "far",         "--load", "payload",
+                        "--resolution", "1/64",         "--max-boxes", "40000"};
+  const auto files = [this](const std::string& name) {
+    return Words{"--output", file(name + ".lines"), "--certificate", file(name + ".proof")};
+  };
+  const CommandResult one = run_command(one_thread(joined(locate, files("one"))));
+  ASSERT_EQ(one.exit_code, 1) << one.errors;
+  const auto boxes_of = [this](const std::string& name) {
+    const std::string lines = text_of(file(name + ".lines"));
+    return lines.substr(0, lines.rfind("\n{\"load\"")) + text_of(file(name + ".proof"));
+  };
+  const std::string expected = boxes_of("one");
+  EXPECT_GT(expected.size(), 1'000'000U);
+  for (const int count : {1, 2, 3}) {
+    const CommandResult many =
+        run_command(ranks(count, joined(joined(locate, files("many")), {"--threads", "2"})));
+    EXPECT_EQ(many.exit_code, 1) << many.errors;
+    EXPECT_TRUE(boxes_of("many") == expected) << count << " ranks";
+  }
+}
+
+TEST_F(Ranks, CheckALoadAsOneThreadDoes) {
+  const Words check = {"check", model("cable_8"), "work", "--load", "weight", "--certificate"};
+  ASSERT_EQ(run_command(one_thread(joined(check, {file("one")}))).exit_code, 0);
+  const CommandResult many = run_command(ranks(2, joined(check, {file("many")})));
+  EXPECT_EQ(many.output, "FEASIBLE\n") << many.errors;
+  EXPECT_TRUE(text_of(file("many")) == text_of(file("one")));
+}
+
 TEST_F(Ranks, FindTheLargestSizeWithinALimitAsOneThreadDoes) {
   const Words margin = {"margin",     model("orthoglide"), "factors_2", "--grow", "edge=0.5:0.7",
                         "--quantity", "sigma-max",         "--limit",   "2",      "--gap",

@@ -17,8 +17,6 @@
 
 namespace regulus::test {
 
-using Words = std::vector<std::string>;
-
 inline Words joined(Words first, const Words& second) {
   first.insert(first.end(), second.begin(), second.end());
   return first;

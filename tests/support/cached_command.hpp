@@ -59,13 +59,12 @@ class CachedCommand {
   /// Return the files that hold a warm start of one question, one of all questions with the same
   /// forms, a pack program, or machine code.
   [[nodiscard]] std::vector<std::filesystem::path> problems() const { return entries('{'); }
-  [[nodiscard]] std::vector<std::filesystem::path> shared_forms() const { return entries('s'); }
   [[nodiscard]] std::vector<std::filesystem::path> programs() const { return entries('r'); }
   [[nodiscard]] std::vector<std::filesystem::path> objects() const { return entries('0'); }
 
-  /// From now on no question finds the forms of another one.
-  void forget_shared_forms() const {
-    for (const auto& file : shared_forms()) std::filesystem::remove(file);
+  /// From now on no question finds the forms of an earlier one.
+  void forget_forms() const {
+    for (const auto& file : problems()) std::filesystem::remove(file);
   }
 
  private:
@@ -76,7 +75,7 @@ class CachedCommand {
       const std::string bytes = file_contents(file);
       const std::size_t begin = sizeof(CacheEntryHeader);
       const char first = bytes.size() > begin ? bytes[begin] : '0';
-      const bool is_text = std::string_view("{sr").find(first) != std::string_view::npos;
+      const bool is_text = std::string_view("{r").find(first) != std::string_view::npos;
       if ((is_text ? first : '0') == kind) found.push_back(file);
     }
     return found;

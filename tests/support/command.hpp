@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs a program as a person does, with arguments, but without a terminal.
+// Runs the command, or another program, as a person does, with arguments, but without a terminal.
 #pragma once
 
 #include <fcntl.h>
@@ -16,6 +16,16 @@
 #include <vector>
 
 namespace regulus::test {
+
+inline const std::string kCommand = REGULUS_BINARY_DIR "/bin/regulus";
+inline const std::string kVerify = REGULUS_BINARY_DIR "/bin/regulus-verify";
+
+inline const std::string kModels = REGULUS_SOURCE_DIR "/models/";
+inline std::string model_path(const std::string& name) { return kModels + name + ".toml"; }
+inline const std::string kRobot1 = model_path("robot_1");
+inline const std::string kPlanar = model_path("planar_3rpr");
+
+using Words = std::vector<std::string>;
 
 struct CommandResult {
   int exit_code = -1;  ///< −1: a signal ended it
@@ -97,6 +107,13 @@ class RunningCommand {
 
 [[nodiscard]] inline CommandResult run_command(const std::vector<std::string>& words) {
   return RunningCommand(words).wait();
+}
+
+/// Runs `regulus` with these words, and then `more`.
+inline CommandResult regulus(Words words, const Words& more = {}) {
+  words.insert(words.begin(), kCommand);
+  words.insert(words.end(), more.begin(), more.end());
+  return run_command(words);
 }
 
 }  // namespace regulus::test

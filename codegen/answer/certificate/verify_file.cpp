@@ -41,6 +41,12 @@ verifier::Verification rejected(const CertificateHead& head, const std::string& 
   return verification;
 }
 
+std::string joined(const std::vector<std::string>& differences) {
+  std::string text;
+  for (const std::string& difference : differences) text += (text.empty() ? "" : ", ") + difference;
+  return text;
+}
+
 std::unique_ptr<verifier::InputFile> opened(const std::string& path) try {
   return std::make_unique<verifier::InputFile>(path);
 } catch (const std::runtime_error& error) {
@@ -62,6 +68,11 @@ Verified verify_file(const VerificationRequest& request) {
   ModelConfirmation confirmation;
   if (!head.lines().empty()) confirmation = confirm_model(head, request.model, request.waypoints);
   if (!confirmation.refusal.empty()) return {rejected(head, confirmation.refusal), {}};
+  if (!confirmation.differences.empty() && !request.allows_options)
+    return {rejected(head, "the certificate is not about " + request.model +
+                               " as it stands: it has " + joined(confirmation.differences) +
+                               "; the option allow-options takes what options have changed"),
+            confirmation.differences};
   options.model_text = read_model_text(request.model);
   options.model_name = request.model;
   options.overridden = overridden(confirmation.differences);

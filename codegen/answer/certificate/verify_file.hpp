@@ -11,8 +11,10 @@ namespace regulus {
 
 struct VerificationRequest {
   std::string path;
-  std::string model{};          ///< the model file it must be about; empty: any
-  std::string waypoints{};      ///< the file of way-points that check took; empty: none
+  std::string model{};      ///< the model file it must be about; empty: any
+  std::string waypoints{};  ///< the file of way-points that check took; empty: none
+  /// Ranges, tolerances, alpha and larger control errors may be other than the file's; they are listed.
+  bool allows_options = false;
   verifier::Options options{};  ///< its path, model and overridden values are set by verify_file
 };
 

@@ -50,8 +50,11 @@ std::vector<std::string> commands_to_prove_again(const ModelOptions& model) {
   for (const std::string& tube : model.tubes) check += " --tube " + shell_word(tube);
   const std::string way =
       model.waypoints.empty() ? "" : " --waypoints " + shell_word(model.waypoints);
-  return {check + way + " --certificate proof.txt",
-          "regulus verify proof.txt --model " + shell_word(model.path) + way};
+  const bool has_changes = !model.ranges.empty() || !model.tolerances.empty() ||
+                           !model.alpha.empty() || !model.tubes.empty();
+  return {check + way + " --certificate proof.txt", "regulus verify proof.txt --model " +
+                                                        shell_word(model.path) + way +
+                                                        (has_changes ? " --allow-options" : "")};
 }
 
 void set_question(PageData& data, const Request& request, const std::set<std::string>& uncertain,

@@ -78,6 +78,7 @@ void ProgressDisplay::on_start(const Problem&, const Settings& settings) noexcep
   workers_ = settings.workers;
   time_limit_ = settings.time_limit;
   start_ = last_ = Clock::now();
+  decided_ = 0;
 }
 
 // Every split halves a range, so a leaf at depth d holds 2^-d of the volume.

@@ -179,6 +179,7 @@ Model parse_model(std::string_view text, const std::string& name_for_errors,
     read_motions(reading, reading.toml.required(root, "motion"));
   if (reading.model.matrix_kind != MatrixKind::kInverse)
     reading.model.limits = limits_of_joints(reading.model);
+  warn_about_written_angles(reading, root);
   reading.model.must_be_defined = distinct(reading.model.must_be_defined);
   reading.model.sha256 = sha256(text);
   return std::move(reading.model);

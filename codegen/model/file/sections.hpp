@@ -86,4 +86,8 @@ void read_characteristic_length(ModelReading& reading, const TomlEntry& length);
 
 void read_motions(ModelReading& reading, const TomlEntry& motions);
 
+/// Adds a warning for each expression of the file that has a number beyond a turn as an angle, such as
+/// cos(135): degrees may be meant.
+void warn_about_written_angles(ModelReading& reading, const TomlEntry& root);
+
 }  // namespace regulus

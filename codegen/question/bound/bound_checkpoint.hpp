@@ -8,8 +8,6 @@
 
 namespace regulus {
 
-using BoundCheckpoint = BracketCheckpoint;
-
 /// Returns everything that the ends of brackets of a quantity depend on.
 [[nodiscard]] nlohmann::ordered_json checkpointed_question(const Request& request,
                                                            const Quantity& quantity,

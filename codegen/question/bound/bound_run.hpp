@@ -45,7 +45,7 @@ struct BoundSettings {
   OutputOptions output;
   std::string certificate;    ///< files, without their endings; empty: none
   HeldFiles* held = nullptr;  ///< where they wait for the end of the run; null: nowhere
-  BoundCheckpoint* checkpoint = nullptr;
+  BracketCheckpoint* checkpoint = nullptr;
   std::string part;  ///< of the checkpoint, if it has several quantities; otherwise empty
   const std::atomic<bool>* interrupt = nullptr;
 };

@@ -101,7 +101,8 @@ class LimitMarginRun {
     refuse_workers(search);
     search.time_limit = TimeBudget::option(budget.left());
     const MarginRequest request(request_, question);
-    PathAttempts attempts(request, search, settings_.interrupt, proofs_of(component));
+    PathAttempts attempts(request, search, settings_.output, settings_.interrupt,
+                          proofs_of(component));
     bracket.limits = limits_of(search, settings_.gap);
     ComponentMargin result{component, close_bracket(attempts, question, bracket), {}, {}, {}};
     if (const std::optional<TrajectoryCheck> refuted = attempts.take_refuted()) {

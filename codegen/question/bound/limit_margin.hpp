@@ -23,7 +23,7 @@ struct LimitMarginSettings {
   OutputOptions output;
   std::string certificate;    ///< files, without their endings; empty: none
   HeldFiles* held = nullptr;  ///< where they wait for the end of the run; null: nowhere
-  BoundCheckpoint* checkpoint = nullptr;
+  BracketCheckpoint* checkpoint = nullptr;
   const std::atomic<bool>* interrupt = nullptr;
 };
 

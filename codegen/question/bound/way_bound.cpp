@@ -152,7 +152,8 @@ class WayBound final : public ComponentRun {
 
   /// Checks all pieces at a value, and proves the result.
   Checked check(const MarginRequest& request, const MarginValue& value, double seconds) {
-    PathAttempts attempts(request, settings_.search, settings_.interrupt, result_.proofs);
+    PathAttempts attempts(request, settings_.search, settings_.output, settings_.interrupt,
+                          result_.proofs);
     MarginStep step = attempts.at(value, {value.approx, kAnyBoxes, seconds});
     result_.proofs = attempts.proofs();
     result_.boxes += step.result.statistics.boxes;

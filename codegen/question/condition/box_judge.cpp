@@ -7,6 +7,10 @@
 
 namespace regulus {
 
+using cluster::ByteReader;
+using cluster::ByteWriter;
+using cluster::MalformedMessage;
+
 BoxJudge::BoxJudge(const ConditionQuestion& question)
     : problem_(question.problem),
       rows_(question.problem.kernel->rows),
@@ -27,7 +31,10 @@ void BoxJudge::judge(std::span<const Box> boxes, std::span<BoxFinding> findings,
     if (rotated) finding.bound = bound_condition(*rotated);
     // Perhaps constraints exclude the box: all variables must become small to show it.
     if (!matrices_.is_inhabited(lane)) finding.bound.impact.clear();
-    if (attained == kInfinity) continue;
+    if (attained == kInfinity) {
+      finding.bound.growth.clear();
+      continue;
+    }
     if (matrices_.is_inhabited(lane))
       keep(finding, matrices_.point(lane), matrices_.matrix_at_point(lane), attained);
     if (finding.bound.growth.empty() || !(finding.bound.upper > attained)) continue;
@@ -38,6 +45,38 @@ void BoxJudge::judge(std::span<const Box> boxes, std::span<BoxFinding> findings,
   const auto matrices = matrices_.at(points);
   for (std::size_t i = 0; i < points.size(); ++i)
     if (matrices[i]) keep(findings[of[i]], points[i], *matrices[i], attained);
+}
+
+void BoxJudge::put(ByteWriter& to, const BoxFinding& finding) {
+  to.put(finding.is_outside);
+  to.put(finding.is_undefined);
+  to.put(finding.bound.upper);
+  to.put_list(std::span<const double>(finding.bound.impact));
+  to.put(finding.attained.has_value());
+  if (!finding.attained) return;
+  to.put_list(std::span<const Interval>(finding.attained->variables));
+  to.put(finding.attained->shown.condition);
+  to.put_list(std::span<const double>(finding.attained->shown.most));
+  to.put_list(std::span<const double>(finding.attained->shown.least));
+}
+
+BoxFinding BoxJudge::take(ByteReader& from, const ConditionQuestion& question) {
+  const std::size_t variables = question.problem.outer.size();
+  const auto columns = std::size_t(question.problem.kernel->columns);
+  BoxFinding finding;
+  finding.is_outside = from.take_flag();
+  finding.is_undefined = from.take_flag();
+  finding.bound.upper = from.take<double>();
+  finding.bound.impact = from.take_list<double>();
+  const std::size_t impacts = finding.bound.impact.size();
+  if (impacts != 0 && impacts != variables) throw MalformedMessage();
+  if (!from.take_flag()) return finding;
+  ConditionWitness& witness = finding.attained.emplace();
+  witness.variables = from.take_list_of<Interval>(variables);
+  witness.shown.condition = from.take<double>();
+  witness.shown.most = from.take_list_of<double>(columns);
+  witness.shown.least = from.take_list_of<double>(columns);
+  return finding;
 }
 
 /// Returns the corner of the box in whose direction κ grows.

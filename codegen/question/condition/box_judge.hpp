@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "codegen/question/condition/condition_test.hpp"
+#include "runtime/cluster/bytes.hpp"
 
 namespace regulus {
 
@@ -22,28 +23,37 @@ struct ConditionWitness {
   StretchedVectors shown;
 };
 
-/// The result for one box. It depends on the box alone, but for `attained`.
+/// The finding about one box. It depends on the box alone, but for `attained`.
 struct BoxFinding {
   bool is_outside = false, is_undefined = false;
   ConditionBound bound{};
   std::optional<ConditionWitness> attained{};
 };
 
-/// Each thread has its own.
+/// A judge of boxes (runtime/search/box_judges.hpp). Each thread has its own.
 class BoxJudge {
  public:
   using Box = BoxMatrices::Box;
+  using Question = ConditionQuestion;
+  using Finding = BoxFinding;
 
   /// The parts of the question must outlive this object.
   explicit BoxJudge(const ConditionQuestion& question);
   BoxJudge(const BoxJudge&) = delete;
   BoxJudge& operator=(const BoxJudge&) = delete;
 
-  /// `attained`: a smaller κ is of no use; infinite: no κ is.
+  /// `attained`, the horizon: a smaller κ is of no use; infinite: no κ is.
   ///
   /// Requires  at most kLanes boxes, and as many findings, which are new.
   /// Rounding  outward; MXCSR at nearest.
   void judge(std::span<const Box> boxes, std::span<BoxFinding> findings, double attained);
+
+  /// ConditionBound::growth is left out: only the judge needs it.
+  static void put(cluster::ByteWriter& to, const BoxFinding& finding);
+  /// Throws    MalformedMessage.
+  [[nodiscard]] static BoxFinding take(cluster::ByteReader& from,
+                                       const ConditionQuestion& question);
+  [[nodiscard]] static double& bound(BoxFinding& finding) { return finding.bound.upper; }
 
  private:
   [[nodiscard]] Box corner(const Box& box, Box point, const std::vector<double>& growth) const;

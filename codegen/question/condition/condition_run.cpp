@@ -9,8 +9,8 @@
 #include "codegen/answer/report/report_parts.hpp"
 #include "codegen/model/exact/expression_parser.hpp"
 #include "codegen/question/condition/condition_certificate.hpp"
-#include "codegen/question/condition/condition_checkpoint.hpp"
 #include "codegen/question/condition/condition_kernel.hpp"
+#include "codegen/question/condition/condition_search.hpp"
 #include "codegen/question/engine/search_run.hpp"
 #include "codegen/question/engine/settings.hpp"
 #include "codegen/support/errors.hpp"
@@ -41,6 +41,13 @@ BoundEnd decimal_end(double x, RoundTo side) {
   return end_at(parse_constant(text, {.file = "", .key = ""}).value);
 }
 
+/// Says why a search is not closed.
+std::string describe_end(const ConditionResult& result) {
+  if (result.is_continued) return describe(result.reason);
+  return std::string("the bounds of the checkpoint were not all proved again: ") +
+         describe(result.reason);
+}
+
 class ConditionRun {
  public:
   ConditionRun(const Request& request, const Component& component, const BoundSettings& settings,
@@ -68,8 +75,13 @@ class ConditionRun {
     for (Observer* observer : {certificate_->observer(), display.observer()})
       if (observer != nullptr) watching.push_back(observer);
     Observers observers(std::move(watching));
-    const ConditionResult found = search_with_checkpoint({problem, scaling}, search_settings(),
-                                                         &observers, settings_.checkpoint);
+    const auto search = [&](const ConditionSettings& settings) {
+      return search_condition({problem, scaling}, settings, &observers);
+    };
+    const ConditionResult found =
+        settings_.checkpoint == nullptr
+            ? search(search_settings())
+            : settings_.checkpoint->file().continue_search(search_settings(), search);
     prepared_.seconds.search = found.seconds;
     result_.boxes += found.boxes;
     result_.seconds += prepared_.seconds_spent();

@@ -2,17 +2,11 @@
 // Branch and bound: the largest condition number of a matrix over a variety, in the 2-norm.
 #pragma once
 
-#include <atomic>
-#include <cstdint>
 #include <functional>
-#include <limits>
 #include <optional>
-#include <vector>
 
-#include "codegen/question/condition/condition_judge.hpp"
-#include "codegen/question/condition/condition_state.hpp"
-#include "runtime/problem/observer.hpp"
-#include "runtime/problem/result.hpp"
+#include "codegen/question/condition/box_judge.hpp"
+#include "runtime/search/box_search.hpp"
 
 namespace regulus {
 
@@ -22,24 +16,14 @@ struct ConditionHint {
   double upper = kInfinity;  ///< proved: κ is below that everywhere
 };
 
-struct ConditionSettings {
-  unsigned threads = 1;             ///< at least 1; only the time depends on it
+struct ConditionSettings : BoxSearchSettings {
   double gap = 0.01;                ///< stop when the bracket is at most this part of its upper end
   std::optional<Interval> limit{};  ///< stop when κ < limit is decided; it encloses the limit
-  std::uint64_t max_boxes = std::numeric_limits<std::uint64_t>::max();
-  double time_limit = std::numeric_limits<double>::infinity();  ///< seconds
-  const std::atomic<bool>* interrupt = nullptr;
   /// Boxes are not split in a variable narrower than this part of its range.
   double min_relative_width = 0x1p-44;
   /// Answers in another way what the search does not find out. It is asked at most once, if after
   /// some boxes no bound is known. It gets the number of seconds that are left.
   std::function<ConditionHint(double seconds)> ask{};
-  const ConditionState* from = nullptr;  ///< continue from there
-  /// Called between rounds, now and then and when the search stops.
-  std::function<void(const ConditionState&)> save{};
-  /// Decide boxes, too; null: only the threads do. Only the time depends on it.
-  cluster::Workers* workers = nullptr;
-  std::uint64_t boxes_before_workers = BoxSharing{}.boxes_before;
 };
 
 struct ConditionResult {
@@ -49,7 +33,7 @@ struct ConditionResult {
   bool is_singular = false;  ///< proved by ConditionSettings::ask or by `attained`
   bool is_closed = false;    ///< the bracket is as narrow as wanted, or the limit is decided
   bool is_empty = false;     ///< the constraints exclude every pose
-  bool is_continued = true;  ///< false: it stopped before the facts of `from` were proved again
+  bool is_continued = true;  ///< false: it stopped before the bounds of `from` were proved again
   Reason reason = Reason::kAllBoxesCertified;  ///< why it is not closed
   std::uint64_t boxes = 0;                     ///< with those of `from`
   double seconds = 0;                          ///< of this run
@@ -57,17 +41,17 @@ struct ConditionResult {
 
 /// Splits the box with the largest bound, again and again.
 ///
-/// The boxes of a round are decided by several threads, or by workers, and concluded in order, so the
+/// The boxes of a round are judged by several threads, or by workers, and concluded in order, so the
 /// result does not depend on them. `progress` may be null. It receives every split before those below it,
 /// and every box that is not split as a leaf, with the rule kOutside or kSecondOrder.
 /// A search that continues tells it first of all splits and leaves that were made before, in their
 /// order.
 ///
-/// Nothing in the result rests on the numbers of `from`. From a state of the same question the search
+/// Nothing in the result rests on the numbers of `from`. From a tree of the same question the search
 /// goes on as if it had not stopped, with the same boxes and the same result.
 ///
 /// Requires  the matrix of the kernel is m×n, m ≥ n, and is that whose κ is asked.
-/// Throws    ConditionStateError if `from` is no state of a search with these variables; the
+/// Throws    SavedTreeError if `from` is no tree of a search with these variables; the
 ///           exceptions of the workers.
 [[nodiscard]] ConditionResult search_condition(const ConditionQuestion& question,
                                                const ConditionSettings& settings,

@@ -223,29 +223,24 @@ void prepare_until_stopped(PreparedSearch& p, const SearchOptions& search,
   p.stages->watch({});
 }
 
-/// Returns the entry of a question in the cache, if it has one. prepare_anew reports mistakes in
-/// the command line.
-std::optional<ProblemCache> place_in_cache(std::string_view text, const ModelOptions& model,
-                                           const FormulationOptions& functions,
+/// Returns the cache, if the search may use it. prepare_anew reports mistakes in the command line.
+std::optional<ProblemCache> place_in_cache(const FormulationOptions& functions,
                                            const SearchOptions& search) {
   if (search.engine == Engine::kInterpreted || search.engine == Engine::kClang || !search.use_cache)
     return std::nullopt;
   const Isa isa = search.isa.value_or(best_isa());
   if (!supported(isa)) return std::nullopt;
-  return std::optional<ProblemCache>(std::in_place, text, model, functions, isa);
+  return std::optional<ProblemCache>(std::in_place, functions, isa);
 }
 
-/// Finds the question in the cache, or the forms that it shares with another one.
+/// Finds in the cache the forms that the question shares with an earlier one.
 std::optional<ProblemCache::Found> find_in(ProblemCache& cache, PreparedSearch& p,
                                            const SearchOptions& search) {
   const bool may_interpret = search.engine == Engine::kAuto && search.boxes_before_compiling != 0;
-  Stopwatch watch;
-  std::optional<ProblemCache::Found> found = cache.find(may_interpret);
-  p.seconds.compile += watch.lap();
-  if (found) return found;
   const Formulation& natural = p.stages->natural_formulation();
-  static_cast<void>(watch.lap());  // the stages have counted it
-  found = cache.find_shared(p.stages->request(), natural, may_interpret);
+  Stopwatch watch;
+  std::optional<ProblemCache::Found> found =
+      cache.find(p.stages->request(), natural, may_interpret);
   p.seconds.symbolic += watch.lap();
   return found;
 }
@@ -257,9 +252,9 @@ bool take_from(ProblemCache& cache, PreparedSearch& p, const SearchOptions& sear
   if (!found) return false;
   Stopwatch watch;
   load_filters(p, search);
-  p.labels = std::move(found->problem.labels);
-  p.variety = std::move(found->problem.variety);
-  p.matrix = std::move(found->problem.matrix);
+  p.labels = std::move(found->labels);
+  p.variety = std::move(found->variety);
+  p.matrix = std::move(found->matrix);
   p.isa = chosen_isa(search);
   require_sound_rounding(self_test(Isa::kPortable));
   if (found->kernel) {
@@ -286,7 +281,7 @@ PreparedSearch prepare(const ModelOptions& model, const SearchOptions& search,
   PreparedSearch p;
   std::string text = model_text(model);
   const FormulationOptions functions = functions_for(search);
-  std::optional<ProblemCache> cache = place_in_cache(text, model, functions, search);
+  std::optional<ProblemCache> cache = place_in_cache(functions, search);
   p.model_file = model.path;
   p.stages = std::make_unique<SymbolicStages>(std::move(text), model, functions);
   p.stages->watch(within_time_limit(std::move(forming), search));
@@ -294,7 +289,7 @@ PreparedSearch prepare(const ModelOptions& model, const SearchOptions& search,
   prepare_until_stopped(p, search, [&] {
     if (cache && take_from(*cache, p, search)) return;
     prepare_anew(p, search, [&](const machine::PackKernel& program) {
-      if (cache) cache->keep({p.labels, p.variety, p.matrix, {}, {}}, program);
+      if (cache) cache->keep({p.labels.detail, p.matrix, {}, {}}, program);
     });
   });
   if (cache && p.cache_note.empty()) p.cache_note = cache->note();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The labels of a report: names, units and sizes, without expressions, so that a file can keep
-// them.
+// The labels of a report: names, units and sizes, without expressions. Ranges and
+// forms are kept elsewhere.
 #pragma once
 
 #include <cstddef>
@@ -33,7 +33,7 @@ struct ReportLabels {
   std::string motion;
   MatrixKind matrix_kind = MatrixKind::kInverse;
   std::vector<std::string> matrix_notes;  ///< as in Model
-  std::vector<std::string> notes;         ///< as in Request; a question with notes is not cached
+  std::vector<std::string> notes;         ///< as in Request
   int rows = 0;
   int columns = 0;
   std::string where;                      ///< as name(Motion::where)

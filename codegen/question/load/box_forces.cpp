@@ -3,15 +3,55 @@
 
 namespace regulus {
 
+using cluster::ByteReader;
+using cluster::ByteWriter;
+using cluster::MalformedMessage;
+
 BoxForces::BoxForces(const ForceQuestion& question)
     : test_(question.forces),
       matrices_(question.problem, question.scaling, question.problem.kernel->motion_variables) {}
 
-std::vector<BoxOutcome> BoxForces::decide(std::span<const std::vector<Interval>> boxes) {
+void BoxForces::judge(std::span<const std::vector<Interval>> boxes, std::span<BoxOutcome> outcomes,
+                      double) {
   matrices_.evaluate(boxes);
-  std::vector<BoxOutcome> outcomes;
-  for (std::size_t lane = 0; lane < boxes.size(); ++lane) outcomes.push_back(outcome(lane));
-  return outcomes;
+  for (std::size_t lane = 0; lane < boxes.size(); ++lane) outcomes[lane] = outcome(lane);
+}
+
+void BoxForces::put(ByteWriter& to, const BoxOutcome& outcome) {
+  to.put(outcome.kind);
+  to.put(outcome.is_hopeless);
+  to.put(outcome.is_inhabited);
+  to.put(outcome.is_undefined);
+  to.put_list(std::span<const double>(outcome.impact));
+  to.put(outcome.witness.has_value());
+  if (!outcome.witness) return;
+  const Shortage& shortage = outcome.witness->shortage;
+  to.put_list(std::span<const Interval>(outcome.witness->variables));
+  to.put_count(shortage.corner);
+  to.put_list(std::span<const double>(shortage.direction));
+  to.put(shortage.needed);
+  to.put(shortage.possible);
+}
+
+BoxOutcome BoxForces::take(ByteReader& from, const ForceQuestion& question) {
+  BoxOutcome outcome;
+  outcome.kind = from.take<BoxOutcome::Kind>();
+  if (outcome.kind > BoxOutcome::Kind::kUnknown) throw MalformedMessage();
+  outcome.is_hopeless = from.take_flag();
+  outcome.is_inhabited = from.take_flag();
+  outcome.is_undefined = from.take_flag();
+  outcome.impact = from.take_list<double>();
+  const std::size_t parameters = question.problem.kernel->motion_variables;
+  if (!outcome.impact.empty() && outcome.impact.size() != parameters) throw MalformedMessage();
+  if (!from.take_flag()) return outcome;
+  ForceWitness& witness = outcome.witness.emplace();
+  witness.variables = from.take_list_of<Interval>(question.problem.outer.size());
+  witness.shortage.corner = from.take_count();
+  if (witness.shortage.corner >= question.forces.corners.size()) throw MalformedMessage();
+  witness.shortage.direction = from.take_list_of<double>(question.forces.columns);
+  witness.shortage.needed = from.take<Interval>();
+  witness.shortage.possible = from.take<Interval>();
+  return outcome;
 }
 
 BoxOutcome BoxForces::outcome(std::size_t lane) {

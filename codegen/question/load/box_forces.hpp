@@ -9,6 +9,7 @@
 
 #include "codegen/question/engine/box_matrices.hpp"
 #include "codegen/question/load/force_test.hpp"
+#include "runtime/cluster/bytes.hpp"
 
 namespace regulus {
 
@@ -34,15 +35,25 @@ struct ForceQuestion {
   const MatrixScaling& scaling;  ///< of the kernel's matrix
 };
 
-/// Each thread has its own.
+/// A judge of boxes (runtime/search/box_judges.hpp), without a horizon. Each thread has its own.
 class BoxForces {
  public:
+  using Question = ForceQuestion;
+  using Finding = BoxOutcome;
+
   explicit BoxForces(const ForceQuestion& question);
+  BoxForces(const BoxForces&) = delete;
+  BoxForces& operator=(const BoxForces&) = delete;
 
   /// Shape     boxes: 1…8 boxes, each with an interval for every variable of the kernel, the whole
   ///           one for uncertain quantities.
   /// Rounding  outward; MXCSR at nearest.
-  [[nodiscard]] std::vector<BoxOutcome> decide(std::span<const std::vector<Interval>> boxes);
+  void judge(std::span<const std::vector<Interval>> boxes, std::span<BoxOutcome> outcomes,
+             double horizon);
+
+  static void put(cluster::ByteWriter& to, const BoxOutcome& outcome);
+  /// Throws    MalformedMessage.
+  [[nodiscard]] static BoxOutcome take(cluster::ByteReader& from, const ForceQuestion& question);
 
  private:
   [[nodiscard]] BoxOutcome outcome(std::size_t lane);

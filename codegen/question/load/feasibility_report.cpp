@@ -108,6 +108,9 @@ std::string format_shortage(const PreparedForces& prepared, const ForceWitness& 
 }
 
 std::string describe_reason(const PreparedForces& prepared, const FeasibilityResult& result) {
+  if (!result.is_continued)
+    return fmt::format("the boxes of the checkpoint were not all judged again: {}",
+                       describe(result.reason));
   if (result.reason == Reason::kUncertainty && uncertain_count(prepared.preparation) == 0)
     return "at one pose the forces are too near their limits, or the matrix is too near to losing "
            "rank";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/load/feasibility_run.hpp"
 
+#include "codegen/answer/report/question_report.hpp"
 #include "codegen/question/bound/bound_run.hpp"
 #include "codegen/question/engine/search_run.hpp"
 #include "codegen/question/engine/settings.hpp"
@@ -17,6 +18,22 @@ SearchOptions with_derivatives(SearchOptions search) {
   return search;
 }
 
+/// Returns everything that the boxes depend on. Formulas are left out: their terms may have another
+/// order in another process. No claim rests on this text, since boxes are judged again.
+nlohmann::ordered_json checkpointed_question(const PreparedForces& prepared,
+                                             const FeasibilitySettings& settings) {
+  nlohmann::ordered_json question = json_question(prepared.preparation, prepared.search);
+  question.erase("options");  // they change how long it takes
+  question.erase("pose_exact");
+  question.erase("constraints_exact");
+  question["load"] = json_vector_set(prepared.set());
+  for (const Interval& limit : prepared.forces.certain)
+    question["forces"].push_back({limit.lo, limit.hi});
+  question["paves"] = settings.paves;
+  question["least_width"] = settings.min_relative_width;
+  return question;
+}
+
 }  // namespace
 
 PreparedForces prepare_forces(const ModelOptions& model, const std::string& load,
@@ -24,8 +41,7 @@ PreparedForces prepare_forces(const ModelOptions& model, const std::string& load
   Stopwatch stopwatch;
   Request request = read_request(model);
   if (request.motion.trajectory)
-    throw UsageError(
-        "--load: a motion along way-points is not paved; regulus check --load decides about it");
+    throw UsageError("--load: a motion along way-points is searched on one machine");
   return prepare_forces(std::move(request), stopwatch.lap(), load, search, std::move(watch));
 }
 
@@ -60,12 +76,44 @@ FeasibilitySettings settings_of(const PreparedForces& prepared,
     settings.time_limit = seconds_left(prepared.preparation, search.time_limit);
   if (prepared.preparation.stopped) settings.time_limit = 0;
   settings.interrupt = interrupt;
+  settings.workers = search.workers;
   return settings;
 }
 
+ForceCheckpoint::ForceCheckpoint(const CheckpointOptions& options, const PreparedForces& prepared,
+                                 const FeasibilitySettings& settings)
+    : interval_(options.interval) {
+  if (!options.path.empty())
+    file_ = std::make_unique<JsonCheckpoint>(
+        options.path, checkpointed_question(prepared, settings), "the search");
+}
+
+std::string ForceCheckpoint::line() const {
+  if (!file_) return "";
+  std::string text = file_->line();
+  if (is_kept_ && text.empty())
+    text = "checkpoint " + file_->path() + ": repeat the command to continue from here\n";
+  return text;
+}
+
 FeasibilityResult run_forces(PreparedForces& prepared, const FeasibilitySettings& settings,
-                             const ForceListener& listener, Observer* progress) {
-  FeasibilityResult result = search_forces(prepared.question(), settings, listener, progress);
+                             const ForceListener& listener, Observer* progress,
+                             ForceCheckpoint* checkpoint) {
+  const auto search = [&](const FeasibilitySettings& chosen) {
+    return search_forces(prepared.question(), chosen, listener, progress);
+  };
+  FeasibilityResult result;
+  if (checkpoint != nullptr && checkpoint->file_) {
+    FeasibilitySettings saving = settings;
+    saving.save_every = checkpoint->interval_;
+    result = checkpoint->file_->continue_search(saving, search);
+    checkpoint->is_kept_ =
+        result.stopped_by.has_value() &&
+        (settings.paves || result.verdict == FeasibilityVerdict::kPossibleProblem);
+    if (!checkpoint->is_kept_) checkpoint->file_->remove();
+  } else {
+    result = search(settings);
+  }
   prepared.preparation.seconds.search = result.seconds;
   return result;
 }

@@ -2,226 +2,93 @@
 #include "codegen/question/load/feasibility_search.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <memory>
-#include <new>
-#include <thread>
-
-#include "runtime/interval/floating_point_scope.hpp"
+#include <utility>
 
 namespace regulus {
 namespace {
 
-/// The boxes of a round, whatever the number of threads.
+/// The boxes of a round.
 constexpr std::size_t kBoxesOfRound = 256;
 constexpr std::uint64_t kBoxesAfterProblem = 4096;
+/// Halves are rounded, so a small slack avoids one halving too many.
+constexpr double kSlackOfWidth = 1 + 0x1p-30;
 
-class ForceSearch {
+/// The goal of the search: box_search.hpp. The last box that was made is judged first.
+class ForceGoal {
  public:
-  ForceSearch(const ForceQuestion& question, const FeasibilitySettings& settings,
-              const ForceListener& listener, Observer* progress)
-      : question_(question), settings_(settings), listener_(listener), progress_(progress) {
-    const unsigned threads = std::clamp(settings.threads, 1U, unsigned(kBoxesOfRound / kLanes));
-    for (unsigned t = 0; t < threads; ++t)
-      workers_.push_back(std::make_unique<BoxForces>(question_));
-    parameters_ = question.problem.kernel->motion_variables;
-    for (std::size_t k = 0; k < parameters_; ++k)
-      ranges_.push_back(width_ru(question.problem.outer[k]));
-    open_.push_back({0, 0, question.problem.outer});
+  static constexpr bool kJudgesWhenMade = false;
+
+  ForceGoal(BoxCourse& course, const Problem& problem, const FeasibilitySettings& settings,
+            const ForceListener& listener)
+      : course_(course), settings_(settings), listener_(listener) {
+    for (std::size_t k = 0; k < problem.kernel->motion_variables; ++k)
+      ranges_.push_back(width_ru(problem.outer[k]));
   }
 
-  FeasibilityResult run() {
-    announce();
-    while (!open_.empty() && !must_stop()) {
-      take_round();
-      decide_round();
-      for (std::size_t i = 0; i < round_.size(); ++i) conclude(i);
-      for (std::size_t i = round_.size(); i-- > 0;) settle(i);
-      if (progress_ != nullptr) progress_->on_progress(statistics(), open_.size());
-      if (result_.witness && !settings_.paves) break;
-    }
-    finish();
-    return std::move(result_);
+  void start(TreeBox root) { open_.push_back(std::move(root)); }
+
+  [[nodiscard]] bool has_ended() const {
+    return open_.empty() || (result_.witness && !settings_.paves);
   }
 
- private:
-  using Box = std::vector<Interval>;
-  struct NumberedBox {
-    BoxId id;
-    std::uint32_t depth;
-    Box box;
-  };
-  using Clock = std::chrono::steady_clock;
-  using Kind = BoxOutcome::Kind;
-
-  void announce() {
-    if (progress_ == nullptr) return;
-    Settings settings;
-    settings.time_limit = settings_.time_limit;
-    progress_->on_start(question_.problem, settings);
-  }
-
-  [[nodiscard]] double seconds() const {
-    return std::chrono::duration<double>(Clock::now() - start_).count();
-  }
-  [[nodiscard]] Statistics statistics() const {
-    Statistics statistics;
-    statistics.boxes = result_.boxes;
-    statistics.seconds = seconds();
-    return statistics;
-  }
-
-  [[nodiscard]] bool stop(Reason reason) {
-    result_.stopped_by = reason;
-    return true;
-  }
-  [[nodiscard]] bool must_stop() {
-    if (is_out_of_memory_) return stop(Reason::kMemory);
-    if (settings_.interrupt != nullptr && *settings_.interrupt) return stop(Reason::kInterrupted);
-    if (result_.boxes >= settings_.max_boxes) return stop(Reason::kBoxBudget);
-    if (seconds() >= settings_.time_limit) return stop(Reason::kTimeBudget);
-    // After a problem only a witness is looked for.
-    return is_blocked_ && !settings_.paves &&
-           result_.boxes >= boxes_when_blocked_ + kBoxesAfterProblem;
-  }
-
-  void take_round() {
-    const std::uint64_t budget = settings_.max_boxes - result_.boxes;
+  void fill(std::vector<std::vector<Interval>>& boxes, std::uint64_t left) {
     round_.clear();
-    numbers_.clear();
-    while (!open_.empty() && round_.size() < std::min<std::uint64_t>(kBoxesOfRound, budget)) {
-      round_.push_back(std::move(open_.back().box));
-      numbers_.push_back({open_.back().id, open_.back().depth, {}});
+    if (has_looked_enough()) return;
+    std::size_t count = std::min(kBoxesOfRound, open_.size());
+    if (count > left) {
+      course_.save_last([this](SavedTree& tree) { describe(tree); });
+      count = left;
+    }
+    for (; count > 0; --count) {
+      boxes.push_back(open_.back().box);
+      round_.push_back(std::move(open_.back()));
       open_.pop_back();
     }
-    outcomes_.assign(round_.size(), {});
-    result_.boxes += round_.size();
   }
 
-  void decide_round() {
-    std::atomic<std::size_t> next = 0;
-    const auto work = [&](BoxForces& forces) noexcept {
-      const FloatingPointScope nearest(FloatingPointRounding::kNearest);
-      for (std::size_t at; (at = kLanes * next++) < round_.size();) decide_batch(forces, at);
-    };
-    const std::size_t batches = (round_.size() + kLanes - 1) / kLanes;
-    std::vector<std::jthread> others;
-    for (std::size_t t = 1; t < std::min(workers_.size(), batches); ++t)
-      others.emplace_back([&work, this, t] { work(*workers_[t]); });
-    work(*workers_.front());
-  }
+  [[nodiscard]] double horizon() const { return 0; }
+  [[nodiscard]] std::size_t open() const { return open_.size(); }
 
-  void decide_batch(BoxForces& forces, std::size_t at) noexcept {
-    const std::size_t count = std::min(kLanes, round_.size() - at);
-    try {
-      auto outcomes = forces.decide(std::span<const Box>(round_).subspan(at, count));
-      std::ranges::move(outcomes, outcomes_.begin() + std::ptrdiff_t(at));
-    } catch (const std::bad_alloc&) {
-      is_out_of_memory_ = true;
+  void conclude(std::span<BoxOutcome> outcomes) {
+    for (std::size_t i = 0; i < round_.size(); ++i) note(round_[i].id, outcomes[i]);
+    for (std::size_t i = round_.size(); i-- > 0;) {
+      if (settle(round_[i], outcomes[i])) continue;
+      const std::size_t variable = *choose(round_[i], outcomes[i]);
+      auto [lower, upper] = course_.split(std::move(round_[i]), variable);
+      open_.push_back(std::move(upper));
+      open_.push_back(std::move(lower));
     }
   }
 
-  void conclude(std::size_t i) {
-    BoxOutcome& outcome = outcomes_[i];
-    result_.is_inhabited = result_.is_inhabited || outcome.is_inhabited;
-    if (outcome.witness && !result_.witness) result_.witness = std::move(outcome.witness);
+  [[nodiscard]] std::size_t splittable() const { return ranges_.size(); }
+  void describe(SavedTree& tree) const {
+    for (const TreeBox& box : open_) tree.add_open(box.id, kInfinity);
+    tree.shown = shown_;
+    tree.own = {boxes_when_blocked_};
   }
 
-  void settle(std::size_t i) {
-    const BoxOutcome& outcome = outcomes_[i];
-    switch (outcome.kind) {
-      case Kind::kOutside:
-        return leaf(i, ForceClaim::kOutside);
-      case Kind::kHeld:
-        all_outside_ = false;
-        return leaf(i, ForceClaim::kFeasible);
-      case Kind::kNotHeld:
-        all_outside_ = false;
-        if (settings_.paves || outcome.is_inhabited) {
-          has_infeasible_ = true;
-          return leaf(i, ForceClaim::kInfeasible);
-        }
-        break;
-      case Kind::kUnknown:
-        break;
-    }
-    split(i, outcome);
+  void recall(const TreeBox& box, BoxOutcome& outcome) { note(box.id, outcome); }
+
+  void resume(TreeBox box, BoxOutcome& outcome, bool) {
+    note(box.id, outcome);
+    if (!settle(box, outcome)) open_.push_back(std::move(box));
+    boxes_when_blocked_ = saved_boxes_when_blocked_;
   }
 
-  void leaf(std::size_t i, ForceClaim claim) {
-    leaf({numbers_[i].id, numbers_[i].depth, round_[i]}, claim);
+  void reopen(TreeBox box) { open_.push_back(std::move(box)); }
+
+  void resume_own(std::span<const std::uint64_t> own) {
+    if (own.size() != 1) throw SavedTreeError("the numbers of the search are missing");
+    saved_boxes_when_blocked_ = std::min(own[0], course_.boxes());
   }
 
-  void leaf(const OpenBox& box, ForceClaim claim) {
-    listener_(box.box, claim);
-    if (progress_ == nullptr) return;
-    const Rule rule = claim == ForceClaim::kFeasible     ? Rule::kHMatrix
-                      : claim == ForceClaim::kInfeasible ? Rule::kWitness
-                      : claim == ForceClaim::kOutside    ? Rule::kOutside
-                                                         : Rule::kBlocked;
-    progress_->on_leaf(box, rule, {});
-  }
-
-  void block(std::size_t i, Reason reason) {
-    all_outside_ = false;
-    if (!is_blocked_) {
-      result_.blocking_box = round_[i];
-      result_.reason = reason;
-      boxes_when_blocked_ = result_.boxes;
-    }
-    is_blocked_ = true;
-    leaf(i, ForceClaim::kUndecided);
-  }
-
-  /// A paving goes on below a pose that defeats the test, because others of the box may not.
-  void split(std::size_t i, const BoxOutcome& outcome) {
-    if (outcome.is_hopeless && !settings_.paves) return block(i, reason_of(outcome));
-    const std::optional<std::size_t> variable = choose(round_[i], outcome);
-    if (!variable) return block(i, reason_of(outcome));
-    const Halves halves = *bisect(round_[i][*variable]);
-    const auto [id, depth, none] = numbers_[i];
-    if (progress_ != nullptr)
-      progress_->on_split({id, depth, round_[i]},
-                          {id, static_cast<std::uint32_t>(*variable), halves.left.hi, next_id_});
-    Box box = std::move(round_[i]), upper = box;
-    box[*variable] = halves.left;
-    upper[*variable] = halves.right;
-    open_.push_back({next_id_ + 1, depth + 1, std::move(upper)});
-    open_.push_back({next_id_, depth + 1, std::move(box)});
-    next_id_ += 2;
-  }
-
-  [[nodiscard]] static Reason reason_of(const BoxOutcome& outcome) {
-    if (outcome.is_undefined) return Reason::kUndefined;
-    return outcome.is_hopeless ? Reason::kUncertainty : Reason::kWidth;
-  }
-
-  /// Returns the parameter with the greatest impact, or else with the widest part of its range.
-  [[nodiscard]] std::optional<std::size_t> choose(const Box& box, const BoxOutcome& outcome) const {
-    std::optional<std::size_t> best;
-    double most = -1, most_width = 0;
-    for (std::size_t k = 0; k < parameters_; ++k) {
-      const double width = width_ru(box[k]) / ranges_[k];
-      // Halves are rounded, so a small slack avoids one halving too many.
-      const bool splits = width > settings_.min_relative_width * (1 + 0x1p-30) && bisect(box[k]);
-      if (!splits) continue;
-      const double impact =
-          outcome.impact.empty() || std::isnan(outcome.impact[k]) ? width : outcome.impact[k];
-      if (impact > most || (impact == most && width > most_width)) {
-        best = k;
-        most = impact;
-        most_width = width;
-      }
-    }
-    return best;
-  }
-
-  void finish() {
-    for (const NumberedBox& open : open_)
-      if (!result_.witness || settings_.paves)
-        leaf({open.id, open.depth, open.box}, ForceClaim::kUndecided);
-    result_.seconds = seconds();
+  FeasibilityResult finish() {
+    for (const TreeBox& open : open_)
+      if (!result_.witness || settings_.paves) tell(open, ForceClaim::kUndecided);
+    result_.boxes = course_.boxes();
+    result_.seconds = course_.seconds();
+    result_.stopped_by = course_.stopped_by();
+    result_.is_continued = course_.is_continued();
     result_.is_empty = open_.empty() && all_outside_;
     if (result_.witness)
       result_.verdict = FeasibilityVerdict::kInfeasible;
@@ -230,28 +97,93 @@ class ForceSearch {
     if (result_.verdict == FeasibilityVerdict::kPossibleProblem && !is_blocked_)
       result_.reason =
           result_.stopped_by.value_or(result_.is_empty ? Reason::kEmptyVariety : Reason::kWidth);
-    if (progress_ == nullptr) return;
-    Result result;
-    result.statistics = statistics();
-    progress_->on_finish(result);
+    course_.tell_end();
+    return std::move(result_);
   }
 
-  const ForceQuestion question_;
+ private:
+  using Kind = BoxOutcome::Kind;
+
+  /// After a problem only a witness is looked for.
+  [[nodiscard]] bool has_looked_enough() const {
+    return is_blocked_ && !settings_.paves &&
+           course_.boxes() >= boxes_when_blocked_ + kBoxesAfterProblem;
+  }
+
+  void note(BoxId box, BoxOutcome& outcome) {
+    const bool shows_pose = outcome.is_inhabited && !result_.is_inhabited;
+    const bool shows_witness = outcome.witness && !result_.witness;
+    if (shows_pose || shows_witness) shown_.push_back(box);
+    result_.is_inhabited = result_.is_inhabited || outcome.is_inhabited;
+    if (shows_witness) result_.witness = std::move(outcome.witness);
+  }
+
+  /// Returns false if the box must be split. A paving goes on below a pose that defeats the test,
+  /// because others of the box may not.
+  [[nodiscard]] bool settle(const TreeBox& box, const BoxOutcome& outcome) {
+    if (outcome.kind == Kind::kOutside) return leave(box, ForceClaim::kOutside);
+    if (outcome.kind == Kind::kHeld) {
+      all_outside_ = false;
+      return leave(box, ForceClaim::kFeasible);
+    }
+    if (outcome.kind == Kind::kNotHeld) {
+      all_outside_ = false;
+      has_infeasible_ = has_infeasible_ || settings_.paves || outcome.is_inhabited;
+      if (settings_.paves || outcome.is_inhabited) return leave(box, ForceClaim::kInfeasible);
+    }
+    const bool is_given_up = outcome.is_hopeless && !settings_.paves;
+    return (is_given_up || !choose(box, outcome)) && block(box, reason_of(outcome));
+  }
+
+  bool leave(const TreeBox& box, ForceClaim claim) {
+    listener_(box.box, claim);
+    course_.leaf(box, rule_of(claim));
+    return true;
+  }
+
+  /// The same for a box that is left at the end.
+  void tell(const TreeBox& box, ForceClaim claim) {
+    listener_(box.box, claim);
+    course_.leave_open(box, rule_of(claim));
+  }
+
+  static Rule rule_of(ForceClaim claim) {
+    return claim == ForceClaim::kFeasible     ? Rule::kHMatrix
+           : claim == ForceClaim::kInfeasible ? Rule::kWitness
+           : claim == ForceClaim::kOutside    ? Rule::kOutside
+                                              : Rule::kBlocked;
+  }
+
+  bool block(const TreeBox& box, Reason reason) {
+    all_outside_ = false;
+    if (!is_blocked_) {
+      result_.blocking_box = box.box;
+      result_.reason = reason;
+      boxes_when_blocked_ = course_.boxes();
+    }
+    is_blocked_ = true;
+    return leave(box, ForceClaim::kUndecided);
+  }
+
+  [[nodiscard]] static Reason reason_of(const BoxOutcome& outcome) {
+    if (outcome.is_undefined) return Reason::kUndefined;
+    return outcome.is_hopeless ? Reason::kUncertainty : Reason::kWidth;
+  }
+
+  [[nodiscard]] std::optional<std::size_t> choose(const TreeBox& box,
+                                                  const BoxOutcome& outcome) const {
+    return choose_variable(box.box, ranges_, outcome.impact,
+                           settings_.min_relative_width * kSlackOfWidth);
+  }
+
+  BoxCourse& course_;
   const FeasibilitySettings& settings_;
   const ForceListener& listener_;
-  Observer* progress_;
-  std::vector<std::unique_ptr<BoxForces>> workers_;
-  std::size_t parameters_ = 0;
   std::vector<double> ranges_;
-  std::vector<NumberedBox> open_;
-  std::vector<Box> round_;
-  std::vector<NumberedBox> numbers_;  ///< of the round, without the boxes
-  BoxId next_id_ = 1;
-  std::vector<BoxOutcome> outcomes_;
+  std::vector<TreeBox> open_, round_;
+  std::vector<BoxId> shown_;
   bool all_outside_ = true, is_blocked_ = false, has_infeasible_ = false;
-  std::atomic<bool> is_out_of_memory_ = false;
-  std::uint64_t boxes_when_blocked_ = 0;
-  const Clock::time_point start_ = Clock::now();
+  std::uint64_t boxes_when_blocked_ = 0, saved_boxes_when_blocked_ = 0;
   FeasibilityResult result_;
 };
 
@@ -271,7 +203,10 @@ const char* name(FeasibilityVerdict verdict) noexcept {
 
 FeasibilityResult search_forces(const ForceQuestion& question, const FeasibilitySettings& settings,
                                 const ForceListener& listener, Observer* progress) {
-  return ForceSearch(question, settings, listener, progress).run();
+  BoxCourse course(question.problem, settings, progress);
+  ForceGoal goal(course, question.problem, settings, listener);
+  BoxSearch<BoxForces, ForceGoal>(question, kBoxesOfRound, course, goal).run();
+  return goal.finish();
 }
 
 }  // namespace regulus

@@ -2,25 +2,18 @@
 // Branch and prune: do forces within the limits hold the load at every pose of a variety?
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <vector>
 
 #include "codegen/question/load/box_forces.hpp"
 #include "codegen/question/load/force_claim.hpp"
-#include "runtime/problem/observer.hpp"
-#include "runtime/problem/result.hpp"
+#include "runtime/search/box_search.hpp"
 
 namespace regulus {
 
-struct FeasibilitySettings {
-  unsigned threads = 1;  ///< at least 1; only the time depends on it
-  std::uint64_t max_boxes = std::numeric_limits<std::uint64_t>::max();
-  double time_limit = std::numeric_limits<double>::infinity();  ///< seconds
-  const std::atomic<bool>* interrupt = nullptr;
+struct FeasibilitySettings : BoxSearchSettings {
   /// Boxes are not split in a parameter narrower than this part of its range.
   double min_relative_width = 0x1p-40;
   bool paves = false;  ///< decide every box, also after a witness
@@ -38,6 +31,7 @@ struct FeasibilityResult {
   bool is_inhabited = false;             ///< some pose certainly meets the constraints
   bool is_empty = false;                 ///< no pose does
   std::optional<Reason> stopped_by{};
+  bool is_continued = true;  ///< false: it stopped before the tree of `from` was judged again
 };
 
 /// Receives every leaf, always in the same order, and the boxes that are left at the end.
@@ -45,13 +39,17 @@ using ForceListener = std::function<void(std::span<const Interval> box, ForceCla
 
 /// Decides the question.
 ///
-/// The boxes of a round are decided by several threads and concluded in order, so the result does
-/// not depend on the threads. `progress` may be null: it receives the events of a search, with
+/// The boxes of a round are judged by several threads, or by workers, and concluded in order, so the
+/// result does not depend on them. `progress` may be null: it receives the events of a search, with
 /// Rule::kHMatrix for a feasible box, Rule::kWitness for an infeasible one, and Rule::kBlocked for
-/// one that is undecided or left at the end.
+/// one that is undecided or left at the end. A search that continues tells it and the listener first
+/// of all splits and leaves that were made before, in their order, after it has judged the leaves
+/// again. From a tree of the same question it goes on as if it had not stopped.
 ///
 /// Ensures   kFeasible: every box is feasible or outside, and not all are outside. kInfeasible:
 ///           there is a witness.
+/// Throws    SavedTreeError if `from` is no tree of a search with these variables; the exceptions of
+///           the workers.
 [[nodiscard]] FeasibilityResult search_forces(const ForceQuestion& question,
                                               const FeasibilitySettings& settings,
                                               const ForceListener& listener, Observer* progress);

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "codegen/question/load/feasibility_run.hpp"
-#include "codegen/question/way/path_parts.hpp"
+#include "codegen/question/way/path_run.hpp"
 
 namespace regulus {
 
@@ -48,8 +48,7 @@ struct WayForces {
 /// Throws    as prepare_forces().
 [[nodiscard]] WayForces check_forces_along_way(Request request, double model_seconds,
                                                const std::string& load, SearchOptions search,
-                                               bool wants_trees,
-                                               const std::atomic<bool>* interrupt);
+                                               bool wants_trees, const PathWatch& watch);
 
 /// Returns the report but for the verdict.
 [[nodiscard]] std::string format_way_forces(const WayForces& found);

@@ -2,38 +2,13 @@
 #include "codegen/question/margin/bracket_checkpoint.hpp"
 
 #include <algorithm>
-#include <system_error>
-
-#include "codegen/answer/report/report_text.hpp"
-#include "codegen/model/file/read_file.hpp"
-#include "codegen/support/errors.hpp"
-#include "runtime/files/atomic_file.hpp"
 
 namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kFormat = "regulus_bracket_checkpoint";
-constexpr int kFormatVersion = 2;
-constexpr const char* kSearchState = "search";
-constexpr std::uint64_t kLargest = std::uint64_t{4} << 30;
-
-[[noreturn]] void refuse(const std::string& path, const std::string& why) {
-  throw InputError::statement(path, 0, "the bracket cannot continue from this file: " + why,
-                              "name another file, or delete this one to start again");
-}
-
-/// Returns the content of a checkpoint of the question; of another file throws InputError.
-Json read_content(const std::string& path, const std::string& text, const Json& question) {
-  const Json content = Json::parse(text, nullptr, false);
-  if (!content.is_object() || !content.contains(kFormat) || !content.contains("question") ||
-      !content.contains("brackets") || !content["brackets"].is_object())
-    refuse(path, "it is not a checkpoint of a bracket, or it is damaged");
-  if (content[kFormat] != kFormatVersion) refuse(path, "another version of Regulus wrote it");
-  if (content["question"] != question) refuse(path, "it is about another question");
-  return content;
-}
+constexpr const char* kBrackets = "brackets";
 
 /// True if the same search always ends for this reason, whatever the time.
 bool is_repeatable(Reason reason) {
@@ -88,13 +63,12 @@ Result read_result(const Json& entry) {
 /// The searches of one bracket in the file.
 class BracketCheckpoint::Searches final : public EarlierSearches {
  public:
-  Searches(BracketCheckpoint& file, std::string bracket)
-      : file_(file), bracket_(std::move(bracket)) {}
+  Searches(JsonCheckpoint& file, std::string bracket) : file_(file), bracket_(std::move(bracket)) {}
 
   [[nodiscard]] std::optional<Result> find(const MarginValue& value,
                                            std::uint64_t most_boxes) const override {
     try {
-      const Json& entry = file_.content_.at("brackets").at(bracket_).at(value.text);
+      const Json& entry = file_.known().at(kBrackets).at(bracket_).at(value.text);
       if (entry.at("most_boxes").get<std::uint64_t>() != most_boxes) return std::nullopt;
       Result result = read_result(entry);
       return is_repeatable(result) ? std::optional(std::move(result)) : std::nullopt;
@@ -105,38 +79,26 @@ class BracketCheckpoint::Searches final : public EarlierSearches {
 
   void keep(const MarginValue& value, std::uint64_t most_boxes, const Result& result) override {
     if (!is_repeatable(result)) return;
-    Json& bracket = file_.content_["brackets"][bracket_];
+    Json& bracket = file_.known()[kBrackets][bracket_];
     if (!bracket.is_object()) bracket = Json::object();
     bracket[value.text] = written(result, most_boxes);
     file_.save();
   }
 
   [[noreturn]] void refuse(const MarginValue& value) const override {
-    regulus::refuse(file_.path_, "the search at " + value.text + " does not end as it says");
+    file_.refuse("the search at " + value.text + " does not end as it says");
   }
 
  private:
-  BracketCheckpoint& file_;
+  JsonCheckpoint& file_;
   std::string bracket_;
 };
 
-BracketCheckpoint::BracketCheckpoint(std::string path, const Json& asked) : path_(std::move(path)) {
-  const Json question = Json::parse(report_text(asked));  // as the file has it
-  try {
-    lock_.emplace(path_);
-  } catch (const std::runtime_error& error) {
-    throw FileError(std::string("the checkpoint ") + error.what());
-  }
-  const auto text = read_file_if_any(path_, kLargest, Readable::kFile);
-  content_ =
-      text ? read_content(path_, *text, question)
-           : Json{{kFormat, kFormatVersion}, {"question", question}, {"brackets", Json::object()}};
-  if (text) return;
-  try {
-    write();
-  } catch (const std::system_error& error) {
-    throw FileError("the checkpoint " + path_ + " cannot " + error.what());
-  }
+BracketCheckpoint::BracketCheckpoint(std::string path, const Json& question)
+    : file_(std::move(path), question, "the bracket") {
+  Json& brackets = file_.known()[kBrackets];
+  if (brackets.is_null()) brackets = Json::object();
+  if (!brackets.is_object()) file_.refuse("it is not a checkpoint of a bracket, or it is damaged");
 }
 
 std::unique_ptr<EarlierSearches> BracketCheckpoint::searches_of(const MarginQuestion& bracket,
@@ -144,35 +106,7 @@ std::unique_ptr<EarlierSearches> BracketCheckpoint::searches_of(const MarginQues
                                                                 const std::string& reference) {
   const std::string high = bracket.high ? bracket.high->text : "";
   return std::make_unique<Searches>(
-      *this, label + " from " + reference + ", " + bracket.low.text + ":" + high);
-}
-
-Json BracketCheckpoint::search_state() const {
-  return content_.contains(kSearchState) ? content_[kSearchState] : Json();
-}
-
-void BracketCheckpoint::keep_search_state(Json state) {
-  content_[kSearchState] = std::move(state);
-  save();
-}
-
-void BracketCheckpoint::refuse(const std::string& why) const { regulus::refuse(path_, why); }
-
-void BracketCheckpoint::write() const {
-  AtomicFile file(path_);
-  file.write(report_text(content_, 2) + "\n");
-  file.put_in_place_durably();
-}
-
-void BracketCheckpoint::save() try {
-  write();
-  failure_.clear();
-} catch (const std::exception& error) {
-  failure_ = error.what();
-}
-
-std::string BracketCheckpoint::line() const {
-  return failure_.empty() ? "" : "checkpoint " + path_ + " cannot " + failure_ + '\n';
+      file_, label + " from " + reference + ", " + bracket.low.text + ":" + high);
 }
 
 }  // namespace regulus

@@ -3,12 +3,10 @@
 #pragma once
 
 #include <memory>
-#include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 
+#include "codegen/answer/report/json_checkpoint.hpp"
 #include "codegen/question/margin/margin_run.hpp"
-#include "runtime/files/file_lock.hpp"
 
 namespace regulus {
 
@@ -22,31 +20,21 @@ class BracketCheckpoint {
   ///           cannot be read or written, or if another run uses it.
   BracketCheckpoint(std::string path, const nlohmann::ordered_json& question);
 
-  /// Returns the searches of a bracket, which refer to this object. `label`: of what is bracketed;
-  /// `reference`: y of question/quantity/bordered.hpp, or 0.
+  /// Returns the searches of a bracket, which refer to this object. `label`: of what is
+  /// bracketed; `reference`: y of question/quantity/bordered.hpp, or 0.
   [[nodiscard]] std::unique_ptr<EarlierSearches> searches_of(const MarginQuestion& bracket,
                                                              const std::string& label,
                                                              const std::string& reference);
 
-  /// Returns the state of the search of a bound that is no bracket of searches; null: there is none.
-  [[nodiscard]] nlohmann::ordered_json search_state() const;
-  void keep_search_state(nlohmann::ordered_json state);
-  /// Returns a line that warns of a file that could not be written; empty if it was. The run goes
-  /// on without it: a file must not cost what was proved.
-  [[nodiscard]] std::string line() const;
-  /// Throws InputError, with the name of the file.
-  [[noreturn]] void refuse(const std::string& why) const;
+  /// Returns the file, for the search of a bound that is no bracket of searches.
+  [[nodiscard]] JsonCheckpoint& file() noexcept { return file_; }
+  /// Returns a line that warns of a file that could not be written; empty if it was.
+  [[nodiscard]] std::string line() const { return file_.line(); }
 
  private:
   class Searches;
-  /// Throws    std::exception.
-  void write() const;
-  void save();
 
-  std::string path_;
-  std::optional<FileLock> lock_;
-  nlohmann::ordered_json content_;
-  std::string failure_;  ///< of the last attempt to save
+  JsonCheckpoint file_;
 };
 
 }  // namespace regulus

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "codegen/answer/report/progress.hpp"
 #include "codegen/question/way/trajectory_certificate.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 #include "codegen/support/stopwatch.hpp"
@@ -32,9 +33,11 @@ MarginStep step_of(const MarginValue& value, const TrajectoryCheck& check, doubl
 }  // namespace
 
 PathAttempts::PathAttempts(const MarginRequest& request, SearchOptions search,
-                           const std::atomic<bool>* interrupt, EndProofs proofs)
+                           const OutputOptions& output, const std::atomic<bool>* interrupt,
+                           EndProofs proofs)
     : request_(request),
       search_(std::move(search)),
+      output_(output),
       interrupt_(interrupt),
       proofs_(std::move(proofs)) {}
 
@@ -42,9 +45,10 @@ MarginStep PathAttempts::at(const MarginValue& value, const PlannedAttempt& plan
   SearchOptions options = search_;
   if (planned.seconds < kInfinity) options.time_limit = TimeBudget::option(planned.seconds);
   if (planned.boxes < kAnyBoxes) options.max_boxes = planned.boxes;
+  SearchDisplay display(output_);
   Stopwatch watch;
-  TrajectoryCheck check =
-      check_trajectory(request_.at(value), 0, options, proofs_.are_wanted(), interrupt_);
+  TrajectoryCheck check = check_trajectory(request_.at(value), 0, options, proofs_.are_wanted(),
+                                           {interrupt_, display.observer()});
   MarginStep step = step_of(value, check, watch.lap());
   seconds_ += check.seconds;
   certify(value, check);

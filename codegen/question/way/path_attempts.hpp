@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "codegen/answer/certificate/proof_status.hpp"
+#include "codegen/answer/report/output_options.hpp"
 #include "codegen/question/margin/attempts.hpp"
 #include "codegen/question/way/trajectory_run.hpp"
 
@@ -15,7 +16,7 @@ class PathAttempts final : public Attempts {
  public:
   /// `request`: its motion has a trajectory; it lives as long as this. `proofs`: of the ends at
   /// which the run stops.
-  PathAttempts(const MarginRequest& request, SearchOptions search,
+  PathAttempts(const MarginRequest& request, SearchOptions search, const OutputOptions& output,
                const std::atomic<bool>* interrupt, EndProofs proofs = {});
 
   /// Throws    as check_trajectory(); FileError.
@@ -34,6 +35,7 @@ class PathAttempts final : public Attempts {
 
   const MarginRequest& request_;
   const SearchOptions search_;
+  const OutputOptions output_;
   const std::atomic<bool>* const interrupt_;
   EndProofs proofs_;
   std::optional<TrajectoryCheck> refuted_, last_;

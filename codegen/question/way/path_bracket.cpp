@@ -10,6 +10,7 @@
 #include "codegen/question/margin/variety_attempts.hpp"
 #include "codegen/question/way/path_run.hpp"
 #include "codegen/question/way/path_search.hpp"
+#include "codegen/question/way/pieces_alone.hpp"
 #include "codegen/question/way/trajectory_request.hpp"
 
 namespace regulus {
@@ -19,8 +20,6 @@ namespace {
 constexpr double kPartOfGap = 0.9;
 /// The part of the gap that the bracket of a piece may have, so that it is closed at that value.
 constexpr double kPartOfPiece = 0.5;
-/// After so many pieces without an answer, no more are searched alone.
-constexpr std::ptrdiff_t kMostWithoutAnswer = 8;
 constexpr std::uint32_t kFewBoxes = 64;  ///< of a piece
 /// A guess takes milliseconds.
 constexpr std::size_t kMostGuesses = 16;
@@ -125,7 +124,7 @@ void PathBracket::close(double gap) {
     bracket_piece(most_promising(all), question_.high, gap);
     settings_.budget.grant_least();
   }
-  while (!must_stop() && std::ranges::count(undecided_, true) < kMostWithoutAnswer) {
+  while (!must_stop() && std::size_t(std::ranges::count(undecided_, true)) < kMostUndecidedPieces) {
     if (witness_ && witness_->step.value.approx == 0) break;
     const MarginValue value = target(gap);
     // Few boxes show most pieces to be below the largest value. The others are worth more only once
@@ -151,12 +150,14 @@ void PathBracket::search_together(const MarginValue& value, std::uint32_t most_b
   settings.time_limit = settings_.budget.left();
   std::vector<bool> done(path_.pieces());
   for (std::size_t k = 0; k < done.size(); ++k) done[k] = is_certified(k, value.approx);
+  SearchDisplay display(settings_.output);
   const PathSearchOptions options{request_.motion.parameters.size(),
                                   uncertain_names(hull_->prepared.labels).size(),
                                   false,
                                   hull_->prepared.labels.reach,
                                   most_boxes,
-                                  &done};
+                                  &done,
+                                  display.observer()};
   const PathSearchResult found = search_path(path_, hull_->prepared.problem(), settings, options);
   boxes_ += found.statistics.boxes;
   seconds_.search += found.statistics.seconds;

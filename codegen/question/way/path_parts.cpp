@@ -2,6 +2,7 @@
 #include "codegen/question/way/path_parts.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace regulus {
 namespace {
@@ -34,6 +35,11 @@ PathPart PathParts::whole() const {
 
 std::size_t PathParts::end_of(const PathPart& part) const {
   return std::min(part.piece + part.pieces, path_.pieces());
+}
+
+std::uint32_t PathParts::depth_of(const PathPart& part) const {
+  const std::size_t all = whole().pieces;
+  return std::uint32_t(std::bit_width(all / part.pieces)) - 1 + part.depth;
 }
 
 void PathParts::load_box(const PathPart& part, std::vector<Interval>& box) const {

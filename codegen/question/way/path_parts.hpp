@@ -37,6 +37,8 @@ class PathParts {
   [[nodiscard]] PathPart whole() const;
   /// Returns the number of the first piece after those of a part.
   [[nodiscard]] std::size_t end_of(const PathPart& part) const;
+  /// Returns the number of halvings that lead from the whole trajectory to a part, for a display.
+  [[nodiscard]] std::uint32_t depth_of(const PathPart& part) const;
   /// Sets the motion variables of a box to the hull of the part, with its control errors. The part
   /// lies in the ranges of the problem as well as in its own hull.
   void load_box(const PathPart& part, std::vector<Interval>& box) const;

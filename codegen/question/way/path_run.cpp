@@ -3,9 +3,11 @@
 
 #include "codegen/answer/certificate/certificate_question.hpp"
 #include "codegen/answer/certificate/piece_question.hpp"
+#include "codegen/question/engine/search_run.hpp"
 #include "codegen/question/engine/settings.hpp"
 #include "codegen/question/way/trajectory_request.hpp"
 #include "codegen/support/errors.hpp"
+#include "runtime/problem/observers.hpp"
 
 namespace regulus {
 namespace {
@@ -15,13 +17,13 @@ constexpr std::uint64_t kMostBoxesAlone = 200'000;
 }  // namespace
 
 PathRun::PathRun(TrajectoryCheck& check, const SearchOptions& search, bool wants_trees,
-                 const std::atomic<bool>* interrupt)
+                 const PathWatch& watch)
     : check_(check),
       search_(search),
       wants_trees_(wants_trees),
-      interrupt_(interrupt),
+      watch_(watch),
       settings_(settings_from(search)) {
-  settings_.interrupt = interrupt;
+  settings_.interrupt = watch.interrupt;
   settings_.uncertainty = Uncertainty::kElements;
   search_.boxes_before_compiling = 0;
 }
@@ -29,7 +31,7 @@ PathRun::PathRun(TrajectoryCheck& check, const SearchOptions& search, bool wants
 void PathRun::search_all() {
   const PathBounds path(*check_.request.motion.trajectory, check_.request.motion.error);
   FormingWatch watch;
-  watch.interrupt = interrupt_;
+  watch.interrupt = watch_.interrupt;
   const double before = check_.seconds.model;
   check_.hull = prepare(hull_request(check_.request, path), before, search_, watch);
   check_.seconds = check_.hull.seconds_spent();
@@ -37,9 +39,10 @@ void PathRun::search_all() {
     return end(0, check_.hull.stopped->interrupted ? Reason::kInterrupted : Reason::kTimeBudget);
   settings_.time_limit = std::max(0.0, seconds_left());
   if (find_fault(check_.hull.problem(), settings_)) return end(0, Reason::kBadProblem);
-  const PathSearchOptions options{check_.request.motion.parameters.size(),
-                                  uncertain_names(check_.hull.labels).size(), wants_trees_,
-                                  check_.hull.labels.reach};
+  PathSearchOptions options{check_.request.motion.parameters.size(),
+                            uncertain_names(check_.hull.labels).size(), wants_trees_,
+                            check_.hull.labels.reach};
+  options.progress = watch_.display;
   check_.path = search_path(path, check_.hull.problem(), settings_, options);
   check_.seconds.search = check_.path.statistics.seconds;
   if (check_.path.stopped_by) end(check_.path.stopped_at, *check_.path.stopped_by);
@@ -51,10 +54,18 @@ std::unique_ptr<PreparedSearch> PathRun::prepare_piece(std::size_t piece) const 
 }
 
 Settings PathRun::settings_of_piece(const PreparedSearch& preparation) const {
-  Settings settings = settings_of(preparation, search_, interrupt_);
+  Settings settings = settings_of(preparation, search_, watch_.interrupt);
   settings.time_limit = std::max(0.0, seconds_left());
   settings.max_boxes = std::min(settings.max_boxes, kMostBoxesAlone);
   return settings;
+}
+
+Result PathRun::search_piece(PreparedSearch& preparation, const Settings& settings,
+                             Observer* observer) {
+  Observers observers(present({observer, watch_.display}));
+  Result result = run_search(preparation, search_, settings, &observers);
+  add(preparation, result.statistics);
+  return result;
 }
 
 void PathRun::add(const PreparedSearch& preparation, const Statistics& statistics) {

@@ -11,9 +11,9 @@ namespace regulus {
 
 class PathRun {
  public:
-  /// Requires  `check` has its request, and lives as long as this.
+  /// `watch`: its display may be null. Requires  `check` has its request, and lives as long as this.
   PathRun(TrajectoryCheck& check, const SearchOptions& search, bool wants_trees,
-          const std::atomic<bool>* interrupt);
+          const PathWatch& watch);
 
   /// Prepares the kernel of all pieces and searches them. If that is stopped, the reason and the
   /// piece are in `check`, and has_ended() is true. Throws as `prepare`.
@@ -23,20 +23,24 @@ class PathRun {
   [[nodiscard]] std::unique_ptr<PreparedSearch> prepare_piece(std::size_t piece) const;
   /// Returns the settings of that search, with the time that is left.
   [[nodiscard]] Settings settings_of_piece(const PreparedSearch& preparation) const;
-  /// Adds the time and the counts of that search to those of `check`.
-  void add(const PreparedSearch& preparation, const Statistics& statistics);
+  /// Runs it, with an observer that may be null, and adds its time and counts to those of `check`.
+  [[nodiscard]] Result search_piece(PreparedSearch& preparation, const Settings& settings,
+                                    Observer* observer);
 
   [[nodiscard]] bool has_ended() const noexcept { return has_ended_; }
   void end(std::size_t piece, Reason reason);
+  [[nodiscard]] bool is_interrupted() const { return watch_.is_interrupted(); }
   [[nodiscard]] double seconds_left() const;
   /// True if a search ended because nothing more can be searched.
   [[nodiscard]] bool is_cut_short(const Result& result) const;
 
  private:
+  void add(const PreparedSearch& preparation, const Statistics& statistics);
+
   TrajectoryCheck& check_;
   SearchOptions search_;
   const bool wants_trees_;
-  const std::atomic<bool>* const interrupt_;
+  const PathWatch watch_;
   Settings settings_;
   bool has_ended_ = false;
 };

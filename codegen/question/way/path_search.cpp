@@ -2,16 +2,14 @@
 #include "codegen/question/way/path_search.hpp"
 
 #include <algorithm>
-#include <chrono>
 
 #include "runtime/problem/row_structure.hpp"
+#include "runtime/search/box_search.hpp"
 #include "runtime/search/leaf_claims.hpp"
 #include "runtime/search/round.hpp"
 
 namespace regulus {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kMostBatches = 64;
 
@@ -19,8 +17,9 @@ class PathSearch {
  public:
   PathSearch(const PathBounds& path, const Problem& problem, const Settings& settings,
              const PathSearchOptions& options)
-      : settings_(settings),
-        options_(options),
+      : options_(options),
+        course_settings_(limits_of(settings)),
+        course_(problem, course_settings_, options.progress),
         structure_(find_row_structure(problem, settings)),
         round_(problem, settings, structure_),
         claims_(problem, options.reach),
@@ -33,35 +32,27 @@ class PathSearch {
   }
 
   PathSearchResult run() {
-    round_.begin(deadline());
+    course_.announce();
+    round_.begin(course_.deadline());
     open_.push_back(parts_.whole());
-    while (!open_.empty() && !must_stop()) decide_round();
+    while (!open_.empty() && !course_.must_stop()) decide_round();
+    result_.stopped_by = course_.stopped_by();
+    if (result_.stopped_by && !open_.empty()) result_.stopped_at = open_.back().piece;
     for (const PathPart& part : open_) leave_open(part);
     result_.trees = parts_.take_trees();
-    result_.statistics.seconds = seconds();
+    result_.statistics.boxes = course_.boxes();
+    result_.statistics.seconds = course_.seconds();
+    course_.tell_end();
     return std::move(result_);
   }
 
  private:
-  [[nodiscard]] double seconds() const {
-    return std::chrono::duration<double>(Clock::now() - start_).count();
-  }
-
-  [[nodiscard]] Clock::time_point deadline() const {
-    const std::chrono::duration<double> limit(settings_.time_limit);
-    if (!(limit < std::chrono::hours(24 * 365 * 100))) return Clock::time_point::max();
-    return start_ + std::chrono::duration_cast<Clock::duration>(limit);
-  }
-
-  bool must_stop() {
-    if (settings_.interrupt != nullptr && settings_.interrupt->load(std::memory_order_relaxed))
-      result_.stopped_by = Reason::kInterrupted;
-    else if (result_.statistics.boxes >= settings_.max_boxes)
-      result_.stopped_by = Reason::kBoxBudget;
-    else if (seconds() >= settings_.time_limit)
-      result_.stopped_by = Reason::kTimeBudget;
-    if (result_.stopped_by) result_.stopped_at = open_.back().piece;
-    return result_.stopped_by.has_value();
+  static BoxSearchSettings limits_of(const Settings& settings) {
+    BoxSearchSettings limits;
+    limits.max_boxes = settings.max_boxes;
+    limits.time_limit = settings.time_limit;
+    limits.interrupt = settings.interrupt;
+    return limits;
   }
 
   void leave_open(const PathPart& part) {
@@ -72,11 +63,8 @@ class PathSearch {
 
   void decide_round() {
     load_round();
-    if (round_.size() == 0) {
-      result_.stopped_by = Reason::kMemory;
-      return;
-    }
-    if (!round_.decide(threshold_)) result_.stopped_by = Reason::kMemory;
+    if (round_.size() == 0) return course_.note_lack_of_memory();
+    if (!round_.decide(threshold_)) course_.note_lack_of_memory();
     std::size_t at = 0;
     std::vector<PathPart> taken = std::move(taken_);
     taken_.clear();
@@ -96,6 +84,7 @@ class PathSearch {
                  std::make_move_iterator(halves.rend()));
     result_.statistics.max_frontier =
         std::max<std::uint64_t>(result_.statistics.max_frontier, open_.size());
+    course_.tell_progress(open_.size());
   }
 
   void load_round() {
@@ -110,7 +99,7 @@ class PathSearch {
         parts_.load_box(part, box_);
         batch->add({part.id, part.depth, box_});
         taken_.push_back(std::move(part));
-        ++result_.statistics.boxes;
+        course_.count(1);
       }
     }
   }
@@ -141,6 +130,7 @@ class PathSearch {
       result_.leaves[k].out_of_reach |= claim == Claim::kUnreachable;
     }
     parts_.leaf(part, rule);
+    course_.leave_open({part.id, parts_.depth_of(part), {}}, rule);
   }
 
   [[nodiscard]] Claim claim_of_leaf(const PathPart& part, Rule rule) {
@@ -154,9 +144,9 @@ class PathSearch {
     result_.certified[part.piece] = false;
   }
 
-  const Settings& settings_;
   const PathSearchOptions& options_;
-  const Clock::time_point start_ = Clock::now();
+  const BoxSearchSettings course_settings_;
+  BoxCourse course_;
   const RowStructure structure_;
   Round round_;
   AdaptiveThreshold threshold_;

@@ -46,6 +46,7 @@ struct PathSearchOptions {
   std::size_t reach = 0;  ///< the first constraints of the kernel, which are those of reach
   std::uint32_t most_boxes = kMostBoxesOfPiece;  ///< of each piece
   const std::vector<bool>* skipped = nullptr;    ///< by piece; null: none. They count as certified
+  Observer* progress = nullptr;  ///< receives what a display needs; null: there is none
 };
 
 /// Requires  find_fault finds no fault. `problem`: its motion variables are path.moving() in order,

@@ -14,9 +14,10 @@ namespace regulus {
 
 TrajectoryMargin margin_of_trajectory(const MarginRequest& request, const MarginQuestion& question,
                                       const SearchOptions& search, double gap,
-                                      BracketSettings settings, EndProofs proofs) {
+                                      const OutputOptions& output, BracketSettings settings,
+                                      EndProofs proofs) {
   settings.limits = limits_of(search, gap);
-  PathAttempts attempts(request, search, settings.interrupt, std::move(proofs));
+  PathAttempts attempts(request, search, output, settings.interrupt, std::move(proofs));
   TrajectoryMargin found{close_bracket(attempts, question, settings), {}, {}, attempts.proofs()};
   found.refuted = attempts.take_refuted();
   if (std::optional<TrajectoryCheck> last = attempts.take_last())

@@ -20,11 +20,9 @@ struct TrajectoryMargin {
 
 /// Checks the trajectory at one value after another. `request`: its motion has a trajectory.
 /// `proofs`: of both ends. `settings`: but for its limits. Throws as check_trajectory; FileError.
-[[nodiscard]] TrajectoryMargin margin_of_trajectory(const MarginRequest& request,
-                                                    const MarginQuestion& question,
-                                                    const SearchOptions& search, double gap,
-                                                    BracketSettings settings,
-                                                    EndProofs proofs = {});
+[[nodiscard]] TrajectoryMargin margin_of_trajectory(
+    const MarginRequest& request, const MarginQuestion& question, const SearchOptions& search,
+    double gap, const OutputOptions& output, BracketSettings settings, EndProofs proofs = {});
 
 /// Returns the lines for people, without the bracket.
 [[nodiscard]] std::string format_trajectory_margin(const TrajectoryMargin& found,

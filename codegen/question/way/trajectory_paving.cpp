@@ -5,7 +5,6 @@
 #include <new>
 
 #include "codegen/answer/report/paving_options.hpp"
-#include "codegen/question/engine/search_run.hpp"
 #include "codegen/question/way/path_run.hpp"
 #include "runtime/search/leaf_claims.hpp"
 
@@ -47,12 +46,8 @@ class PieceParts final : public Observer {
 
 class PathPaver {
  public:
-  PathPaver(PathPaving& paving, const SearchOptions& search, const std::atomic<bool>* interrupt)
-      : paving_(paving),
-        check_(paving.check),
-        search_(search),
-        interrupt_(interrupt),
-        run_(paving.check, search, false, interrupt) {}
+  PathPaver(PathPaving& paving, const SearchOptions& search, const PathWatch& watch)
+      : paving_(paving), check_(paving.check), run_(paving.check, search, false, watch) {}
 
   void run() {
     run_.search_all();
@@ -70,8 +65,7 @@ class PathPaver {
 
  private:
   [[nodiscard]] bool must_stop() const {
-    return run_.has_ended() || run_.seconds_left() <= 0 ||
-           (interrupt_ != nullptr && interrupt_->load(std::memory_order_relaxed));
+    return run_.has_ended() || run_.seconds_left() <= 0 || run_.is_interrupted();
   }
 
   /// Returns the claim about a whole piece; nullopt if there is none.
@@ -92,8 +86,7 @@ class PathPaver {
     options.resolution = paving_.resolution;
     require_paving(options, settings);
     PieceParts parts(problem, preparation->labels.reach, k);
-    const Result result = run_search(*preparation, search_, settings, &parts);
-    run_.add(*preparation, result.statistics);
+    const Result result = run_.search_piece(*preparation, settings, &parts);
     std::vector<PathStretch> found = parts.take();
     if (found.empty()) found = {{Claim::kUndecided, result.reason, {k, 0}, {k, 1}}};
     for (const PathStretch& part : found) append(part);
@@ -110,9 +103,7 @@ class PathPaver {
 
   [[nodiscard]] Reason reason_to_stop() const {
     if (run_.has_ended()) return check_.reason;
-    const bool is_interrupted =
-        interrupt_ != nullptr && interrupt_->load(std::memory_order_relaxed);
-    return is_interrupted ? Reason::kInterrupted : Reason::kTimeBudget;
+    return run_.is_interrupted() ? Reason::kInterrupted : Reason::kTimeBudget;
   }
 
   void append(const PathStretch& part) {
@@ -125,8 +116,6 @@ class PathPaver {
 
   PathPaving& paving_;
   TrajectoryCheck& check_;
-  const SearchOptions& search_;
-  const std::atomic<bool>* const interrupt_;
   PathRun run_;
 };
 
@@ -165,8 +154,9 @@ double approx_time(const TrajectoryPiece& piece, double s) {
 
 }  // namespace
 
-double PathPaving::approx_share(Claim claim) const {
-  const auto& pieces = check.request.motion.trajectory->pieces;
+double approx_share_of(const Trajectory& trajectory, const std::vector<PathStretch>& stretches,
+                       Claim claim) {
+  const auto& pieces = trajectory.pieces;
   const auto time = [&pieces](const PathPlace& place) {
     return approx_time(pieces[place.piece], place.s);
   };
@@ -176,12 +166,16 @@ double PathPaving::approx_share(Claim claim) const {
   return sum / (approx_time(pieces.back(), 1) - approx_time(pieces.front(), 0));
 }
 
+double PathPaving::approx_share(Claim claim) const {
+  return approx_share_of(*check.request.motion.trajectory, stretches, claim);
+}
+
 PathPaving pave_trajectory(Request request, double model_seconds, SearchOptions search,
-                           double resolution, const std::atomic<bool>* interrupt) {
+                           double resolution, const PathWatch& watch) {
   PathPaving paving;
   paving.resolution = resolution;
   paving.check = begin_check(std::move(request), model_seconds, search);
-  PathPaver(paving, search, interrupt).run();
+  PathPaver(paving, search, watch).run();
   set_verdict(paving);
   return paving;
 }

@@ -31,6 +31,9 @@ struct PathStretch {
   PathPlace begin, end;
 };
 
+/// Returns the word for the claim of a stretch.
+using ClaimWord = const char* (*)(Claim) noexcept;
+
 struct PathPaving {
   TrajectoryCheck check;  ///< without deciding piece; its verdict is that of the paving
   double resolution = 1;  ///< part of a segment
@@ -40,12 +43,23 @@ struct PathPaving {
   [[nodiscard]] double approx_share(Claim claim) const;
 };
 
+/// Returns the part of a claim in the time of a trajectory, approximately, in [0, 1].
+[[nodiscard]] double approx_share_of(const Trajectory& trajectory,
+                                     const std::vector<PathStretch>& stretches, Claim claim);
+/// Returns a line for each stretch and one with their shares.
+[[nodiscard]] std::string format_stretches(const Trajectory& trajectory,
+                                           const std::vector<PathStretch>& stretches,
+                                           ClaimWord word);
+/// Returns one stretch as an object: its claim, its segments, its lines and its times.
+[[nodiscard]] nlohmann::ordered_json json_stretch_of(const Trajectory& trajectory,
+                                                     const PathStretch& stretch, ClaimWord word);
+
 /// Divides the trajectory of a request, which took `model_seconds` to read. A part of a segment
 /// that is neither certified nor singular is not divided further at `resolution`.
 /// Throws as check_trajectory.
 [[nodiscard]] PathPaving pave_trajectory(Request request, double model_seconds,
                                          SearchOptions search, double resolution,
-                                         const std::atomic<bool>* interrupt);
+                                         const PathWatch& watch);
 
 /// Returns the lines for people, without the verdict.
 [[nodiscard]] std::string format_path_paving(const PathPaving& paving, SearchOptions search);

@@ -15,6 +15,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostLines = 40;
+
+const char* word_of_claim(Claim claim) noexcept { return name(claim); }
+
 constexpr std::array kClaimsInOrder = {Claim::kFree, Claim::kSingular, Claim::kUndecided,
                                        Claim::kOutside, Claim::kUnreachable};
 
@@ -23,27 +26,30 @@ const Trajectory& trajectory_of(const PathPaving& paving) {
 }
 
 /// Approximate: for people.
-double time_at(const PathPaving& paving, const PathPlace& place) {
-  const TrajectoryPiece& piece = trajectory_of(paving).pieces[place.piece];
+double time_at(const Trajectory& t, const PathPlace& place) {
+  const TrajectoryPiece& piece = t.pieces[place.piece];
   const double begin = GiNaC::ex_to<GiNaC::numeric>(piece.begin).to_double();
   const double end = GiNaC::ex_to<GiNaC::numeric>(piece.end).to_double();
   return begin + place.s * (end - begin);
 }
 
+bool has_reason(const PathStretch& stretch) {
+  return stretch.claim == Claim::kUndecided && stretch.reason != Reason::kAllBoxesCertified;
+}
+
 /// "segments 3 to 117, t from 0.02 to 1.1632 s"
-std::string describe_stretch(const PathPaving& paving, const PathStretch& stretch) {
-  const Trajectory& t = trajectory_of(paving);
+std::string describe_stretch(const Trajectory& t, const PathStretch& stretch) {
   const std::size_t first = stretch.begin.piece, last = stretch.end.piece;
   std::string text = first == last ? fmt::format("segment {}", first + 1)
                                    : fmt::format("segments {} to {}", first + 1, last + 1);
   if (t.has_time)
-    text += fmt::format(", t from {:.6g} to {:.6g}{}", time_at(paving, stretch.begin),
-                        time_at(paving, stretch.end), unit_suffix(t.time_unit));
+    text += fmt::format(", t from {:.6g} to {:.6g}{}", time_at(t, stretch.begin),
+                        time_at(t, stretch.end), unit_suffix(t.time_unit));
   else if (stretch.begin.s > 0 || stretch.end.s < 1)
     text += fmt::format(", from {:.4g} of its way to {:.4g} of its way", stretch.begin.s,
                         stretch.end.s);
   text += fmt::format(" (lines {} to {})", t.pieces[first].first_line, t.pieces[last].last_line);
-  if (stretch.claim == Claim::kUndecided) text += fmt::format(": {}", describe(stretch.reason));
+  if (has_reason(stretch)) text += fmt::format(": {}", describe(stretch.reason));
   return text;
 }
 
@@ -53,41 +59,50 @@ std::string percentage(double share) {
   return fmt::format("{:.3g} %", std::clamp(100 * share, 0.001, 99.9));
 }
 
-std::string format_shares(const PathPaving& paving) {
+std::string format_shares(const Trajectory& trajectory, const std::vector<PathStretch>& stretches,
+                          ClaimWord word) {
   std::string words;
   for (const Claim claim : kClaimsInOrder)
-    if (const double share = paving.approx_share(claim); share > 0)
-      words += fmt::format("{}{} {}", words.empty() ? "" : ", ", name(claim), percentage(share));
-  return fmt::format("share      {} of the {}\n", words,
-                     trajectory_of(paving).has_time ? "time" : "segments");
+    if (const double share = approx_share_of(trajectory, stretches, claim); share > 0)
+      words += fmt::format("{}{} {}", words.empty() ? "" : ", ", word(claim), percentage(share));
+  return fmt::format("share      {} of the {}\n", words, trajectory.has_time ? "time" : "segments");
 }
 
 }  // namespace
 
-std::string format_path_paving(const PathPaving& paving, SearchOptions search) {
-  std::string text = format_trajectory_question(paving.check, std::move(search));
+std::string format_stretches(const Trajectory& trajectory,
+                             const std::vector<PathStretch>& stretches, ClaimWord word) {
+  std::string text;
   std::size_t lines = 0;
-  for (const PathStretch& stretch : paving.stretches) {
+  for (const PathStretch& stretch : stretches) {
     if (++lines > kMostLines) {
       text += fmt::format("           and {} stretches more; --output FILE has all of them\n",
-                          paving.stretches.size() - kMostLines);
+                          stretches.size() - kMostLines);
       break;
     }
-    text += fmt::format("{:<11}{}\n", name(stretch.claim), describe_stretch(paving, stretch));
+    text += fmt::format("{:<11}{}\n", word(stretch.claim), describe_stretch(trajectory, stretch));
   }
-  return text + format_shares(paving);
+  return text + format_shares(trajectory, stretches, word);
 }
 
-Json json_stretch(const PathPaving& paving, const PathStretch& stretch) {
-  const Trajectory& t = trajectory_of(paving);
+std::string format_path_paving(const PathPaving& paving, SearchOptions search) {
+  return format_trajectory_question(paving.check, std::move(search)) +
+         format_stretches(trajectory_of(paving), paving.stretches, word_of_claim);
+}
+
+Json json_stretch_of(const Trajectory& t, const PathStretch& stretch, ClaimWord word) {
   Json line{
-      {"kind", name(stretch.claim)},
+      {"kind", word(stretch.claim)},
       {"segments", {stretch.begin.piece + 1, stretch.end.piece + 1}},
       {"s", {stretch.begin.s, stretch.end.s}},
       {"lines", {t.pieces[stretch.begin.piece].first_line, t.pieces[stretch.end.piece].last_line}}};
-  if (t.has_time) line["time"] = {time_at(paving, stretch.begin), time_at(paving, stretch.end)};
-  if (stretch.claim == Claim::kUndecided) line["reason"] = describe(stretch.reason);
+  if (t.has_time) line["time"] = {time_at(t, stretch.begin), time_at(t, stretch.end)};
+  if (has_reason(stretch)) line["reason"] = describe(stretch.reason);
   return line;
+}
+
+Json json_stretch(const PathPaving& paving, const PathStretch& stretch) {
+  return json_stretch_of(trajectory_of(paving), stretch, word_of_claim);
 }
 
 Json json_path_paving(const PathPaving& paving, const SearchOptions& search) {

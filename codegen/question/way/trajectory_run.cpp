@@ -1,49 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/way/trajectory_run.hpp"
 
-#include "codegen/question/engine/search_run.hpp"
 #include "codegen/question/way/path_run.hpp"
 #include "runtime/search/conclusion.hpp"
 
 namespace regulus {
 namespace {
 
-/// After so many pieces without an answer, no more are searched for a singularity.
-constexpr std::size_t kMostUndecided = 8;
-
 class TrajectoryRun {
  public:
   TrajectoryRun(TrajectoryCheck& check, const SearchOptions& search, bool wants_trees,
-                const std::atomic<bool>* interrupt)
-      : check_(check),
-        search_(search),
-        wants_trees_(wants_trees),
-        run_(check, search, wants_trees, interrupt) {}
+                const PathWatch& watch)
+      : check_(check), wants_trees_(wants_trees), run_(check, search, wants_trees, watch) {}
 
   void run() {
     run_.search_all();
-    const std::size_t pieces = check_.request.motion.trajectory->pieces.size();
-    for (std::size_t k = 0; k < pieces && !has_ended(); ++k)
-      if (!check_.path.certified[k]) search_alone(k);
-    if (has_ended() || check_.deciding) return;
+    if (run_.has_ended()) return;
+    ask_pieces_alone(
+        check_.request.motion.trajectory->pieces.size(),
+        [this](std::size_t k) { return !check_.path.certified[k]; },
+        [this](std::size_t k) { return search_alone(k); });
+    if (check_.deciding) return;
     const bool is_empty = excluded_everywhere(check_.path.statistics);
     check_.verdict = is_empty ? Verdict::kPossibleProblem : Verdict::kNoSingularity;
     check_.reason = is_empty ? Reason::kEmptyVariety : Reason::kAllBoxesCertified;
   }
 
  private:
-  [[nodiscard]] bool has_ended() const { return has_ended_ || run_.has_ended(); }
-
-  void search_alone(std::size_t k) {
+  PieceAnswer search_alone(std::size_t k) {
     ++check_.searched_alone;
     auto preparation = run_.prepare_piece(k);
     TreeKept* const tree = wants_trees_ ? &check_.path.trees[k] : nullptr;
     if (tree != nullptr) tree->clear();
-    Result result = run_search(*preparation, search_, run_.settings_of_piece(*preparation), tree);
-    run_.add(*preparation, result.statistics);
+    Result result = run_.search_piece(*preparation, run_.settings_of_piece(*preparation), tree);
     if (result.verdict == Verdict::kNoSingularity || result.reason == Reason::kEmptyVariety) {
       note_certified(k, result);
-      return;
+      return PieceAnswer::kProved;
     }
     const bool is_singular = result.verdict == Verdict::kSingularity;
     const bool is_stopped = run_.is_cut_short(result);
@@ -52,7 +44,9 @@ class TrajectoryRun {
       check_.reason = result.reason;
       check_.deciding = DecidingPiece{k, std::move(preparation), std::move(result)};
     }
-    has_ended_ = is_singular || is_stopped || ++undecided_ == kMostUndecided;
+    return is_singular  ? PieceAnswer::kRefuted
+           : is_stopped ? PieceAnswer::kStopped
+                        : PieceAnswer::kOpen;
   }
 
   /// A piece without a pose that the constraints allow proves nothing and needs no proof.
@@ -63,19 +57,16 @@ class TrajectoryRun {
   }
 
   TrajectoryCheck& check_;
-  const SearchOptions& search_;
   const bool wants_trees_;
   PathRun run_;
-  std::size_t undecided_ = 0;
-  bool has_ended_ = false;
 };
 
 }  // namespace
 
 TrajectoryCheck check_trajectory(Request request, double model_seconds, SearchOptions search,
-                                 bool wants_trees, const std::atomic<bool>* interrupt) {
+                                 bool wants_trees, const PathWatch& watch) {
   TrajectoryCheck check = begin_check(std::move(request), model_seconds, search);
-  TrajectoryRun(check, search, wants_trees, interrupt).run();
+  TrajectoryRun(check, search, wants_trees, watch).run();
   return check;
 }
 

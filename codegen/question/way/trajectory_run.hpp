@@ -13,6 +13,7 @@
 #include "codegen/question/engine/options.hpp"
 #include "codegen/question/engine/pipeline.hpp"
 #include "codegen/question/way/path_search.hpp"
+#include "codegen/question/way/pieces_alone.hpp"
 
 namespace regulus {
 
@@ -21,6 +22,16 @@ struct DecidingPiece {
   std::size_t index = 0;
   std::unique_ptr<PreparedSearch> preparation;  ///< null if it was not searched by itself
   Result result;
+};
+
+/// The program around a search, for an interrupt and a display of progress. Both may be null.
+struct PathWatch {
+  const std::atomic<bool>* interrupt = nullptr;
+  Observer* display = nullptr;
+
+  [[nodiscard]] bool is_interrupted() const {
+    return interrupt != nullptr && interrupt->load(std::memory_order_relaxed);
+  }
 };
 
 struct TrajectoryCheck {
@@ -38,6 +49,6 @@ struct TrajectoryCheck {
 /// Throws as `prepare`. `request`: its motion has a trajectory, which took `model_seconds` to read.
 [[nodiscard]] TrajectoryCheck check_trajectory(Request request, double model_seconds,
                                                SearchOptions search, bool wants_trees,
-                                               const std::atomic<bool>* interrupt);
+                                               const PathWatch& watch);
 
 }  // namespace regulus

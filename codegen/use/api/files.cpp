@@ -31,7 +31,7 @@ ProofOutcome outcome_of(const Verified& verified) {
 
 Confirmation verify(const std::string& path, const VerifyOptions& options) {
   const AlgebraLock lock;
-  VerificationRequest request{path, options.model, options.waypoints, {}};
+  VerificationRequest request{path, options.model, options.waypoints, options.allow_options, {}};
   request.options.threads = options.threads;
   request.options.time_limit = options.time_limit;
   if (options.max_boxes > 0) request.options.max_boxes = options.max_boxes;

@@ -16,6 +16,8 @@ struct VerifyOptions {
   unsigned threads = 1;
   double time_limit = 0;        ///< seconds, 0: no bound
   std::uint64_t max_boxes = 0;  ///< into which all leaves may be cut; 0: as the command
+  /// Ranges, tolerances, alpha and larger control errors may differ from the model file.
+  bool allow_options = false;
 };
 
 enum class ProofOutcome { kVerified, kRejected, kUnfinished };

@@ -42,10 +42,12 @@ void add_verify_options(CLI::App& app, VerifyCommand& command) {
   app.add_option(
          "--model", command.model,
          "Also check that the certificate is about this model file: write the question again "
-         "from the file and compare it line by line. Ranges, tolerances and alpha may "
-         "differ, because options change them; differences are reported. The verifier's own "
-         "reader also reads and compares every number and expression of the file")
+         "from the file and compare it line by line. The verifier's own reader also reads and "
+         "compares every number and expression of the file")
       ->type_name("MODEL");
+  app.add_flag("--allow-options", command.allows_options,
+               "With --model: ranges, tolerances, alpha and larger control errors may differ from "
+               "the file, because options change them; the differences are reported");
   app.add_option("--time-limit", command.time_limit,
                  "Stop after S seconds; the answer is then UNFINISHED")
       ->check(positive_seconds())

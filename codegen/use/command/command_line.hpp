@@ -39,6 +39,7 @@ struct LocateCommand {
   PictureRequest pictures;
   std::string certificate;        ///< file; empty: none
   std::uint64_t shard_size = 0;   ///< of its shards, in bytes; 0: it is one file
+  CheckpointOptions checkpoint;   ///< about a load only
   bool boxes_unless_json = true;  ///< print the boxes by default
 };
 
@@ -59,6 +60,7 @@ struct VerifyCommand {
   std::string path;
   std::string model;                 ///< the model file it must be about; empty: any
   std::string waypoints;             ///< the file of way-points that check took; empty: none
+  bool allows_options = false;       ///< options may have changed what the model file says
   std::optional<double> time_limit;  ///< in seconds
   std::optional<std::uint64_t> max_boxes;
   unsigned threads = 1;

@@ -62,6 +62,7 @@ CommandQuestion question_of(const LocateCommand& command) {
   Services& services = question.services = services_of(command.output, command.certificate);
   services.shard_size = command.shard_size;
   services.pictures = command.pictures;
+  services.checkpoint = command.checkpoint;
   const bool prints_boxes = command.boxes_unless_json && !command.output.json;
   services.lines.file = command.lines;
   question.prints_lines = command.lines == "-" || (command.lines.empty() && prints_boxes);

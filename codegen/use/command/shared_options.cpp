@@ -164,17 +164,6 @@ void add_checkpoint_options(CLI::App& app, CheckpointOptions& options) {
       ->check(number_from_zero("a number of seconds"));
 }
 
-/// Adds options of `check` that are refused with a reason, and not as unknown options.
-void refuse_checkpoint_options(CLI::App& app, const std::string& why) {
-  for (const char* name : {"--checkpoint", "--checkpoint-every"})
-    app.add_option_function<std::string>(
-           name,
-           [name, why](const std::string&) {
-             throw CLI::ValidationError(name, "`regulus locate` cannot be continued; " + why);
-           })
-        ->group("");
-}
-
 void add_bracket_checkpoint(CLI::App& app, std::string& path) {
   app.add_option("--checkpoint", path,
                  "Save the outcome of each search to FILE when it ends; if FILE exists, continue "

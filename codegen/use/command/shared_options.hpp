@@ -23,8 +23,6 @@ void add_search_options(CLI::App& app, SearchOptions& options);
 void add_output_options(CLI::App& app, OutputOptions& options);
 void add_page_option(CLI::App& app, OutputOptions& options);
 void add_checkpoint_options(CLI::App& app, CheckpointOptions& options);
-/// Adds options of `check` that are refused with a reason, and not as unknown options.
-void refuse_checkpoint_options(CLI::App& app, const std::string& why);
 /// Adds the checkpoint of brackets.
 void add_bracket_checkpoint(CLI::App& app, std::string& path);
 

@@ -21,7 +21,8 @@ void show_progress(const Verification& v) {
 }
 
 VerificationRequest request_of(const VerifyCommand& command, const VerifiedPart& part) {
-  VerificationRequest request{command.path, command.model, command.waypoints, {}};
+  VerificationRequest request{
+      command.path, command.model, command.waypoints, command.allows_options, {}};
   verifier::Options& options = request.options;
   options.time_limit = command.time_limit.value_or(0);
   options.max_boxes = command.max_boxes.value_or(options.max_boxes);

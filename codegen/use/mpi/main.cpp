@@ -14,8 +14,10 @@
 #include "codegen/answer/refusals.hpp"
 #include "codegen/question/bound/bound_question.hpp"
 #include "codegen/question/bound/bracket_topic.hpp"
+#include "codegen/question/condition/box_judge.hpp"
 #include "codegen/question/condition/condition_kernel.hpp"
 #include "codegen/question/engine/settings.hpp"
+#include "codegen/question/load/feasibility_run.hpp"
 #include "codegen/question/margin/prepared_margin.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/exit_code.hpp"
@@ -26,6 +28,7 @@
 #include "codegen/use/mpi/mpi_workers.hpp"
 #include "codegen/use/mpi/rank_service.hpp"
 #include "codegen/use/mpi/verify_together.hpp"
+#include "runtime/search/box_judges.hpp"
 
 namespace {
 
@@ -66,12 +69,32 @@ bool has_topics(const CommandLine& line) {
   return line.bound || (line.margin && !line.margin->limit.empty());
 }
 
+RankQuestion condition_question(const BracketTopic& topic, const Request& request,
+                                const SearchOptions& search) {
+  RankQuestion question{prepare_condition(topic, request, search)};
+  question.judges = [scaling =
+                         question.prepared.stages->formulation().scaling](const Problem& problem) {
+    return unit_judges<BoxJudge>({problem, scaling});
+  };
+  return question;
+}
+
+RankQuestion force_question(const ModelOptions& model, const std::string& load,
+                            const SearchOptions& search) {
+  PreparedForces forces = prepare_forces(model, load, search, {});
+  RankQuestion question{std::move(forces.preparation)};
+  question.judges = [problem_of_forces = std::move(forces.forces),
+                     scaling = std::move(forces.scaling)](const Problem& problem) {
+    return unit_judges<BoxForces>({problem_of_forces, problem, scaling});
+  };
+  return question;
+}
+
 RankQuestion prepare_topic_of(const CommandLine& line, const BracketTopic& topic) {
   if (line.bound) {
     const BoundCommand bound = with_quantity(*line.bound);
     const BoundQuestion question = read_bound_question(bound.model, bound.quantity, bound.limit);
-    if (is_about_condition(topic))
-      return {prepare_condition(topic, question.request, bound.search), true};
+    if (is_about_condition(topic)) return condition_question(topic, question.request, bound.search);
     return {std::move(
         prepare_topic(topic, question.request, question.quantity, question.limit, bound.search)
             .prepared)};
@@ -87,8 +110,12 @@ RankQuestion prepare_topic_of(const CommandLine& line, const BracketTopic& topic
 
 RankQuestion prepare_question(const CommandLine& line, std::optional<std::string_view> topic) {
   if (topic) return prepare_topic_of(line, read_topic(*topic));
-  if (line.check) return {prepare(line.check->model, line.check->search)};
-  if (line.locate) return {prepare(line.locate->model, line.locate->search)};
+  const auto prepared = [](const auto& command) {
+    return command.load ? force_question(command.model, *command.load, command.search)
+                        : RankQuestion{prepare(command.model, command.search)};
+  };
+  if (line.check) return prepared(*line.check);
+  if (line.locate) return prepared(*line.locate);
   const MarginCommand& margin = *line.margin;
   ModelOptions model = margin.model;
   const MarginQuestion question = take_question(model, margin.size);

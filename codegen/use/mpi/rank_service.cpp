@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "codegen/question/condition/condition_units.hpp"
 #include "codegen/question/engine/search_run.hpp"
 #include "codegen/question/engine/settings.hpp"
 #include "codegen/support/errors.hpp"
@@ -50,7 +49,7 @@ class Service {
     const cluster::SearchDescription description = cluster::read_search(begin.bytes);
     number_ = begin.search;
     if (!question_) throw InternalError("a search begins before its question is known");
-    if (question_->is_condition) return bound_conditions(description);
+    if (question_->judges) return judge_boxes(description);
     decide_for_another(question_->prepared, search_, description,
                        [&](const Problem& problem, const Settings& settings) {
                          ThreadWorkers threads(threads_);
@@ -59,14 +58,12 @@ class Service {
                        });
   }
 
-  void bound_conditions(const cluster::SearchDescription& description) {
+  void judge_boxes(const cluster::SearchDescription& description) {
     const Problem problem = question_->prepared.problem();
     if (problem.outer != description.problem.outer || problem.inner != description.problem.inner)
       throw InternalError("the ranks have prepared different questions");
-    const MatrixScaling scaling = question_->prepared.stages->formulation().scaling;
     ThreadWorkers threads(threads_);
-    threads.begin(problem, description.settings, description.learned,
-                  condition_deciders({problem, scaling}));
+    threads.begin(problem, description.settings, description.learned, question_->judges(problem));
     decide_units(threads);
   }
 

@@ -7,13 +7,16 @@
 
 #include "codegen/question/engine/pipeline.hpp"
 #include "codegen/use/mpi/communicator.hpp"
+#include "runtime/cluster/workers.hpp"
 
 namespace regulus {
 
 /// The question of the next searches.
 struct RankQuestion {
   PreparedSearch prepared;
-  bool is_condition = false;  ///< its units are those of question/condition/condition_units.hpp
+  /// Makes judges of boxes (runtime/search/box_judges.hpp) for a problem of the question; empty: its
+  /// searches are those of Algorithm 1.
+  std::function<cluster::MakeDecider(const Problem&)> judges{};
 };
 
 /// Prepares the question of the command line, or that of a topic (see Workers::turn_to).

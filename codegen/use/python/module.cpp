@@ -256,12 +256,13 @@ void bind_files(py::module_& module) {
   module.def(
       "verify",
       [](const std::string& path, const std::string& model, const std::string& waypoints,
-         unsigned threads, double time_limit, std::uint64_t max_boxes) {
-        const VerifyOptions options{model, waypoints, threads, time_limit, max_boxes};
+         unsigned threads, double time_limit, std::uint64_t max_boxes, bool allow_options) {
+        const VerifyOptions options{model,      waypoints, threads,
+                                    time_limit, max_boxes, allow_options};
         return run_there([=](const std::atomic<bool>&) { return verify(path, options); });
       },
       py::arg("path"), py::arg("model"), py::arg("waypoints"), py::arg("threads"),
-      py::arg("time_limit"), py::arg("max_boxes"));
+      py::arg("time_limit"), py::arg("max_boxes"), py::arg("allow_options"));
   module.def(
       "import_file",
       [](const std::string& path, const std::string& base, const std::string& tip,

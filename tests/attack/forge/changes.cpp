@@ -132,9 +132,15 @@ std::string new_line(const Lines& lines, std::size_t end, Random& random) {
         names.push_back(rest.substr(0, rest.find(' ')));
       }
   const std::string name = names.empty() ? "x" : random.pick(names);
-  switch (random.below(6)) {
+  switch (random.below(9)) {
     case 0:
       return "constraint " + name + " - 1/1000";
+    case 5:
+      return "pose t = " + name;
+    case 6:
+      return "parameter rho_1 in 0 : 1";
+    case 7:
+      return "uncertain z_z = 0 +- 1/1000";
     case 1:
       return "ball " + name + (names.size() < 2 ? "" : " " + random.pick(names));
     case 2:

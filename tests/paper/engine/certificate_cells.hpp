@@ -14,7 +14,7 @@ inline void expect_verified(const TableCell& of) {
   search.method = choice_of<Method>("--method", cell.method);
   search.uncertainty = choice_of<Uncertainty>("--uncertainty", cell.uncertainty);
   const Certified certified = certify(robot(of.table->model, cell.motion, cell.tolerance), search);
-  ASSERT_EQ(certified.result.verdict, cell.found) << describe(certified.result.reason);
+  expect_as_recorded(certified.result, cell);
   if (cell.found == Verdict::kPossibleProblem) {
     EXPECT_EQ(certified.text, "") << "nothing is claimed";
     return;

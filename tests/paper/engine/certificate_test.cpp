@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Verifies the certificate of every cell of the paper's tables that takes few boxes.
+// Every cell of the paper's tables that takes few boxes: verdict, boxes, and its certificate.
 #include "tests/paper/engine/certificate_cells.hpp"
+#include "tests/support/parameter_name.hpp"
 
 namespace regulus::test {
 namespace {
 
-constexpr std::uint64_t kFastBoxes = 120;
-
 class CertificatesOfTheTables : public testing::TestWithParam<TableCell> {};
 
-TEST_P(CertificatesOfTheTables, AreVerified) { expect_verified(GetParam()); }
+TEST_P(CertificatesOfTheTables, AreVerifiedAndOfTheRecordedBoxes) { expect_verified(GetParam()); }
 
-INSTANTIATE_TEST_SUITE_P(Paper, CertificatesOfTheTables, testing::ValuesIn(cells_of(1, kFastBoxes)),
+INSTANTIATE_TEST_SUITE_P(Paper, CertificatesOfTheTables, testing::ValuesIn(cells_of(1, kFewBoxes)),
                          cell_name);
 
 struct Motion {
@@ -20,6 +19,10 @@ struct Motion {
   const char* tolerance;
   const char* alpha;
 };
+
+std::ostream& operator<<(std::ostream& out, const Motion& m) {
+  return out << m.model << ' ' << m.motion << ' ' << m.tolerance << ' ' << m.alpha;
+}
 
 class CertificatesOfMotions : public testing::TestWithParam<Motion> {};
 
@@ -45,7 +48,8 @@ INSTANTIATE_TEST_SUITE_P(
         Motion{"robot_1", "T2_errors", "0.05", ""}, Motion{"robot_1", "wide_15", "", "0.001"},
         Motion{"robot_1", "wide_15", "", "0.2"}, Motion{"robot_1", "table4_5", "0.01", "0.5"},
         Motion{"robot_1", "table4_5", "", "2"}, Motion{"rump", "point", "", ""},
-        Motion{"planar_3rpr", "regular", "0.2", ""}, Motion{"planar_3rpr", "crossing", "", ""}));
+        Motion{"planar_3rpr", "regular", "0.2", ""}, Motion{"planar_3rpr", "crossing", "", ""}),
+    parameter_name);
 
 }  // namespace
 }  // namespace regulus::test

@@ -22,6 +22,10 @@ struct AgreementCase {
   std::optional<Verdict> expected = {};
 };
 
+inline std::ostream& operator<<(std::ostream& out, const AgreementCase& of) {
+  return out << of.model << ' ' << of.motion << ' ' << of.tolerance;
+}
+
 struct Effort {
   std::uint64_t max_boxes;
   double time_limit;  ///< seconds, for one search; 0: no limit

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/property/engine/agreement.hpp"
+#include "tests/support/parameter_name.hpp"
 
 namespace regulus::test {
 namespace {
@@ -32,7 +33,8 @@ INSTANTIATE_TEST_SUITE_P(
                     AgreementCase{"robot_2", "table5_40", "base,platform=5", 0, kSingular},
                     AgreementCase{"planar_3rpr", "regular", "base,platform=0.1"},
                     AgreementCase{"planar_3rpr", "crossing", "base=0.1", 0, kSingular},
-                    AgreementCase{"planar_3rpr", "reach", "base,platform=0.05", 0, kFree}));
+                    AgreementCase{"planar_3rpr", "reach", "base,platform=0.05", 0, kFree}),
+    parameter_name);
 
 TEST(Methods, AgreeOnManyRandomModels) {
   int decided = 0;

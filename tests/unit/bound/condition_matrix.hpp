@@ -39,7 +39,7 @@ inline constexpr double kTurnedCondition = 5.25;
 struct Ended {
   ConditionResult result;
   std::string events;
-  ConditionState saved;
+  SavedTree saved;
   int saves = 0;
 };
 
@@ -59,12 +59,12 @@ class TestMatrix {
     scaling_ = prepared_->stages->formulation().scaling;
   }
 
-  [[nodiscard]] Ended run(ConditionSettings settings, const ConditionState* from = nullptr) const {
+  [[nodiscard]] Ended run(ConditionSettings settings, const SavedTree* from = nullptr) const {
     Ended ended;
     SearchEvents events;
     const Problem problem = prepared_->problem();
     settings.from = from;
-    settings.save = [&](const ConditionState& state) { ended.saved = state, ++ended.saves; };
+    settings.save = [&](const SavedTree& state) { ended.saved = state, ++ended.saves; };
     ended.result = search_condition({problem, scaling_}, settings, &events);
     ended.events = events.text;
     return ended;
@@ -99,15 +99,13 @@ inline void expect_same(const Ended& one, const Ended& other) {
     EXPECT_EQ(one.result.attained->shown.least, other.result.attained->shown.least);
   }
   EXPECT_TRUE(one.events == other.events);
-  EXPECT_EQ(one.saved.steps, other.saved.steps);
-  EXPECT_EQ(one.saved.open, other.saved.open);
-  EXPECT_EQ(one.saved.attained, other.saved.attained);
+  EXPECT_TRUE(one.saved == other.saved);
 }
 
 /// Stops at each number of boxes and continues.
 inline Ended run_with_stops(const TestMatrix& matrix, const ConditionSettings& settings,
                             std::initializer_list<std::uint64_t> stops) {
-  std::optional<ConditionState> state;
+  std::optional<SavedTree> state;
   for (const std::uint64_t stop : stops) {
     ConditionSettings until = settings;
     until.max_boxes = stop;

@@ -105,7 +105,7 @@ TEST(ContinuedConditionSearch, AsksAgainWhatItWasTold) {
   const Ended whole = matrix.run(settings);
   EXPECT_EQ(asked, 1);
   EXPECT_EQ(whole.result.proved, 8);
-  EXPECT_TRUE(whole.saved.was_told);
+  EXPECT_EQ(whole.saved.own, (std::vector<std::uint64_t>{1}));
   expect_same(run_with_stops(matrix, settings, {500, 1100, 1800}), whole);
   asked = 0;
   expect_same(matrix.run(settings, &whole.saved), whole);
@@ -113,8 +113,8 @@ TEST(ContinuedConditionSearch, AsksAgainWhatItWasTold) {
   // The answer counts even if the boxes have bounds by now.
   settings.ask = [](double) { return ConditionHint{false, 5.3}; };
   const TestMatrix defined(kTurned);
-  ConditionState told = defined.run(settings_with_gap(0.2)).saved;
-  told.was_told = true;
+  SavedTree told = defined.run(settings_with_gap(0.2)).saved;
+  told.own = {1};
   EXPECT_EQ(defined.run(settings, &told).result.proved, 5.3);
   // Without the answer, the bound is not known.
   settings.ask = [](double) { return ConditionHint{}; };
@@ -137,7 +137,7 @@ TEST(ContinuedConditionSearch, DoesNotBelieveNumbers) {
   const ConditionSettings settings = settings_with_gap(0.1);
   const Ended whole = matrix.run(settings);
   const auto lie = [&](const char* pattern, const char* by) {
-    ConditionState state = whole.saved;
+    SavedTree state = whole.saved;
     for (std::string* text : {&state.steps, &state.open})
       *text = std::regex_replace(*text, std::regex(pattern), by);
     const Ended ended = matrix.run(settings, &state);
@@ -146,12 +146,12 @@ TEST(ContinuedConditionSearch, DoesNotBelieveNumbers) {
     EXPECT_EQ(ended.result.boxes, whole.result.boxes) << by;
   };
   lie("=\\S+", "=0x0p+0");
-  lie("=\\S+", "=inf");
+  lie("=\\S+", "-");
   lie("(\\d+)-", "$1=0x0p+0");
-  ConditionState state = whole.saved;
+  SavedTree state = whole.saved;
   state.steps = std::regex_replace(state.steps, std::regex("=\\S+"), "-");
   for (const BoxId box : {BoxId{0}, whole.result.boxes - 1}) {
-    state.attained = box;
+    state.shown = {box};
     expect_no_claim_beyond(matrix.run(settings, &state).result, std::to_string(box));
   }
 }
@@ -160,11 +160,11 @@ TEST(ContinuedConditionSearch, TakesAnyTreeOfTheVariety) {
   const TestMatrix matrix(kTurned);
   ConditionSettings settings = settings_with_gap(0.1);
   settings.max_boxes = 300;
-  const ConditionState saved = matrix.run(settings).saved;
+  const SavedTree saved = matrix.run(settings).saved;
   settings.max_boxes = 20000;
   std::mt19937 random(7);
   for (int i = 0; i < 100; ++i) {
-    ConditionState state = saved;
+    SavedTree state = saved;
     for (std::size_t at = 0; (at = state.steps.find(':', at + 1)) != std::string::npos;)
       if (random() % 10 == 0) state.steps[at + 1] = char('0' + random() % 3);
     const ConditionResult result = matrix.run(settings, &state).result;
@@ -177,51 +177,25 @@ TEST(ContinuedConditionSearch, OfADamagedStateIsRefusedOrRight) {
   const TestMatrix matrix(kTurned);
   ConditionSettings settings = settings_with_gap(0.1);
   settings.max_boxes = 300;
-  const ConditionState saved = matrix.run(settings).saved;
+  const SavedTree saved = matrix.run(settings).saved;
   settings.max_boxes = 400;
   const std::vector<std::string> splices{
       " ",         "=", "-", "0:1 ", ":2", "7", "inf", "0x1p+0 ", "0xnan", "99999999999999999999",
       "63=0x1p+2 "};
   int refused = 0, right = 0;
   for (unsigned seed = 0; seed < 800; ++seed) {
-    ConditionState state = saved;
+    SavedTree state = saved;
     std::string& text = seed % 3 == 0 ? state.open : state.steps;
     text = Damage(seed, splices).done_to(text);
     try {
       expect_no_claim_beyond(matrix.run(settings, &state).result, text);
       ++right;
-    } catch (const ConditionStateError&) {
+    } catch (const SavedTreeError&) {
       ++refused;
     }
   }
   EXPECT_GT(refused, 200);
   EXPECT_GT(right, 10);
-}
-
-TEST(ConditionTree, TilesTheVariety) {
-  const std::vector<Interval> root{{0, 1}, {-1, 3}};
-  const ConditionTree tree({"0:1 1:0 2- 3=0x1p+1 ", "4=inf ", BoxId{3}, false}, root);
-  EXPECT_EQ(tree.size(), 5U);
-  ASSERT_EQ(tree.leaves().size(), 3U);
-  EXPECT_EQ(tree.box(0), root);
-  EXPECT_EQ(tree.box(2), (std::vector<Interval>{{0, 1}, {1, 3}}));
-  EXPECT_EQ(tree.box(3), (std::vector<Interval>{{0, 0.5}, {-1, 1}}));
-  EXPECT_EQ(tree.box(4), (std::vector<Interval>{{0.5, 1}, {-1, 1}}));
-}
-
-TEST(ConditionTree, RefusesOtherTexts) {
-  const auto make = [](const char* steps, const char* open, std::optional<BoxId> attained = {}) {
-    return ConditionTree({steps, open, attained, false}, {{0, 1}, {1, std::nextafter(1, 2)}});
-  };
-  EXPECT_NO_THROW(make("0:0", "1=inf 2=0x1p+0"));
-  for (const char* steps : {"", "0:2", "0:0 0:0", "3:0 0:0", "0:0 1=0x1p+0 1-", "0:0 1~", "0:0 1-x",
-                            "0:-1", "x", ":", "-", "0:0 1=1.5", "0:0 1=-0x1p+0", "0:0 1=0xnan"})
-    EXPECT_THROW(make(steps, "2=inf"), ConditionStateError) << steps;
-  EXPECT_THROW(make("0:0", "1=inf"), ConditionStateError);
-  EXPECT_THROW(make("0:0", "1=inf 2=inf 2=inf"), ConditionStateError);
-  EXPECT_THROW(make("0:0", "1=inf 2-"), ConditionStateError);
-  EXPECT_THROW(make("0:0", "1=inf 2=inf", 3), ConditionStateError);
-  EXPECT_THROW(static_cast<void>(make("0:1", "1=inf 2=inf").box(1)), ConditionStateError);
 }
 
 }  // namespace

@@ -109,11 +109,11 @@ class ConditionUnits : public testing::Test {
  protected:
   [[nodiscard]] std::string decided(double attained) {
     const std::vector<BoxJudge::Box> boxes = {problem_.outer, {{0, 0.5}, {0, 0.5}, {0, 1}}};
-    return condition_deciders(question_)()->decide(unit_of(boxes, attained)).value();
+    return unit_judges<BoxJudge>(question_)()->decide(unit_of(boxes, attained)).value();
   }
   [[nodiscard]] std::vector<BoxFinding> read(const std::string& outcome) const {
     std::vector<BoxFinding> findings(2);
-    read_findings(outcome, question_, findings);
+    read_findings<BoxJudge>(cluster::read_outcome(outcome).events, question_, findings);
     return findings;
   }
   /// Returns the outcome with other findings.
@@ -162,16 +162,10 @@ TEST_F(ConditionUnits, DamagedOnesAreRefused) {
   std::string other = findings;
   other[2 + sizeof(double)] = 2;
   EXPECT_THROW(static_cast<void>(read(with(outcome, other))), cluster::MalformedMessage);
-  const std::unique_ptr<cluster::UnitDecider> decider = condition_deciders(question_)();
+  const std::unique_ptr<cluster::UnitDecider> decider = unit_judges<BoxJudge>(question_)();
   for (const cluster::Unit& wrong :
        {cluster::Unit{{0}, {{0, 1}, {0, 1}, {0, 1}}}, {std::vector<std::uint32_t>(9), {}}})
     EXPECT_THROW(static_cast<void>(decider->decide(wrong)), cluster::MalformedMessage);
-}
-
-TEST_F(ConditionUnits, TellThatMemoryRanOut) {
-  cluster::Outcome outcome;
-  outcome.kind = cluster::OutcomeKind::kMemory;
-  EXPECT_THROW(static_cast<void>(read(write_outcome(outcome))), std::bad_alloc);
 }
 
 }  // namespace

@@ -92,7 +92,8 @@ TEST_P(BisectorTest, StopsWhereNoDoubleLiesBetween) {
   EXPECT_EQ(choose(settings, {{1, 1 + 0x1p-51}, {2, 2}, {-32, 32}}), 0U);
 }
 
-INSTANTIATE_TEST_SUITE_P(WithAndWithoutDerivatives, BisectorTest, ::testing::Bool());
+INSTANTIATE_TEST_SUITE_P(WithAndWithoutDerivatives, BisectorTest, ::testing::Bool(),
+                         testing::PrintToStringParamName());
 
 }  // namespace
 }  // namespace regulus

@@ -115,5 +115,21 @@ TEST(Degrees, AnAngleBeyondATurnGetsAWarningWithItsLine) {
   EXPECT_THAT(motion_of(model_text("deg", "cos(phi)", "[-360, 360]")).warnings, IsEmpty());
 }
 
+TEST(Degrees, ANumberBeyondATurnInACosineGetsAWarning) {
+  const auto warnings = [](const std::string& entry) {
+    return parse_model(model_text("rad", entry, "0"), "m").warnings;
+  };
+  EXPECT_THAT(
+      warnings("2 + cos(135)"),
+      ElementsAre("m:7: matrix.rows[1][2] has the angle 135 rad, more than a turn; if degrees "
+                  "are meant, write 135deg"));
+  for (const char* entry : {"sin(phi + 45)", "tan(-90 - phi)", "2*cos((phi + 30) - 0.1)"})
+    EXPECT_THAT(warnings(entry), ElementsAre(HasSubstr("more than a turn"))) << entry;
+  for (const char* entry :
+       {"135 + cos(phi)", "cos(135deg)", "cos(30*deg + phi)", "cos(2*pi*phi*20)", "cos(6.28)",
+        "cos(sqrt(100)*phi)", "cos(phi*(100 + phi))"})
+    EXPECT_THAT(warnings(entry), IsEmpty()) << entry;
+}
+
 }  // namespace
 }  // namespace regulus

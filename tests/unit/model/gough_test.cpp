@@ -170,9 +170,15 @@ TEST_P(GoughModel, HasSymbolicAnchorsOfBothGroups) {
   }
 }
 
+std::string word_of(Orientation orientation) {
+  if (orientation == Orientation::kEulerZxz) return "EulerZxz";
+  return orientation == Orientation::kQuaternion ? "Quaternion" : "RollPitchYaw";
+}
+
 INSTANTIATE_TEST_SUITE_P(Orientations, GoughModel,
                          testing::Values(Orientation::kEulerZxz, Orientation::kRollPitchYaw,
-                                         Orientation::kQuaternion));
+                                         Orientation::kQuaternion),
+                         [](const auto& orientation) { return word_of(orientation.param); });
 
 std::vector<std::string> pose_names(Orientation orientation) {
   std::vector<std::string> names;

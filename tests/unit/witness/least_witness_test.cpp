@@ -50,7 +50,8 @@ TEST_P(LeastWitnessOfEitherSign, IsTheToleranceAtWhichACornerIsSingular) {
             Verdict::kSingularity);
 }
 
-INSTANTIATE_TEST_SUITE_P(LeastWitness, LeastWitnessOfEitherSign, testing::Bool());
+INSTANTIATE_TEST_SUITE_P(LeastWitness, LeastWitnessOfEitherSign, testing::Bool(),
+                         testing::PrintToStringParamName());
 
 TEST(LeastWitness, IsNotFoundWhereThereIsNone) {
   const Bowl kernel;

@@ -230,7 +230,13 @@ def bound(
     certificate: str = "",
 ) -> BoundFinding: ...
 def verify(
-    path: str, model: str, waypoints: str, threads: int, time_limit: float, max_boxes: int
+    path: str,
+    model: str,
+    waypoints: str,
+    threads: int,
+    time_limit: float,
+    max_boxes: int,
+    allow_options: bool,
 ) -> Confirmation: ...
 def import_file(
     path: str, base: str, tip: str, cuts: list[str], actuated: list[str], snap: str

@@ -665,6 +665,7 @@ def verify(
     threads: int = 1,
     time_limit: float = 0,
     max_boxes: int = 0,
+    allow_options: bool = False,
 ) -> Verification:
     """Proves the claim of a certificate again, by code that shares nothing with the search.
 
@@ -674,6 +675,8 @@ def verify(
         waypoints: the file of way-points that check() took.
         time_limit: in seconds; 0: none.
         max_boxes: into which leaves may be cut; 0: the default of `regulus verify`.
+        allow_options: ranges, tolerances, alpha and larger control errors may differ from the model,
+            because options change them; `json["differences"]` lists them.
 
     Raises:
         FileError: if a file cannot be read; InputError: for the model file.
@@ -686,6 +689,7 @@ def verify(
             count_of("threads", threads, 1, 1024),
             seconds_of("time_limit", time_limit),
             count_of("max_boxes", max_boxes),
+            bool(allow_options),
         )
     )
 

@@ -1,44 +1,59 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/question/condition/shared_boxes.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/search/shared_boxes.hpp"
 
 #include <algorithm>
+#include <new>
 #include <utility>
-#include <vector>
+
+#include "runtime/interval/lanes.hpp"
 
 namespace regulus {
 namespace {
 
-/// Fewer boxes are decided before the messages about them have arrived.
+/// Fewer boxes are judged before the messages about them have arrived.
 constexpr std::size_t kFewestShared = 256;
 
 constexpr double kSecondsOfPatience = 30.0;
 constexpr double kSecondsBetweenTwoShows = 0.25;
 
-std::vector<cluster::Unit> units_of(std::span<const BoxJudge::Box> boxes, double attained) {
+std::vector<cluster::Unit> units_of(std::span<const SharedBoxes::Box> boxes, double horizon) {
   std::vector<cluster::Unit> units;
   for (std::size_t at = 0; at < boxes.size(); at += kLanes)
-    units.push_back(unit_of(boxes.subspan(at, std::min(kLanes, boxes.size() - at)), attained));
+    units.push_back(unit_of(boxes.subspan(at, std::min(kLanes, boxes.size() - at)), horizon));
   return units;
 }
 
 }  // namespace
 
-bool SharedBoxes::judge(std::span<const BoxJudge::Box> boxes, std::span<BoxFinding> findings,
-                        double attained) {
+cluster::Unit unit_of(std::span<const std::vector<Interval>> boxes, double horizon) {
+  cluster::Unit unit;
+  unit.depths.assign(boxes.size(), 0);
+  for (const std::vector<Interval>& box : boxes)
+    unit.ranges.insert(unit.ranges.end(), box.begin(), box.end());
+  unit.horizon = horizon;
+  return unit;
+}
+
+std::vector<std::vector<Interval>> boxes_of(const cluster::Unit& unit, std::size_t variables) {
+  if (unit.size() > kLanes || unit.ranges.size() != unit.size() * variables)
+    throw cluster::MalformedMessage();
+  std::vector<std::vector<Interval>> boxes;
+  const auto width = static_cast<std::ptrdiff_t>(variables);
+  for (auto at = unit.ranges.begin(); at != unit.ranges.end(); at += width)
+    boxes.emplace_back(at, at + width);
+  return boxes;
+}
+
+bool SharedBoxes::judge(std::span<const Box> boxes, double horizon, const Take& take) {
   boxes_ += boxes.size();
   const bool is_useful = boxes_ > sharing_.boxes_before && boxes.size() >= kFewestShared;
   if (sharing_.workers == nullptr || is_over_ || !is_useful) return false;
   if (!supervisor_) begin();
-  supervisor_->add(units_of(boxes, attained));
-  std::span<BoxFinding> left = findings;
-  while (!left.empty()) {
-    if (is_interrupted()) {
-      end();
-      std::ranges::fill(findings, BoxFinding{});
-      return false;
-    }
+  supervisor_->add(units_of(boxes, horizon));
+  for (std::size_t at = 0; at < boxes.size();) {
+    if (is_interrupted()) return end(), false;
     exchange_messages();
-    while (take_first(left)) continue;
+    while (take_first(at, take)) continue;
     show_now_and_then();
   }
   return true;
@@ -49,7 +64,7 @@ void SharedBoxes::begin() {
   settings_.time_limit = std::max(0.0, sharing_.time_limit - spent);
   settings_.interrupt = sharing_.interrupt;
   cluster::Workers& workers = *sharing_.workers;
-  workers.begin(question_.problem, settings_, learned_, condition_deciders(question_));
+  workers.begin(problem_, settings_, learned_, make_);
   supervisor_.emplace(std::vector<cluster::Unit>{}, workers.count(),
                       cluster::Supervisor::Pace{workers.seconds_of_grant(), kSecondsOfPatience});
 }
@@ -66,14 +81,18 @@ void SharedBoxes::exchange_messages() {
     supervisor_->receive(in->worker, in->message, workers.now());
 }
 
-/// Takes the outcome of the first unit; `findings` are those of all units that are left. Returns
-/// false if it is not known yet.
-bool SharedBoxes::take_first(std::span<BoxFinding>& findings) {
+/// Takes the outcome of the first unit; `at`: the number of its first box. Returns false if it is
+/// not known yet.
+bool SharedBoxes::take_first(std::size_t& at, const Take& take) {
   const auto decided = supervisor_->first();
   if (!decided) return false;
+  const cluster::Outcome outcome = cluster::read_outcome(*decided->outcome);
+  if (outcome.kind == cluster::OutcomeKind::kMemory) throw std::bad_alloc();
+  if (outcome.kind != cluster::OutcomeKind::kDecided || !outcome.groups.empty())
+    throw cluster::MalformedMessage();
   const std::size_t count = decided->unit->size();
-  read_findings(*decided->outcome, question_, findings.first(count));
-  findings = findings.subspan(count);
+  take(at, count, outcome.events);
+  at += count;
   supervisor_->remove_first();
   return true;
 }

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The option --checkpoint of searches that are not about regularity: a question, and what is known
+// about it, as JSON.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "runtime/files/file_lock.hpp"
+#include "runtime/search/saved_tree.hpp"
+
+namespace regulus {
+
+class JsonCheckpoint {
+ public:
+  /// Reads the file if there is one, and otherwise makes it. `question`: everything that the answer
+  /// depends on. `subject`: what continues, for messages, "the search".
+  ///
+  /// Throws    InputError for a file that is not a checkpoint of this question, FileError if it
+  ///           cannot be read or written, or if another run uses it.
+  JsonCheckpoint(std::string path, const nlohmann::ordered_json& question, std::string subject);
+
+  /// What is known beside the question; empty at first.
+  [[nodiscard]] nlohmann::ordered_json& known() { return content_["known"]; }
+  [[nodiscard]] const nlohmann::ordered_json& known() const { return content_.at("known"); }
+  /// A file that cannot be written is noted. The run goes on without it: a file must not cost what
+  /// was proved.
+  void save();
+  /// The search is over: there is nothing to continue.
+  void remove() noexcept;
+
+  /// Runs search(settings), which continues from the tree in the file, if there is one, and saves
+  /// trees there. Throws InputError if the file has something else in the place of a tree.
+  template <class BoxSettings, class Search>
+  auto continue_search(BoxSettings settings, const Search& search) {
+    settings.save = [this](const SavedTree& tree) { keep(tree); };
+    const std::optional<SavedTree> from = tree();
+    if (from) settings.from = &*from;
+    try {
+      return search(settings);
+    } catch (const SavedTreeError& error) {
+      refuse_tree(error);
+    }
+  }
+  /// True if the file had a tree when it was read.
+  [[nodiscard]] bool had_tree() const noexcept { return had_tree_; }
+
+  /// Returns a line that warns of a file that could not be written; empty if it was.
+  [[nodiscard]] std::string line() const;
+  [[nodiscard]] const std::string& path() const noexcept { return path_; }
+  /// Throws InputError, with the name of the file.
+  [[noreturn]] void refuse(const std::string& why) const;
+
+ private:
+  [[nodiscard]] nlohmann::ordered_json read(const std::string& text,
+                                            const nlohmann::ordered_json& question) const;
+  [[nodiscard]] std::optional<SavedTree> tree() const;
+  void keep(const SavedTree& tree);
+  [[noreturn]] void refuse_tree(const SavedTreeError& error) const;
+  /// Throws    std::exception.
+  void write() const;
+
+  const std::string path_, subject_;
+  std::optional<FileLock> lock_;
+  nlohmann::ordered_json content_;
+  bool had_tree_ = false;
+  std::string failure_;  ///< of the last attempt to save
+};
+
+}  // namespace regulus

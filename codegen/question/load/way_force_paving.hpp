@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `regulus locate --load` along the way-points of a file: where is the load held?
+#pragma once
+
+#include "codegen/question/load/way_forces.hpp"
+#include "codegen/question/way/trajectory_paving.hpp"
+
+namespace regulus {
+
+/// A part of the trajectory from one place to another.
+///
+/// Ensures   the claim holds for this part, for all control errors and all values of the uncertain
+///           quantities.
+struct ForceStretch {
+  ForceClaim claim = ForceClaim::kUndecided;
+  PathPlace begin, end;
+};
+
+struct WayForcePaving {
+  WayForces found;                      ///< its verdict is that of the paving; without trees
+  double resolution = 1;                ///< part of a segment
+  std::vector<ForceStretch> stretches;  ///< in order, without gaps
+
+  /// Returns the part of the claim in the time of the trajectory, approximately, in [0, 1].
+  [[nodiscard]] double approx_share(ForceClaim claim) const;
+};
+
+/// Divides the trajectory of a request, which took `model_seconds` to read. A part of a segment where
+/// the load is neither held nor not held is not divided further at `resolution`.
+/// Throws as prepare_forces().
+[[nodiscard]] WayForcePaving pave_forces_along_way(Request request, double model_seconds,
+                                                   const std::string& load, SearchOptions search,
+                                                   double resolution, const PathWatch& watch);
+
+/// Returns the report but for the verdict.
+[[nodiscard]] std::string format_way_force_paving(const WayForcePaving& paving);
+[[nodiscard]] nlohmann::ordered_json json_way_force_paving(const WayForcePaving& paving);
+/// Returns one stretch as an object: its claim, its segments, its lines and its times.
+[[nodiscard]] nlohmann::ordered_json json_force_stretch(const WayForcePaving& paving,
+                                                        const ForceStretch& stretch);
+
+}  // namespace regulus

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+// The search for all claims about boxes that are not regularity: threads, workers, limits, progress,
+// the tree and its continuation. (Regularity has search.hpp.)
+//
+// A judge (box_judges.hpp) says what is true of a box. A goal knows what is asked: which boxes are
+// judged next, and what follows from the findings. A type of goals has
+//
+//     kJudgesWhenMade          true: boxes are judged when they are made, so that the open ones have
+//                              findings, and the root is judged in any case. false: when they are
+//                              taken
+//     void start(TreeBox root) the root is the only box; it also is if a search ends before the tree
+//                              of an earlier run is judged again
+//     bool has_ended()         asked before each round
+//     void fill(vector<Box>& boxes, uint64_t left)
+//                              gives the boxes of the next round; `left`: of the limit. None: the
+//                              search ends
+//     double horizon()         of the judges; 0 if they have none
+//     void conclude(span<Finding>)
+//                              about those boxes, in their order. The goal moves what it keeps
+//     size_t open()            the number of boxes that are left
+//
+// and to continue a search, if its boxes are those of a BoxCourse,
+//
+//     size_t splittable()                  the number of variables, from the first, that are halved
+//     void describe(SavedTree&)            adds the open boxes, those that showed more, own numbers
+//     void recall(TreeBox, Finding&)       a box that showed more
+//     void resume(TreeBox, Finding&, bool is_leaf)
+//                                          a leaf, or an open box that has a finding
+//     void reopen(TreeBox)                 a box that is not judged yet
+//     void resume_own(span<const uint64_t>)                     throws SavedTreeError
+//
+// Rounds, and so the boxes of a search, do not depend on threads, workers or time.
+#pragma once
+
+#include <chrono>
+#include <functional>
+
+#include "runtime/search/tree_proof.hpp"
+
+namespace regulus {
+
+struct BoxSearchSettings {
+  unsigned threads = 1;  ///< at least 1; only the time depends on it
+  std::uint64_t max_boxes = std::numeric_limits<std::uint64_t>::max();
+  double time_limit = std::numeric_limits<double>::infinity();  ///< seconds
+  const std::atomic<bool>* interrupt = nullptr;
+  /// Judge boxes, too; null: only the threads do. Only the time depends on it.
+  cluster::Workers* workers = nullptr;
+  std::uint64_t boxes_before_workers = BoxSharing{}.boxes_before;
+  const SavedTree* from = nullptr;  ///< continue from there
+  /// Called between rounds, now and then and when the search stops.
+  std::function<void(const SavedTree&)> save{};
+  double save_every = 10;  ///< seconds, at most, between two saves
+};
+
+/// A box of a search that halves boxes.
+struct TreeBox {
+  BoxId id = 0;
+  std::uint32_t depth = 0;
+  std::vector<Interval> box;
+};
+
+/// Returns the variable with the greatest impact, or else with the widest part of its range; nullopt
+/// if none can be halved. `ranges`: the widths of the ranges of the variables, from the first, that
+/// are halved. `impact`: by variable; NaN, or an empty list: not known. A variable is not halved if
+/// it has at most the part `least` of its range.
+[[nodiscard]] std::optional<std::size_t> choose_variable(std::span<const Interval> box,
+                                                         std::span<const double> ranges,
+                                                         std::span<const double> impact,
+                                                         double least);
+
+/// What a search counts, obeys, tells and saves.
+class BoxCourse {
+ public:
+  using Describe = std::function<void(SavedTree&)>;
+
+  /// `progress` may be null. It receives every split before those below it. All must outlive this
+  /// object.
+  BoxCourse(const Problem& problem, const BoxSearchSettings& settings, Observer* progress)
+      : problem_(problem), settings_(settings), progress_(progress) {}
+
+  [[nodiscard]] const BoxSearchSettings& settings() const { return settings_; }
+  [[nodiscard]] TreeBox root() const { return {0, 0, problem_.outer}; }
+  [[nodiscard]] std::uint64_t boxes() const { return boxes_; }
+  [[nodiscard]] double seconds() const;
+  [[nodiscard]] std::chrono::steady_clock::time_point deadline() const;
+  /// The limit that ended the search; nullopt: none did.
+  [[nodiscard]] std::optional<Reason> stopped_by() const { return stopped_by_; }
+  /// False: the search ended before the tree of an earlier run was restored.
+  [[nodiscard]] bool is_continued() const { return is_continued_; }
+
+  // For goals.
+
+  /// Requires  choose_variable() has chosen it.
+  [[nodiscard]] std::pair<TreeBox, TreeBox> split(TreeBox parent, std::size_t variable);
+  /// The box is not split any more.
+  void leaf(const TreeBox& box, Rule rule, double bound = std::numeric_limits<double>::infinity());
+  /// The same, after the search.
+  void leave_open(const TreeBox& box, Rule rule);
+  /// Saves the search as it is now, and no more: a limit cuts the next round.
+  void save_last(const Describe& describe);
+
+  // For the search.
+
+  void announce();
+  void count(std::uint64_t boxes) { boxes_ += boxes; }
+  [[nodiscard]] std::uint64_t left() const {
+    return settings_.max_boxes - std::min(boxes_, settings_.max_boxes);
+  }
+  void note_lack_of_memory() { is_out_of_memory_ = true; }
+  [[nodiscard]] bool lacks_memory() const { return is_out_of_memory_; }
+  void note_lack_of_continuation() { is_continued_ = false; }
+  /// True if a limit is reached.
+  [[nodiscard]] bool must_stop();
+  /// The same without the limit of boxes.
+  [[nodiscard]] bool must_pause();
+  void tell_progress(std::size_t open);
+  void tell_end();
+  void save_now_and_then(const Describe& describe);
+  void save(const Describe& describe);
+  void note_saved() { saved_ = seconds(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  [[nodiscard]] bool stop(Reason reason);
+  [[nodiscard]] Statistics statistics() const;
+
+  const Problem& problem_;
+  const BoxSearchSettings& settings_;
+  Observer* const progress_;
+  const Clock::time_point start_ = Clock::now();
+  std::uint64_t boxes_ = 0;
+  BoxId next_id_ = 1;
+  std::optional<Reason> stopped_by_;
+  bool is_out_of_memory_ = false, is_continued_ = true, is_saved_last_ = false;
+  SavedTree tree_;  ///< without its open boxes
+  double saved_ = 0, seconds_of_save_ = 0;
+};
+
+template <class Judge, class Goal>
+class BoxSearch {
+ public:
+  /// `most`: the number of boxes of a usual round. All must outlive this object.
+  BoxSearch(const typename Judge::Question& question, std::size_t most, BoxCourse& course,
+            Goal& goal)
+      : problem_(question.problem),
+        course_(course),
+        goal_(goal),
+        judges_(question, course.settings().threads, most, sharing(course.settings())) {}
+
+  /// Throws    SavedTreeError if settings().from is no tree of this problem; the exceptions of the
+  ///           workers.
+  void run() {
+    course_.announce();
+    if (!begin()) return;
+    while (!goal_.has_ended() && !course_.must_stop())
+      if (!judge_round()) break;
+    if constexpr (kCanContinue) course_.save(describe());
+  }
+
+ private:
+  using Finding = typename Judge::Finding;
+  static constexpr bool kCanContinue = requires(Goal & goal, SavedTree& tree) {
+    goal.describe(tree);
+  };
+
+  static BoxSharing sharing(const BoxSearchSettings& settings) {
+    return {settings.workers, settings.boxes_before_workers, settings.time_limit,
+            settings.interrupt};
+  }
+  [[nodiscard]] BoxCourse::Describe describe() {
+    return [this](SavedTree& tree) { goal_.describe(tree); };
+  }
+
+  /// Returns false if the search ends before its first round.
+  bool begin() {
+    if constexpr (kCanContinue) {
+      if (const SavedTree* from = course_.settings().from) return continue_from(*from);
+    }
+    goal_.start(course_.root());
+    return !Goal::kJudgesWhenMade || judge_round();
+  }
+
+  /// Returns false if there was nothing to judge.
+  bool judge_round() {
+    boxes_.clear();
+    goal_.fill(boxes_, course_.left());
+    if (boxes_.empty()) return false;
+    findings_.assign(boxes_.size(), {});
+    course_.count(boxes_.size());
+    if (!judges_.judge(boxes_, findings_, goal_.horizon())) course_.note_lack_of_memory();
+    goal_.conclude(findings_);
+    course_.tell_progress(goal_.open());
+    if constexpr (kCanContinue) course_.save_now_and_then(describe());
+    return true;
+  }
+
+  /// Nothing rests on the text but the splits.
+  bool continue_from(const SavedTree& from) {
+    const RestoredTree tree(from, problem_.outer, goal_.splittable());
+    const std::size_t judged = tree.leaves().size() - (Goal::kJudgesWhenMade ? 0 : tree.open());
+    course_.count(tree.size() - (tree.leaves().size() - judged));
+    TreeProof<Judge> proof(tree, judges_, [this] { return course_.must_pause(); });
+    if (!proof.prove(judged, from.shown)) {
+      if (!course_.must_pause())
+        course_.note_lack_of_memory(), static_cast<void>(course_.must_pause());
+      course_.note_lack_of_continuation();
+      goal_.start(course_.root());
+      return false;
+    }
+    for (std::size_t i = 0; i < from.shown.size(); ++i)
+      goal_.recall(box_of(tree, from.shown[i]), proof.shown()[i]);
+    goal_.resume_own(from.own);
+    repeat(tree, proof);
+    course_.note_saved();
+    return true;
+  }
+
+  /// Tells of the splits and leaves in their order.
+  void repeat(const RestoredTree& tree, TreeProof<Judge>& proof) {
+    std::size_t leaf = 0;
+    BoxId lower = 1;
+    for (const RestoredTree::Step& step : tree.steps()) {
+      if (!step.variable) {
+        goal_.resume(box_of(tree, step.box), proof.leaves()[leaf++], true);
+        continue;
+      }
+      static_cast<void>(tree.box(lower));  // it can be halved
+      static_cast<void>(course_.split(box_of(tree, step.box), *step.variable));
+      lower += 2;
+    }
+    for (; leaf < tree.leaves().size(); ++leaf) {
+      TreeBox box = box_of(tree, tree.leaves()[leaf].box);
+      if (leaf < proof.leaves().size())
+        goal_.resume(std::move(box), proof.leaves()[leaf], false);
+      else
+        goal_.reopen(std::move(box));
+    }
+    course_.tell_progress(goal_.open());
+  }
+
+  static TreeBox box_of(const RestoredTree& tree, BoxId id) {
+    return {id, tree.depth(id), tree.box(id)};
+  }
+
+  const Problem& problem_;
+  BoxCourse& course_;
+  Goal& goal_;
+  BoxJudges<Judge> judges_;
+  std::vector<std::vector<Interval>> boxes_;
+  std::vector<Finding> findings_;
+};
+
+}  // namespace regulus
