@@ -210,11 +210,11 @@ TEST_F(Margin, ContinuesFromItsCheckpoint) {
   const CommandResult whole = ask("whole");
   ASSERT_EQ(whole.exit_code, 0) << whole.errors;
   const json first = json::parse(whole.output), searches = json::parse(bytes_of("saved"));
-  ASSERT_EQ(searches["brackets"].size(), 1U);
-  ASSERT_GT(searches["brackets"].front().size(), 2U);
-  for (std::size_t kept = 0; kept <= searches["brackets"].front().size(); ++kept) {
+  ASSERT_EQ(searches["known"]["brackets"].size(), 1U);
+  ASSERT_GT(searches["known"]["brackets"].front().size(), 2U);
+  for (std::size_t kept = 0; kept <= searches["known"]["brackets"].front().size(); ++kept) {
     json part = searches;
-    json& some = part["brackets"].front();
+    json& some = part["known"]["brackets"].front();
     while (some.size() > kept) some.erase(std::prev(some.end()).key());
     std::ofstream(saved) << part.dump();
     const json report = json::parse(ask("part").output);

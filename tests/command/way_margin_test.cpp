@@ -149,12 +149,12 @@ TEST_F(WayMargin, ContinuesFromItsCheckpoint) {
   const CommandResult whole = ask(path("whole"));
   ASSERT_EQ(whole.exit_code, 0) << whole.errors;
   const json searches = json::parse(contents_of(saved));
-  ASSERT_EQ(searches["brackets"].size(), 1U);
-  const json& bracket = searches["brackets"].front();
+  ASSERT_EQ(searches["known"]["brackets"].size(), 1U);
+  const json& bracket = searches["known"]["brackets"].front();
   ASSERT_GT(bracket.size(), 3U);
   for (std::size_t kept = 0; kept <= bracket.size(); ++kept) {
     json part = searches;
-    json& some = part["brackets"].front();
+    json& some = part["known"]["brackets"].front();
     while (some.size() > kept) some.erase(std::prev(some.end()).key());
     file("saved", part.dump());
     const CommandResult run = ask(path("part"));
