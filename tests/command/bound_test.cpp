@@ -229,8 +229,8 @@ TEST_F(BoundCommandTest, MakesADatasheetThatComparesLimits) {
 TEST_F(BoundCommandTest, ADatasheetHasProofsAndContinues) {
   const std::string proof = folder_.path() / "proof", saved = folder_.path() / "saved";
   const auto ask = [&](const std::string& certificate) {
-    return run({"datasheet", model_, "--threads", "1", "--json", "--checkpoint", saved,
-                "--certificate", certificate});
+    return regulus({"datasheet", model_, "--threads", "1", "--json", "--checkpoint", saved,
+                    "--certificate", certificate});
   };
   const CommandResult first = ask(proof);
   const json sheet = json::parse(first.output);
@@ -251,7 +251,7 @@ TEST_F(BoundCommandTest, ADatasheetHasProofsAndContinues) {
   for (std::size_t i = 0; i < sheet["bounds"].size(); ++i)
     EXPECT_EQ(again["bounds"][i]["result"], sheet["bounds"][i]["result"]);
   const CommandResult other =
-      run({"datasheet", model_, "--checkpoint", saved, "--tolerance", "no=0.1"});
+      regulus({"datasheet", model_, "--checkpoint", saved, "--tolerance", "no=0.1"});
   EXPECT_NE(other.exit_code, 0);
 }
 
@@ -282,13 +282,14 @@ class BoundCheckpointTest : public BoundCommandTest {
 TEST_F(BoundCheckpointTest, LeadsToTheSameReportAndProofs) {
   const json whole = json::parse(ask({"--json"}).output);
   const std::string proofs_of_whole = proofs();
-  const auto all = saved();
+  const auto file = saved();
+  const auto& all = file.at("known").at("brackets");
   std::size_t searches = 0;
-  for (auto bracket = all.at("brackets").begin(); bracket != all.at("brackets").end(); ++bracket)
+  for (auto bracket = all.begin(); bracket != all.end(); ++bracket)
     for (std::size_t kept = 0; kept <= bracket->size(); kept += 3, ++searches) {
-      auto part = all;
-      auto& brackets = part.at("brackets");
-      for (auto later = std::next(bracket); later != all.at("brackets").end(); ++later)
+      auto part = file;
+      auto& brackets = part.at("known").at("brackets");
+      for (auto later = std::next(bracket); later != all.end(); ++later)
         brackets.erase(later.key());
       auto& some = brackets[bracket.key()] = json::object();
       std::size_t count = 0;
@@ -310,7 +311,7 @@ TEST_F(BoundCheckpointTest, OfAnotherQuestionOrDamagedIsRefused) {
   std::ofstream(file_) << "{";
   const CommandResult damaged = ask({});
   EXPECT_EQ(damaged.exit_code, 65);
-  EXPECT_THAT(damaged.errors, HasSubstr("not a checkpoint of a bracket, or it is damaged"));
+  EXPECT_THAT(damaged.errors, HasSubstr("not a checkpoint of such a question, or it is damaged"));
 }
 
 }  // namespace
