@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "codegen/answer/certificate/proof_status.hpp"
+#include "codegen/answer/report/output_options.hpp"
 #include "codegen/question/margin/margin_run.hpp"
 #include "codegen/question/way/trajectory_run.hpp"
 
