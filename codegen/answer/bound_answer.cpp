@@ -67,10 +67,7 @@ class AnswerOfBound final : public BoundAnswer {
     return closed ? Word::kProved : Word::kOpen;
   }
   [[nodiscard]] std::string headline() const override { return describe_bound(found_, settings_); }
-  [[nodiscard]] std::string text() const override {
-    return bound_report(request_, found_, settings_);
-  }
-  [[nodiscard]] Json json() const override { return json_bound(request_, found_, settings_); }
+  void tell(Facts& facts) const override { tell_bound(request_, found_, settings_, facts); }
   [[nodiscard]] std::string warning() const override { return checkpoint_line_; }
 
  private:
@@ -97,7 +94,9 @@ class AnswerOfBound final : public BoundAnswer {
     if (settings_.limit) {
       verdict = verdict_of(found_.verdict());
     } else {
-      const Json report = json_bracket_of(request_, found_, settings_);
+      Facts facts(Readers::kPrograms);
+      tell_bracket(request_, found_, settings_, facts);
+      const Json report = facts.object();
       if (report["attained"].is_number()) attained = report["attained"];
       if (report["proved"].is_number()) proved = report["proved"];
     }
@@ -140,8 +139,7 @@ class Sheet final : public DatasheetAnswer {
   [[nodiscard]] std::string headline() const override {
     return is_markdown_ ? markdown_datasheet(request_, found_) : text_datasheet(request_, found_);
   }
-  [[nodiscard]] std::string text() const override { return ""; }
-  [[nodiscard]] Json json() const override { return json_datasheet(request_, found_, settings_); }
+  void tell(Facts& facts) const override { tell_datasheet(request_, found_, settings_, facts); }
 
  private:
   Request request_;

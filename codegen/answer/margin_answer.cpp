@@ -66,16 +66,12 @@ class VarietyMargin final : public MarginAnswer {
   [[nodiscard]] std::string headline() const override {
     return describe_bracket(question_, found_);
   }
-  [[nodiscard]] std::string text() const override {
-    return margin_report(margin_.prepared, margin_.search, question_, found_);
+  void tell(Facts& facts) const override {
+    tell_margin(margin_.prepared, margin_.search, margin_.request.nominal(), question_, found_,
+                gap_, facts);
+    ends_.tell(facts);
   }
   [[nodiscard]] std::string about_files() const override { return ends_.lines(); }
-  [[nodiscard]] Json json() const override {
-    Json report = json_margin(margin_.prepared, margin_.search, margin_.request.nominal(),
-                              question_, found_, gap_);
-    ends_.add_to(report);
-    return report;
-  }
 
  private:
   MarginQuestion question_;
@@ -108,11 +104,8 @@ class WayMargin final : public MarginAnswer {
   [[nodiscard]] std::string headline() const override {
     return describe_bracket(question_, found_.margin);
   }
-  [[nodiscard]] std::string text() const override {
-    return format_trajectory_margin(found_, question_, search_);
-  }
-  [[nodiscard]] Json json() const override {
-    return json_trajectory_margin(found_, question_, search_, gap_);
+  void tell(Facts& facts) const override {
+    tell_trajectory_margin(found_, question_, search_, gap_, facts);
   }
 
  private:
@@ -160,11 +153,8 @@ class MarginOfLimit final : public MarginAnswer {
   [[nodiscard]] std::string headline() const override {
     return describe_limit_bracket(question_, found_);
   }
-  [[nodiscard]] std::string text() const override {
-    return limit_margin_report(request_, question_, found_, settings_);
-  }
-  [[nodiscard]] Json json() const override {
-    return json_limit_margin(request_, question_, found_, settings_);
+  void tell(Facts& facts) const override {
+    tell_limit_margin(request_, question_, found_, settings_, facts);
   }
   [[nodiscard]] std::string warning() const override { return checkpoint_line_; }
 

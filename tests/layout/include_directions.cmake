@@ -47,7 +47,6 @@ set(floors
 # Headers of one question for another, without codegen/question/.
 set(lent
     bound/bound_certificate.hpp
-    bound/bound_checkpoint.hpp
     bound/bound_number.hpp
     bound/bound_run.hpp
     bound/bracket_topic.hpp
@@ -59,7 +58,9 @@ set(lent
     way/path_bracket.hpp
     way/path_parts.hpp
     way/path_run.hpp
+    way/pieces_alone.hpp
     way/trajectory_certificate.hpp
+    way/trajectory_paving.hpp
     way/trajectory_report.hpp
     way/trajectory_request.hpp)
 

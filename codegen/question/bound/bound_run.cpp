@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "codegen/answer/report/progress.hpp"
-#include "codegen/answer/report/report_parts.hpp"
 #include "codegen/model/exact/certain_sign.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/model/exact/sign.hpp"

@@ -2,10 +2,10 @@
 // Every bound that a model has data for, in one table.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
+#include "codegen/answer/facts.hpp"
 #include "codegen/question/bound/bound_run.hpp"
 
 namespace regulus {
@@ -31,7 +31,8 @@ struct Datasheet {
 
 [[nodiscard]] std::string text_datasheet(const Request& request, const Datasheet& sheet);
 [[nodiscard]] std::string markdown_datasheet(const Request& request, const Datasheet& sheet);
-[[nodiscard]] nlohmann::ordered_json json_datasheet(const Request& request, const Datasheet& sheet,
-                                                    const BoundSettings& settings);
+/// Tells the sheet to programs.
+void tell_datasheet(const Request& request, const Datasheet& sheet, const BoundSettings& settings,
+                    Facts& facts);
 
 }  // namespace regulus

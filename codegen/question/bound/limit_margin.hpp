@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "codegen/answer/facts.hpp"
 #include "codegen/question/bound/attained_place.hpp"
 #include "codegen/question/bound/bound_checkpoint.hpp"
 #include "codegen/question/margin/margin_run.hpp"
@@ -59,15 +60,9 @@ using StepListener = MarginRun::Listener;
 [[nodiscard]] std::string describe_limit_bracket(const MarginQuestion& question,
                                                  const LimitMargin& margin);
 
-/// Returns the report but for the lines of the steps and the bracket.
-[[nodiscard]] std::string limit_margin_report(const Request& request,
-                                              const MarginQuestion& question,
-                                              const LimitMargin& margin,
-                                              const LimitMarginSettings& settings);
-
-[[nodiscard]] nlohmann::ordered_json json_limit_margin(const Request& request,
-                                                       const MarginQuestion& question,
-                                                       const LimitMargin& margin,
-                                                       const LimitMarginSettings& settings);
+/// Tells the bracket, the place where the limit is exceeded, and the components.
+void tell_limit_margin(const Request& request, const MarginQuestion& question,
+                       const LimitMargin& margin, const LimitMarginSettings& settings,
+                       Facts& facts);
 
 }  // namespace regulus

@@ -8,9 +8,9 @@
 
 #include "codegen/answer/certificate/certificate_question.hpp"
 #include "codegen/answer/certificate/piece_question.hpp"
+#include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/progress.hpp"
 #include "codegen/answer/report/report.hpp"
-#include "codegen/answer/report/report_parts.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/model/way/trajectory.hpp"
 #include "codegen/question/bound/bound_certificate.hpp"

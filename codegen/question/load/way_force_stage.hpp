@@ -6,7 +6,7 @@
 #include <chrono>
 
 #include "codegen/question/load/way_forces.hpp"
-#include "codegen/question/way/path_bounds.hpp"
+#include "codegen/question/way/path_parts.hpp"
 
 namespace regulus {
 

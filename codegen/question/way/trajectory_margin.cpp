@@ -5,7 +5,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "codegen/answer/report/report_parts.hpp"
 #include "codegen/question/margin/margin_report.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 #include "codegen/support/stopwatch.hpp"
@@ -73,31 +72,18 @@ TrajectoryMargin margin_of_trajectory(const MarginRequest& request, const Margin
   return found;
 }
 
-std::string format_trajectory_margin(const TrajectoryMargin& found, const MarginQuestion& question,
-                                     const SearchOptions& search) {
+void tell_trajectory_margin(const TrajectoryMargin& found, const MarginQuestion& question,
+                            const SearchOptions& search, double gap, Facts& facts) {
   const Margin& margin = found.margin;
-  const TrajectoryCheck& check = found.refuted ? *found.refuted : found.last;
-  std::string text = format_trajectory_question(check, search);
-  text += fmt::format("margin     {}, from {} to {}: {} boxes at {} values\n",
-                      describe_quantity(question), question.low.text,
-                      question.high ? question.high->text : "where it ends", margin.boxes,
-                      margin.steps.size());
+  tell_trajectory_question(found.refuted ? *found.refuted : found.last, search, facts);
+  facts.say("margin", fmt::format("{}: {} boxes at {} values", describe_range(question),
+                                  margin.boxes, margin.steps.size()));
+  add_bracket(question, margin, facts);
   for (const auto* step : {&margin.empty, &margin.certified, &margin.refuted})
-    if (*step) text += fmt::format("at {}: {}\n", (*step)->value.text, (*step)->claim);
-  if (found.refuted) text += format_deciding_piece(*found.refuted);
-  if (margin.gap) text += fmt::format("gap        {:.3g} % of the upper end\n", 100 * *margin.gap);
-  return text;
-}
-
-nlohmann::ordered_json json_trajectory_margin(const TrajectoryMargin& found,
-                                              const MarginQuestion& question,
-                                              const SearchOptions& search, double gap) {
-  nlohmann::ordered_json report = json_bracket(question, found.margin, gap);
-  add_trajectory_question(report, found.refuted ? *found.refuted : found.last, search);
-  report["boxes"] = found.margin.boxes;
-  report["segment"] =
-      found.refuted ? json_trajectory(*found.refuted, search)["segment"] : nlohmann::ordered_json();
-  return report;
+    say_end(*step, facts);
+  facts.add("segment", nullptr).add("witness", nullptr);
+  if (found.refuted) tell_deciding_piece(*found.refuted, facts);
+  tell_gap(margin, gap, facts);
 }
 
 }  // namespace regulus

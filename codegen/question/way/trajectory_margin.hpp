@@ -6,6 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 
+#include "codegen/answer/facts.hpp"
 #include "codegen/question/margin/margin_run.hpp"
 #include "codegen/question/way/trajectory_run.hpp"
 
@@ -25,13 +26,8 @@ struct TrajectoryMargin {
                                                     const PathWatch& watch,
                                                     const MarginRun::Listener& listener);
 
-/// Returns the lines for people, without the bracket.
-[[nodiscard]] std::string format_trajectory_margin(const TrajectoryMargin& found,
-                                                   const MarginQuestion& question,
-                                                   const SearchOptions& search);
-[[nodiscard]] nlohmann::ordered_json json_trajectory_margin(const TrajectoryMargin& found,
-                                                            const MarginQuestion& question,
-                                                            const SearchOptions& search,
-                                                            double gap);
+/// Tells the bracket and the check at its unsafe end.
+void tell_trajectory_margin(const TrajectoryMargin& found, const MarginQuestion& question,
+                            const SearchOptions& search, double gap, Facts& facts);
 
 }  // namespace regulus

@@ -29,10 +29,12 @@ Services services_of(const OutputOptions& output, const std::string& certificate
 
 void print(const Answer& answer, const CommandQuestion& question) {
   const OutputOptions& output = question.output;
-  if (!output.quiet) print_report(answer.text() + answer.about_files());
+  Facts facts(!output.json ? Readers::kPeople : output.quiet ? Readers::kPrograms : Readers::kBoth);
+  if (output.json || !output.quiet) answer.tell(facts);
+  if (!output.quiet) print_report(facts.text() + answer.about_files());
   print_report(answer.warning());
   if (output.json)
-    std::cout << report_text(answer.json(), output.json_indent) << '\n';
+    std::cout << report_text(facts.report(), output.json_indent) << '\n';
   else if (std::holds_alternative<AskDatasheet>(question.asked))
     std::cout << answer.headline();
   else if (!question.prints_lines)
