@@ -69,8 +69,7 @@ TEST(ACertificateBeyondTheLimitOfTheFormat, IsAnnouncedAsSuch) {
     std::filesystem::resize_file(ProofFile::partial_file(path), length);
     CertificateFile file(path, preparation, ProofFile::Partial{length, 1});
     file.finish(result);
-    nlohmann::ordered_json report;
-    file.status().add_to(report);
+    const auto report = report_of_facts([&](Facts& facts) { file.status().tell(facts); });
     return std::pair(file.status().line(), report);
   };
   const std::uint64_t end = std::string("end 1\n").size();
