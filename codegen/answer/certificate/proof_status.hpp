@@ -100,6 +100,9 @@ class EndProofs {
   /// Writes the file of an end. Throws FileError.
   void write_safe(std::shared_ptr<ProofFile> complete, std::string words);
   void write_singular(const std::string& head, const std::string& witness, std::string words);
+  /// Takes the file of an end, or why there is none, from an earlier run for the same files.
+  void keep_safe(const EndProofs& earlier) { safe_ = earlier.safe_; }
+  void keep_singular(const EndProofs& earlier) { singular_ = earlier.singular_; }
   /// An end has no proof; one that was written before stays.
   void set_no_safe(std::string why);
   void set_no_singular(std::string why);

@@ -9,6 +9,7 @@
 #include "codegen/question/bound/limit_margin.hpp"
 #include "codegen/question/bound/quantity_report.hpp"
 #include "codegen/question/margin/margin_report.hpp"
+#include "codegen/question/way/trajectory_report.hpp"
 
 namespace regulus {
 namespace {
@@ -94,6 +95,7 @@ void tell_limit_margin(const Request& request, const MarginQuestion& question,
   facts.add("quantity", json_quantity(request.model, margin.quantity));
   add_bracket(question, margin.whole, facts);
   facts.add("bracket", describe_limit_bracket(question, margin));
+  if (request.motion.trajectory) facts.add("waypoints", json_waypoints(*request.motion.trajectory));
   facts.say("boxes", fmt::format("{} evaluated", margin.whole.boxes));
   tell_time(seconds_of(margin), facts);
   if (const ComponentMargin* c = exceeding(margin); c && c->exceeded) {

@@ -93,8 +93,11 @@ CommandQuestion question_of(const BoundCommand& given) {
 }
 
 CommandQuestion question_of(const DatasheetCommand& command) {
-  return {AskDatasheet{command.model, command.search, command.gap, command.markdown},
-          command.output, services_of(command.output, "")};
+  CommandQuestion question{
+      AskDatasheet{command.model, command.search, command.gap, command.markdown}, command.output,
+      services_of(command.output, command.certificate)};
+  question.services.checkpoint.path = command.checkpoint;
+  return question;
 }
 
 int run_question(CommandQuestion question, const std::string& typed) {
