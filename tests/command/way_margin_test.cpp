@@ -110,7 +110,8 @@ TEST_F(WayMargin, HasProofsOfBothEnds) {
     EXPECT_EQ(json::parse(run.output)["certificates"]["singular"], proof + ".singular");
     for (const char* end : {".safe", ".singular"}) {
       EXPECT_TRUE(proves(proof + end)) << end;
-      const CommandResult compared = regulus({"verify", proof + end, "--model", cart_});
+      const CommandResult compared =
+          regulus({"verify", proof + end, "--model", cart_, "--allow-options"});
       EXPECT_EQ(compared.exit_code, 0) << end << compared.errors;
     }
     std::string text = contents_of(proof + ".safe");
