@@ -155,7 +155,8 @@ TEST_F(ForcesCommandTest, WritesProofsThatBothVerifiersAccept) {
       words.emplace_back(word);
     words.insert(words.end(), {"--range", range});
     EXPECT_EQ(json::parse(regulus(words).output)["certificate"], proof);
-    const CommandResult own = regulus({"verify", proof, "--model", model_, "--quiet"});
+    const CommandResult own =
+        regulus({"verify", proof, "--model", model_, "--allow-options", "--quiet"});
     const CommandResult other =
         run_command({kVerify, proof, "--model", model_, "--allow-options", "--quiet"});
     return own.output + other.output;
