@@ -189,7 +189,9 @@ TEST_F(WayMargin, KeepsALimitOfASpeed) {
   EXPECT_EQ(report["components"][0]["place"]["segment"]["segment"], 4);
   EXPECT_TRUE(proves(proof + ".leg_1.safe"));
   EXPECT_TRUE(proves(proof + ".leg_1.singular"));
-  EXPECT_EQ(regulus({"verify", proof + ".leg_1.safe", "--model", shear_}).exit_code, 0);
+  EXPECT_EQ(
+      regulus({"verify", proof + ".leg_1.safe", "--model", shear_, "--allow-options"}).exit_code,
+      0);
   const json again = json::parse(ask(path("again")).output);
   for (const char* key : {"bracket", "boxes"}) EXPECT_EQ(again[key], report[key]) << key;
   EXPECT_TRUE(proves(path("again.leg_1.safe")));
