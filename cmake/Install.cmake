@@ -107,7 +107,7 @@ if(REGULUS_CODEGEN)
           LIBRARY DESTINATION ${plugin_dir} COMPONENT jit)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/models DESTINATION ${CMAKE_INSTALL_DATADIR}/regulus
           COMPONENT codegen FILES_MATCHING PATTERN "*.toml")
-  install(FILES ${PROJECT_SOURCE_DIR}/codegen/model/file/model.schema.json ${PROJECT_SOURCE_DIR}/codegen/answer/report/report.schema.json
+  install(FILES ${PROJECT_SOURCE_DIR}/codegen/model/file/model.schema.json ${PROJECT_BINARY_DIR}/share/regulus/schema/report.schema.json
           DESTINATION ${CMAKE_INSTALL_DATADIR}/regulus/schema COMPONENT codegen)
   if(REGULUS_PAGE_TEMPLATE)
     install(FILES ${REGULUS_PAGE_TEMPLATE} DESTINATION ${CMAKE_INSTALL_DATADIR}/regulus COMPONENT codegen OPTIONAL)

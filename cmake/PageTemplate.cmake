@@ -34,11 +34,13 @@ set(REGULUS_PAGE_TEMPLATE ${PROJECT_BINARY_DIR}/share/regulus/page.html CACHE IN
 regulus_npm_packages(regulus_page_packages ${web} ${work})
 
 file(GLOB_RECURSE page_sources CONFIGURE_DEPENDS ${web}/src/* ${web}/build.mjs ${web}/tsconfig.json)
+# Made from the table of keys.
+set(types ${PROJECT_BINARY_DIR}/codegen/answer/report_types.ts)
 add_custom_command(
   OUTPUT ${REGULUS_PAGE_TEMPLATE}
-  COMMAND ${CMAKE_COMMAND} -DFOLDER=${web} -DWORK=${work} -DNODE=${REGULUS_NODE} -DPAGE=${REGULUS_PAGE_TEMPLATE}
+  COMMAND ${CMAKE_COMMAND} -DFOLDER=${web} -DWORK=${work} -DNODE=${REGULUS_NODE} -DPAGE=${REGULUS_PAGE_TEMPLATE} -DTYPES=${types}
           -P ${PROJECT_SOURCE_DIR}/cmake/build_page.cmake
-  DEPENDS ${page_sources} ${work}/tried
+  DEPENDS ${page_sources} ${work}/tried ${types} regulus_schema
   COMMENT "Building the page of regulus report"
   VERBATIM)
 add_custom_target(regulus_page_template ALL DEPENDS ${REGULUS_PAGE_TEMPLATE})

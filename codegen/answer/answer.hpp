@@ -3,9 +3,9 @@
 #pragma once
 
 #include <atomic>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "codegen/answer/facts.hpp"
 #include "codegen/support/exit_code.hpp"
 
 namespace regulus {
@@ -34,13 +34,19 @@ class Answer {
   [[nodiscard]] virtual Word word() const = 0;
   /// Returns "NO SINGULARITY" or "BETWEEN 21.12 AND 21.29 N (leg 3)"; of a datasheet its table.
   [[nodiscard]] virtual std::string headline() const = 0;
-  /// Returns the report for people, lines that precede the headline. Those that Services::on_line
-  /// has told are not among them.
-  [[nodiscard]] virtual std::string text() const = 0;
+  /// Tells the claim, the witness and the numbers. The lines that Services::on_line has told are not
+  /// among them.
+  virtual void tell(Facts& facts) const = 0;
+  /// Returns the lines for people that precede the headline.
+  [[nodiscard]] std::string text() const {
+    return text_of_facts([this](Facts& facts) { tell(facts); });
+  }
   /// Returns the lines about files that were written beside it, or could not be.
   [[nodiscard]] virtual std::string about_files() const { return ""; }
   /// Returns the report for programs.
-  [[nodiscard]] virtual nlohmann::ordered_json json() const = 0;
+  [[nodiscard]] nlohmann::ordered_json json() const {
+    return report_of_facts([this](Facts& facts) { tell(facts); });
+  }
   /// Returns lines that people must see with any other output; usually empty.
   [[nodiscard]] virtual std::string warning() const { return ""; }
 

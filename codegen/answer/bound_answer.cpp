@@ -67,17 +67,14 @@ class AnswerOfBound final : public BoundAnswer {
     return closed ? Word::kProved : Word::kOpen;
   }
   [[nodiscard]] std::string headline() const override { return describe_bound(found_, settings_); }
-  [[nodiscard]] std::string text() const override {
-    return bound_report(request_, found_, settings_);
-  }
-  [[nodiscard]] Json json() const override { return json_bound(request_, found_, settings_); }
+  void tell(Facts& facts) const override { tell_bound(request_, found_, settings_, facts); }
   [[nodiscard]] std::string warning() const override { return checkpoint_line_; }
 
  private:
   void run(Quantity quantity, const Services& services) {
     HeldFiles held;
     settings_.held = &held;
-    std::optional<BoundCheckpoint> checkpoint;
+    std::optional<BracketCheckpoint> checkpoint;
     if (!services.checkpoint.path.empty())
       settings_.checkpoint = &checkpoint.emplace(
           services.checkpoint.path, checkpointed_question(request_, quantity, settings_.search));
@@ -97,7 +94,9 @@ class AnswerOfBound final : public BoundAnswer {
     if (settings_.limit) {
       verdict = verdict_of(found_.verdict());
     } else {
-      const Json report = json_bracket_of(request_, found_, settings_);
+      Facts facts(Readers::kPrograms);
+      tell_bracket(request_, found_, settings_, facts);
+      const Json report = facts.object();
       if (report["attained"].is_number()) attained = report["attained"];
       if (report["proved"].is_number()) proved = report["proved"];
     }
@@ -119,11 +118,14 @@ class Sheet final : public DatasheetAnswer {
     settings_.gap = read_gap(asked.gap);
     settings_.search = asked.search;
     settings_.output = display_of(services);
+    settings_.certificate = services.certificate;
     settings_.interrupt = services.interrupt;
+    set_outputs_aside(asked.model, asked.search, services,
+                      datasheet_files(request_, services.certificate));
     services.begin_search();
     services.tell(
         fmt::format("model      {}\nmotion     {}\n", request_.model.name, request_.motion.name));
-    found_ = make_datasheet(request_, settings_, [](const ComponentBound&) {});
+    run(services);
   }
 
   [[nodiscard]] Word word() const override {
@@ -140,14 +142,39 @@ class Sheet final : public DatasheetAnswer {
   [[nodiscard]] std::string headline() const override {
     return is_markdown_ ? markdown_datasheet(request_, found_) : text_datasheet(request_, found_);
   }
-  [[nodiscard]] std::string text() const override { return ""; }
-  [[nodiscard]] Json json() const override { return json_datasheet(request_, found_, settings_); }
+  void tell(Facts& facts) const override { tell_datasheet(request_, found_, settings_, facts); }
+  [[nodiscard]] std::string about_files() const override {
+    std::string lines;
+    for (const Bound& bound : found_.bounds)
+      for (const ComponentBound& c : bound.components) lines += c.proofs.lines();
+    return lines;
+  }
+  [[nodiscard]] std::string warning() const override { return checkpoint_line_; }
 
  private:
+  void run(const Services& services) {
+    HeldFiles held;
+    settings_.held = &held;
+    std::optional<BracketCheckpoint> checkpoint;
+    if (!services.checkpoint.path.empty())
+      settings_.checkpoint = &checkpoint.emplace(
+          services.checkpoint.path, checkpointed_datasheet(request_, settings_.search));
+    found_ = make_datasheet(request_, settings_, [](const ComponentBound&) {});
+    held.put_in_place();
+    settings_.held = nullptr;
+    settings_.checkpoint = nullptr;
+    if (checkpoint) checkpoint_line_ = checkpoint->line();
+    for (const Bound& bound : found_.bounds)
+      for (const ComponentBound& c : bound.components)
+        for (ProofOfEnd& proof : proofs_of_ends(c.proofs, c.component.label))
+          proofs.push_back(std::move(proof));
+  }
+
   Request request_;
   bool is_markdown_;
   BoundSettings settings_;
   Datasheet found_;
+  std::string checkpoint_line_;
 };
 
 }  // namespace

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Has the motion a singular pose?
-#include <nlohmann/json.hpp>
-
 #include "codegen/answer/ask.hpp"
 #include "codegen/answer/certificate/certificate_file.hpp"
 #include "codegen/answer/outputs.hpp"
@@ -20,8 +18,6 @@
 
 namespace regulus {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// True if the compiler's work is kept for a later run and no end was requested.
 bool is_worth_waiting(const PreparedSearch& preparation, const Result& result) {
@@ -55,15 +51,11 @@ class VarietyCheck final : public CheckAnswer {
   }
 
   [[nodiscard]] std::string claim() const override { return regulus::claim(prepared_, result); }
-  [[nodiscard]] std::string text() const override {
-    return text_report(prepared_, search_, result, nearest_);
+  void tell(Facts& facts) const override {
+    tell_report(prepared_, search_, result, nearest_, facts);
+    proof.tell(facts);
   }
   [[nodiscard]] std::string about_files() const override { return proof.line() + checkpoint_line_; }
-  [[nodiscard]] Json json() const override {
-    Json report = json_report(prepared_, search_, result, nearest_);
-    proof.add_to(report);
-    return report;
-  }
   [[nodiscard]] Rest wait_for_rest(const std::atomic<bool>& interrupted) override {
     LateCompilation* const late = prepared_.late.get();
     if (late == nullptr) return {};
@@ -99,13 +91,11 @@ class WayCheck final : public CheckAnswer {
   }
 
   [[nodiscard]] std::string claim() const override { return describe_trajectory_claim(check_); }
-  [[nodiscard]] std::string text() const override { return format_trajectory(check_, search_); }
-  [[nodiscard]] std::string about_files() const override { return proof.line(); }
-  [[nodiscard]] Json json() const override {
-    Json report = json_trajectory(check_, search_);
-    proof.add_to(report);
-    return report;
+  void tell(Facts& facts) const override {
+    tell_trajectory(check_, search_, facts);
+    proof.tell(facts);
   }
+  [[nodiscard]] std::string about_files() const override { return proof.line(); }
 
  private:
   SearchOptions search_;

@@ -103,7 +103,10 @@ class LoadPavingAnswer : public LoadAnswer {
   Interval feasible{0, 1}, infeasible{0, 1}, undecided{0, 1}, outside{0, 1};
 };
 
-class DatasheetAnswer : public Answer {};
+class DatasheetAnswer : public Answer {
+ public:
+  std::vector<ProofOfEnd> proofs;  ///< of all quantities, in order
+};
 
 /// Returns the word of a verdict.
 [[nodiscard]] Word word_of(Verdict verdict) noexcept;

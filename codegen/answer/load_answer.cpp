@@ -21,11 +21,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-void set_texts(LoadAnswer& answer, const Json& report) {
-  if (report["claim"].is_string()) answer.claim = report["claim"];
-  if (report["reason"].is_string()) answer.reason = report["reason"];
-}
-
 /// A search with its certificate, of a whole motion or of a paving.
 class LoadSearch {
  public:
@@ -45,22 +40,20 @@ class LoadSearch {
     checkpoint_line_ = checkpoint.line();
   }
 
-  /// `volumes`: of a paving, or null.
-  void describe(LoadAnswer& answer, const ForceVolumes* volumes) const {
+  void describe(LoadAnswer& answer) const {
     answer.verdict = result_.verdict;
     answer.boxes = result_.boxes;
     answer.proof = certificate_.status();
     for (const VariableLabel& variable : prepared_.preparation.labels.variables)
       answer.variables.push_back(variable.name);
-    set_texts(answer, json_forces(prepared_, result_, volumes));
+    if (answer.verdict == FeasibilityVerdict::kFeasible) answer.claim = describe_claim(prepared_);
+    if (answer.verdict == FeasibilityVerdict::kPossibleProblem)
+      answer.reason = describe_reason(prepared_, result_);
   }
-  [[nodiscard]] std::string text(const ForceVolumes* volumes) const {
-    return format_forces(prepared_, result_, volumes);
-  }
-  [[nodiscard]] Json json(const ForceVolumes* volumes) const {
-    Json report = json_forces(prepared_, result_, volumes);
-    certificate_.status().add_to(report);
-    return report;
+  /// `volumes`: of a paving, or null.
+  void tell(const ForceVolumes* volumes, Facts& facts) const {
+    tell_forces(prepared_, result_, volumes, facts);
+    certificate_.status().tell(facts);
   }
 
   [[nodiscard]] PreparedForces& prepared() { return prepared_; }
@@ -84,12 +77,11 @@ class VarietyLoad final : public LoadAnswer {
     search_.run(
         settings_of(search_.prepared(), services.interrupt),
         [](std::span<const Interval>, ForceClaim) {}, services);
-    search_.describe(*this, nullptr);
+    search_.describe(*this);
   }
 
-  [[nodiscard]] std::string text() const override { return search_.text(nullptr); }
+  void tell(Facts& facts) const override { search_.tell(nullptr, facts); }
   [[nodiscard]] std::string about_files() const override { return search_.about_files(); }
-  [[nodiscard]] Json json() const override { return search_.json(nullptr); }
 
  private:
   LoadSearch search_;
@@ -106,14 +98,13 @@ class WayLoad final : public LoadAnswer {
     verdict = found_.verdict;
     boxes = found_.boxes;
     proof = certify_way_forces(services.certificate, found_);
-    set_texts(*this, json_way_forces(found_));
+    if (verdict == FeasibilityVerdict::kFeasible) claim = describe_claim(found_);
+    if (verdict == FeasibilityVerdict::kPossibleProblem) reason = describe_reason(found_);
   }
 
-  [[nodiscard]] std::string text() const override { return format_way_forces(found_); }
-  [[nodiscard]] Json json() const override {
-    Json report = json_way_forces(found_);
-    proof.add_to(report);
-    return report;
+  void tell(Facts& facts) const override {
+    tell_way_forces(found_, facts);
+    proof.tell(facts);
   }
 
  private:
@@ -139,13 +130,12 @@ class VarietyLoadPaving final : public LoadPavingAnswer {
       write(json_forces_box(prepared, box, held));
       if (services.on_force_box) services.on_force_box(held, box);
     });
-    write(json_forces(prepared, search_.result(), &volumes_));
+    write(json());
     lines.finish();
   }
 
-  [[nodiscard]] std::string text() const override { return search_.text(&volumes_); }
+  void tell(Facts& facts) const override { search_.tell(&volumes_, facts); }
   [[nodiscard]] std::string about_files() const override { return search_.about_files(); }
-  [[nodiscard]] Json json() const override { return search_.json(&volumes_); }
 
  private:
   void pave(const Services& services, const ForceListener& listener) {
@@ -154,7 +144,7 @@ class VarietyLoadPaving final : public LoadPavingAnswer {
     settings.min_relative_width = resolution_;
     services.begin_search();
     search_.run(settings, listener, services);
-    search_.describe(*this, &volumes_);
+    search_.describe(*this);
     feasible = volumes_.fraction(ForceClaim::kFeasible);
     infeasible = volumes_.fraction(ForceClaim::kInfeasible);
     undecided = volumes_.fraction(ForceClaim::kUndecided);
@@ -179,12 +169,12 @@ class WayLoadPaving final : public LoadPavingAnswer {
         {services.interrupt, display.observer()});
     verdict = paving_.found.verdict;
     boxes = paving_.found.boxes;
-    set_texts(*this, json_way_forces(paving_.found));
+    if (verdict == FeasibilityVerdict::kFeasible) claim = describe_claim(paving_.found);
+    if (verdict == FeasibilityVerdict::kPossibleProblem) reason = describe_reason(paving_.found);
     write();
   }
 
-  [[nodiscard]] std::string text() const override { return format_way_force_paving(paving_); }
-  [[nodiscard]] Json json() const override { return json_way_force_paving(paving_); }
+  void tell(Facts& facts) const override { tell_way_force_paving(paving_, facts); }
 
  private:
   void write() {

@@ -6,12 +6,13 @@
 #include "codegen/answer/bracket_ends.hpp"
 #include "codegen/answer/outputs.hpp"
 #include "codegen/answer/refusals.hpp"
-#include "codegen/answer/report/progress.hpp"
 #include "codegen/question/bound/bound_question.hpp"
 #include "codegen/question/bound/bound_run.hpp"
 #include "codegen/question/bound/limit_margin.hpp"
 #include "codegen/question/margin/margin_report.hpp"
 #include "codegen/question/margin/prepared_margin.hpp"
+#include "codegen/question/margin/variety_attempts.hpp"
+#include "codegen/question/way/margin_checkpoint.hpp"
 #include "codegen/question/way/trajectory_margin.hpp"
 #include "codegen/support/errors.hpp"
 
@@ -20,7 +21,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-MarginRun::Listener steps_of(const Services& services) {
+StepListener steps_of(const Services& services) {
   return [&services](const MarginStep& step) { services.tell(format_step(step)); };
 }
 
@@ -45,16 +46,19 @@ class VarietyMargin final : public MarginAnswer {
                 watch_of(services)) {
     margin_.settings.interrupt = services.interrupt;
     services.begin_search();
+    const MarginCheckpoint checkpoint(services.checkpoint.path, margin_.request.nominal(),
+                                      question_, asked.search);
     HeldFiles held;
-    MarginCertificates certificates(services.certificate, margin_.request, margin_.prepared.labels,
-                                    &held);
-    found_ =
-        MarginRun(margin_.prepared, question_, margin_.request, margin_.search,
-                  display_of(services), margin_.settings, gap_, certificates, steps_of(services))
-            .run();
+    const OutputOptions display = display_of(services);
+    VarietyAttempts attempts(margin_, question_, display,
+                             margin_proofs(services.certificate, &held));
+    found_ = close_bracket(attempts, question_,
+                           {limits_of(margin_.settings, gap_), services.interrupt,
+                            steps_of(services), checkpoint.searches()});
     held.put_in_place();
     margin_.prepared.seconds.search = found_.seconds;
-    ends_ = certificates.proofs();
+    ends_ = attempts.proofs();
+    checkpoint_line_ = checkpoint.line();
     set_ends(*this, found_);
     proofs = proofs_of_ends(ends_, "");
   }
@@ -66,16 +70,13 @@ class VarietyMargin final : public MarginAnswer {
   [[nodiscard]] std::string headline() const override {
     return describe_bracket(question_, found_);
   }
-  [[nodiscard]] std::string text() const override {
-    return margin_report(margin_.prepared, margin_.search, question_, found_);
+  void tell(Facts& facts) const override {
+    tell_margin(margin_.prepared, margin_.search, margin_.request.nominal(), question_, found_,
+                gap_, facts);
+    ends_.tell(facts);
   }
   [[nodiscard]] std::string about_files() const override { return ends_.lines(); }
-  [[nodiscard]] Json json() const override {
-    Json report = json_margin(margin_.prepared, margin_.search, margin_.request.nominal(),
-                              question_, found_, gap_);
-    ends_.add_to(report);
-    return report;
-  }
+  [[nodiscard]] std::string warning() const override { return checkpoint_line_; }
 
  private:
   MarginQuestion question_;
@@ -83,6 +84,7 @@ class VarietyMargin final : public MarginAnswer {
   PreparedMargin margin_;
   Margin found_;
   EndProofs ends_;
+  std::string checkpoint_line_;
 };
 
 /// Of a motion along way-points.
@@ -95,10 +97,17 @@ class WayMargin final : public MarginAnswer {
         gap_(read_gap(asked.gap)),
         request_(std::move(request), question_) {
     services.begin_search();
-    SearchDisplay display(display_of(services));
-    found_ = margin_of_trajectory(request_, question_, search_, gap_,
-                                  {services.interrupt, display.observer()}, steps_of(services));
+    const MarginCheckpoint checkpoint(services.checkpoint.path, request_.nominal(), question_,
+                                      search_);
+    HeldFiles held;
+    found_ =
+        margin_of_trajectory(request_, question_, search_, gap_, display_of(services),
+                             {{}, services.interrupt, steps_of(services), checkpoint.searches()},
+                             margin_proofs(services.certificate, &held));
+    held.put_in_place();
+    checkpoint_line_ = checkpoint.line();
     set_ends(*this, found_.margin);
+    proofs = proofs_of_ends(found_.proofs, "");
   }
 
   [[nodiscard]] Word word() const override {
@@ -108,12 +117,11 @@ class WayMargin final : public MarginAnswer {
   [[nodiscard]] std::string headline() const override {
     return describe_bracket(question_, found_.margin);
   }
-  [[nodiscard]] std::string text() const override {
-    return format_trajectory_margin(found_, question_, search_);
+  void tell(Facts& facts) const override {
+    tell_trajectory_margin(found_, question_, search_, gap_, facts);
   }
-  [[nodiscard]] Json json() const override {
-    return json_trajectory_margin(found_, question_, search_, gap_);
-  }
+  [[nodiscard]] std::string about_files() const override { return found_.proofs.lines(); }
+  [[nodiscard]] std::string warning() const override { return checkpoint_line_; }
 
  private:
   MarginQuestion question_;
@@ -121,6 +129,7 @@ class WayMargin final : public MarginAnswer {
   double gap_;
   MarginRequest request_;
   TrajectoryMargin found_;
+  std::string checkpoint_line_;
 };
 
 /// Returns everything that the bracket of a limit depends on.
@@ -160,11 +169,8 @@ class MarginOfLimit final : public MarginAnswer {
   [[nodiscard]] std::string headline() const override {
     return describe_limit_bracket(question_, found_);
   }
-  [[nodiscard]] std::string text() const override {
-    return limit_margin_report(request_, question_, found_, settings_);
-  }
-  [[nodiscard]] Json json() const override {
-    return json_limit_margin(request_, question_, found_, settings_);
+  void tell(Facts& facts) const override {
+    tell_limit_margin(request_, question_, found_, settings_, facts);
   }
   [[nodiscard]] std::string warning() const override { return checkpoint_line_; }
 
@@ -172,7 +178,7 @@ class MarginOfLimit final : public MarginAnswer {
   void run(const Json& checkpointed, Quantity quantity, const Services& services) {
     HeldFiles held;
     settings_.held = &held;
-    std::optional<BoundCheckpoint> checkpoint;
+    std::optional<BracketCheckpoint> checkpoint;
     if (!services.checkpoint.path.empty())
       settings_.checkpoint = &checkpoint.emplace(services.checkpoint.path, checkpointed);
     found_ = limit_margin(request_, question_, std::move(quantity), settings_, steps_of(services));

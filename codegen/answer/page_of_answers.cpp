@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 /// A page has the proof itself.
 Json without_files(Json report) {
   for (const char* key : {"certificate", "certificate_obstacle", "certificate_note", "certificates",
-                          "certificate_obstacles"})
+                          "certificate_obstacles", "proof"})
     report.erase(key);
   return report;
 }
@@ -50,7 +50,9 @@ Json paving_of(const PavingAnswer& answer, std::string tree) {
 }
 
 ShownAnswer shown(const Asked& asked, const Answer& answer) {
-  return {kind_of(asked), answer.headline(), answer.text(), without_files(answer.json())};
+  Facts facts;
+  answer.tell(facts);
+  return {kind_of(asked), answer.headline(), facts.text(), without_files(facts.report())};
 }
 
 /// The proof of a check is in the page, whether a file of it is wanted or not.

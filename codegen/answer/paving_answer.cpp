@@ -50,15 +50,11 @@ class VarietyPaving final : public PavingAnswer {
   }
 
   [[nodiscard]] Json header() const override { return json_paving_header(prepared_, options_); }
-  [[nodiscard]] std::string text() const override {
-    return paving_report(prepared_, search_, options_, volumes_, result);
+  void tell(Facts& facts) const override {
+    tell_paving(prepared_, search_, options_, volumes_, result, facts);
+    proof.tell(facts);
   }
   [[nodiscard]] std::string about_files() const override { return proof.line(); }
-  [[nodiscard]] Json json() const override {
-    Json summary = json_paving_summary(prepared_, search_, options_, volumes_, result);
-    proof.add_to(summary);
-    return summary;
-  }
 
  private:
   void pave(const Services& services) {
@@ -135,8 +131,7 @@ class WayPaving final : public PavingAnswer {
   }
 
   [[nodiscard]] Json header() const override { return {}; }
-  [[nodiscard]] std::string text() const override { return format_path_paving(paving_, search_); }
-  [[nodiscard]] Json json() const override { return json_path_paving(paving_, search_); }
+  void tell(Facts& facts) const override { tell_path_paving(paving_, search_, facts); }
 
  private:
   void write() {

@@ -24,8 +24,6 @@ constexpr std::string_view kNoRows = "a datasheet brackets many quantities; boun
 constexpr std::string_view kOneMethod = "for a load there is one method; leave the option out";
 constexpr std::string_view kNoTheorem =
     "Coq proves what the regularity of a matrix says; regulus-verify proves this";
-constexpr std::string_view kNoWayLimit =
-    "a motion along way-points has no margin within a limit; give the motion a formula, or ranges";
 constexpr std::string_view kNoWayCondition =
     "a motion along way-points cannot be bounded yet; give the motion a formula, or ranges";
 
@@ -34,8 +32,6 @@ using enum Service;
 
 constexpr Refusal kRefusals[] = {
     {kPaving, kCheckpoint, "a paving writes its boxes as they come; divide the ranges instead"},
-    {kMargin, kCheckpoint,
-     "without a quantity, start margin again with the two ends of the bracket as LO:HI"},
     {kMargin, kShards, kOneFile},
     {kLimitMargin, kShards, kOneFile},
     {kBound, kShards, kOneFile},
@@ -46,10 +42,7 @@ constexpr Refusal kRefusals[] = {
     {kLoadPaving, kShards, "a proof about a load stays in one file"},
     {kLoadPaving, kTheorem, kNoTheorem},
     {kLoadPaving, kPicture, kLoadPicture},
-    {kDatasheet, kProof, kNoRows},
-    {kDatasheet, kShards, kNoRows},
-    {kDatasheet, kTheorem, kNoRows},
-    {kDatasheet, kCheckpoint, kNoRows},
+    {kDatasheet, kShards, kOneFile},
     {kDatasheet, kRanks, kNoRows},
     {kWayCheck, kShards, "the proof of a motion along way-points is one file"},
     {kWayCheck, kCheckpoint, kWayNotContinued},
@@ -62,13 +55,10 @@ constexpr Refusal kRefusals[] = {
     {kWayPaving, kCheckpoint, kWayNotContinued},
     {kWayPaving, kRanks, kOneMachine},
     {kWayPaving, kPicture, "a motion along way-points is not drawn; the paving has its stretches"},
-    {kWayMargin, kProof,
-     "margin writes no proof about a motion along way-points; check proves it at one value"},
     {kWayMargin, kShards, kOneFile},
-    {kWayMargin, kTheorem, "margin writes no proof about a motion along way-points"},
-    {kWayMargin, kCheckpoint, kWayNotContinued},
     {kWayMargin, kRanks, kOneMachine},
-    {kWayLimitMargin, kAnswer, kNoWayLimit},
+    {kWayLimitMargin, kShards, kOneFile},
+    {kWayLimitMargin, kRanks, kOneMachine},
     {kWayBound, kShards, kOneFile},
     {kWayBound, kRanks, kOneMachine},
     {kWayCondition2, kAnswer, kNoWayCondition},
@@ -85,10 +75,7 @@ constexpr Refusal kRefusals[] = {
     {kWayLoadPaving, kRanks, kOneMachine},
     {kWayLoadPaving, kPicture,
      "a motion along way-points is not drawn; the paving has its stretches"},
-    {kWayDatasheet, kProof, kNoRows},
-    {kWayDatasheet, kShards, kNoRows},
-    {kWayDatasheet, kTheorem, kNoRows},
-    {kWayDatasheet, kCheckpoint, kNoRows},
+    {kWayDatasheet, kShards, kOneFile},
     {kWayDatasheet, kRanks, kNoRows},
     // What has no boxes has no picture.
     {kCheck, kPicture, kNoBoxes, false},
@@ -100,6 +87,7 @@ constexpr Refusal kRefusals[] = {
     {kDatasheet, kPicture, kNoBoxes, false},
     {kWayCheck, kPicture, kNoBoxes, false},
     {kWayMargin, kPicture, kNoBoxes, false},
+    {kWayLimitMargin, kPicture, kNoBoxes, false},
     {kWayBound, kPicture, kNoBoxes, false},
     {kWayLoad, kPicture, kNoBoxes, false},
     {kWayDatasheet, kPicture, kNoBoxes, false},

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 
 namespace regulus {
 
@@ -15,6 +16,11 @@ class HeldFiles {
 
   /// `put_in_place` owns the file. It replaces an earlier one of the same name, which is removed.
   void hold(const std::string& path, Step put_in_place) { files_[path] = std::move(put_in_place); }
+
+  /// Takes a file of a part of the run; nothing if it has none of this name.
+  void take(HeldFiles& part, const std::string& path) {
+    if (auto file = part.files_.extract(path)) files_[path] = std::move(file.mapped());
+  }
 
   /// Throws    what the steps throw.
   void put_in_place() {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/verifier/derivative.hpp"
 
+#include <stdexcept>
+
 namespace regulus::verifier {
 
 NodeId Differentiator::of(NodeId id) {
@@ -81,9 +83,11 @@ NodeId Differentiator::slope(const Node& node, NodeId id) {
       return quotient(one_, a);
     case Op::kAbs:
       return graph_.add(Op::kSign, a);
-    default:
+    case Op::kSign:
       // The derivative of a sign is 0, but it is undefined where the sign jumps.
       return product(graph_.number("0"), quotient(one_, a));
+    default:
+      throw std::logic_error("not a function of one argument");
   }
 }
 

@@ -226,6 +226,35 @@ TEST_F(BoundCommandTest, MakesADatasheetThatComparesLimits) {
   EXPECT_GE(report.at("bounds").size(), 8u);
 }
 
+TEST_F(BoundCommandTest, ADatasheetHasProofsAndContinues) {
+  const std::string proof = folder_.path() / "proof", saved = folder_.path() / "saved";
+  const auto ask = [&](const std::string& certificate) {
+    return regulus({"datasheet", model_, "--threads", "1", "--json", "--checkpoint", saved,
+                    "--certificate", certificate});
+  };
+  const CommandResult first = ask(proof);
+  const json sheet = json::parse(first.output);
+  int proved = 0;
+  for (const json& bound : sheet.at("bounds"))
+    for (const json& component : bound.at("components"))
+      for (const char* end : {"safe", "singular"}) {
+        const json& file = component.at("certificates").at(end);
+        if (file.is_null()) continue;
+        ++proved;
+        EXPECT_EQ(run_command({REGULUS_BINARY_DIR "/bin/regulus-verify", file}).exit_code, 0)
+            << file;
+      }
+  EXPECT_GT(proved, 20);
+  EXPECT_THAT(first.errors, HasSubstr("proof.force_any.leg_1.safe: safe at "));
+  const json again = json::parse(ask(folder_.path() / "again").output);
+  ASSERT_EQ(again.at("bounds").size(), sheet.at("bounds").size());
+  for (std::size_t i = 0; i < sheet["bounds"].size(); ++i)
+    EXPECT_EQ(again["bounds"][i]["result"], sheet["bounds"][i]["result"]);
+  const CommandResult other =
+      regulus({"datasheet", model_, "--checkpoint", saved, "--tolerance", "no=0.1"});
+  EXPECT_NE(other.exit_code, 0);
+}
+
 class BoundCheckpointTest : public BoundCommandTest {
  protected:
   CommandResult ask(std::vector<std::string> more) {
@@ -253,13 +282,14 @@ class BoundCheckpointTest : public BoundCommandTest {
 TEST_F(BoundCheckpointTest, LeadsToTheSameReportAndProofs) {
   const json whole = json::parse(ask({"--json"}).output);
   const std::string proofs_of_whole = proofs();
-  const auto all = saved();
+  const auto file = saved();
+  const auto& all = file.at("known").at("brackets");
   std::size_t searches = 0;
-  for (auto bracket = all.at("brackets").begin(); bracket != all.at("brackets").end(); ++bracket)
+  for (auto bracket = all.begin(); bracket != all.end(); ++bracket)
     for (std::size_t kept = 0; kept <= bracket->size(); kept += 3, ++searches) {
-      auto part = all;
-      auto& brackets = part.at("brackets");
-      for (auto later = std::next(bracket); later != all.at("brackets").end(); ++later)
+      auto part = file;
+      auto& brackets = part.at("known").at("brackets");
+      for (auto later = std::next(bracket); later != all.end(); ++later)
         brackets.erase(later.key());
       auto& some = brackets[bracket.key()] = json::object();
       std::size_t count = 0;
@@ -281,7 +311,7 @@ TEST_F(BoundCheckpointTest, OfAnotherQuestionOrDamagedIsRefused) {
   std::ofstream(file_) << "{";
   const CommandResult damaged = ask({});
   EXPECT_EQ(damaged.exit_code, 65);
-  EXPECT_THAT(damaged.errors, HasSubstr("not a checkpoint of bounds, or it is damaged"));
+  EXPECT_THAT(damaged.errors, HasSubstr("not a checkpoint of such a question, or it is damaged"));
 }
 
 }  // namespace

@@ -142,7 +142,7 @@ TEST_F(ConditionCheckpointTest, IfDamagedIsRefusedOrRight) {
                          << Damage(seed, splices).done_to(saved.substr(state));
     const CommandResult r = ask(question);
     if (r.exit_code == 65) {
-      EXPECT_THAT(r.errors, HasSubstr("the bounds cannot continue from this file")) << seed;
+      EXPECT_THAT(r.errors, HasSubstr("the bracket cannot continue from this file")) << seed;
       ++refused;
       continue;
     }

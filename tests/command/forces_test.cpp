@@ -106,7 +106,7 @@ TEST_F(ForcesCommandTest, PavesWayPoints) {
   const std::vector<std::string> question = {"locate",   model_, "--waypoints",  way,
                                              "--load",   "push", "--resolution", "1/256",
                                              "--output", lines,  "--json"};
-  const CommandResult r = run(question);
+  const CommandResult r = regulus(question);
   EXPECT_EQ(r.exit_code, 1) << r.errors;
   const json report = json::parse(r.output);
   EXPECT_EQ(report["verdict"], "infeasible");
@@ -136,13 +136,14 @@ TEST_F(ForcesCommandTest, PavesWayPoints) {
   EXPECT_EQ(count, report["stretches"]);
   std::vector<std::string> proved = question;
   proved.insert(proved.end(), {"--certificate", folder_.path() / "proof"});
-  EXPECT_THAT(run(proved).errors, HasSubstr("there is no proof of the stretches"));
+  EXPECT_THAT(regulus(proved).errors, HasSubstr("there is no proof of the stretches"));
 }
 
 TEST_F(ForcesCommandTest, PavesWayPointsThatHoldTheLoad) {
   const std::string way = folder_.path() / "way.csv";
   std::ofstream(way) << "x\n-0.5\n0.5\n";
-  const CommandResult r = run({"locate", model_, "--waypoints", way, "--load", "push", "--quiet"});
+  const CommandResult r =
+      regulus({"locate", model_, "--waypoints", way, "--load", "push", "--quiet"});
   EXPECT_EQ(r.exit_code, 0) << r.errors;
   EXPECT_THAT(r.output, HasSubstr("\"kind\":\"feasible\",\"segments\":[1,1]"));
 }
@@ -267,7 +268,7 @@ TEST_F(LoadCheckpoint, LeadsToTheSameBytes) {
   ASSERT_EQ(run_command(words("many", {"--checkpoint", saved_})).exit_code, 1);
   EXPECT_TRUE(files_of("many") == expected);
   EXPECT_EQ(text_of("saved"), "");  // there is nothing to continue
-  EXPECT_EQ(run({"verify", folder_.path() / "many.proof", "--quiet"}).output, "VERIFIED\n");
+  EXPECT_EQ(regulus({"verify", folder_.path() / "many.proof", "--quiet"}).output, "VERIFIED\n");
 }
 
 /// A kill may come before the search begins, while it is saved, or between.
@@ -292,7 +293,7 @@ TEST_F(LoadCheckpoint, OfAnotherQuestionOrDamagedIsRefused) {
             1);
   const std::string saved = text_of("saved");
   const CommandResult other =
-      run({"check", plate_, "--load", "pull", "--range", "x=0:1", "--checkpoint", saved_});
+      regulus({"check", plate_, "--load", "pull", "--range", "x=0:1", "--checkpoint", saved_});
   EXPECT_EQ(other.exit_code, 65);
   EXPECT_THAT(other.errors, HasSubstr("it is about another question"));
   EXPECT_EQ(text_of("saved"), saved);

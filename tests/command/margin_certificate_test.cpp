@@ -43,10 +43,9 @@ class MarginCertificate : public testing::Test {
     return json::parse(margin(words).output);
   }
   [[nodiscard]] json verified(const std::string& end) const {
-    return json::parse(
-        regulus({"verify", file("ends." + end), "--model", model_, "--allow-options", "--json",
-                 "--quiet"})
-            .output);
+    return json::parse(regulus({"verify", file("ends." + end), "--model", model_, "--allow-options",
+                                "--json", "--quiet"})
+                           .output);
   }
   /// Expects proofs of both ends, with one difference to the model: `what` has the reported value.
   void expect_both_ends(const std::vector<std::string>& words, const std::string& what) const {

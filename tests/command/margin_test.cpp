@@ -8,6 +8,7 @@
 #include <csignal>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <thread>
 
 #include "tests/support/command.hpp"
@@ -192,6 +193,40 @@ TEST_F(Margin, RefusesWrongUseWith64AndSaysWhy) {
     EXPECT_THAT(result.errors, HasSubstr(why));
     EXPECT_EQ(result.output, "");
   }
+}
+
+/// As if the run had been killed after some of its searches.
+TEST_F(Margin, ContinuesFromItsCheckpoint) {
+  const std::string saved = directory_.path() / "saved";
+  const auto ask = [&](const std::string& proof) {
+    return margin({"small", "--tolerance", "a=0:0.9", "--threads", "1", "--json", "--gap", "1e-3",
+                   "--checkpoint", saved, "--certificate", directory_.path() / proof});
+  };
+  const auto bytes_of = [this](const std::string& name) {
+    std::ostringstream text;
+    text << std::ifstream(directory_.path() / name, std::ios::binary).rdbuf();
+    return text.str();
+  };
+  const CommandResult whole = ask("whole");
+  ASSERT_EQ(whole.exit_code, 0) << whole.errors;
+  const json first = json::parse(whole.output), searches = json::parse(bytes_of("saved"));
+  ASSERT_EQ(searches["known"]["brackets"].size(), 1U);
+  ASSERT_GT(searches["known"]["brackets"].front().size(), 2U);
+  for (std::size_t kept = 0; kept <= searches["known"]["brackets"].front().size(); ++kept) {
+    json part = searches;
+    json& some = part["known"]["brackets"].front();
+    while (some.size() > kept) some.erase(std::prev(some.end()).key());
+    std::ofstream(saved) << part.dump();
+    const json report = json::parse(ask("part").output);
+    for (const char* key : {"bracket", "certified_claim", "boxes", "closed", "witness"})
+      EXPECT_EQ(report[key], first[key]) << key << kept;
+    for (const char* end : {".safe", ".singular"})
+      EXPECT_TRUE(bytes_of(std::string("part") + end) == bytes_of(std::string("whole") + end))
+          << end << kept;
+  }
+  const CommandResult other = margin({"small", "--alpha", "0:1", "--checkpoint", saved});
+  EXPECT_EQ(other.exit_code, 65);
+  EXPECT_THAT(other.errors, HasSubstr("another question"));
 }
 
 TEST_F(Margin, GivesTheBracketSoFarWhenInterrupted) {

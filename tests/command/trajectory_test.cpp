@@ -239,7 +239,6 @@ TEST_F(Trajectories, AreNamedWhereAnotherQuestionHasNone) {
   for (const auto& [words, why] :
        {std::pair(std::vector<std::string>{"locate", "--picture", "way.svg"}, "is not drawn"),
         {{"locate", "--certificate", "way.txt"}, "no proof of the stretches"},
-        {{"margin", "--alpha", "0:1", "--certificate", "way.txt"}, "writes no proof"},
         {{"margin", "--scale", "0:1"}, "has no ranges; use --tube"},
         {{"margin", "--grow", "x=0:1"}, "has no ranges; use --tube"}}) {
     std::vector<std::string> line = {words[0], model, "way"};

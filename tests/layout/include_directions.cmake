@@ -37,7 +37,8 @@ set(floors
     "runtime/formal"
     "codegen/answer/certificate"
     "codegen/answer/report"
-    "codegen/question/margin codegen/question/way codegen/question/bound codegen/question/condition codegen/question/load"
+    "codegen/question/margin"
+    "codegen/question/way codegen/question/bound codegen/question/condition codegen/question/load"
     "codegen/answer/picture codegen/answer/page"
     "codegen/answer"
     "codegen/use/api"
@@ -51,10 +52,8 @@ set(lent
     bound/bound_run.hpp
     bound/bracket_topic.hpp
     condition/condition_run.hpp
-    margin/margin_question.hpp
-    margin/margin_report.hpp
-    margin/margin_run.hpp
-    margin/prepared_margin.hpp
+    way/margin_checkpoint.hpp
+    way/path_attempts.hpp
     way/path_bracket.hpp
     way/path_parts.hpp
     way/path_run.hpp

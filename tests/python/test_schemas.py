@@ -19,13 +19,17 @@ MODELS = sorted((ROOT / "models").glob("*.toml"))
 
 
 def schema(path):
-    read = json.loads((ROOT / path).read_text(encoding="utf-8"))
+    read = json.loads(path.read_text(encoding="utf-8"))
     jsonschema.Draft202012Validator.check_schema(read)
     return jsonschema.Draft202012Validator(read)
 
 
-MODEL = schema("codegen/model/file/model.schema.json")
-REPORT = schema("codegen/answer/report/report.schema.json")
+MODEL = schema(ROOT / "codegen/model/file/model.schema.json")
+REPORT = schema(pathlib.Path(COMMAND).parents[1] / "share/regulus/schema/report.schema.json")
+HEAD = [
+    *("model", "model_file", "model_sha256", "motion", "question", "options", "version"),
+    *("engine", "threads", "boxes", "seconds", "claim", "verdict", "proof"),
+]
 
 
 def report_of(kind):
@@ -110,6 +114,7 @@ def test_mistakes_in_models_are_refused(change):
 def test_reports_are_accepted_and_state_the_question(arguments):
     report = printed("check", *arguments)
     assert errors(report_of("check"), report) == [] and errors(REPORT, report) == []
+    assert list(report)[: len(HEAD)] == HEAD
     question = report["question"]
     assert question["ranges"] and question["options"]["threads"] == report["threads"]
     assert question["options"]["max_boxes"] == (8 if "--max-boxes" in arguments else None)
@@ -117,6 +122,7 @@ def test_reports_are_accepted_and_state_the_question(arguments):
 
 WAY = "t,x,y,phi\n0,0,14,0\n1,1,15,0.01\n2,2,16,0\n"
 WAYS = ("--waypoints", "{way}")
+HALL = ("--waypoints", "{hall}")
 PROOF = ("--certificate", "{proof}")
 LIMIT = ("--quantity", "sigma-max", "--limit", "2")
 
@@ -141,16 +147,22 @@ LIMIT = ("--quantity", "sigma-max", "--limit", "2")
         ("bound", ("bound", "orthoglide", "cube", "condition", "--norm", "2", "--gap", "0.3")),
         ("forces", ("check", "cable_8", "hall", "--load", "weight")),
         ("forces", ("locate", "cable_8", "hall", "--load", "weight", "--resolution", "1/2")),
+        ("path_forces", ("check", "cable_8", "hall", "--load", "weight", *HALL)),
+        ("path_force_paving", ("locate", "cable_8", "hall", "--load", "weight", *HALL)),
     ],
 )
 def test_every_report_is_accepted_and_states_the_question(kind, arguments, tmp_path):
     way = tmp_path / "way.csv"
     way.write_text(WAY)
     proof = str(tmp_path / "proof")
-    named = {"{way}": str(way), "{proof}": proof}
+    hall = tmp_path / "hall.csv"
+    hall.write_text("x,y,z,roll,pitch,yaw\n-1,0,4.5,0,0,0\n1,1,5,0,0,0\n")
+    named = {"{way}": str(way), "{hall}": str(hall), "{proof}": proof}
     report = printed(*(named.get(word, word) for word in arguments))
     assert errors(report_of(kind), report) == [] and errors(REPORT, report) == []
+    assert list(report)[: len(HEAD)] == HEAD
     question = report["question"]
+    assert (report["options"], report["version"]) == (question["options"], question["version"])
     assert question["model_sha256"] == report["model_sha256"]
     assert question["motion"] == arguments[2] and question["options"]["threads"] >= 1
 
@@ -189,6 +201,13 @@ def test_every_report_names_its_proofs_or_says_why_there_is_none(kind, arguments
             assert file or part["certificate_obstacles"][end]
             said.add(file)
     assert said - {None} == written
+    assert {proof["file"] for proof in report["proof"]} - {None} == written
+    assert all(bool(proof["file"]) != bool(proof["reason"]) for proof in report["proof"])
+
+
+def test_a_report_without_a_proof_says_that_none_was_asked_for():
+    proof = {"file": None, "reason": "no certificate was asked for"}
+    assert printed("check", "planar_3rpr", "regular")["proof"] == [proof]
 
 
 def test_the_exact_question_asks_the_same_again():

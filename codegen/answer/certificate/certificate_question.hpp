@@ -36,6 +36,16 @@ namespace regulus {
 using CertifiedAbout =
     std::function<CertifiedQuestion(const Request&, const std::set<std::string>& uncertain)>;
 
+/// A motion, and what a certificate asks about it.
+struct CertifiedMotion {
+  Request request;
+  CertifiedAbout about;
+
+  [[nodiscard]] CertifiedQuestion question(const std::set<std::string>& uncertain) const {
+    return about(request, uncertain);
+  }
+};
+
 /// Returns why the verifier could not read a certificate of this question, whatever its proof: the
 /// question is beyond the limits of the format. Empty if it can. `singular`: with that verdict.
 [[nodiscard]] std::string certificate_obstacle(const CertifiedQuestion& question,

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/answer/certificate/proof_status.hpp"
 
-#include <nlohmann/json.hpp>
 #include <utility>
 
 namespace regulus {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 constexpr const char* kSafe = ".safe";
 constexpr const char* kSingular = ".singular";
@@ -13,6 +14,12 @@ constexpr const char* kSingular = ".singular";
 constexpr const char* kMargin = "           ";
 
 std::string none(const std::string& obstacle) { return "certificate none: " + obstacle + '\n'; }
+
+/// Returns an entry of `proof`: a file, or the reason why there is none.
+Json proof_entry(const std::string& file, const std::string& reason) {
+  if (file.empty()) return {{"file", nullptr}, {"reason", reason}};
+  return {{"file", file}, {"reason", nullptr}};
+}
 
 std::string line_of(const EndProof& end, const std::string& name) {
   if (!end.file.empty()) return end.file + ": " + end.words + '\n';
@@ -46,12 +53,12 @@ std::string ProofStatus::line() const {
   return "certificate " + path_ + '\n' + (note_.empty() ? "" : kMargin + note_ + '\n');
 }
 
-void ProofStatus::add_to(nlohmann::ordered_json& report) const {
+void ProofStatus::tell(Facts& facts) const {
   if (!is_wanted()) return;
-  report["certificate"] = nullptr;
-  if (is_written_) report["certificate"] = path_;
-  if (!is_written_) report["certificate_obstacle"] = obstacle_;
-  if (is_written_ && !note_.empty()) report["certificate_note"] = note_;
+  facts.add("certificate", is_written_ ? Json(path_) : Json(nullptr));
+  if (!is_written_) facts.add("certificate_obstacle", obstacle_);
+  if (is_written_ && !note_.empty()) facts.add("certificate_note", note_);
+  facts.add("proof", Json::array({proof_entry(is_written_ ? path_ : "", obstacle_)}));
 }
 
 EndProofs::EndProofs(std::string path, HeldFiles* held, std::string no_safe,
@@ -102,14 +109,32 @@ std::string EndProofs::lines() const {
   return "certificate " + line_of(safe_, safe_name_) + kMargin + line_of(singular_, singular_name_);
 }
 
-void EndProofs::add_to(nlohmann::ordered_json& report) const {
+void EndProofs::tell_files(Facts& facts) const {
+  if (!are_wanted()) return;
+  Facts files(Readers::kPrograms), obstacles(Readers::kPrograms);
+  for (const auto& [name, end] : {std::pair("safe", &safe_), std::pair("singular", &singular_)}) {
+    files.add(name, end->file.empty() ? Json(nullptr) : Json(end->file));
+    if (end->file.empty()) obstacles.add(name, end->words);
+  }
+  facts.tell_part("certificates", std::move(files));
+  if (!obstacles.all().empty()) facts.tell_part("certificate_obstacles", std::move(obstacles));
+}
+
+void EndProofs::tell(Facts& facts) const {
+  if (!are_wanted()) return;
+  tell_files(facts);
+  Json proofs = Json::array();
+  add_to(proofs);
+  facts.add("proof", std::move(proofs));
+}
+
+void EndProofs::add_to(Json& proofs, const std::string& component) const {
   if (!are_wanted()) return;
   for (const auto& [name, end] : {std::pair("safe", &safe_), std::pair("singular", &singular_)}) {
-    nlohmann::ordered_json& file = report["certificates"][name];
-    if (end->file.empty())
-      report["certificate_obstacles"][name] = end->words;
-    else
-      file = end->file;
+    Json entry = proof_entry(end->file, end->words);
+    entry["end"] = name;
+    if (!component.empty()) entry["component"] = component;
+    proofs.push_back(std::move(entry));
   }
 }
 

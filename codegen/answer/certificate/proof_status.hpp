@@ -3,11 +3,11 @@
 #pragma once
 
 #include <memory>
-#include <nlohmann/json_fwd.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "codegen/answer/facts.hpp"
 #include "codegen/support/earlier_outputs.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/held_files.hpp"
@@ -58,9 +58,9 @@ class ProofStatus {
 
   /// Returns lines of the report; empty if no certificate was wanted.
   [[nodiscard]] std::string line() const;
-  /// Adds the key `certificate` to a JSON report: the file, or null. Also adds
-  /// `certificate_obstacle`, the reason why there is none, and `certificate_note`.
-  void add_to(nlohmann::ordered_json& report) const;
+  /// Tells programs `certificate`, the file or null, `certificate_obstacle`, the reason why there is
+  /// none, and `certificate_note`; the same in the one entry of `proof`. Nothing if none was wanted.
+  void tell(Facts& facts) const;
 
  private:
   std::string path_, obstacle_, note_;
@@ -100,15 +100,22 @@ class EndProofs {
   /// Writes the file of an end. Throws FileError.
   void write_safe(std::shared_ptr<ProofFile> complete, std::string words);
   void write_singular(const std::string& head, const std::string& witness, std::string words);
+  /// Takes the file of an end, or why there is none, from an earlier run for the same files.
+  void keep_safe(const EndProofs& earlier) { safe_ = earlier.safe_; }
+  void keep_singular(const EndProofs& earlier) { singular_ = earlier.singular_; }
   /// An end has no proof; one that was written before stays.
   void set_no_safe(std::string why);
   void set_no_singular(std::string why);
 
   /// Returns a line of the report for each end; empty if none was wanted.
   [[nodiscard]] std::string lines() const;
-  /// Adds the key `certificates`, with the file of each end or null, and `certificate_obstacles`,
-  /// with the reason for each end without a file. Adds nothing if none was wanted.
-  void add_to(nlohmann::ordered_json& report) const;
+  /// Tells programs `certificates`, with the file of each end or null, and `certificate_obstacles`,
+  /// with the reason for each end without a file. Nothing if none was wanted.
+  void tell_files(Facts& facts) const;
+  /// Tells the same, and `proof`.
+  void tell(Facts& facts) const;
+  /// Adds an entry for each end to the list `proof` of a report.
+  void add_to(nlohmann::ordered_json& proofs, const std::string& component = "") const;
 
  private:
   std::string path_;

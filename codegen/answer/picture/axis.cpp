@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "codegen/answer/report/report_parts.hpp"
+#include "codegen/answer/report/number_text.hpp"
 
 namespace regulus {
 namespace {

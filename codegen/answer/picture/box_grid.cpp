@@ -6,7 +6,7 @@
 #include <iterator>
 #include <new>
 
-#include "codegen/answer/report/report_parts.hpp"
+#include "codegen/answer/report/number_text.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus {

@@ -7,7 +7,8 @@
 
 #include "codegen/answer/picture/gnuplot.hpp"
 #include "codegen/answer/picture/plot.hpp"
-#include "codegen/answer/report/report_parts.hpp"
+#include "codegen/answer/report/number_text.hpp"
+#include "codegen/answer/report/place_text.hpp"
 
 namespace regulus {
 namespace {

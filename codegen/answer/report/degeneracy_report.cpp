@@ -63,71 +63,77 @@ std::string describe_row(const std::vector<double>& weights) {
 }
 
 template <class Words>
-std::string format_vector(std::string line, const std::vector<std::vector<double>>& vectors,
-                          Words words) {
+void say_vectors(const std::string& label, std::string before,
+                 const std::vector<std::vector<double>>& vectors, Words words, Facts& facts) {
   for (const auto& v : vectors) {
-    line += words(v) + '\n';
-    if (&v != &vectors.back()) line += "           and ";
+    before += words(v);
+    if (&v != &vectors.back()) before += "\nand ";
   }
-  return line;
+  facts.say(label, std::move(before));
 }
 
-/// Returns what a vector in the kernel of the matrix is.
-const char* describe_kernel(MatrixKind kind) {
+/// Returns what a vector in the kernel of the matrix is: the label, and how the sentence begins.
+std::pair<const char*, const char*> kernel_words(MatrixKind kind) {
   switch (kind) {
     case MatrixKind::kInverse:
-      return "twist      lost, approximately: ";
+      return {"twist", "lost, approximately: "};
     case MatrixKind::kForward:
-      return "speeds     of joints that leave the tool at rest, approximately: ";
+      return {"speeds", "of joints that leave the tool at rest, approximately: "};
     case MatrixKind::kForwardTransposed:
-      return "wrench     that no joint carries, approximately: ";
+      return {"wrench", "that no joint carries, approximately: "};
   }
-  return "";
+  return {};
 }
 
 std::string describe_space(std::size_t dimension) {
   return dimension == 1 ? "" : fmt::format("a space of dimension {}, spanned by ", dimension);
 }
 
-}  // namespace
-
-Json json_degeneracy(const PreparedSearch& p, const std::optional<Degeneracy>& degeneracy) {
-  if (!degeneracy)
-    return {
-        {"nullity", nullptr}, {"singular_values", nullptr}, {"twist", nullptr}, {"rows", nullptr}};
-  Json object = {{"nullity", degeneracy->twists.size()},
-                 {"singular_values", degeneracy->singular_values},
-                 {"twist", nullptr},
-                 {"rows", nullptr}};
-  if (!degeneracy->twists.empty())
-    object["twist"] = {{"approximate", true},
-                       {"columns", json_columns(p)},
-                       {"normalised", p.labels.twist.empty() ? kUnnamed : kPlatform},
-                       {"vectors", degeneracy->twists}};
-  if (!degeneracy->rows.empty())
-    object["rows"] = {{"approximate", true},
-                      {"taking_part", rows_taking_part(*degeneracy)},
-                      {"threshold", kTakesPart},
-                      {"vectors", degeneracy->rows}};
-  return object;
+void say_nothing_lost(const PreparedSearch& p, const Degeneracy& degeneracy, Facts& facts) {
+  const bool is_twist = p.labels.matrix_kind == MatrixKind::kInverse;
+  facts.say(is_twist ? "twist" : "rank",
+            fmt::format("no {} is lost there: the least singular value is {:.2g} of the largest",
+                        is_twist ? "twist" : "rank", degeneracy.singular_values.back()));
 }
 
-std::string format_degeneracy(const PreparedSearch& p,
-                              const std::optional<Degeneracy>& degeneracy) {
-  if (!degeneracy) return "";
+void tell_rows(const Degeneracy& degeneracy, Facts& facts) {
+  if (degeneracy.rows.empty()) {
+    facts.add("rows", nullptr);
+    return;
+  }
+  facts.add("rows", {{"approximate", true},
+                     {"taking_part", rows_taking_part(degeneracy)},
+                     {"threshold", kTakesPart},
+                     {"vectors", degeneracy.rows}});
+  if (!degeneracy.twists.empty())
+    say_vectors("rows", "dependent, approximately, with weights: ", degeneracy.rows, describe_row,
+                facts);
+}
+
+}  // namespace
+
+void tell_degeneracy(const PreparedSearch& p, const std::optional<Degeneracy>& degeneracy,
+                     Facts& facts) {
+  if (!degeneracy) {
+    for (const char* key : {"nullity", "singular_values", "twist", "rows"}) facts.add(key, nullptr);
+    return;
+  }
   const std::size_t nullity = degeneracy->twists.size();
-  if (nullity == 0)
-    return fmt::format("{} there: the least singular value is {:.2g} of the largest\n",
-                       p.labels.matrix_kind == MatrixKind::kInverse ? "twist      no twist is lost"
-                                                                    : "rank       no rank is lost",
-                       degeneracy->singular_values.back());
-  std::string lines =
-      format_vector(describe_kernel(p.labels.matrix_kind) + describe_space(nullity),
-                    degeneracy->twists, [&p](const auto& v) { return describe_twist(p, v); });
-  if (!degeneracy->rows.empty())
-    lines += format_vector("rows       dependent, approximately, with weights: ", degeneracy->rows,
-                           describe_row);
-  return lines;
+  facts.add("nullity", nullity).add("singular_values", degeneracy->singular_values);
+  facts.add("twist", nullptr);
+  if (nullity == 0) {
+    say_nothing_lost(p, *degeneracy, facts);
+  } else {
+    facts.add("twist", {{"approximate", true},
+                        {"columns", json_columns(p)},
+                        {"normalised", p.labels.twist.empty() ? kUnnamed : kPlatform},
+                        {"vectors", degeneracy->twists}});
+    const auto [label, begin] = kernel_words(p.labels.matrix_kind);
+    say_vectors(
+        label, begin + describe_space(nullity), degeneracy->twists,
+        [&p](const auto& v) { return describe_twist(p, v); }, facts);
+  }
+  tell_rows(*degeneracy, facts);
 }
 
 }  // namespace regulus

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "codegen/answer/report/report_parts.hpp"
+#include "codegen/answer/report/number_text.hpp"
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/model/overrides.hpp"
@@ -50,94 +50,99 @@ std::vector<ToleranceGroup> groups_of(const Model& model) {
   return groups;
 }
 
-Json json_motion(const Motion& motion) {
+void tell_motion(const Model& model, const Motion& motion, Facts& facts) {
+  facts.tell("name", motion.name, "motion", motion.name);
   Json parameters = Json::array();
-  for (const MotionParameter& p : motion.parameters)
+  for (const MotionParameter& p : motion.parameters) {
     parameters.push_back({{"name", p.name},
                           {"unit", p.unit},
                           {"lower", text_of(p.range.lo)},
                           {"upper", text_of(p.range.hi)}});
-  return {{"name", motion.name},
-          {"parameters", parameters},
-          {"waypoints", motion.waypoints ? Json(motion.waypoints->file) : Json()},
-          {"where", name(motion.where)},
-          {"constraints", motion.constraints.size()}};
-}
-
-std::vector<std::string> names_of(const std::vector<VectorSet>& sets) {
-  std::vector<std::string> names;
-  for (const VectorSet& set : sets) names.push_back(set.name);
-  return names;
-}
-
-std::string format_motion(const Model& model, const Motion& motion) {
-  std::string text = fmt::format("motion     {}\n", motion.name);
-  for (const MotionParameter& p : motion.parameters)
-    text += fmt::format("           {} {}{}\n", p.name, text_of(p.range), unit_suffix(p.unit));
+    facts.say("", fmt::format("{} {}{}", p.name, text_of(p.range), unit_suffix(p.unit)));
+  }
+  facts.add("parameters", std::move(parameters)).add("waypoints", nullptr);
   if (motion.waypoints)
-    text += fmt::format("           along {}, {}\n", motion.waypoints->file,
-                        motion.waypoints->interpolation);
+    facts.tell(
+        "waypoints", motion.waypoints->file, "",
+        fmt::format("along {}, {}", motion.waypoints->file, motion.waypoints->interpolation));
   for (std::size_t i = 0; i < motion.pose.size(); ++i)
     if (!motion.pose[i].is_equal(model.pose[i].symbol))
-      text += fmt::format("           {} = {}{}\n", model.pose[i].name,
-                          formula_text(motion.pose[i]), unit_suffix(model.pose[i].unit));
+      facts.say("", fmt::format("{} = {}{}", model.pose[i].name, formula_text(motion.pose[i]),
+                                unit_suffix(model.pose[i].unit)));
+  facts.add("where", name(motion.where)).add("constraints", motion.constraints.size());
   if (motion.where != Where::kEverywhere)
-    text += fmt::format("           where {}\n", name(motion.where));
+    facts.say("", fmt::format("where {}", name(motion.where)));
   if (!motion.constraints.empty())
-    text += fmt::format("           constraints {}\n", motion.constraints.size());
-  return text;
+    facts.say("", fmt::format("constraints {}", motion.constraints.size()));
 }
 
-std::string format_group(const ToleranceGroup& group) {
+void tell_group(const ToleranceGroup& group, Facts& facts) {
+  facts.add("name", group.name).add("members", group.members);
   const std::string members = group.members.size() == 1
                                   ? group.members.front()
                                   : fmt::format("{} … {}, {} constants", group.members.front(),
                                                 group.members.back(), group.members.size());
-  return fmt::format("group      {}: tolerance {} ({})\n", group.name,
-                     fmt::join(group.tolerances, ", "), members);
+  facts.tell(
+      "tolerances", group.tolerances, "group",
+      fmt::format("{}: tolerance {} ({})", group.name, fmt::join(group.tolerances, ", "), members));
 }
 
-std::string format_sets(const char* kind, const std::vector<VectorSet>& sets) {
-  std::string text;
+std::string describe_entry(const GeometryParameter& e) {
+  if (e.tolerance.is_zero()) return text_of(e.value);
+  if (e.ball >= 0) return text_of(e.value) + " in a ball of " + text_of(e.tolerance);
+  return text_of(Range{e.value - e.tolerance, e.value + e.tolerance});
+}
+
+/// Tells the names of loads or twists under `key`; people read their values, too.
+void tell_sets(const char* key, const char* label, const std::vector<VectorSet>& sets,
+               Facts& facts) {
+  Json names = Json::array();
   for (const VectorSet& set : sets) {
     std::vector<std::string> values;
-    for (const GeometryParameter& e : set.entries)
-      values.push_back(e.tolerance.is_zero() ? text_of(e.value)
-                       : e.ball >= 0
-                           ? text_of(e.value) + " in a ball of " + text_of(e.tolerance)
-                           : text_of(Range{e.value - e.tolerance, e.value + e.tolerance}));
-    text += fmt::format("{:<10} {}: {}\n", kind, set.name, fmt::join(values, ", "));
+    for (const GeometryParameter& e : set.entries) values.push_back(describe_entry(e));
+    names.push_back(set.name);
+    facts.say(label, fmt::format("{}: {}", set.name, fmt::join(values, ", ")));
   }
-  return text;
+  facts.add(key, std::move(names));
+}
+
+/// Tells each of `all` as an object of the list `key`.
+template <class List, class Tell>
+void tell_list(const char* key, const List& all, const Tell& tell, Facts& facts) {
+  Json list = Json::array();
+  for (const auto& one : all) {
+    Facts told = facts.part();
+    tell(one, told);
+    list.push_back(told.object());
+    facts.say_lines(told.text());
+  }
+  facts.add(key, std::move(list));
 }
 
 }  // namespace
 
+void tell_contents(const Model& model, Facts& facts) {
+  facts.tell("model", model.name, "model", model.name);
+  facts.tell("model_file", model.path, "file", model.path);
+  facts.tell("source", model.source, "source", model.source);
+  facts.add("rows", model.matrix.rows()).add("columns", model.matrix.cols());
+  facts.say("matrix", fmt::format("{}×{}", model.matrix.rows(), model.matrix.cols()));
+  tell_list(
+      "motions", model.motions,
+      [&](const Motion& motion, Facts& told) { tell_motion(model, motion, told); }, facts);
+  tell_list("groups", groups_of(model), tell_group, facts);
+  tell_sets("loads", "load", model.loads, facts);
+  tell_sets("twists", "twist", model.twists, facts);
+}
+
 Json json_model(const Model& model) {
-  Json motions = Json::array(), groups = Json::array();
-  for (const Motion& motion : model.motions) motions.push_back(json_motion(motion));
-  for (const ToleranceGroup& group : groups_of(model))
-    groups.push_back(
-        {{"name", group.name}, {"members", group.members}, {"tolerances", group.tolerances}});
-  return {{"model", model.name},
-          {"model_file", model.path},
-          {"source", model.source},
-          {"rows", model.matrix.rows()},
-          {"columns", model.matrix.cols()},
-          {"motions", motions},
-          {"groups", groups},
-          {"loads", names_of(model.loads)},
-          {"twists", names_of(model.twists)}};
+  Facts facts(Readers::kPrograms);
+  tell_contents(model, facts);
+  return facts.object();
 }
 
 std::string format_model(const Model& model) {
-  std::string text = fmt::format("model      {}\n", model.name);
-  if (!model.path.empty()) text += fmt::format("file       {}\n", model.path);
-  if (!model.source.empty()) text += fmt::format("source     {}\n", model.source);
-  text += fmt::format("matrix     {}×{}\n", model.matrix.rows(), model.matrix.cols());
-  for (const Motion& motion : model.motions) text += format_motion(model, motion);
-  for (const ToleranceGroup& group : groups_of(model)) text += format_group(group);
-  return text + format_sets("load", model.loads) + format_sets("twist", model.twists);
+  return text_of_facts([&](Facts& facts) { tell_contents(model, facts); });
 }
 
 }  // namespace regulus

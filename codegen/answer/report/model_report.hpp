@@ -5,9 +5,13 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "codegen/answer/facts.hpp"
 #include "codegen/model/model.hpp"
 
 namespace regulus {
+
+/// Tells motions, tolerance groups, loads and twists.
+void tell_contents(const Model& model, Facts& facts);
 
 [[nodiscard]] nlohmann::ordered_json json_model(const Model& model);
 

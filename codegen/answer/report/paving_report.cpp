@@ -6,8 +6,11 @@
 #include <cmath>
 #include <map>
 
+#include "codegen/answer/report/number_text.hpp"
+#include "codegen/answer/report/place_text.hpp"
 #include "codegen/answer/report/question_report.hpp"
-#include "codegen/answer/report/report_parts.hpp"
+#include "codegen/answer/report/report.hpp"
+#include "codegen/answer/report/search_facts.hpp"
 #include "codegen/answer/report/undefined_report.hpp"
 #include "codegen/answer/report/witness_report.hpp"
 #include "codegen/question/analysis/undefined.hpp"
@@ -94,22 +97,14 @@ std::string counted(const Share& share) {
   return fmt::format("{} {}", share.boxes, share.boxes == 1 ? "box" : "boxes");
 }
 
-std::string format_share(const Volumes& volumes, Claim claim) {
+void tell_share(const Volumes& volumes, Claim claim, bool is_shown, Facts& facts) {
   const Share& share = volumes.of(claim);
+  facts.add(name(claim), json_share(volumes, share));
+  if (!is_shown) return;
   const bool beyond = claim == Claim::kUnreachable;
-  return fmt::format("{:<11}{}, {}{}\n", beyond ? "outside" : name(claim),
-                     percentage(volumes, share), counted(share), beyond ? ", out of reach" : "");
-}
-
-/// Nothing if all poses meet the constraints.
-std::string format_workspace(const PreparedSearch& p, const Volumes& volumes) {
-  const auto& workspace = volumes.workspace();
-  if (!workspace || workspace->outside.boxes + workspace->undecided.boxes == 0) return "";
-  const Interval part = volumes.workspace_fraction();
-  return fmt::format(
-      "workspace  {:.2f} to {:.2f} % of the ranges {}\n", std::floor(1e4 * part.lo) / 100,
-      std::ceil(1e4 * part.hi) / 100,
-      p.labels.constraints > p.labels.reach ? "meet the constraints" : "are within reach");
+  facts.say(beyond ? "outside" : name(claim),
+            fmt::format("{}, {}{}", percentage(volumes, share), counted(share),
+                        beyond ? ", out of reach" : ""));
 }
 
 Json json_workspace(const Volumes& volumes) {
@@ -121,18 +116,41 @@ Json json_workspace(const Volumes& volumes) {
           {"undecided", json_share(volumes, workspace.undecided)}};
 }
 
-std::string format_share(const PreparedSearch& p, const Volumes& volumes, const Result& result) {
-  std::string lines;
+/// People read nothing if all poses meet the constraints.
+void tell_workspace(const PreparedSearch& p, const Volumes& volumes, Facts& facts) {
+  facts.add("workspace", json_workspace(volumes));
+  const auto& workspace = volumes.workspace();
+  if (!workspace || workspace->outside.boxes + workspace->undecided.boxes == 0) return;
+  const Interval part = volumes.workspace_fraction();
+  facts.say("workspace",
+            fmt::format("{:.2f} to {:.2f} % of the ranges {}", std::floor(1e4 * part.lo) / 100,
+                        std::ceil(1e4 * part.hi) / 100,
+                        p.labels.constraints > p.labels.reach ? "meet the constraints"
+                                                              : "are within reach"));
+}
+
+void tell_volumes(const PreparedSearch& p, const Volumes& volumes, const Result& result,
+                  Facts& facts) {
+  facts.add("volume", json_interval(volumes.total()));
   for (const Claim claim : kEveryClaim)
-    if ((claim != Claim::kOutside || p.labels.constraints > p.labels.reach) &&
-        (claim != Claim::kUnreachable || p.labels.reach > 0))
-      lines += format_share(volumes, claim);
-  lines += format_workspace(p, volumes);
+    tell_share(volumes, claim,
+               (claim != Claim::kOutside || p.labels.constraints > p.labels.reach) &&
+                   (claim != Claim::kUnreachable || p.labels.reach > 0),
+               facts);
+  facts.add("unfinished", json_share(volumes, volumes.unfinished()));
+  tell_workspace(p, volumes, facts);
+  facts.add("stopped_by", nullptr);
   if (result.stopped_by)
-    lines += fmt::format("stopped    {}: {}, {}, not searched, undecided\n",
-                         describe(*result.stopped_by), counted(volumes.unfinished()),
-                         percentage(volumes, volumes.unfinished()));
-  return lines;
+    facts.tell(
+        "stopped_by", describe(*result.stopped_by), "stopped",
+        fmt::format("{}: {}, {}, not searched, undecided", describe(*result.stopped_by),
+                    counted(volumes.unfinished()), percentage(volumes, volumes.unfinished())));
+}
+
+void tell_claims(const PreparedSearch& p, Facts& facts) {
+  const std::string free = "free: " + describe_claim(p, Claim::kFree);
+  const std::string singular = "singular: " + describe_claim(p, Claim::kSingular);
+  facts.tell("claim", free + "; " + singular, "claim", free + '\n' + singular);
 }
 
 }  // namespace
@@ -158,33 +176,23 @@ Json json_paving_header(const PreparedSearch& p, const PavingOptions& options) {
   return header;
 }
 
-Json json_paving_summary(const PreparedSearch& p, const SearchOptions& search,
-                         const PavingOptions& options, const Volumes& volumes,
-                         const Result& result) {
-  Json summary = {
-      {"verdict", json_name(result.verdict)},  {"reason", describe(result.reason)},
-      {"nonempty", json_occupancy(result)},    {"model", p.labels.model},
-      {"model_sha256", p.labels.model_sha256}, {"motion", p.labels.motion},
-      {"alpha", mid(p.variety.alpha)},         {"resolution", options.resolution},
-      {"unit", volume_unit(p, options.axes)},  {"volume", json_interval(volumes.total())}};
-  for (const Claim claim : kEveryClaim)
-    summary[name(claim)] = json_share(volumes, volumes.of(claim));
-  summary["unfinished"] = json_share(volumes, volumes.unfinished());
-  summary["workspace"] = json_workspace(volumes);
-  summary["stopped_by"] = result.stopped_by ? Json(describe(*result.stopped_by)) : Json(nullptr);
-  summary["method"] = name(result.method);
-  summary["without"] = search.without;
-  summary["forms"] = json_forms(p);
-  summary["boxes"] = result.statistics.boxes;
-  summary["max_frontier"] = result.statistics.max_frontier;
-  summary["probes"] = result.statistics.probes;
-  summary["bits"] = p.bits;
+void tell_paving(const PreparedSearch& p, const SearchOptions& search, const PavingOptions& options,
+                 const Volumes& volumes, const Result& result, Facts& facts) {
+  facts.add("verdict", json_name(result.verdict)).add("reason", describe(result.reason));
+  tell_question(p, facts);
+  if (facts.are_for_programs()) add_search(search, json_question(p, search), facts);
+  tell_method(p, search, result.method, result.statistics.boxes, facts);
+  facts.add("resolution", options.resolution).add("unit", volume_unit(p, options.axes));
+  if (!options.axes.empty())
+    facts.say("resolution", fmt::format("1/{:g} of each range", 1 / options.resolution));
+  tell_boxes(result.statistics, facts);
+  tell_time(p.seconds_spent(), facts);
+  tell_volumes(p, volumes, result, facts);
+  tell_witness(p, result, facts);
   if (result.reason == Reason::kUndefined)
-    summary["undefined"] = json_undefined(p, find_undefined(p, result.blocking_box));
-  summary["witness"] = json_witness(p, result);
-  summary["question"] = json_question(p, search);
-  summary["seconds"] = json_seconds(p.seconds_spent());
-  return summary;
+    tell_undefined(p, find_undefined(p, result.blocking_box), facts);
+  tell_occupancy(result, facts);
+  tell_claims(p, facts);
 }
 
 std::string percentage(const Volumes& volumes, const Share& share) {
@@ -195,25 +203,6 @@ std::string percentage(const Volumes& volumes, const Share& share) {
   if (percent < 0.005) return "< 0.01 %";
   if (percent > 99.995) return "> 99.99 %";
   return fmt::format("{:.2f} %", percent);
-}
-
-std::string paving_report(const PreparedSearch& p, const SearchOptions& search,
-                          const PavingOptions& options, const Volumes& volumes,
-                          const Result& result) {
-  std::string text =
-      format_question(p) + format_method(p, search, result.method, result.statistics.boxes);
-  if (!options.axes.empty())
-    text += fmt::format("resolution 1/{:g} of each range\n", 1 / options.resolution);
-  text += fmt::format("boxes      {} evaluated, at most {} waiting\n", result.statistics.boxes,
-                      result.statistics.max_frontier);
-  text +=
-      format_time(p.seconds_spent()) + format_share(p, volumes, result) + format_witness(p, result);
-  if (result.reason == Reason::kUndefined)
-    text += format_undefined(p, find_undefined(p, result.blocking_box));
-  text += format_occupancy(result);
-  return text + fmt::format("claim      {}\n           {}\n",
-                            "free: " + describe_claim(p, Claim::kFree),
-                            "singular: " + describe_claim(p, Claim::kSingular));
 }
 
 }  // namespace regulus

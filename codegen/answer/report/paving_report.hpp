@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "codegen/answer/facts.hpp"
 #include "codegen/answer/report/paving_options.hpp"
 #include "runtime/search/paving.hpp"
 
@@ -14,17 +15,11 @@ namespace regulus {
 [[nodiscard]] nlohmann::ordered_json json_paving_header(const PreparedSearch& preparation,
                                                         const PavingOptions& options);
 
-/// Returns number, volume and fraction of each kind of box; if the paving is not complete, the
-/// reason.
-[[nodiscard]] nlohmann::ordered_json json_paving_summary(const PreparedSearch& preparation,
-                                                         const SearchOptions& search,
-                                                         const PavingOptions& options,
-                                                         const Volumes& volumes,
-                                                         const Result& result);
-
-[[nodiscard]] std::string paving_report(const PreparedSearch& preparation,
-                                        const SearchOptions& search, const PavingOptions& options,
-                                        const Volumes& volumes, const Result& result);
+/// Tells the question, and number, volume and fraction of each kind of box; if the paving is not complete,
+/// the reason.
+void tell_paving(const PreparedSearch& preparation, const SearchOptions& search,
+                 const PavingOptions& options, const Volumes& volumes, const Result& result,
+                 Facts& facts);
 
 /// Returns "83.1 %", for example, from certified bounds; "100 %" and "0 %" only for all and
 /// nothing.

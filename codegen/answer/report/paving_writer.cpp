@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/answer/report/paving_writer.hpp"
 
+#include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/paving_report.hpp"
-#include "codegen/answer/report/report_parts.hpp"
+#include "codegen/answer/report/place_text.hpp"
 #include "codegen/answer/report/report_text.hpp"
 #include "codegen/answer/report/undefined_report.hpp"
 #include "codegen/answer/report/witness_report.hpp"

@@ -10,7 +10,7 @@
 #include <memory>
 #include <utility>
 
-#include "codegen/answer/report/report_parts.hpp"
+#include "codegen/answer/report/number_text.hpp"
 
 namespace regulus {
 namespace {

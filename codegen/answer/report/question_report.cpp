@@ -7,7 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/answer/certificate/certificate_expression_writer.hpp"
-#include "codegen/answer/report/report_parts.hpp"
+#include "codegen/answer/report/number_text.hpp"
+#include "codegen/answer/report/place_text.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/question/engine/choices.hpp"
 #include "codegen/question/engine/settings.hpp"

@@ -6,13 +6,13 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "codegen/answer/report/number_text.hpp"
+#include "codegen/answer/report/place_text.hpp"
 #include "codegen/answer/report/question_report.hpp"
-#include "codegen/answer/report/report_parts.hpp"
+#include "codegen/answer/report/search_facts.hpp"
 #include "codegen/answer/report/undefined_report.hpp"
 #include "codegen/answer/report/witness_report.hpp"
 #include "codegen/question/analysis/undefined.hpp"
-#include "codegen/question/engine/choices.hpp"
-#include "codegen/question/engine/settings.hpp"
 
 namespace regulus {
 namespace {
@@ -33,33 +33,31 @@ Json json_blocking_box(const PreparedSearch& p, const Result& result) {
   return box;
 }
 
-std::string format_blocking(const PreparedSearch& p, const Result& result) {
-  if (result.blocking_box.empty()) return "";
-  const std::string line = fmt::format("blocked    {}\n", describe_place(p, result.blocking_box));
-  if (result.reason != Reason::kUndefined) return line;
-  return line + format_undefined(p, find_undefined(p, result.blocking_box));
-}
-
 std::uint64_t rests_on(const Result& result, std::size_t filter) {
   return filter < result.filter_boxes.size() ? result.filter_boxes[filter] : 0;
 }
 
-std::string format_filter(const PreparedSearch& p, const Result& result) {
-  std::string lines;
-  for (std::size_t i = 0; i < p.filters.size(); ++i)
-    lines += fmt::format("filter     {} ({}): {} boxes rest on it\n", p.filters[i].name(),
-                         p.filters[i].path(), rests_on(result, i));
-  return lines;
+void tell_filters(const PreparedSearch& p, const Result& result, Facts& facts) {
+  Json filters = Json::array();
+  for (std::size_t i = 0; i < p.filters.size(); ++i) {
+    const FilterFile& filter = p.filters[i];
+    const std::uint64_t boxes = rests_on(result, i);
+    filters.push_back({{"path", filter.path()},
+                       {"name", filter.name()},
+                       {"sha256", filter.sha256()},
+                       {"boxes", boxes}});
+    facts.say("filter",
+              fmt::format("{} ({}): {} boxes rest on it", filter.name(), filter.path(), boxes));
+  }
+  facts.add("filters", filters);
 }
 
-Json json_filters(const PreparedSearch& p, const Result& result) {
-  Json filters = Json::array();
-  for (std::size_t i = 0; i < p.filters.size(); ++i)
-    filters.push_back({{"path", p.filters[i].path()},
-                       {"name", p.filters[i].name()},
-                       {"sha256", p.filters[i].sha256()},
-                       {"boxes", rests_on(result, i)}});
-  return filters;
+void tell_blocking(const PreparedSearch& p, const Result& result, Facts& facts) {
+  facts.add("blocking_box", json_blocking_box(p, result));
+  if (result.blocking_box.empty()) return;
+  facts.say("blocked", describe_place(p, result.blocking_box));
+  if (result.reason == Reason::kUndefined)
+    tell_undefined(p, find_undefined(p, result.blocking_box), facts);
 }
 
 /// Returns the part of a claim that rests on filters of the user.
@@ -105,59 +103,41 @@ std::string claim(const PreparedSearch& p, const Result& result) {
   return "";
 }
 
+void tell_boxes(const Statistics& statistics, Facts& facts) {
+  facts.add("boxes", statistics.boxes).add("max_frontier", statistics.max_frontier);
+  facts.add("probes", statistics.probes);
+  facts.say("boxes", fmt::format("{} evaluated, at most {} waiting", statistics.boxes,
+                                 statistics.max_frontier));
+}
+
+void tell_report(const PreparedSearch& p, const SearchOptions& search, const Result& result,
+                 const std::optional<LeastSingular>& nearest, Facts& facts) {
+  facts.add("verdict", json_name(result.verdict)).add("reason", describe(result.reason));
+  tell_question(p, facts);
+  if (facts.are_for_programs()) add_search(search, json_question(p, search), facts);
+  tell_method(p, search, result.method, result.statistics.boxes, facts);
+  tell_filters(p, result, facts);
+  tell_boxes(result.statistics, facts);
+  facts.add("leaves", json_leaves(result.statistics));
+  Facts findings = facts.part();
+  tell_witness(p, result, findings);
+  tell_blocking(p, result, findings);
+  if (nearest) tell_nearest(p, *nearest, findings);
+  tell_occupancy(result, findings);
+  tell_time(p.seconds_spent(), facts);  // of the findings, too
+  facts.append(std::move(findings));
+  const std::string proved = claim(p, result);
+  facts.tell("claim", proved, "claim", proved);
+}
+
 Json json_report(const PreparedSearch& p, const SearchOptions& search, const Result& result,
                  const std::optional<LeastSingular>& nearest) {
-  Json report;
-  report["verdict"] = json_name(result.verdict);
-  report["claim"] = claim(p, result);
-  report["reason"] = describe(result.reason);
-  report["nonempty"] = json_occupancy(result);
-  report["model"] = p.labels.model;
-  report["model_file"] = p.model_file;
-  report["notes"] = p.labels.notes;
-  report["model_sha256"] = p.labels.model_sha256;
-  report["motion"] = p.labels.motion;
-  report["where"] = p.labels.where;
-  report["matrix"] = name(p.labels.matrix_kind);
-  report["matrix_notes"] = p.labels.matrix_notes;
-  report["alpha"] = mid(p.variety.alpha);
-  report["alpha_enclosure"] = json_interval(p.variety.alpha);
-  report["method"] = name(result.method);
-  report["without"] = search.without;
-  report["forms"] = json_forms(p);
-  report["boxes"] = result.statistics.boxes;
-  report["max_frontier"] = result.statistics.max_frontier;
-  report["leaves"] = json_leaves(result.statistics);
-  report["filters"] = json_filters(p, result);
-  report["probes"] = result.statistics.probes;
-  report["bits"] = p.bits;
-  report["witness"] = json_witness(p, result);
-  report["blocking_box"] = json_blocking_box(p, result);
-  if (nearest) report["nearest_singular"] = json_nearest(p, *nearest);
-  if (result.reason == Reason::kUndefined && !result.blocking_box.empty())
-    report["undefined"] = json_undefined(p, find_undefined(p, result.blocking_box));
-  report["question"] = json_question(p, search);
-  report["engine"] = word_of(search.engine);
-  report["engine_boxes"] = json_engine_boxes(p, search, result.statistics.boxes);
-  report["isa"] = name(p.isa);
-  report["cache"] = p.cache;
-  report["threads"] = settings_from(search).threads;
-  report["seconds"] = json_seconds(p.seconds_spent());
-  return report;
+  return report_of_facts([&](Facts& facts) { tell_report(p, search, result, nearest, facts); });
 }
 
 std::string text_report(const PreparedSearch& p, const SearchOptions& search, const Result& result,
                         const std::optional<LeastSingular>& nearest) {
-  std::string text =
-      format_question(p) + format_method(p, search, result.method, result.statistics.boxes);
-  text += format_filter(p, result);
-  text += fmt::format("boxes      {} evaluated, at most {} waiting\n", result.statistics.boxes,
-                      result.statistics.max_frontier);
-  // The time for these lines counts, too.
-  const std::string findings = format_witness(p, result) + format_blocking(p, result) +
-                               format_nearest(p, nearest) + format_occupancy(result);
-  text += format_time(p.seconds_spent()) + findings;
-  return text + fmt::format("claim      {}\n", claim(p, result));
+  return text_of_facts([&](Facts& facts) { tell_report(p, search, result, nearest, facts); });
 }
 
 }  // namespace regulus

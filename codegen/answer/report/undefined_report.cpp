@@ -5,7 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "codegen/answer/report/report_parts.hpp"
+#include "codegen/answer/report/number_text.hpp"
+#include "codegen/answer/report/place_text.hpp"
 
 namespace regulus {
 
@@ -25,17 +26,17 @@ nlohmann::ordered_json json_undefined(const PreparedSearch& p, const Undefined& 
           {"expressions", expressions}};
 }
 
-std::string format_undefined(const PreparedSearch& p, const Undefined& undefined) {
-  std::string lines;
+void tell_undefined(const PreparedSearch& p, const Undefined& undefined, Facts& facts) {
+  facts.add("undefined", json_undefined(p, undefined));
   for (const UndefinedExpression& e : undefined.expressions)
-    lines += fmt::format("undefined  {}{}\n", e.text,
-                         e.argument.empty() ? ""
-                                            : fmt::format(", where {} {} {}", e.argument,
-                                                          is_thin(e.enclosure) ? "=" : "in",
-                                                          short_interval(e.enclosure)));
-  if (undefined.expressions.empty()) lines = "undefined  a value is too large to be enclosed\n";
-  return lines + fmt::format("           at {}\n", describe_place(p, undefined.variables)) +
-         format_pose(p, undefined.pose);
+    facts.say("undefined",
+              e.text + (e.argument.empty() ? ""
+                                           : fmt::format(", where {} {} {}", e.argument,
+                                                         is_thin(e.enclosure) ? "=" : "in",
+                                                         short_interval(e.enclosure))));
+  if (undefined.expressions.empty()) facts.say("undefined", "a value is too large to be enclosed");
+  facts.say("", "at " + describe_place(p, undefined.variables));
+  facts.say("", describe_pose_of(p, undefined.pose));
 }
 
 }  // namespace regulus

@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "codegen/answer/report/degeneracy_report.hpp"
-#include "codegen/answer/report/report_parts.hpp"
+#include "codegen/answer/report/number_text.hpp"
+#include "codegen/answer/report/place_text.hpp"
 #include "codegen/question/analysis/lost_twist.hpp"
 
 namespace regulus {
@@ -67,36 +70,44 @@ Json json_exact(const PreparedSearch& p, const WitnessPoint& point) {
   return exact;
 }
 
-std::string format_exact_values(const PreparedSearch& p, const WitnessPoint& point) {
+std::string describe_exact_values(const PreparedSearch& p, const WitnessPoint& point) {
   std::string words;
   for (std::size_t k = 0; k < point.numbers.size(); ++k)
     if (point.numbers[k].denominator > 0)
-      words += fmt::format("{}{} = {}", words.empty() ? "" : ", ", p.labels.variables[k].name,
-                           text_of(point.numbers[k]));
-  return words.empty() ? words : fmt::format("           exactly {}\n", words);
+      words += fmt::format("{}{} = {}", words.empty() ? "exactly " : ", ",
+                           p.labels.variables[k].name, text_of(point.numbers[k]));
+  return words;
 }
 
-std::string format_lost_rank(const PreparedSearch& p) {
-  return fmt::format("           its rank is less than {} there, by exact algebra\n",
-                     p.labels.columns);
+void say_proof(const PreparedSearch& p, const Witness& witness, const std::optional<double>& scale,
+               Facts& facts) {
+  if (p.labels.rows != p.labels.columns) {
+    facts.say("",
+              fmt::format("its rank is less than {} there, by exact algebra", p.labels.columns));
+    return;
+  }
+  facts.say(
+      "", fmt::format(
+              "{} {} there{}", has_row_scales(p, witness) ? "det J⁻¹" : "determinant",
+              describe_value(closest(witness).determinant),
+              scale ? fmt::format("; rows of these lengths allow {:.2g} (Hadamard)", *scale) : ""));
+  if (witness.points.size() == 2)
+    facts.say("",
+              fmt::format("it changes sign: {} and {} at points that differ by at most {:.2g}",
+                          short_interval(witness.points[0].determinant),
+                          short_interval(witness.points[1].determinant), approx_distance(witness)));
 }
 
-std::string format_proof(const PreparedSearch& p, const Witness& witness,
-                         const InverseJacobian& matrix) {
-  const WitnessPoint& point = closest(witness);
-  if (p.labels.rows != p.labels.columns) return format_lost_rank(p);
-  const bool crossed = witness.points.size() == 2;
-  const std::optional<double> scale = approx_scale(p, witness, matrix);
-  const std::string line = fmt::format(
-      "           {} {} there{}\n", has_row_scales(p, witness) ? "det J⁻¹" : "determinant",
-      describe_value(point.determinant),
-      scale ? fmt::format("; rows of these lengths allow {:.2g} (Hadamard)", *scale) : "");
-  if (!crossed) return line;
-  return line +
-         fmt::format(
-             "           it changes sign: {} and {} at points that differ by at most {:.2g}\n",
-             short_interval(witness.points[0].determinant),
-             short_interval(witness.points[1].determinant), approx_distance(witness));
+/// Tells the points of a witness, and for two of them the box between.
+void add_points(const PreparedSearch& p, const Witness& witness, const std::optional<double>& scale,
+                Facts& facts) {
+  Json points = Json::array();
+  for (const WitnessPoint& point : witness.points) points.push_back(json_point(p, point));
+  facts.add("points", points).add("approx_hadamard", or_null(scale));
+  if (witness.points.size() != 2) return;
+  const std::vector<Interval> box = hull_of_points(witness);
+  facts.add("vanishes_within",
+            {{"parameters", json_parameters(p, box)}, {"uncertain", json_uncertain(p, box)}});
 }
 
 }  // namespace
@@ -111,68 +122,52 @@ Json json_point(const PreparedSearch& p, const WitnessPoint& point) {
   return report;
 }
 
-Json json_witness(const PreparedSearch& p, const Result& result) {
-  if (!result.witness) return nullptr;
-  const Witness& witness = *result.witness;
-  Json points = Json::array();
-  for (const WitnessPoint& point : witness.points) points.push_back(json_point(p, point));
-  Json report = {{"points", points}};
-  const InverseJacobian matrix(p);
-  const std::optional<double> scale = approx_scale(p, witness, matrix);
-  report["approx_hadamard"] = scale ? Json(*scale) : Json(nullptr);
-  if (witness.points.size() == 2) {
-    const std::vector<Interval> box = hull_of_points(witness);
-    report["vanishes_within"] = {{"parameters", json_parameters(p, box)},
-                                 {"uncertain", json_uncertain(p, box)}};
+void tell_witness(const PreparedSearch& p, const Result& result, Facts& facts) {
+  if (!result.witness) {
+    facts.add("witness", nullptr);
+    return;
   }
-  if (!witness.near) return report;
-  report["near"] = json_point(p, *witness.near);
-  report.update(json_degeneracy(p, matrix.approx_degeneracy(witness.near->variables)));
-  return report;
-}
-
-std::string format_witness(const PreparedSearch& p, const Result& result) {
-  if (!result.witness) return "";
   const Witness& witness = *result.witness;
   const WitnessPoint& point = closest(witness);
   const InverseJacobian matrix(p);
-  std::string lines = fmt::format("witness    {}\n", describe_place(p, point.variables)) +
-                      format_exact_values(p, point) + format_pose(p, point.pose) +
-                      format_uncertain_values(p, point.variables) +
-                      format_proof(p, witness, matrix);
-  if (!witness.near) return lines;
-  return lines + format_degeneracy(p, matrix.approx_degeneracy(point.variables));
+  const std::optional<double> scale = approx_scale(p, witness, matrix);
+  Facts told = facts.part();
+  told.say("witness", describe_place(p, point.variables));
+  told.say("", describe_exact_values(p, point)).say("", describe_pose_of(p, point.pose));
+  told.say("", describe_uncertain_values(p, point.variables));
+  say_proof(p, witness, scale, told);
+  add_points(p, witness, scale, told);
+  if (witness.near) {
+    told.add("near", json_point(p, *witness.near));
+    tell_degeneracy(p, matrix.approx_degeneracy(witness.near->variables), told);
+  }
+  facts.tell_part("witness", std::move(told));
 }
 
-Json json_nearest(const PreparedSearch& p, const LeastSingular& nearest) {
-  Json report = {{"approximate", true},
-                 {"parameters", json_parameters(p, nearest.variables)},
-                 {"pose", json_pose(p, nearest.pose)},
-                 {"uncertain", json_uncertain(p, nearest.variables)}};
-  if (nearest.share) report["hadamard_share"] = *nearest.share;
-  report.update(json_degeneracy(p, nearest.degeneracy));
-  return report;
-}
-
-std::string format_nearest(const PreparedSearch& p, const std::optional<LeastSingular>& nearest) {
-  if (!nearest) return "";
-  const std::string place =
-      fmt::format("nearest    {}\n", describe_short_place(p, nearest->variables)) +
-      format_short_pose(p, nearest->pose) + format_uncertain_values(p, nearest->variables);
-  if (nearest->share)
-    return place + fmt::format(
-                       "           almost singular there: |det| of the balanced matrix is about "
-                       "{:.2g} of what its "
-                       "rows allow (Hadamard)\n",
-                       *nearest->share);
-  const std::string lines =
-      place +
-      fmt::format(
-          "           the least singular value met, about {:.2g} of the largest; this proves "
-          "nothing\n",
-          nearest->degeneracy.singular_values.back());
-  return nearest->degeneracy.twists.empty() ? lines
-                                            : lines + format_degeneracy(p, nearest->degeneracy);
+void tell_nearest(const PreparedSearch& p, const LeastSingular& nearest, Facts& facts) {
+  Facts told = facts.part();
+  told.add("approximate", true)
+      .add("parameters", json_parameters(p, nearest.variables))
+      .add("pose", json_pose(p, nearest.pose))
+      .add("uncertain", json_uncertain(p, nearest.variables));
+  told.say("nearest", describe_short_place(p, nearest.variables));
+  told.say("", describe_short_pose(p, nearest.pose));
+  told.say("", describe_uncertain_values(p, nearest.variables));
+  const bool is_lost = !nearest.share && !nearest.degeneracy.twists.empty();
+  if (nearest.share)
+    told.tell("hadamard_share", *nearest.share, "",
+              fmt::format("almost singular there: |det| of the balanced matrix is about {:.2g} of "
+                          "what its rows allow (Hadamard)",
+                          *nearest.share));
+  else
+    told.say("", fmt::format("the least singular value met, about {:.2g} of the largest; this "
+                             "proves nothing",
+                             nearest.degeneracy.singular_values.back()));
+  // People read of no loss unless something is lost, and not where the matrix is only almost singular.
+  Facts lost = is_lost ? told.part() : Facts(Readers::kPrograms);
+  tell_degeneracy(p, nearest.degeneracy, lost);
+  told.append(std::move(lost));
+  facts.tell_part("nearest_singular", std::move(told));
 }
 
 }  // namespace regulus

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reports of a singularity, for people and for programs: the proof, a pose close to it, and the
-// twists lost there.
+// What is told of a singularity: the proof, a pose close to it, and the twists lost there.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
-#include <string>
 
+#include "codegen/answer/facts.hpp"
 #include "codegen/question/analysis/least_singular.hpp"
 #include "codegen/question/engine/pipeline.hpp"
 #include "runtime/problem/result.hpp"
@@ -16,18 +15,11 @@ namespace regulus {
 [[nodiscard]] nlohmann::ordered_json json_point(const PreparedSearch& preparation,
                                                 const WitnessPoint& point);
 
-/// Returns null without a witness.
-[[nodiscard]] nlohmann::ordered_json json_witness(const PreparedSearch& preparation,
-                                                  const Result& result);
+/// Tells it under the key `witness`, which is null without a witness.
+void tell_witness(const PreparedSearch& preparation, const Result& result, Facts& facts);
 
-/// Returns an empty text without a witness.
-[[nodiscard]] std::string format_witness(const PreparedSearch& preparation, const Result& result);
-
-/// Returns the place where a matrix is nearest to losing rank, if nothing could be proved or if it is
-/// almost singular there.
-[[nodiscard]] nlohmann::ordered_json json_nearest(const PreparedSearch& preparation,
-                                                  const LeastSingular& nearest);
-[[nodiscard]] std::string format_nearest(const PreparedSearch& preparation,
-                                         const std::optional<LeastSingular>& nearest);
+/// Tells under the key `nearest_singular` where a matrix is nearest to losing rank, if nothing could
+/// be proved or if it is almost singular there.
+void tell_nearest(const PreparedSearch& preparation, const LeastSingular& nearest, Facts& facts);
 
 }  // namespace regulus

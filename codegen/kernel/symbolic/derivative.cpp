@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/kernel/symbolic/derivative.hpp"
 
+#include <stdexcept>
 #include <vector>
 
 namespace regulus {
@@ -27,9 +28,12 @@ Expression outer_derivative(Call function, const Expression& u) {
       return call(Call::kExp, {u});
     case Call::kLog:
       return power(u, -1);
-    default:  // kAbs: the sign
+    case Call::kAbs:  // the sign
       return u * power(call(Call::kAbs, {u}), -1);
+    case Call::kAtan2:
+      break;
   }
+  throw std::logic_error("not a function of one argument");
 }
 
 }  // namespace

@@ -3,7 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "codegen/answer/report/report_parts.hpp"
+#include "codegen/answer/facts.hpp"
+#include "codegen/answer/report/place_text.hpp"
 #include "codegen/answer/report/witness_report.hpp"
 
 namespace regulus {
@@ -30,7 +31,9 @@ AttainedPlace attained_place(const PreparedSearch& preparation, const Result& re
   const Witness& witness = *result.witness;
   const WitnessPoint& point = witness.near ? *witness.near : witness.points.front();
   place.pose = describe_place(preparation, point.variables);
-  place.values = format_uncertain_values(preparation, point.variables);
+  place.values = Facts(Readers::kPeople)
+                     .say("", describe_uncertain_values(preparation, point.variables))
+                     .text();
   place.json = json_point(preparation, point);
   place.json.erase("determinant");
   if (!parameter.empty()) remove_parameter(place, parameter);

@@ -1,129 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/bound/bound_checkpoint.hpp"
 
-#include <algorithm>
+#include <nlohmann/json.hpp>
 
-#include "codegen/answer/report/question_report.hpp"
-#include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/question/bound/quantity_report.hpp"
-#include "codegen/question/way/trajectory_report.hpp"
+#include "codegen/question/way/margin_checkpoint.hpp"
 
 namespace regulus {
-namespace {
 
-using Json = nlohmann::ordered_json;
-
-constexpr const char* kBrackets = "brackets";
-
-/// True if the same search always ends for this reason, whatever the time.
-bool is_repeatable(Reason reason) {
-  switch (reason) {
-    case Reason::kWidth:
-    case Reason::kUncertainty:
-    case Reason::kUndefined:
-    case Reason::kBoxBudget:
-    case Reason::kSeemsSingular:
-    case Reason::kStalled:
-      return true;
-    default:
-      return false;
-  }
-}
-
-bool is_repeatable(const Result& result) {
-  if (result.occupancy == Occupancy::kEmpty) return false;
-  if (result.verdict == Verdict::kNoSingularity) return true;
-  return result.verdict == Verdict::kPossibleProblem && is_repeatable(result.reason) &&
-         std::ranges::all_of(result.blocking_box, [](const Interval& i) { return is_bounded(i); });
-}
-
-Json written(const Result& result, std::uint64_t most_boxes) {
-  Json entry{{"certified", result.verdict == Verdict::kNoSingularity},
-             {"reason", int{static_cast<std::uint8_t>(result.reason)}},
-             {"boxes", result.statistics.boxes},
-             {"most_boxes", most_boxes}};
-  for (const Interval& range : result.blocking_box) entry["box"].push_back({range.lo, range.hi});
-  return entry;
-}
-
-/// Throws Json::exception, or gives a result that is not repeatable, for a damaged entry.
-Result read_result(const Json& entry) {
-  Result result;
-  const bool is_certified = entry.at("certified").get<bool>();
-  result.verdict = is_certified ? Verdict::kNoSingularity : Verdict::kPossibleProblem;
-  result.reason = is_certified ? Reason::kAllBoxesCertified
-                               : static_cast<Reason>(entry.at("reason").get<std::uint8_t>());
-  result.statistics.boxes = entry.at("boxes").get<std::uint64_t>();
-  if (!entry.contains("box")) return result;
-  for (const Json& range : entry["box"]) {
-    const double lo = range.at(0).get<double>(), hi = range.at(1).get<double>();
-    if (!(lo <= hi)) return {};
-    result.blocking_box.emplace_back(lo, hi);
-  }
-  return result;
-}
-
-}  // namespace
-
-/// The searches of one bracket in the file.
-class BoundCheckpoint::Searches final : public EarlierSearches {
- public:
-  Searches(JsonCheckpoint& file, std::string bracket) : file_(file), bracket_(std::move(bracket)) {}
-
-  [[nodiscard]] std::optional<Result> find(const MarginValue& value,
-                                           std::uint64_t most_boxes) const override {
-    try {
-      const Json& entry = file_.known().at(kBrackets).at(bracket_).at(value.text);
-      if (entry.at("most_boxes").get<std::uint64_t>() != most_boxes) return std::nullopt;
-      Result result = read_result(entry);
-      return is_repeatable(result) ? std::optional(std::move(result)) : std::nullopt;
-    } catch (const Json::exception&) {
-      return std::nullopt;
-    }
-  }
-
-  void keep(const MarginValue& value, std::uint64_t most_boxes, const Result& result) override {
-    if (!is_repeatable(result)) return;
-    Json& bracket = file_.known()[kBrackets][bracket_];
-    if (!bracket.is_object()) bracket = Json::object();
-    bracket[value.text] = written(result, most_boxes);
-    file_.save();
-  }
-
-  [[noreturn]] void refuse(const MarginValue& value) const override {
-    file_.refuse("the search at " + value.text + " does not end as it says");
-  }
-
- private:
-  JsonCheckpoint& file_;
-  std::string bracket_;
-};
-
-BoundCheckpoint::BoundCheckpoint(std::string path, const Json& question)
-    : file_(std::move(path), question, "the bounds") {
-  Json& brackets = file_.known()[kBrackets];
-  if (brackets.is_null()) brackets = Json::object();
-  if (!brackets.is_object()) file_.refuse("it is not a checkpoint of bounds, or it is damaged");
-}
-
-std::unique_ptr<EarlierSearches> BoundCheckpoint::searches_of(const MarginQuestion& bracket,
-                                                              const std::string& label,
-                                                              const std::string& reference) {
-  const std::string high = bracket.high ? bracket.high->text : "";
-  return std::make_unique<Searches>(
-      file_, label + " from " + reference + ", " + bracket.low.text + ":" + high);
-}
-
-Json checkpointed_question(const Request& request, const Quantity& quantity,
-                           const SearchOptions& search) {
-  Json question = json_question(request, search);
-  question.erase("options");  // they change how long it takes
+nlohmann::ordered_json checkpointed_question(const Request& request, const Quantity& quantity,
+                                             const SearchOptions& search) {
+  nlohmann::ordered_json question = checkpointed_question(request, search);
   question["quantity"] = json_quantity(request.model, quantity);
-  if (!request.motion.trajectory) return question;
-  question["waypoints"] = json_waypoints(*request.motion.trajectory);
-  question["waypoints"].erase("file");
-  for (const GiNaC::ex& error : request.motion.error)
-    question["tube"].push_back(formula_text(error));
   return question;
 }
 

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/answer/report/question_report.hpp"
-#include "codegen/answer/report/report_parts.hpp"
+#include "codegen/answer/report/search_facts.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/question/bound/quantity_report.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
@@ -115,31 +115,19 @@ const ComponentBound* exceeded(const Bound& bound) {
   return nullptr;
 }
 
-std::string format_place(const char* word, const ComponentBound& c) {
-  if (!c.place) return "";
-  return fmt::format("{:<10} {}{}\n{}", word,
-                     c.component.label.empty() ? "" : c.component.label + ": ", c.place->pose,
-                     c.place->values);
+void say_place(const char* word, const ComponentBound& c, Facts& facts) {
+  if (!c.place) return;
+  const std::string& label = c.component.label;
+  facts.say(word, (label.empty() ? "" : label + ": ") + c.place->pose);
+  facts.say_lines(c.place->values);
 }
 
-std::string format_claim(const Request& request, const Bound& bound, const ComponentBound& c) {
+std::string describe_proved(const Request& request, const Bound& bound, const ComponentBound& c) {
   const bool least = is_least(c.component);
   const std::string end =
       rounded_text(*c.proved, side_of_proved(c.component), digits_for(bound.gap()));
-  return fmt::format("proved     {} {} {}, {}\n", subject_of(bound, c.component), least ? ">" : "<",
+  return fmt::format("{} {} {}, {}", subject_of(bound, c.component), least ? ">" : "<",
                      with_unit(end, c.component.unit), claim_words(request, c.component));
-}
-
-StageSeconds seconds_of(const Bound& bound) {
-  StageSeconds sum;
-  for (const ComponentBound& c : bound.components) sum += c.seconds;
-  return sum;
-}
-
-std::uint64_t boxes_of(const Bound& bound) {
-  std::uint64_t sum = 0;
-  for (const ComponentBound& c : bound.components) sum += c.boxes;
-  return sum;
 }
 
 const char* word_of_verdict(LimitVerdict verdict) {
@@ -164,27 +152,85 @@ Json json_exact(const std::optional<BoundEnd>& end) {
 }
 
 Json json_component(const ComponentBound& c, bool has_limit) {
-  Json object = {{"label", c.component.label}, {"unit", c.component.unit}};
+  Facts facts(Readers::kPrograms);
+  facts.add("label", c.component.label).add("unit", c.component.unit);
   if (has_limit) {
-    object["verdict"] = word_of_verdict(c.verdict);
+    facts.add("verdict", word_of_verdict(c.verdict));
   } else {
-    object["attained"] = json_end(c.attained, side_of_attained(c.component));
-    object["proved"] = json_end(c.proved, side_of_proved(c.component));
-    object["attained_exact"] = json_exact(c.attained);
-    object["proved_exact"] = json_exact(c.proved);
-    object["unbounded"] = c.is_unbounded;
-    object["closed"] = c.is_closed;
+    facts.add("attained", json_end(c.attained, side_of_attained(c.component)));
+    facts.add("proved", json_end(c.proved, side_of_proved(c.component)));
+    facts.add("attained_exact", json_exact(c.attained)).add("proved_exact", json_exact(c.proved));
+    facts.add("unbounded", c.is_unbounded).add("closed", c.is_closed);
   }
-  object["reason"] = c.reason;
-  object["nonempty"] = c.is_empty ? Json(false) : Json(nullptr);
-  object["place"] = c.place ? c.place->json : Json(nullptr);
-  object["boxes"] = c.boxes;
-  object["seconds"] = json_seconds(c.seconds);
-  c.proofs.add_to(object);
-  return object;
+  facts.add("reason", c.reason).add("nonempty", c.is_empty ? Json(false) : Json(nullptr));
+  facts.add("place", c.place ? c.place->json : Json(nullptr));
+  facts.add("boxes", c.boxes).add("seconds", json_seconds(c.seconds));
+  c.proofs.tell_files(facts);
+  return facts.object();
+}
+
+/// Tells the verdict about the limit, and where it is exceeded.
+void tell_limit(const Request& request, const Bound& bound, const BoundSettings& settings,
+                Facts& facts) {
+  facts.add("limit", formula_text(*settings.limit));
+  facts.add("verdict", word_of_verdict(bound.verdict())).add("claim", nullptr);
+  if (const ComponentBound* c = exceeded(bound)) say_place("exceeded", *c, facts);
+  if (bound.verdict() != LimitVerdict::kWithin) return;
+  const std::string claim = fmt::format("{} is within the limit, {}", bound.quantity.name,
+                                        claim_words(request, bound.components.front().component));
+  facts.tell("claim", claim, "proved", claim);
+}
+
+/// Tells both ends, and where one is attained.
+void tell_ends(const Request& request, const Bound& bound, const BoundSettings& settings,
+               Facts& facts) {
+  const ComponentBound *attained = bound.decisive_attained(), *proved = bound.decisive_proved();
+  const ComponentBound* singular = unbounded(bound);
+  facts.add("verdict", singular ? "refuted" : bound.is_closed() ? "closed" : "open");
+  facts.add("claim", nullptr).add("attained", nullptr).add("attained_by", nullptr);
+  facts.add("proved", nullptr);
+  if (proved) {
+    facts.add("proved", json_end(proved->proved, side_of_proved(proved->component)));
+    if (!singular) {
+      const std::string claim = describe_proved(request, bound, *proved);
+      facts.tell("claim", claim, "proved", claim);
+    }
+  }
+  if (attained)
+    facts.add("attained", json_end(attained->attained, side_of_attained(attained->component)))
+        .add("attained_by", attained->component.label);
+  if (singular)
+    say_place("singular", *singular, facts);
+  else if (attained)
+    say_place("attained", *attained, facts);
+  facts.add("gap", or_null(bound.gap())).add("gap_wanted", settings.gap);
+  facts.add("closed", bound.is_closed());
+}
+
+void tell_components(const Bound& bound, bool has_limit, Facts& facts) {
+  Json components = Json::array(), proofs = Json::array();
+  for (const ComponentBound& c : bound.components) {
+    components.push_back(json_component(c, has_limit));
+    c.proofs.add_to(proofs, c.component.label);
+    facts.say_lines(c.proofs.lines());
+  }
+  facts.add("components", std::move(components));
+  if (!proofs.empty()) facts.add("proof", std::move(proofs));
 }
 
 }  // namespace
+
+StageSeconds seconds_of(const Bound& bound) {
+  StageSeconds sum;
+  for (const ComponentBound& c : bound.components) sum += c.seconds;
+  return sum;
+}
+
+std::uint64_t boxes_of(const Bound& bound) {
+  std::uint64_t sum = 0;
+  for (const ComponentBound& c : bound.components) sum += c.boxes;
+  return sum;
+}
 
 std::string describe_bound(const Bound& bound, const BoundSettings& settings) {
   if (is_empty(bound)) return "NO POSE REMAINS";
@@ -219,67 +265,29 @@ std::string format_component(const ComponentBound& c, bool has_limit) {
                      c.seconds.symbolic + c.seconds.emit + c.seconds.compile + c.seconds.search);
 }
 
-std::string bound_report(const Request& request, const Bound& bound,
-                         const BoundSettings& settings) {
-  std::string text;
-  if (settings.limit) {
-    if (const ComponentBound* c = exceeded(bound)) text += format_place("exceeded", *c);
-    if (bound.verdict() == LimitVerdict::kWithin)
-      text += fmt::format("proved     {} is within the limit, {}\n", bound.quantity.name,
-                          claim_words(request, bound.components.front().component));
-  } else if (const ComponentBound* singular = unbounded(bound)) {
-    text += format_place("singular", *singular);
-  } else {
-    const ComponentBound *proved = bound.decisive_proved(), *attained = bound.decisive_attained();
-    if (proved) text += format_claim(request, bound, *proved);
-    if (attained) text += format_place("attained", *attained);
-  }
-  for (const ComponentBound& c : bound.components) text += c.proofs.lines();
-  text += fmt::format("boxes      {} evaluated\n", boxes_of(bound));
-  text += format_time(seconds_of(bound));
+void tell_bracket(const Request& request, const Bound& bound, const BoundSettings& settings,
+                  Facts& facts) {
+  facts.add("bound", bound.quantity.name).add("result", describe_bound(bound, settings));
+  facts.add("quantity", json_quantity(request.model, bound.quantity));
+  facts.add("least", bound.quantity.is_least).add("unit", bound.quantity.unit);
+  if (request.motion.trajectory) facts.add("waypoints", json_waypoints(*request.motion.trajectory));
+  if (settings.limit)
+    tell_limit(request, bound, settings, facts);
+  else
+    tell_ends(request, bound, settings, facts);
+  tell_components(bound, settings.limit.has_value(), facts);
+  facts.tell("boxes", boxes_of(bound), "boxes", fmt::format("{} evaluated", boxes_of(bound)));
+  tell_time(seconds_of(bound), facts);
   if (const auto gap = bound.gap(); gap && !settings.limit)
-    text += fmt::format("gap        {:.3g} % of the larger end\n", 100 * *gap);
-  return text;
+    facts.say("gap", fmt::format("{:.3g} % of the larger end", 100 * *gap));
 }
 
-Json json_bound(const Request& request, const Bound& bound, const BoundSettings& settings) {
-  Json report = json_bracket_of(request, bound, settings);
-  report["question"] = json_question(request, settings.search);
-  return report;
-}
-
-Json json_bracket_of(const Request& request, const Bound& bound, const BoundSettings& settings) {
-  const bool has_limit = settings.limit.has_value();
-  const ComponentBound *attained = bound.decisive_attained(), *proved = bound.decisive_proved();
-  Json report = {{"bound", bound.quantity.name}, {"result", describe_bound(bound, settings)}};
-  report["quantity"] = json_quantity(request.model, bound.quantity);
-  report["least"] = bound.quantity.is_least;
-  if (has_limit) {
-    report["limit"] = formula_text(*settings.limit);
-    report["verdict"] = word_of_verdict(bound.verdict());
-  } else {
-    report["attained"] = attained
-                             ? json_end(attained->attained, side_of_attained(attained->component))
-                             : Json(nullptr);
-    report["attained_by"] = attained ? Json(attained->component.label) : Json(nullptr);
-    report["proved"] =
-        proved ? json_end(proved->proved, side_of_proved(proved->component)) : Json(nullptr);
-    report["gap"] = bound.gap() ? Json(*bound.gap()) : Json(nullptr);
-    report["gap_wanted"] = settings.gap;
-    report["closed"] = bound.is_closed();
-  }
-  report["unit"] = bound.quantity.unit;
-  report["model"] = request.model.name;
-  report["model_file"] = request.model.path;
-  report["model_sha256"] = request.model.sha256;
-  report["motion"] = request.motion.name;
-  if (request.motion.trajectory) report["waypoints"] = json_waypoints(*request.motion.trajectory);
-  report["components"] = Json::array();
-  for (const ComponentBound& c : bound.components)
-    report["components"].push_back(json_component(c, has_limit));
-  report["boxes"] = boxes_of(bound);
-  report["seconds"] = json_seconds(seconds_of(bound));
-  return report;
+void tell_bound(const Request& request, const Bound& bound, const BoundSettings& settings,
+                Facts& facts) {
+  tell_bracket(request, bound, settings, facts);
+  add_model(request, facts);
+  if (facts.are_for_programs())
+    add_search(settings.search, json_question(request, settings.search), facts);
 }
 
 }  // namespace regulus

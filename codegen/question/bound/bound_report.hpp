@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A bound, for people and for programs.
+// What is told of a bound.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "codegen/answer/facts.hpp"
 #include "codegen/question/bound/bound_run.hpp"
 
 namespace regulus {
@@ -22,15 +23,17 @@ struct EndTexts {
 /// Returns one line about a component.
 [[nodiscard]] std::string format_component(const ComponentBound& component, bool has_limit);
 
-/// Returns the report but for the lines of format_component() and describe_bound().
-[[nodiscard]] std::string bound_report(const Request& request, const Bound& bound,
-                                       const BoundSettings& settings);
+/// Returns what the components took together.
+[[nodiscard]] StageSeconds seconds_of(const Bound& bound);
+[[nodiscard]] std::uint64_t boxes_of(const Bound& bound);
 
-/// Returns the JSON report. No `attained` or `proved` claims more than the exact text beside it.
-[[nodiscard]] nlohmann::ordered_json json_bound(const Request& request, const Bound& bound,
-                                                const BoundSettings& settings);
-/// The same without the question.
-[[nodiscard]] nlohmann::ordered_json json_bracket_of(const Request& request, const Bound& bound,
-                                                     const BoundSettings& settings);
+/// Tells the bracket or the verdict about the limit, without the model and the question. No `attained` or
+/// `proved` claims more than the exact text beside it.
+void tell_bracket(const Request& request, const Bound& bound, const BoundSettings& settings,
+                  Facts& facts);
+
+/// Tells all but the lines of format_component(), which people read before.
+void tell_bound(const Request& request, const Bound& bound, const BoundSettings& settings,
+                Facts& facts);
 
 }  // namespace regulus

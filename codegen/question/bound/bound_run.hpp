@@ -8,11 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "codegen/answer/certificate/proof_status.hpp"
+#include "codegen/answer/report/output_options.hpp"
 #include "codegen/question/bound/attained_place.hpp"
 #include "codegen/question/bound/bound_checkpoint.hpp"
 #include "codegen/question/bound/bound_number.hpp"
-#include "codegen/question/margin/margin_run.hpp"
 #include "codegen/question/quantity/bordered.hpp"
+#include "codegen/support/held_files.hpp"
 
 namespace regulus {
 
@@ -43,7 +45,8 @@ struct BoundSettings {
   OutputOptions output;
   std::string certificate;    ///< files, without their endings; empty: none
   HeldFiles* held = nullptr;  ///< where they wait for the end of the run; null: nowhere
-  BoundCheckpoint* checkpoint = nullptr;
+  BracketCheckpoint* checkpoint = nullptr;
+  std::string part;  ///< of the checkpoint, if it has several quantities; otherwise empty
   const std::atomic<bool>* interrupt = nullptr;
 };
 

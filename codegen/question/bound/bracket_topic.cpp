@@ -78,12 +78,14 @@ MarginQuestion question_within_limit(MarginQuestion question, const Component& c
   question.about = [component, limit](const Request& grown) {
     return border_at_limit(grown, component, limit).request;
   };
-  question.certified = [component, limit](const Request& grown,
-                                          const std::set<std::string>& uncertain) {
+  question.certified = [component, limit](const Request& grown) -> CertifiedMotion {
     const Bordered bordered = border_at_limit(grown, component, limit);
     const Motion& motion = bordered.request.motion;
     const ex end = bordered.parameter.empty() ? motion.alpha : motion.parameters.back().range.hi;
-    return certified_bound(grown, component, bordered, end, uncertain);
+    return {grown, [component, bordered, end](const Request& about,
+                                              const std::set<std::string>& uncertain) {
+              return certified_bound(about, component, bordered, end, uncertain);
+            }};
   };
   return question;
 }

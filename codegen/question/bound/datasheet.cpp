@@ -4,9 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <nlohmann/json.hpp>
 
 #include "codegen/model/exact/certain_sign.hpp"
+#include "codegen/question/way/margin_checkpoint.hpp"
 #include "codegen/support/errors.hpp"
+#include "codegen/support/time_budget.hpp"
 
 namespace regulus {
 namespace {
@@ -85,8 +89,10 @@ std::optional<Range> limits_of(const Model& model, const Component& c) {
   return std::nullopt;
 }
 
-/// Keeps the better of two results for one component: each end of either is true.
-void keep_better(ComponentBound& known, ComponentBound found, bool is_least) {
+/// Keeps the better of two results for one component: each end of either is true. `again`: the proofs
+/// of the second; `held`: those of the first, and of what is kept.
+void keep_better(ComponentBound& known, ComponentBound found, bool is_least, HeldFiles& again,
+                 HeldFiles& held) {
   const auto is_above = [](const BoundEnd& a, const BoundEnd& b) {
     return !is_at_most(a.exact, b.exact);
   };
@@ -96,13 +102,55 @@ void keep_better(ComponentBound& known, ComponentBound found, bool is_least) {
   if (known.attained && (!found.attained || extends(*known.attained, *found.attained))) {
     found.attained = known.attained;
     found.place = known.place;
+    found.proofs.keep_singular(known.proofs);
+  } else {
+    held.take(again, found.proofs.singular_file());
   }
-  if (known.proved && (!found.proved || extends(*found.proved, *known.proved)))
+  if (known.proved && (!found.proved || extends(*found.proved, *known.proved))) {
     found.proved = known.proved;
+    found.proofs.keep_safe(known.proofs);
+  } else {
+    held.take(again, found.proofs.safe_file());
+  }
   found.is_unbounded = found.is_unbounded || known.is_unbounded;
   found.boxes += known.boxes;
   found.seconds += known.seconds;
   known = std::move(found);
+}
+
+/// A quantity with the words that asked for it.
+struct AskedQuantity {
+  Quantity quantity;
+  std::string name;  ///< in names of files and in a checkpoint: "least_force_payload"
+};
+
+std::string name_of(const QuantityOptions& asked) {
+  std::string name = asked.quantity;
+  if (asked.least) name = "least_" + name;
+  if (asked.is_signed) name = "largest_" + name;
+  for (const std::string& word : {asked.load, asked.twist, asked.norm})
+    if (!word.empty()) name += '_' + word;
+  return name;
+}
+
+/// Returns the quantities that the model has data for; `left_out`: why it has none for the others.
+std::vector<AskedQuantity> quantities_of(const Request& request,
+                                         std::vector<std::string>& left_out) {
+  std::vector<AskedQuantity> quantities;
+  for (const QuantityOptions& question : Questions(request).all) try {
+      Quantity quantity = quantity_of(request.model, question);
+      if (quantity.kind == QuantityKind::kCondition && quantity.components.size() > kMostPairs)
+        throw UsageError(fmt::format("condition: {} pairs of a row and a column; bound it alone",
+                                     quantity.components.size()));
+      quantities.push_back({std::move(quantity), name_of(question)});
+    } catch (const UsageError& error) {
+      left_out.emplace_back(error.what());
+    }
+  return quantities;
+}
+
+std::string certificate_of(const std::string& certificate, const std::string& name) {
+  return certificate.empty() ? certificate : certificate + '.' + name;
 }
 
 /// Bounds all quantities twice: first each component with little time, which is often enough, so
@@ -114,25 +162,26 @@ class DatasheetRun {
       : request_(request),
         settings_(settings),
         listener_(listener),
-        left_(settings.search.time_limit) {}
+        budget_(TimeBudget::of_option(settings.search.time_limit)) {}
 
-  std::vector<Bound> run(std::vector<Quantity> quantities) {
+  std::vector<Bound> run(std::vector<AskedQuantity> quantities) {
     for (std::size_t i = 0; i < quantities.size() && !is_interrupted(); ++i) {
-      const double most = left_ / double(quantities.size() - i);
-      const double little = kFirstSeconds * double(quantities[i].components.size());
+      const std::size_t open = quantities.size() - i;
+      const double little = kFirstSeconds * double(quantities[i].quantity.components.size());
       // A matrix that takes long to form leaves time for the quantities after it.
-      const bool is_last = i + 1 == quantities.size();
-      const double forming = is_last ? left_ : kPartToForm * left_;
-      bounds_.push_back(bound(std::move(quantities[i]), std::min(little, most), forming));
+      const double forming = open == 1 ? budget_.left() : kPartToForm * budget_.left();
+      bounds_.push_back(
+          bound(quantities[i], std::min(little, budget_.share(open).left()), forming, held_));
     }
     std::size_t open = std::size_t(
         std::ranges::count_if(bounds_, [](const Bound& bound) { return !bound.is_closed(); }));
-    for (Bound& known : bounds_) {
-      if (known.is_closed() || left_ <= 0 || is_interrupted()) continue;
-      refine(known, left_ / double(open));
+    for (std::size_t i = 0; i < bounds_.size(); ++i) {
+      if (bounds_[i].is_closed() || budget_.is_over() || is_interrupted()) continue;
+      refine(bounds_[i], quantities[i].name, budget_.share(open).left());
       --open;
     }
-    use_singular_values();
+    if (settings_.certificate.empty()) use_singular_values();
+    put_in_place();
     return std::move(bounds_);
   }
 
@@ -141,29 +190,40 @@ class DatasheetRun {
   }
 
  private:
-  Bound bound(Quantity quantity, double seconds, double forming) {
+  Bound bound(const AskedQuantity& asked, double seconds, double forming, HeldFiles& held) {
     BoundSettings part = settings_;
-    part.search.time_limit = seconds;
+    part.search.time_limit = TimeBudget::option(seconds);
     part.forming_limit = forming;
-    Bound found = bound_quantity(request_, std::move(quantity), part, listener_);
-    left_ -= watch_.lap();
-    return found;
+    part.certificate = certificate_of(settings_.certificate, asked.name);
+    part.part = asked.name + ' ';
+    part.held = &held;
+    return bound_quantity(request_, asked.quantity, part, listener_);
   }
 
-  void refine(Bound& known, double seconds) {
-    Quantity open = known.quantity;
-    open.components.clear();
+  void refine(Bound& known, const std::string& name, double seconds) {
+    AskedQuantity open{known.quantity, name};
+    open.quantity.components.clear();
     std::vector<std::size_t> places;
     for (std::size_t i = 0; i < known.components.size(); ++i)
       if (const ComponentBound& c = known.components[i];
           !c.is_closed && !c.is_unbounded && !c.is_empty) {
-        open.components.push_back(c.component);
+        open.quantity.components.push_back(c.component);
         places.push_back(i);
       }
-    Bound found = bound(std::move(open), seconds, left_);
+    HeldFiles again;
+    Bound found = bound(open, seconds, budget_.left(), again);
     for (std::size_t i = 0; i < found.components.size(); ++i)
       keep_better(known.components[places[i]], std::move(found.components[i]),
-                  known.quantity.is_least);
+                  known.quantity.is_least, again, held_);
+  }
+
+  /// Proofs are put in place at the end of the whole run.
+  void put_in_place() {
+    if (settings_.held == nullptr) return held_.put_in_place();
+    for (const Bound& bound : bounds_)
+      for (const ComponentBound& c : bound.components)
+        for (const std::string& file : {c.proofs.safe_file(), c.proofs.singular_file()})
+          settings_.held->take(held_, file);
   }
 
   /// The condition number is below the largest singular value of all poses by the least.
@@ -196,8 +256,8 @@ class DatasheetRun {
   const Request& request_;
   const BoundSettings& settings_;
   const BoundListener& listener_;
-  double left_;
-  Stopwatch watch_;
+  const TimeBudget budget_;
+  HeldFiles held_;
   std::vector<Bound> bounds_;
 };
 
@@ -227,21 +287,27 @@ LimitState limit_state(const Model& model, const ComponentBound& c) {
 Datasheet make_datasheet(const Request& request, const BoundSettings& settings,
                          const BoundListener& listener) {
   Datasheet sheet;
-  std::vector<Quantity> quantities;
-  for (const QuantityOptions& question : Questions(request).all) try {
-      Quantity quantity = quantity_of(request.model, question);
-      if (quantity.kind == QuantityKind::kCondition && quantity.components.size() > kMostPairs)
-        throw UsageError(fmt::format("condition: {} pairs of a row and a column; bound it alone",
-                                     quantity.components.size()));
-      quantities.push_back(std::move(quantity));
-    } catch (const UsageError& error) {
-      sheet.left_out.emplace_back(error.what());
-    }
+  std::vector<AskedQuantity> quantities = quantities_of(request, sheet.left_out);
   if (quantities.empty()) add_without_data(request.model, sheet.left_out);
   DatasheetRun run(request, settings, listener);
   sheet.bounds = run.run(std::move(quantities));
   sheet.is_interrupted = run.is_interrupted();
   return sheet;
+}
+
+std::vector<OutputFile> datasheet_files(const Request& request, const std::string& certificate) {
+  std::vector<OutputFile> files;
+  std::vector<std::string> left_out;
+  for (const AskedQuantity& asked : quantities_of(request, left_out))
+    std::ranges::move(certificate_files(asked.quantity, certificate_of(certificate, asked.name)),
+                      std::back_inserter(files));
+  return files;
+}
+
+nlohmann::ordered_json checkpointed_datasheet(const Request& request, const SearchOptions& search) {
+  nlohmann::ordered_json question = checkpointed_question(request, search);
+  question["datasheet"] = true;
+  return question;
 }
 
 }  // namespace regulus

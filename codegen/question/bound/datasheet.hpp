@@ -2,10 +2,10 @@
 // Every bound that a model has data for, in one table.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
+#include "codegen/answer/facts.hpp"
 #include "codegen/question/bound/bound_run.hpp"
 
 namespace regulus {
@@ -20,18 +20,27 @@ struct Datasheet {
 };
 
 /// Bounds the forces under each load, the speeds for each twist, errors, deflections, the lengths of
-/// legs, singular values and the condition number, as far as the model has the data.
+/// legs, singular values and the condition number, as far as the model has the data. The proofs of a
+/// quantity are FILE.force_payload.leg_3.safe and FILE.force_payload.leg_3.singular.
 ///
 /// Throws    as bound_quantity().
 [[nodiscard]] Datasheet make_datasheet(const Request& request, const BoundSettings& settings,
                                        const BoundListener& listener);
+
+/// Returns the files of proofs that make_datasheet() writes.
+[[nodiscard]] std::vector<OutputFile> datasheet_files(const Request& request,
+                                                      const std::string& certificate);
+/// Returns everything that the ends of all brackets depend on.
+[[nodiscard]] nlohmann::ordered_json checkpointed_datasheet(const Request& request,
+                                                            const SearchOptions& search);
 
 /// Returns the state of the model's limit for a component of `quantity`.
 [[nodiscard]] LimitState limit_state(const Model& model, const ComponentBound& component);
 
 [[nodiscard]] std::string text_datasheet(const Request& request, const Datasheet& sheet);
 [[nodiscard]] std::string markdown_datasheet(const Request& request, const Datasheet& sheet);
-[[nodiscard]] nlohmann::ordered_json json_datasheet(const Request& request, const Datasheet& sheet,
-                                                    const BoundSettings& settings);
+/// Tells the sheet to programs.
+void tell_datasheet(const Request& request, const Datasheet& sheet, const BoundSettings& settings,
+                    Facts& facts);
 
 }  // namespace regulus

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/answer/report/question_report.hpp"
+#include "codegen/answer/report/search_facts.hpp"
 #include "codegen/question/bound/bound_report.hpp"
 #include "codegen/question/bound/datasheet.hpp"
 
@@ -115,9 +116,33 @@ std::vector<Row> in_markdown(std::vector<Row> rows) {
   return rows;
 }
 
-constexpr const char* kMeaning =
-    "Each row is a proved bracket: no value is beyond the outer end, over every pose and every\n"
-    "uncertain value, and the inner end is attained.";
+constexpr const char* kProvedRow =
+    "Each row is a proved bracket: no value is beyond the outer end, over every pose and every";
+constexpr const char* kAttainedRow = "uncertain value, and the inner end is attained.";
+
+Json json_sheet_entry(const Request& request, const Bound& bound, const BoundSettings& settings) {
+  Facts facts(Readers::kPrograms);
+  add_model(request, facts);
+  tell_bracket(request, bound, settings, facts);
+  Json object = facts.object();
+  for (std::size_t i = 0; i < bound.components.size(); ++i) {
+    const LimitState state = limit_state(request.model, bound.components[i]);
+    object["components"][i]["limit"] =
+        state == LimitState::kNone ? Json(nullptr) : Json(word_of(state));
+  }
+  return object;
+}
+
+/// Returns "refuted" if a value is unbounded or beyond its limit, "closed" if every bracket is.
+const char* verdict_of(const Model& model, const Datasheet& sheet) {
+  bool is_closed = !sheet.is_interrupted && !sheet.bounds.empty();
+  for (const Bound& bound : sheet.bounds) {
+    is_closed = is_closed && bound.is_closed();
+    for (const ComponentBound& c : bound.components)
+      if (c.is_unbounded || limit_state(model, c) == LimitState::kExceeded) return "refuted";
+  }
+  return is_closed ? "closed" : "open";
+}
 
 }  // namespace
 
@@ -130,8 +155,8 @@ std::string text_datasheet(const Request& request, const Datasheet& sheet) {
 }
 
 std::string markdown_datasheet(const Request& request, const Datasheet& sheet) {
-  std::string text =
-      fmt::format("# {}, motion {}\n\n{}\n\n", request.model.name, request.motion.name, kMeaning);
+  std::string text = fmt::format("# {}, motion {}\n\n{}\n{}\n\n", request.model.name,
+                                 request.motion.name, kProvedRow, kAttainedRow);
   text += format_rows(in_markdown(rows_of(request.model, sheet)), "| ", " | ", true) + '\n';
   text += "Attained at:\n\n";
   for (const Bound& bound : sheet.bounds)
@@ -144,25 +169,23 @@ std::string markdown_datasheet(const Request& request, const Datasheet& sheet) {
   return text + fmt::format("\nModel {}, SHA-256 {}\n", request.model.path, request.model.sha256);
 }
 
-Json json_datasheet(const Request& request, const Datasheet& sheet, const BoundSettings& settings) {
-  Json report = {{"model", request.model.name},
-                 {"model_file", request.model.path},
-                 {"model_sha256", request.model.sha256},
-                 {"motion", request.motion.name},
-                 {"interrupted", sheet.is_interrupted},
-                 {"bounds", Json::array()},
-                 {"not_bounded", sheet.left_out},
-                 {"question", json_question(request, settings.search)}};
+void tell_datasheet(const Request& request, const Datasheet& sheet, const BoundSettings& settings,
+                    Facts& facts) {
+  if (!facts.are_for_programs()) return;  // people read the sheet
+  Json bounds = Json::array();
+  StageSeconds seconds;
+  std::uint64_t boxes = 0;
   for (const Bound& bound : sheet.bounds) {
-    Json object = json_bracket_of(request, bound, settings);
-    for (std::size_t i = 0; i < bound.components.size(); ++i) {
-      const LimitState state = limit_state(request.model, bound.components[i]);
-      object["components"][i]["limit"] =
-          state == LimitState::kNone ? Json(nullptr) : Json(word_of(state));
-    }
-    report["bounds"].push_back(std::move(object));
+    bounds.push_back(json_sheet_entry(request, bound, settings));
+    seconds += seconds_of(bound);
+    boxes += boxes_of(bound);
   }
-  return report;
+  add_model(request, facts);
+  add_search(settings.search, json_question(request, settings.search), facts);
+  facts.add("boxes", boxes).add("seconds", json_seconds(seconds));
+  if (!sheet.bounds.empty()) facts.add("claim", fmt::format("{} {}", kProvedRow, kAttainedRow));
+  facts.add("verdict", verdict_of(request.model, sheet)).add("interrupted", sheet.is_interrupted);
+  facts.add("bounds", std::move(bounds)).add("not_bounded", sheet.left_out);
 }
 
 }  // namespace regulus

@@ -5,9 +5,15 @@
 
 #include "codegen/answer/report/progress.hpp"
 #include "codegen/model/exact/certain_sign.hpp"
+#include "codegen/model/way/trajectory.hpp"
 #include "codegen/question/bound/bound_run.hpp"
 #include "codegen/question/bound/bracket_topic.hpp"
-#include "codegen/support/stopwatch.hpp"
+#include "codegen/question/bound/way_bound.hpp"
+#include "codegen/question/bound/way_place.hpp"
+#include "codegen/question/margin/variety_attempts.hpp"
+#include "codegen/question/way/path_attempts.hpp"
+#include "codegen/support/errors.hpp"
+#include "codegen/support/time_budget.hpp"
 
 namespace regulus {
 namespace {
@@ -33,12 +39,9 @@ class LimitMarginRun {
 
   LimitMargin run() {
     const std::vector<Component>& components = found_.quantity.components;
-    double left = settings_.search.time_limit;
-    Stopwatch watch;
-    for (std::size_t i = 0; i < components.size() && !ends(); ++i) {
-      bracket(i, left / double(components.size() - i));
-      left -= watch.lap();
-    }
+    const TimeBudget all = TimeBudget::of_option(settings_.search.time_limit);
+    for (std::size_t i = 0; i < components.size() && !ends(); ++i)
+      found_.components.push_back(bracket(i, all.share(components.size() - i)));
     join(components.size());
     return std::move(found_);
   }
@@ -51,17 +54,26 @@ class LimitMarginRun {
            (settings_.interrupt != nullptr && *settings_.interrupt);
   }
 
-  void bracket(std::size_t number, double seconds) {
+  ComponentMargin bracket(std::size_t number, const TimeBudget& budget) {
     const Component& component = found_.quantity.components[number];
-    ComponentMargin result{component, {}, {}, {}, {}};
-    const ex& limit = settings_.limit;
-    const std::string parameter = border_at_limit(request_, component, limit).parameter;
-    SearchOptions search = settings_.search;
-    search.time_limit = std::max(seconds, 1e-3);
-    const MarginQuestion question = question_within_limit(question_, component, limit);
+    const MarginQuestion question = question_within_limit(question_, component, settings_.limit);
     std::unique_ptr<EarlierSearches> earlier;
     if (settings_.checkpoint != nullptr)
       earlier = settings_.checkpoint->searches_of(question, component.label, "0");
+    const BracketSettings bracket{{}, settings_.interrupt, listener_, earlier.get()};
+    ComponentMargin result = request_.motion.trajectory
+                                 ? bracket_way(component, question, bracket, budget)
+                                 : bracket_variety(number, question, bracket, budget);
+    if (result.margin.refuted) question_.high = result.margin.refuted->value;
+    keep_lower(found_.whole.refuted, result.margin.refuted);
+    return result;
+  }
+
+  ComponentMargin bracket_variety(std::size_t number, const MarginQuestion& question,
+                                  BracketSettings bracket, const TimeBudget& budget) {
+    const Component& component = found_.quantity.components[number];
+    SearchOptions search = settings_.search;
+    search.time_limit = TimeBudget::option(budget.left());
     if (search.workers != nullptr) {
       BracketTopic topic{number, 0, question.low.approx, {}};
       if (question.high) topic.high = question.high->approx;
@@ -70,26 +82,48 @@ class LimitMarginRun {
     PreparedMargin margin(question, request_, 0, search,
                           forming_watch(settings_.output, settings_.interrupt));
     margin.settings.interrupt = settings_.interrupt;
-    MarginCertificates certificates(certificate_of(component), margin.request,
-                                    margin.prepared.labels, settings_.held);
-    MarginRun run(margin.prepared, question, margin.request, margin.search, settings_.output,
-                  margin.settings, settings_.gap, certificates, listener_, earlier.get());
-    result.margin = run.run();
+    VarietyAttempts attempts(margin, question, settings_.output, proofs_of(component));
+    bracket.limits = limits_of(margin.settings, settings_.gap);
+    ComponentMargin result{component, close_bracket(attempts, question, bracket), {}, {}, {}};
     if (const auto& refuted = result.margin.refuted) {
       margin.request.replan(margin.prepared, refuted->value);
-      result.exceeded = attained_place(margin.prepared, refuted->result, parameter);
-      question_.high = refuted->value;
+      result.exceeded = attained_place(margin.prepared, refuted->result, parameter_of(component));
     }
     margin.prepared.seconds.search = result.margin.seconds;
     result.seconds = margin.prepared.seconds_spent();
-    result.proofs = certificates.proofs();
-    keep_lower(found_.whole.refuted, result.margin.refuted);
-    found_.components.push_back(std::move(result));
+    result.proofs = attempts.proofs();
+    return result;
   }
 
-  [[nodiscard]] std::string certificate_of(const Component& component) const {
-    return settings_.certificate.empty() ? ""
-                                         : settings_.certificate + certificate_suffix(component);
+  ComponentMargin bracket_way(const Component& component, const MarginQuestion& question,
+                              BracketSettings bracket, const TimeBudget& budget) {
+    SearchOptions search = settings_.search;
+    refuse_workers(search);
+    search.time_limit = TimeBudget::option(budget.left());
+    const MarginRequest request(request_, question);
+    PathAttempts attempts(request, search, settings_.output, settings_.interrupt,
+                          proofs_of(component));
+    bracket.limits = limits_of(search, settings_.gap);
+    ComponentMargin result{component, close_bracket(attempts, question, bracket), {}, {}, {}};
+    if (const std::optional<TrajectoryCheck> refuted = attempts.take_refuted()) {
+      const DecidingPiece& piece = *refuted->deciding;
+      result.exceeded = place_on_way(*request_.motion.trajectory, piece.index, *piece.preparation,
+                                     piece.result, parameter_of(component));
+    }
+    result.seconds = attempts.seconds();
+    result.proofs = attempts.proofs();
+    return result;
+  }
+
+  /// Returns the name of r.
+  [[nodiscard]] std::string parameter_of(const Component& component) const {
+    return border_at_limit(request_, component, settings_.limit).parameter;
+  }
+
+  [[nodiscard]] EndProofs proofs_of(const Component& component) const {
+    const std::string& path = settings_.certificate;
+    return margin_proofs(path.empty() ? path : path + certificate_suffix(component),
+                         settings_.held);
   }
 
   /// Joins the brackets: what is certified holds for every component.
@@ -116,8 +150,6 @@ class LimitMarginRun {
                                });
   }
 
-  using ex = GiNaC::ex;
-
   const Request& request_;
   MarginQuestion question_;
   const LimitMarginSettings& settings_;
@@ -129,17 +161,13 @@ class LimitMarginRun {
 
 LimitMargin limit_margin(const Request& request, const MarginQuestion& question, Quantity quantity,
                          const LimitMarginSettings& settings, const StepListener& listener) {
-  if (request.motion.trajectory)
-    throw UsageError(
-        "margin: a motion along way-points has no margin within a limit; give the "
-        "motion a formula, or ranges");
   if (quantity.kind == QuantityKind::kCondition2)
     throw UsageError(
         "--norm 2: margin cannot use this condition number yet; compare with the limit at one size "
         "after another, by regulus bound --limit");
   if (question.quantity == MarginQuantity::kAlpha)
     throw UsageError("--alpha: a limit has no threshold; let a tolerance, --scale or --grow grow");
-  if (question.quantity == MarginQuantity::kTube)
+  if (question.quantity == MarginQuantity::kTube && !request.motion.trajectory)
     throw UsageError(
         "--tube: a limit has no growing control error; let a tolerance, --scale or "
         "--grow grow");

@@ -6,11 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "codegen/answer/certificate/proof_status.hpp"
+#include "codegen/answer/facts.hpp"
+#include "codegen/answer/report/output_options.hpp"
 #include "codegen/question/bound/attained_place.hpp"
 #include "codegen/question/bound/bound_checkpoint.hpp"
 #include "codegen/question/margin/margin_run.hpp"
-#include "codegen/question/margin/prepared_margin.hpp"
 #include "codegen/question/quantity/bordered.hpp"
+#include "codegen/support/held_files.hpp"
 
 namespace regulus {
 
@@ -21,7 +24,7 @@ struct LimitMarginSettings {
   OutputOptions output;
   std::string certificate;    ///< files, without their endings; empty: none
   HeldFiles* held = nullptr;  ///< where they wait for the end of the run; null: nowhere
-  BoundCheckpoint* checkpoint = nullptr;
+  BracketCheckpoint* checkpoint = nullptr;
   const std::atomic<bool>* interrupt = nullptr;
 };
 
@@ -41,12 +44,10 @@ struct LimitMargin {
   Margin whole;  ///< certified at the least value, refuted at the least value
 };
 
-using StepListener = MarginRun::Listener;
-
 /// Brackets the largest value of `question` at which every component of `quantity` keeps the limit.
 ///
 /// Requires  `quantity` is of request.model; settings.limit > 0 if a component is absolute.
-/// Throws    UsageError if alpha grows, and for a motion along way-points; the exceptions of
+/// Throws    UsageError if something grows that a limit does not allow; the exceptions of
 ///           PreparedMargin.
 [[nodiscard]] LimitMargin limit_margin(const Request& request, const MarginQuestion& question,
                                        Quantity quantity, const LimitMarginSettings& settings,
@@ -59,15 +60,9 @@ using StepListener = MarginRun::Listener;
 [[nodiscard]] std::string describe_limit_bracket(const MarginQuestion& question,
                                                  const LimitMargin& margin);
 
-/// Returns the report but for the lines of the steps and the bracket.
-[[nodiscard]] std::string limit_margin_report(const Request& request,
-                                              const MarginQuestion& question,
-                                              const LimitMargin& margin,
-                                              const LimitMarginSettings& settings);
-
-[[nodiscard]] nlohmann::ordered_json json_limit_margin(const Request& request,
-                                                       const MarginQuestion& question,
-                                                       const LimitMargin& margin,
-                                                       const LimitMarginSettings& settings);
+/// Tells the bracket, the place where the limit is exceeded, and the components.
+void tell_limit_margin(const Request& request, const MarginQuestion& question,
+                       const LimitMargin& margin, const LimitMarginSettings& settings,
+                       Facts& facts);
 
 }  // namespace regulus

@@ -4,11 +4,12 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/answer/report/question_report.hpp"
-#include "codegen/answer/report/report_parts.hpp"
+#include "codegen/answer/report/search_facts.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/question/bound/limit_margin.hpp"
 #include "codegen/question/bound/quantity_report.hpp"
 #include "codegen/question/margin/margin_report.hpp"
+#include "codegen/question/way/trajectory_report.hpp"
 
 namespace regulus {
 namespace {
@@ -38,15 +39,25 @@ Json json_component(const ComponentMargin& c) {
   const auto text = [](const std::optional<MarginStep>& step) {
     return step ? Json(step->value.text) : Json(nullptr);
   };
-  Json object = {{"label", c.component.label},
-                 {"within", text(c.margin.certified)},
-                 {"exceeded", text(c.margin.refuted)},
-                 {"closed", c.margin.closed},
-                 {"place", c.exceeded ? c.exceeded->json : Json(nullptr)},
-                 {"boxes", c.margin.boxes},
-                 {"seconds", json_seconds(c.seconds)}};
-  c.proofs.add_to(object);
-  return object;
+  Facts facts(Readers::kPrograms);
+  facts.add("label", c.component.label);
+  facts.add("within", text(c.margin.certified)).add("exceeded", text(c.margin.refuted));
+  facts.add("closed", c.margin.closed);
+  facts.add("place", c.exceeded ? c.exceeded->json : Json(nullptr));
+  facts.add("boxes", c.margin.boxes).add("seconds", json_seconds(c.seconds));
+  c.proofs.tell_files(facts);
+  return facts.object();
+}
+
+void tell_components(const LimitMargin& margin, Facts& facts) {
+  Json components = Json::array(), proofs = Json::array();
+  for (const ComponentMargin& c : margin.components) {
+    components.push_back(json_component(c));
+    c.proofs.add_to(proofs, c.component.label);
+    facts.say_lines(c.proofs.lines());
+  }
+  facts.add("components", std::move(components));
+  if (!proofs.empty()) facts.add("proof", std::move(proofs));
 }
 
 }  // namespace
@@ -74,43 +85,28 @@ std::string describe_limit_bracket(const MarginQuestion& question, const LimitMa
   return fmt::format("WITHIN UP TO {}{}", within->value.text, all ? "" : ", NOTHING KNOWN ABOVE");
 }
 
-std::string limit_margin_report(const Request& request, const MarginQuestion& question,
-                                const LimitMargin& margin, const LimitMarginSettings& settings) {
-  std::string text =
-      fmt::format("model      {}\nmotion     {}\nmargin     {}, from {} to {}\nlimit      {}\n",
-                  request.model.name, request.motion.name, describe_quantity(question),
-                  question.low.text, question.high ? question.high->text : "where it ends",
-                  describe_limit(margin.quantity, settings.limit));
-  text += fmt::format("boxes      {} evaluated\n", margin.whole.boxes);
-  text += format_time(seconds_of(margin));
-  if (const ComponentMargin* c = exceeding(margin); c && c->exceeded)
-    text += fmt::format("exceeded   {}{}\n{}",
-                        c->component.label.empty() ? "" : c->component.label + ": ",
-                        c->exceeded->pose, c->exceeded->values);
-  if (margin.whole.gap)
-    text += fmt::format("gap        {:.3g} % of the upper end\n", 100 * *margin.whole.gap);
-  for (const ComponentMargin& c : margin.components) text += c.proofs.lines();
-  return text;
-}
-
-Json json_limit_margin(const Request& request, const MarginQuestion& question,
-                       const LimitMargin& margin, const LimitMarginSettings& settings) {
-  Json report = json_bracket(question, margin.whole, settings.gap);
-  report["limit"] = describe_limit(margin.quantity, settings.limit);
-  report["limit_exact"] = formula_text(settings.limit);
-  report["quantity"] = json_quantity(request.model, margin.quantity);
-  report["bracket"] = describe_limit_bracket(question, margin);
-  report["model"] = request.model.name;
-  report["model_file"] = request.model.path;
-  report["model_sha256"] = request.model.sha256;
-  report["motion"] = request.motion.name;
-  report["components"] = Json::array();
-  for (const ComponentMargin& c : margin.components)
-    report["components"].push_back(json_component(c));
-  report["boxes"] = margin.whole.boxes;
-  report["question"] = json_question(request, settings.search);
-  report["seconds"] = json_seconds(seconds_of(margin));
-  return report;
+void tell_limit_margin(const Request& request, const MarginQuestion& question,
+                       const LimitMargin& margin, const LimitMarginSettings& settings,
+                       Facts& facts) {
+  const std::string limit = describe_limit(margin.quantity, settings.limit);
+  tell_model(request, facts);
+  facts.say("margin", describe_range(question)).tell("limit", limit, "limit", limit);
+  facts.add("limit_exact", formula_text(settings.limit));
+  facts.add("quantity", json_quantity(request.model, margin.quantity));
+  add_bracket(question, margin.whole, facts);
+  facts.add("bracket", describe_limit_bracket(question, margin));
+  if (request.motion.trajectory) facts.add("waypoints", json_waypoints(*request.motion.trajectory));
+  facts.say("boxes", fmt::format("{} evaluated", margin.whole.boxes));
+  tell_time(seconds_of(margin), facts);
+  if (const ComponentMargin* c = exceeding(margin); c && c->exceeded) {
+    const std::string& label = c->component.label;
+    facts.say("exceeded", (label.empty() ? "" : label + ": ") + c->exceeded->pose);
+    facts.say_lines(c->exceeded->values);
+  }
+  tell_gap(margin.whole, settings.gap, facts);
+  tell_components(margin, facts);
+  if (facts.are_for_programs())
+    add_search(settings.search, json_question(request, settings.search), facts);
 }
 
 }  // namespace regulus

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "codegen/question/bound/bound_run.hpp"
+#include "codegen/support/time_budget.hpp"
 
 namespace regulus {
 
@@ -11,12 +12,13 @@ namespace regulus {
 /// bound holds on a piece if B is regular there for every r up to R, and on the trajectory for the
 /// least R of the pieces (question/way/path_bracket.hpp).
 ///
-/// `seconds`: its share of the time; `left`: all of the time.
-///
 /// Requires  request.motion has a trajectory.
 /// Throws    as bound_quantity().
 [[nodiscard]] ComponentBound bound_along_way(const Request& request, const Component& component,
-                                             const BoundSettings& settings, double seconds,
-                                             double left);
+                                             const BoundSettings& settings,
+                                             const TimeBudget& budget);
+
+/// Throws    UsageError if other ranks are asked to help: they do not search along way-points.
+void refuse_workers(const SearchOptions& search);
 
 }  // namespace regulus

@@ -6,7 +6,6 @@
 
 #include "codegen/answer/certificate/certificate_question.hpp"
 #include "codegen/answer/report/progress.hpp"
-#include "codegen/answer/report/report_parts.hpp"
 #include "codegen/model/exact/expression_parser.hpp"
 #include "codegen/question/condition/condition_certificate.hpp"
 #include "codegen/question/condition/condition_kernel.hpp"

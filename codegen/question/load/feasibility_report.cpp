@@ -7,9 +7,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/paving_report.hpp"
+#include "codegen/answer/report/place_text.hpp"
 #include "codegen/answer/report/question_report.hpp"
-#include "codegen/answer/report/report_parts.hpp"
+#include "codegen/answer/report/search_facts.hpp"
 
 namespace regulus {
 namespace {
@@ -59,32 +61,53 @@ std::vector<double> middles(const std::vector<Interval>& values) {
   return result;
 }
 
+Json json_limits(const PreparedForces& prepared) {
+  Json limits = Json::array();
+  for (const Interval& limit : prepared.forces.certain) limits.push_back(json_interval(limit));
+  return limits;
+}
+
 std::string describe_uncertain(const PreparedSearch& p) {
   return uncertain_count(p) > 0 ? ", for every value of the uncertain quantities" : "";
 }
 
-std::string describe_claim_of_all(const PreparedForces& prepared) {
+void tell_witness(const PreparedForces& prepared, const FeasibilityResult& result, Facts& facts) {
   const PreparedSearch& p = prepared.preparation;
-  return fmt::format("at every {}{}, forces {} hold every wrench of {}", describe_pose(p),
-                     describe_uncertain(p), describe_limits(prepared), prepared.load);
+  facts.add("witness", nullptr);
+  if (!result.witness) return;
+  const ForceWitness& witness = *result.witness;
+  facts.tell("witness", json_witness_of(prepared, witness), "at",
+             describe_place(p, witness.variables));
+  facts.say("", describe_uncertain_values(p, witness.variables));
+  say_shortage(prepared, witness, facts);
 }
 
-std::string format_witness_of(const PreparedForces& prepared, const ForceWitness& witness) {
+void tell_reason(const PreparedForces& prepared, const FeasibilityResult& result, Facts& facts) {
   const PreparedSearch& p = prepared.preparation;
-  return fmt::format("at         {}\n", describe_place(p, witness.variables)) +
-         format_uncertain_values(p, witness.variables) + format_shortage(prepared, witness);
-}
-
-std::string format_reason(const PreparedForces& prepared, const FeasibilityResult& result) {
-  const PreparedSearch& p = prepared.preparation;
-  std::string text;
-  if (result.verdict == FeasibilityVerdict::kPossibleProblem)
-    text += fmt::format("reason     {}\n", describe_reason(prepared, result));
-  if (!result.blocking_box.empty() && result.verdict == FeasibilityVerdict::kPossibleProblem)
-    text += fmt::format("blocked by {}\n", describe_short_place(p, result.blocking_box));
+  facts.add("reason", nullptr).add("blocking_box", nullptr);
+  if (result.verdict == FeasibilityVerdict::kPossibleProblem) {
+    const std::string reason = describe_reason(prepared, result);
+    facts.tell("reason", reason, "reason", reason);
+    if (!result.blocking_box.empty())
+      facts.tell("blocking_box", json_parameters(p, result.blocking_box), "blocked by",
+                 describe_short_place(p, result.blocking_box));
+  }
+  facts.add("nonempty", result.is_empty       ? Json(false)
+                        : result.is_inhabited ? Json(true)
+                                              : Json(nullptr));
   if (result.verdict == FeasibilityVerdict::kFeasible && !result.is_inhabited)
-    text += "warning    no pose was found that certainly meets the constraints\n";
-  return text;
+    facts.say("warning", "no pose was found that certainly meets the constraints");
+}
+
+void tell_volumes(const PreparedForces& prepared, const ForceVolumes& volumes, Facts& facts) {
+  Json kinds = Json::object();
+  for (const ForceClaim claim : kEveryClaim) {
+    const std::uint64_t boxes = volumes.of(claim).boxes;
+    kinds[name(claim)] = {{"boxes", boxes}, {"fraction", json_interval(volumes.fraction(claim))}};
+    if (claim != ForceClaim::kOutside || prepared.preparation.labels.constraints > 0)
+      facts.say(name(claim), fmt::format("{} in {} boxes", volumes.percentage(claim), boxes));
+  }
+  facts.add("boxes_by_claim", std::move(kinds));
 }
 
 }  // namespace
@@ -97,14 +120,24 @@ std::string describe_limits(const PreparedForces& prepared) {
                      unit_suffix(prepared.force_unit));
 }
 
-std::string format_shortage(const PreparedForces& prepared, const ForceWitness& witness) {
+void say_shortage(const PreparedForces& prepared, const ForceWitness& witness, Facts& facts) {
   const Shortage& s = witness.shortage;
-  std::string text = fmt::format("           {} has a wrench that no forces {} hold,\n",
-                                 prepared.load, describe_limits(prepared));
-  text += fmt::format("           near the corner ({})\n",
-                      short_numbers(middles(prepared.forces.corners[s.corner])));
-  text += fmt::format("           {}\n", format_direction(s));
-  return text;
+  facts.say("", fmt::format("{} has a wrench that no forces {} hold,\nnear the corner ({})\n{}",
+                            prepared.load, describe_limits(prepared),
+                            short_numbers(middles(prepared.forces.corners[s.corner])),
+                            format_direction(s)));
+}
+
+void tell_load(const PreparedForces& prepared, Facts& facts) {
+  facts.tell("load", prepared.load, "load",
+             fmt::format("{}, forces {}", prepared.load, describe_limits(prepared)));
+  facts.add("forces", json_limits(prepared)).add("force_unit", prepared.force_unit);
+}
+
+std::string describe_claim(const PreparedForces& prepared) {
+  const PreparedSearch& p = prepared.preparation;
+  return fmt::format("at every {}{}, forces {} hold every wrench of {}", describe_pose(p),
+                     describe_uncertain(p), describe_limits(prepared), prepared.load);
 }
 
 std::string describe_reason(const PreparedForces& prepared, const FeasibilityResult& result) {
@@ -128,12 +161,6 @@ Json json_witness_of(const PreparedForces& prepared, const ForceWitness& witness
           {"direction", s.direction},
           {"needed", json_interval(s.needed)},
           {"possible", json_interval(s.possible)}};
-}
-
-Json json_limits(const PreparedForces& prepared) {
-  Json limits = Json::array();
-  for (const Interval& limit : prepared.forces.certain) limits.push_back(json_interval(limit));
-  return limits;
 }
 
 const char* json_word(FeasibilityVerdict verdict) noexcept {
@@ -195,58 +222,27 @@ Interval ForceVolumes::fraction(ForceClaim claim) const noexcept {
   return volumes_.fraction(of(claim));
 }
 
-std::string format_forces(const PreparedForces& prepared, const FeasibilityResult& result,
-                          const ForceVolumes* volumes) {
+void tell_forces(const PreparedForces& prepared, const FeasibilityResult& result,
+                 const ForceVolumes* volumes, Facts& facts) {
   const PreparedSearch& p = prepared.preparation;
-  std::string text = format_question(p);
-  text += fmt::format("load       {}, forces {}\n", prepared.load, describe_limits(prepared));
-  for (const ForceClaim claim : kEveryClaim)
-    if (volumes != nullptr && (claim != ForceClaim::kOutside || p.labels.constraints > 0))
-      text += fmt::format("{:10} {} in {} boxes\n", name(claim), volumes->percentage(claim),
-                          volumes->of(claim).boxes);
-  text += fmt::format("boxes      {} evaluated\n", result.boxes);
-  text += format_time(p.seconds_spent());
+  facts.add("verdict", json_word(result.verdict));
+  tell_question(p, facts);
+  tell_load(prepared, facts);
+  if (volumes != nullptr) tell_volumes(prepared, *volumes, facts);
+  facts.tell("boxes", result.boxes, "boxes", fmt::format("{} evaluated", result.boxes));
+  tell_time(p.seconds_spent(), facts);
+  facts.add("stopped_by", result.stopped_by ? Json(describe(*result.stopped_by)) : Json(nullptr));
   if (result.stopped_by && result.verdict != FeasibilityVerdict::kPossibleProblem)
-    text += fmt::format("stopped    {}\n", describe(*result.stopped_by));
-  if (result.verdict == FeasibilityVerdict::kFeasible)
-    text += fmt::format("proved     {}\n", describe_claim_of_all(prepared));
-  if (result.witness) text += format_witness_of(prepared, *result.witness);
-  return text + format_reason(prepared, result);
-}
-
-Json json_forces(const PreparedForces& prepared, const FeasibilityResult& result,
-                 const ForceVolumes* volumes) {
-  const PreparedSearch& p = prepared.preparation;
-  const bool undecided = result.verdict == FeasibilityVerdict::kPossibleProblem;
-  Json report = {{"load", prepared.load},
-                 {"verdict", json_word(result.verdict)},
-                 {"reason", undecided ? Json(describe_reason(prepared, result)) : Json(nullptr)},
-                 {"claim", result.verdict == FeasibilityVerdict::kFeasible
-                               ? Json(describe_claim_of_all(prepared))
-                               : Json(nullptr)},
-                 {"forces", json_limits(prepared)},
-                 {"force_unit", prepared.force_unit},
-                 {"model", p.labels.model},
-                 {"model_file", p.model_file},
-                 {"model_sha256", p.labels.model_sha256},
-                 {"motion", p.labels.motion}};
-  report["witness"] = result.witness ? json_witness_of(prepared, *result.witness) : Json(nullptr);
-  report["blocking_box"] = undecided && !result.blocking_box.empty()
-                               ? json_parameters(p, result.blocking_box)
-                               : Json(nullptr);
-  report["nonempty"] = result.is_empty       ? Json(false)
-                       : result.is_inhabited ? Json(true)
-                                             : Json(nullptr);
-  for (const ForceClaim claim : kEveryClaim)
-    if (volumes != nullptr)
-      report["boxes_by_claim"][name(claim)] = {
-          {"boxes", volumes->of(claim).boxes},
-          {"fraction", json_interval(volumes->fraction(claim))}};
-  report["boxes"] = result.boxes;
-  report["stopped_by"] = result.stopped_by ? Json(describe(*result.stopped_by)) : Json(nullptr);
-  report["question"] = json_question(p, prepared.search);
-  report["seconds"] = json_seconds(p.seconds_spent());
-  return report;
+    facts.say("stopped", describe(*result.stopped_by));
+  facts.add("claim", nullptr);
+  if (result.verdict == FeasibilityVerdict::kFeasible) {
+    const std::string claim = describe_claim(prepared);
+    facts.tell("claim", claim, "proved", claim);
+  }
+  tell_witness(prepared, result, facts);
+  tell_reason(prepared, result, facts);
+  if (facts.are_for_programs())
+    add_search(prepared.search, json_question(p, prepared.search), facts);
 }
 
 Json json_forces_header(const PreparedForces& prepared, double resolution) {

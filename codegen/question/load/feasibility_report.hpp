@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reports about forces that hold a load, for people and for programs.
+// What is told about forces that hold a load.
 #pragma once
 
 #include <array>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "codegen/answer/facts.hpp"
 #include "codegen/question/load/feasibility_run.hpp"
 #include "runtime/search/paving.hpp"
 
@@ -16,15 +17,17 @@ namespace regulus {
 
 /// Returns "within [1, 500] N", or "within their limits" if these differ.
 [[nodiscard]] std::string describe_limits(const PreparedForces& prepared);
-/// Returns the lines about a place where a load is not held.
-[[nodiscard]] std::string format_shortage(const PreparedForces& prepared,
-                                          const ForceWitness& witness);
+/// Tells the load, and the limits of the forces.
+void tell_load(const PreparedForces& prepared, Facts& facts);
+/// Tells people why a load is not held at a place.
+void say_shortage(const PreparedForces& prepared, const ForceWitness& witness, Facts& facts);
+/// Returns the claim of FEASIBLE.
+[[nodiscard]] std::string describe_claim(const PreparedForces& prepared);
 /// Returns why neither answer was shown.
 [[nodiscard]] std::string describe_reason(const PreparedForces& prepared,
                                           const FeasibilityResult& result);
 [[nodiscard]] nlohmann::ordered_json json_witness_of(const PreparedForces& prepared,
                                                      const ForceWitness& witness);
-[[nodiscard]] nlohmann::ordered_json json_limits(const PreparedForces& prepared);
 /// Returns "feasible", "infeasible" or "possible-problem".
 [[nodiscard]] const char* json_word(FeasibilityVerdict verdict) noexcept;
 
@@ -42,15 +45,9 @@ class ForceVolumes {
   Volumes volumes_;
 };
 
-/// Returns the report but for the verdict; `volumes`: of a paving, or null.
-[[nodiscard]] std::string format_forces(const PreparedForces& prepared,
-                                        const FeasibilityResult& result,
-                                        const ForceVolumes* volumes);
-
-/// Returns the JSON report.
-[[nodiscard]] nlohmann::ordered_json json_forces(const PreparedForces& prepared,
-                                                 const FeasibilityResult& result,
-                                                 const ForceVolumes* volumes);
+/// Tells the question, the claim and the place where it fails; `volumes`: of a paving, or null.
+void tell_forces(const PreparedForces& prepared, const FeasibilityResult& result,
+                 const ForceVolumes* volumes, Facts& facts);
 
 /// Returns the first line of a paving, and the line of a box.
 [[nodiscard]] nlohmann::ordered_json json_forces_header(const PreparedForces& prepared,

@@ -138,18 +138,12 @@ double WayForcePaving::approx_share(ForceClaim claim) const {
                          stand_in_of(claim));
 }
 
-std::string format_way_force_paving(const WayForcePaving& paving) {
-  return format_way_forces(paving.found) +
-         format_stretches(trajectory_of(paving), as_path_stretches(paving), word_of_stand_in);
-}
-
-nlohmann::ordered_json json_way_force_paving(const WayForcePaving& paving) {
-  nlohmann::ordered_json report = json_way_forces(paving.found);
-  report["resolution"] = paving.resolution;
-  report["stretches"] = paving.stretches.size();
-  for (const ForceClaim claim : kClaimsOfWay)
-    report["share"][name(claim)] = paving.approx_share(claim);
-  return report;
+void tell_way_force_paving(const WayForcePaving& paving, Facts& facts) {
+  std::vector<Claim> claims;
+  for (const ForceClaim claim : kClaimsOfWay) claims.push_back(stand_in_of(claim));
+  tell_way_forces(paving.found, facts);
+  facts.add("resolution", paving.resolution);
+  tell_stretches(trajectory_of(paving), as_path_stretches(paving), claims, word_of_stand_in, facts);
 }
 
 nlohmann::ordered_json json_force_stretch(const WayForcePaving& paving,

@@ -32,9 +32,8 @@ struct WayForcePaving {
                                                    const std::string& load, SearchOptions search,
                                                    double resolution, const PathWatch& watch);
 
-/// Returns the report but for the verdict.
-[[nodiscard]] std::string format_way_force_paving(const WayForcePaving& paving);
-[[nodiscard]] nlohmann::ordered_json json_way_force_paving(const WayForcePaving& paving);
+/// Tells the question, the stretches and the share of each claim.
+void tell_way_force_paving(const WayForcePaving& paving, Facts& facts);
 /// Returns one stretch as an object: its claim, its segments, its lines and its times.
 [[nodiscard]] nlohmann::ordered_json json_force_stretch(const WayForcePaving& paving,
                                                         const ForceStretch& stretch);

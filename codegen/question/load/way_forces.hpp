@@ -9,11 +9,11 @@
 #pragma once
 
 #include <atomic>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "codegen/answer/facts.hpp"
 #include "codegen/question/load/feasibility_run.hpp"
 #include "codegen/question/way/path_run.hpp"
 
@@ -50,8 +50,12 @@ struct WayForces {
                                                const std::string& load, SearchOptions search,
                                                bool wants_trees, const PathWatch& watch);
 
-/// Returns the report but for the verdict.
-[[nodiscard]] std::string format_way_forces(const WayForces& found);
-[[nodiscard]] nlohmann::ordered_json json_way_forces(const WayForces& found);
+/// Tells the question, the claim and the segment where it fails.
+void tell_way_forces(const WayForces& found, Facts& facts);
+
+/// Returns the claim of FEASIBLE.
+[[nodiscard]] std::string describe_claim(const WayForces& found);
+/// Returns why neither answer was shown.
+[[nodiscard]] std::string describe_reason(const WayForces& found);
 
 }  // namespace regulus

@@ -5,8 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/answer/certificate/certificate_question.hpp"
+#include "codegen/answer/report/place_text.hpp"
 #include "codegen/answer/report/question_report.hpp"
-#include "codegen/answer/report/report_parts.hpp"
+#include "codegen/answer/report/search_facts.hpp"
 #include "codegen/model/way/trajectory.hpp"
 #include "codegen/question/load/feasibility_report.hpp"
 #include "codegen/question/load/way_forces.hpp"
@@ -26,7 +27,49 @@ std::optional<Interval> parameter_of(const DecidingForces& deciding) {
   return std::nullopt;
 }
 
-std::string describe_claim_of_way(const WayForces& found) {
+/// Tells of the piece that decides: where, and why.
+void tell_deciding(const WayForces& found, Facts& facts) {
+  for (const char* key : {"segment", "witness", "blocking_box", "stopped_by"})
+    facts.add(key, nullptr);
+  if (!found.deciding) return;
+  const DecidingForces& d = *found.deciding;
+  const bool is_infeasible = found.verdict == FeasibilityVerdict::kInfeasible;
+  facts.tell("segment", json_segment(trajectory_of(found), d.piece, parameter_of(d)),
+             is_infeasible ? "at" : "blocked by",
+             describe_segment(trajectory_of(found), d.piece, parameter_of(d)));
+  if (!d.prepared || d.result.stopped_by)
+    facts.add("stopped_by", describe(d.prepared ? *d.result.stopped_by : found.reason));
+  if (!d.prepared) return;
+  const PreparedSearch& p = d.prepared->preparation;
+  if (d.result.witness) {
+    facts.tell("witness", json_witness_of(*d.prepared, *d.result.witness), "",
+               describe_place(p, d.result.witness->variables));
+    facts.say("", describe_uncertain_values(p, d.result.witness->variables));
+    say_shortage(*d.prepared, *d.result.witness, facts);
+  } else if (!d.result.blocking_box.empty()) {
+    facts.say("", describe_short_place(p, d.result.blocking_box));
+  }
+  if (found.verdict == FeasibilityVerdict::kPossibleProblem && !d.result.blocking_box.empty())
+    facts.add("blocking_box", json_parameters(p, d.result.blocking_box));
+}
+
+/// Tells the claim, or why there is none.
+void tell_claim(const WayForces& found, Facts& facts) {
+  facts.add("claim", nullptr).add("reason", nullptr).add("excluded", found.excluded);
+  if (found.verdict == FeasibilityVerdict::kFeasible) {
+    if (found.excluded > 0)
+      facts.say("excluded", fmt::format("{} segment{} without a pose that the constraints allow",
+                                        found.excluded, found.excluded == 1 ? "" : "s"));
+    const std::string claim = describe_claim(found);
+    facts.tell("claim", claim, "proved", claim);
+  }
+  if (found.verdict == FeasibilityVerdict::kPossibleProblem)
+    facts.tell("reason", describe_reason(found), "reason", describe_reason(found));
+}
+
+}  // namespace
+
+std::string describe_claim(const WayForces& found) {
   const Motion& motion = found.request.motion;
   const bool is_uncertain = uncertain_count(found.hull.preparation) > 0;
   const bool has_errors =
@@ -40,89 +83,27 @@ std::string describe_claim_of_way(const WayForces& found) {
                      describe_limits(found.hull), found.hull.load);
 }
 
-std::string reason_of(const WayForces& found) {
+std::string describe_reason(const WayForces& found) {
   if (found.deciding && found.deciding->prepared)
     return describe_reason(*found.deciding->prepared, found.deciding->result);
   return describe(found.reason);
 }
 
-std::string format_deciding(const WayForces& found) {
-  if (!found.deciding) return "";
-  const DecidingForces& d = *found.deciding;
-  const bool is_infeasible = found.verdict == FeasibilityVerdict::kInfeasible;
-  std::string text = fmt::format("{} {}\n", is_infeasible ? "at        " : "blocked by",
-                                 describe_segment(trajectory_of(found), d.piece, parameter_of(d)));
-  if (!d.prepared) return text;
-  const PreparedSearch& p = d.prepared->preparation;
-  if (d.result.witness)
-    return text + fmt::format("           {}\n", describe_place(p, d.result.witness->variables)) +
-           format_uncertain_values(p, d.result.witness->variables) +
-           format_shortage(*d.prepared, *d.result.witness);
-  if (!d.result.blocking_box.empty())
-    text += fmt::format("           {}\n", describe_short_place(p, d.result.blocking_box));
-  return text;
-}
-
-}  // namespace
-
-std::string format_way_forces(const WayForces& found) {
+void tell_way_forces(const WayForces& found, Facts& facts) {
   const PreparedForces& hull = found.hull;
-  const std::size_t uncertain = uncertain_count(hull.preparation);
-  std::string text = fmt::format("model      {}\nmotion     {}\n", found.request.model.name,
-                                 found.request.motion.name) +
-                     format_path(trajectory_of(found)) +
-                     format_tube(found.request.model, found.request.motion);
-  text += uncertain == 0 ? "uncertain  nothing: geometry is taken as exact\n"
-                         : fmt::format("uncertain  {} {} of the geometry\n", uncertain,
-                                       uncertain == 1 ? "quantity" : "quantities");
-  text += fmt::format("load       {}, forces {}\n", hull.load, describe_limits(hull));
-  text += fmt::format("boxes      {} evaluated; {} segment{} searched alone\n", found.boxes,
-                      found.searched_alone, found.searched_alone == 1 ? "" : "s");
-  text += format_time(found.seconds);
-  if (found.verdict == FeasibilityVerdict::kFeasible) {
-    if (found.excluded > 0)
-      text += fmt::format("excluded   {} segment{} without a pose that the constraints allow\n",
-                          found.excluded, found.excluded == 1 ? "" : "s");
-    text += fmt::format("proved     {}\n", describe_claim_of_way(found));
-  }
-  if (found.verdict == FeasibilityVerdict::kPossibleProblem)
-    text += fmt::format("reason     {}\n", reason_of(found));
-  return text + format_deciding(found);
-}
-
-Json json_way_forces(const WayForces& found) {
-  const bool undecided = found.verdict == FeasibilityVerdict::kPossibleProblem;
-  const bool feasible = found.verdict == FeasibilityVerdict::kFeasible;
-  const std::optional<DecidingForces>& d = found.deciding;
-  Json report = {{"load", found.hull.load},
-                 {"verdict", json_word(found.verdict)},
-                 {"reason", undecided ? Json(reason_of(found)) : Json(nullptr)},
-                 {"claim", feasible ? Json(describe_claim_of_way(found)) : Json(nullptr)},
-                 {"forces", json_limits(found.hull)},
-                 {"force_unit", found.hull.force_unit},
-                 {"model", found.request.model.name},
-                 {"model_file", found.request.model.path},
-                 {"model_sha256", found.request.model.sha256},
-                 {"motion", found.request.motion.name},
-                 {"waypoints", json_waypoints(trajectory_of(found))}};
-  const bool has_witness = d && d->prepared && d->result.witness;
-  report["segment"] =
-      d ? json_segment(trajectory_of(found), d->piece, parameter_of(*d)) : Json(nullptr);
-  report["witness"] =
-      has_witness ? json_witness_of(*d->prepared, *d->result.witness) : Json(nullptr);
-  report["blocking_box"] = undecided && d && d->prepared && !d->result.blocking_box.empty()
-                               ? json_parameters(d->prepared->preparation, d->result.blocking_box)
-                               : Json(nullptr);
-  report["nonempty"] = found.reason == Reason::kEmptyVariety ? Json(false) : Json(nullptr);
-  report["excluded"] = found.excluded;
-  report["searched_alone"] = found.searched_alone;
-  report["boxes"] = found.boxes;
-  report["stopped_by"] = nullptr;
-  if (d && (!d->prepared || d->result.stopped_by))
-    report["stopped_by"] = describe(d->prepared ? *d->result.stopped_by : found.reason);
-  report["question"] = json_question(found.request, found.hull.search);
-  report["seconds"] = json_seconds(found.seconds);
-  return report;
+  facts.add("verdict", json_word(found.verdict));
+  tell_way(found.request, uncertain_count(hull.preparation), "", facts);
+  tell_load(hull, facts);
+  facts.add("boxes", found.boxes);
+  facts.tell("searched_alone", found.searched_alone, "boxes",
+             fmt::format("{} evaluated; {} segment{} searched alone", found.boxes,
+                         found.searched_alone, found.searched_alone == 1 ? "" : "s"));
+  tell_time(found.seconds, facts);
+  tell_claim(found, facts);
+  facts.add("nonempty", found.reason == Reason::kEmptyVariety ? Json(false) : Json(nullptr));
+  tell_deciding(found, facts);
+  if (facts.are_for_programs())
+    add_search(hull.search, json_question(found.request, hull.search), facts);
 }
 
 }  // namespace regulus

@@ -5,17 +5,19 @@
 
 namespace regulus {
 
-MarginCertificates::MarginCertificates(const std::string& path, const MarginRequest& request,
-                                       const ReportLabels& subject, HeldFiles* held)
-    : proofs_(path, held, kNoSafeProof, kNoSingularProof),
-      request_(request),
-      uncertain_(uncertain_names(subject)) {
+EndProofs margin_proofs(const std::string& path, HeldFiles* held) {
+  return EndProofs(path, held, kNoSafeProof, kNoSingularProof);
+}
+
+MarginCertificates::MarginCertificates(EndProofs proofs, const MarginRequest& request,
+                                       const ReportLabels& subject)
+    : proofs_(std::move(proofs)), request_(request), uncertain_(uncertain_names(subject)) {
   // At the value 0, too, the search has a variable for each of them.
   if (proofs_.are_wanted()) uncertain_.merge(request_.with_control_errors());
 }
 
 CertifiedQuestion MarginCertificates::question_at(const MarginValue& value) const {
-  return request_.certified_at(value, uncertain_);
+  return request_.certified_at(value).question(uncertain_);
 }
 
 Observer* MarginCertificates::watch(const MarginValue& value) {

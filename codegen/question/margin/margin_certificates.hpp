@@ -12,16 +12,18 @@
 
 namespace regulus {
 
-/// FILE.safe and FILE.singular: proofs of the ends at which the run stops.
+/// Returns the proofs FILE.safe and FILE.singular of the ends at which a run stops, without the
+/// endings. `path` empty: none are wanted. `held`: where they wait for the end of the run; null: each
+/// is put in place at once. Throws FileError if a file cannot be created there.
+[[nodiscard]] EndProofs margin_proofs(const std::string& path, HeldFiles* held);
+
+/// Writes them.
 class MarginCertificates {
  public:
-  /// `path` empty: none are wanted. `held`: where the proofs wait for the end of the run; null: each
-  /// is put in place at once. Throws FileError if a file cannot be created there.
-  MarginCertificates(const std::string& path, const MarginRequest& request,
-                     const ReportLabels& subject, HeldFiles* held = nullptr);
+  MarginCertificates(EndProofs proofs, const MarginRequest& request, const ReportLabels& subject);
 
   /// Returns the observer of a search at this value; nullptr if none is wanted. It replaces the
-  /// previous one.
+  /// previous one. Throws FileError.
   [[nodiscard]] Observer* watch(const MarginValue& value);
   /// Writes the certificate of the last observed search, or of a witness that no search has found.
   /// Throws FileError.

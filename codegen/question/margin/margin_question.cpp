@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "codegen/answer/certificate/certificate_question.hpp"
+#include "codegen/answer/certificate/piece_question.hpp"
 #include "codegen/kernel/formulation/variable_ranges.hpp"
 #include "codegen/model/constants.hpp"
 #include "codegen/model/exact/certain_sign.hpp"
@@ -150,6 +150,12 @@ MarginValue decimal_value(double value) {
   return {fmt::format("{}", value), shortest_decimal(value), value, {}};
 }
 
+MarginValue value_at(const MarginQuestion& question, double planned) {
+  if (planned == question.low.approx) return question.low;
+  if (question.high && planned == question.high->approx) return *question.high;
+  return decimal_value(planned);
+}
+
 MarginValue forming_value(const MarginQuestion& question) {
   return question.high ? *question.high : decimal_value(1);
 }
@@ -270,10 +276,9 @@ Request MarginRequest::at(const MarginValue& value) const {
   return question_.about ? question_.about(request) : request;
 }
 
-CertifiedQuestion MarginRequest::certified_at(const MarginValue& value,
-                                              const std::set<std::string>& uncertain) const {
-  if (question_.certified) return question_.certified(grown_to(value), uncertain);
-  return certified_question(at(value), uncertain);
+CertifiedMotion MarginRequest::certified_at(const MarginValue& value) const {
+  if (question_.certified) return question_.certified(grown_to(value));
+  return {at(value), is_regular()};
 }
 
 std::set<std::string> MarginRequest::with_control_errors() const {

@@ -41,10 +41,14 @@ struct MarginQuestion {
   bool beyond_limits = false;  ///< the ranges may leave the limits of the joints
   MarginValue low;
   std::optional<MarginValue> high;
-  std::string limit{};         ///< "force in leg 3 < 20", what must hold; empty: no singularity
-  QuestionAbout about{};       ///< that the limit holds; empty: the request itself
-  CertifiedAbout certified{};  ///< about the bound of a quantity; empty: about regularity
+  std::string limit{};    ///< "force in leg 3 < 20", what must hold; empty: no singularity
+  QuestionAbout about{};  ///< that the limit holds; empty: the request itself
+  /// What a certificate is about, at a request that has grown; empty: that this is regular.
+  std::function<CertifiedMotion(const Request& grown)> certified{};
 };
+
+/// Returns the value of a bracket's plan; an end of the question as it was written.
+[[nodiscard]] MarginValue value_at(const MarginQuestion& question, double planned);
 
 /// Returns the value at which the kernel is formed. The kernel is the same at all values except 0,
 /// where quantities would not be uncertain, so the value is not 0.
@@ -64,9 +68,8 @@ class MarginRequest {
   [[nodiscard]] const Request& nominal() const noexcept { return nominal_; }
   /// Returns the question at a value: about the request that has grown.
   [[nodiscard]] Request at(const MarginValue& value) const;
-  /// Returns the question of a certificate at a value.
-  [[nodiscard]] CertifiedQuestion certified_at(const MarginValue& value,
-                                               const std::set<std::string>& uncertain) const;
+  /// Returns what a certificate at a value is about.
+  [[nodiscard]] CertifiedMotion certified_at(const MarginValue& value) const;
   /// Returns the pose parameters whose control errors are variables of the search, at every value.
   [[nodiscard]] std::set<std::string> with_control_errors() const;
   /// Sets ranges and threshold at `value`, for variables that were formed at another value.

@@ -6,10 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/answer/report/question_report.hpp"
-#include "codegen/answer/report/report_parts.hpp"
+#include "codegen/answer/report/search_facts.hpp"
 #include "codegen/answer/report/witness_report.hpp"
 #include "codegen/model/exact/decimal.hpp"
-#include "codegen/question/engine/choices.hpp"
 
 namespace regulus {
 namespace {
@@ -102,68 +101,64 @@ std::string format_step(const MarginStep& step) {
   return line + "\n";
 }
 
-std::string margin_report(const PreparedSearch& p, const SearchOptions& search,
-                          const MarginQuestion& question, const Margin& margin) {
-  std::string text =
-      fmt::format("model      {}\nmotion     {}\nmargin     {}, from {} to {}\n", p.labels.model,
-                  p.labels.motion, describe_quantity(question), question.low.text,
-                  question.high ? question.high->text : "where it ends");
-  text += format_method(p, search, search.method, margin.boxes);
-  text += fmt::format("boxes      {} evaluated at {} values\n", margin.boxes, margin.steps.size());
-  text += format_time(p.seconds_spent());
-  if (margin.empty)
-    text += fmt::format("at {}: {}\n", margin.empty->value.text, margin.empty->claim);
-  if (margin.certified)
-    text += fmt::format("at {}: {}\n", margin.certified->value.text, margin.certified->claim) +
-            format_occupancy(margin.certified->result);
-  if (margin.refuted)
-    text += fmt::format("at {}: {}\n", margin.refuted->value.text, margin.refuted->claim) +
-            format_witness(p, margin.refuted->result);
-  if (margin.gap) text += fmt::format("gap        {:.3g} % of the upper end\n", 100 * *margin.gap);
-  return text + fmt::format("ended      {}\n", reason_to_end(margin));
+std::string verdict_of(const MarginQuestion& question, const Margin& margin) {
+  if (margin.refuted && margin.refuted->value.approx <= question.low.approx) return "refuted";
+  return margin.closed && margin.certified ? "closed" : "open";
 }
 
-Json json_bracket(const MarginQuestion& question, const Margin& margin, double gap_wanted) {
-  Json report;
-  report["margin"] = json_question(question);
-  report["bracket"] = describe_bracket(question, margin);
-  report["certified"] = json_value(margin.certified, false);
-  report["certified_exact"] = json_text(margin.certified);
-  report["certified_claim"] = margin.certified ? Json(margin.certified->claim) : Json(nullptr);
-  report["nonempty"] = margin.refuted     ? Json(true)
-                       : margin.certified ? json_occupancy(margin.certified->result)
-                       : margin.empty     ? Json(false)
-                                          : Json(nullptr);
-  report["refuted"] = json_value(margin.refuted, true);
-  report["refuted_exact"] = json_text(margin.refuted);
-  report["refuted_claim"] = margin.refuted ? Json(margin.refuted->claim) : Json(nullptr);
-  report["gap"] = margin.gap ? Json(*margin.gap) : Json(nullptr);
-  report["gap_wanted"] = gap_wanted;
-  report["closed"] = margin.closed;
-  report["reason"] = reason_to_end(margin);
-  return report;
+std::string describe_range(const MarginQuestion& question) {
+  return fmt::format("{}, from {} to {}", describe_quantity(question), question.low.text,
+                     question.high ? question.high->text : "where it ends");
 }
 
-Json json_margin(const PreparedSearch& p, const SearchOptions& search, const Request& nominal,
-                 const MarginQuestion& question, const Margin& margin, double gap_wanted) {
-  Json report = json_bracket(question, margin, gap_wanted);
-  report["model"] = p.labels.model;
-  report["model_file"] = p.model_file;
-  report["model_sha256"] = p.labels.model_sha256;
-  report["motion"] = p.labels.motion;
-  report["method"] = name(search.method);
-  report["without"] = search.without;
-  report["forms"] = json_forms(p);
-  report["witness"] = margin.refuted ? json_witness(p, margin.refuted->result) : Json(nullptr);
-  report["boxes"] = margin.boxes;
-  report["steps"] = json_steps(margin);
-  report["bits"] = p.bits;
-  report["question"] = json_question(nominal, search);
-  report["engine"] = word_of(search.engine);
-  report["isa"] = name(p.isa);
-  report["cache"] = p.cache;
-  report["seconds"] = json_seconds(p.seconds_spent());
-  return report;
+void say_end(const std::optional<MarginStep>& step, Facts& facts) {
+  if (step) facts.say(fmt::format("at {}:", step->value.text), step->claim);
+}
+
+void tell_gap(const Margin& margin, double gap_wanted, Facts& facts) {
+  facts.add("gap", or_null(margin.gap)).add("gap_wanted", gap_wanted);
+  if (margin.gap) facts.say("gap", fmt::format("{:.3g} % of the upper end", 100 * *margin.gap));
+}
+
+void add_bracket(const MarginQuestion& question, const Margin& margin, Facts& facts) {
+  std::string claim;
+  for (const auto* step : {&margin.certified, &margin.refuted})
+    if (*step)
+      claim += fmt::format("{}at {}: {}", claim.empty() ? "" : "; ", (*step)->value.text,
+                           (*step)->claim);
+  facts.add("claim", claim.empty() ? Json(nullptr) : Json(claim));
+  facts.add("verdict", verdict_of(question, margin)).add("reason", reason_to_end(margin));
+  facts.add("margin", json_question(question)).add("bracket", describe_bracket(question, margin));
+  facts.add("certified", json_value(margin.certified, false));
+  facts.add("certified_exact", json_text(margin.certified));
+  facts.add("certified_claim", margin.certified ? Json(margin.certified->claim) : Json(nullptr));
+  facts.add("nonempty", margin.refuted     ? Json(true)
+                        : margin.certified ? json_occupancy(margin.certified->result)
+                        : margin.empty     ? Json(false)
+                                           : Json(nullptr));
+  facts.add("refuted", json_value(margin.refuted, true));
+  facts.add("refuted_exact", json_text(margin.refuted));
+  facts.add("refuted_claim", margin.refuted ? Json(margin.refuted->claim) : Json(nullptr));
+  facts.add("closed", margin.closed).add("boxes", margin.boxes).add("steps", json_steps(margin));
+}
+
+void tell_margin(const PreparedSearch& p, const SearchOptions& search, const Request& nominal,
+                 const MarginQuestion& question, const Margin& margin, double gap_wanted,
+                 Facts& facts) {
+  tell_model(p, facts);
+  facts.say("margin", describe_range(question));
+  tell_method(p, search, search.method, margin.boxes, facts);
+  facts.say("boxes", fmt::format("{} evaluated at {} values", margin.boxes, margin.steps.size()));
+  tell_time(p.seconds_spent(), facts);
+  say_end(margin.empty, facts);
+  say_end(margin.certified, facts);
+  if (margin.certified) tell_occupancy(margin.certified->result, facts);
+  add_bracket(question, margin, facts);
+  say_end(margin.refuted, facts);
+  tell_witness(p, margin.refuted ? margin.refuted->result : Result{}, facts);
+  tell_gap(margin, gap_wanted, facts);
+  facts.say("ended", reason_to_end(margin));
+  if (facts.are_for_programs()) add_search(search, json_question(nominal, search), facts);
 }
 
 }  // namespace regulus

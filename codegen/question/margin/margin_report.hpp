@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bracket, for people and for programs.
+// What is told of a bracket.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "codegen/answer/facts.hpp"
 #include "codegen/question/margin/margin_run.hpp"
 
 namespace regulus {
@@ -15,20 +16,17 @@ namespace regulus {
 /// Returns one line about one search or witness.
 [[nodiscard]] std::string format_step(const MarginStep& step);
 
-[[nodiscard]] std::string margin_report(const PreparedSearch& preparation,
-                                        const SearchOptions& search, const MarginQuestion& question,
-                                        const Margin& margin);
+/// Returns "tolerance of base, from 0 to 1".
+[[nodiscard]] std::string describe_range(const MarginQuestion& question);
+/// Tells the bracket to programs: `claim`, `verdict`, both ends, the steps.
+void add_bracket(const MarginQuestion& question, const Margin& margin, Facts& facts);
+/// Tells people what is claimed at an end.
+void say_end(const std::optional<MarginStep>& step, Facts& facts);
+void tell_gap(const Margin& margin, double gap_wanted, Facts& facts);
 
-/// Returns the part of the JSON report that is about the bracket.
-[[nodiscard]] nlohmann::ordered_json json_bracket(const MarginQuestion& question,
-                                                  const Margin& margin, double gap_wanted);
-
-/// Returns the JSON report. `certified` is not above, `refuted` not below the value of its text.
-/// `nominal`: the request before anything grows.
-[[nodiscard]] nlohmann::ordered_json json_margin(const PreparedSearch& preparation,
-                                                 const SearchOptions& search,
-                                                 const Request& nominal,
-                                                 const MarginQuestion& question,
-                                                 const Margin& margin, double gap_wanted);
+/// Tells the bracket, its ends and the searches. `nominal`: the request before anything grows.
+void tell_margin(const PreparedSearch& preparation, const SearchOptions& search,
+                 const Request& nominal, const MarginQuestion& question, const Margin& margin,
+                 double gap_wanted, Facts& facts);
 
 }  // namespace regulus

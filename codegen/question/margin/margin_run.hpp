@@ -1,29 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Brackets the largest safe value: searches at one value after another, with one kernel.
+// Brackets the largest safe value: searches at one value after another.
 #pragma once
 
-#include <functional>
-#include <memory>
+#include <atomic>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "codegen/answer/report/output_options.hpp"
-#include "codegen/question/engine/pipeline.hpp"
-#include "codegen/question/margin/margin_certificates.hpp"
-#include "codegen/question/margin/margin_question.hpp"
-#include "runtime/problem/result.hpp"
-#include "runtime/search/bracket.hpp"
-#include "runtime/witness/least_witness.hpp"
+#include "codegen/question/margin/attempts.hpp"
 
 namespace regulus {
-
-/// The result at one value.
-struct MarginStep {
-  MarginValue value;
-  Result result;
-  std::string claim;
-};
 
 struct Margin {
   std::optional<MarginStep> certified;  ///< the largest value, with the search that certified it
@@ -56,46 +41,16 @@ class EarlierSearches {
   [[noreturn]] virtual void refuse(const MarginValue& value) const = 0;
 };
 
-class MarginRun {
- public:
-  using Listener = std::function<void(const MarginStep&)>;
-
-  MarginRun(PreparedSearch& preparation, const MarginQuestion& question,
-            const MarginRequest& request, const SearchOptions& search, const OutputOptions& output,
-            const Settings& settings, double gap, MarginCertificates& certificates,
-            Listener listener, EarlierSearches* earlier = nullptr);
-
-  [[nodiscard]] Margin run();
-
- private:
-  [[nodiscard]] bool interrupted() const noexcept;
-  [[nodiscard]] Problem problem_at(const MarginValue& value);
-  void look_below(const std::optional<MarginValue>& high, double limit);
-  void look_for_witness(double seconds, int starts);
-  bool refute_at_found();
-  void close_in();
-  void close_in_from_above();
-  void attempt(const PlannedAttempt& planned);
-  [[nodiscard]] Result search_at(const MarginValue& value, const PlannedAttempt& planned);
-  void prove_remembered();
-  void look_near(std::span<const Interval> box);
-  void note(MarginStep step, bool is_search, std::uint64_t most_boxes = kAnyBoxes);
-  [[nodiscard]] MarginValue value_of(double approx) const;
-
-  PreparedSearch& preparation_;
-  const MarginQuestion& question_;
-  const MarginRequest& request_;
-  const SearchOptions& search_;
-  const OutputOptions& output_;
-  Settings settings_;
-  MarginCertificates& certificates_;
-  Listener listener_;
-  EarlierSearches* earlier_;
-  bool is_remembered_ = false;  ///< the certified end is that of an earlier run
-  Bracket bracket_;
-  Problem widest_;
-  std::unique_ptr<LeastWitness> witness_;
-  Margin margin_;
+struct BracketSettings {
+  Bracket::Limits limits{};
+  const std::atomic<bool>* interrupt = nullptr;
+  StepListener listener{};             ///< called after each step; empty: none
+  EarlierSearches* earlier = nullptr;  ///< null: none
 };
+
+/// Approaches the largest safe value of the question from both sides. Throws what the attempts and
+/// the listener throw.
+[[nodiscard]] Margin close_bracket(Attempts& attempts, const MarginQuestion& question,
+                                   const BracketSettings& settings);
 
 }  // namespace regulus

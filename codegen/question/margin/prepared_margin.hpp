@@ -3,9 +3,8 @@
 
 #include <string>
 
-#include "codegen/question/margin/margin_certificates.hpp"
+#include "codegen/question/engine/pipeline.hpp"
 #include "codegen/question/margin/margin_question.hpp"
-#include "codegen/question/margin/margin_run.hpp"
 
 namespace regulus {
 

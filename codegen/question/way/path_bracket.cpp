@@ -7,6 +7,7 @@
 #include "codegen/answer/certificate/piece_question.hpp"
 #include "codegen/answer/report/progress.hpp"
 #include "codegen/model/way/trajectory.hpp"
+#include "codegen/question/margin/variety_attempts.hpp"
 #include "codegen/question/way/path_run.hpp"
 #include "codegen/question/way/path_search.hpp"
 #include "codegen/question/way/pieces_alone.hpp"
@@ -22,8 +23,6 @@ constexpr double kPartOfPiece = 0.5;
 constexpr std::uint32_t kFewBoxes = 64;  ///< of a piece
 /// A guess takes milliseconds.
 constexpr std::size_t kMostGuesses = 16;
-/// Seconds of a first search, if all components together have as much.
-constexpr double kLeastSearch = 0.5;
 /// Some end is better than none.
 constexpr int kHalvings = 12;
 
@@ -36,32 +35,28 @@ PathBracket::PathBracket(const Request& request, const Request& alone,
       question_(question),
       settings_(std::move(settings)),
       path_(*request.motion.trajectory, request.motion.error),
-      deadline_(settings_.search.time_limit),
       certified_(path_.pieces()),
       excluded_(path_.pieces(), false),
       undecided_(path_.pieces(), false) {
   settle_options(settings_.search);
+  hull_.emplace(prepare(question, hull_request(request, path_)));
+  settings_.budget.grant_least();
+}
+
+/// Forms the matrix in all of the time that is left.
+PreparedMargin PathBracket::prepare(const MarginQuestion& question, Request request) {
   SearchOptions forming = settings_.search;
-  forming.time_limit = settings_.forming_limit;
-  hull_.emplace(question, hull_request(request, path_), 0, forming,
-                forming_watch(settings_.output, settings_.interrupt));
-  seconds_ = hull_->prepared.seconds_spent();
-  grant_least_time();
-}
-
-double PathBracket::elapsed() const {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-}
-
-double PathBracket::seconds_left() const { return std::max(0.0, deadline_ - elapsed()); }
-
-void PathBracket::grant_least_time() {
-  deadline_ = std::max(deadline_, elapsed() + std::min(kLeastSearch, settings_.forming_limit));
+  forming.time_limit = TimeBudget::option(settings_.budget.all());
+  PreparedMargin margin(question, std::move(request), 0, forming,
+                        forming_watch(settings_.output, settings_.interrupt));
+  margin.settings.interrupt = settings_.interrupt;
+  seconds_ += margin.prepared.seconds_spent();
+  return margin;
 }
 
 bool PathBracket::must_stop() const {
   return (settings_.interrupt != nullptr && *settings_.interrupt) || hull_->prepared.stopped ||
-         seconds_left() <= 0;
+         settings_.budget.is_over();
 }
 
 bool PathBracket::is_certified(std::size_t piece, double value) const {
@@ -127,7 +122,7 @@ void PathBracket::close(double gap) {
     std::vector<std::size_t> all(path_.pieces());
     for (std::size_t k = 0; k < all.size(); ++k) all[k] = k;
     bracket_piece(most_promising(all), question_.high, gap);
-    grant_least_time();
+    settings_.budget.grant_least();
   }
   while (!must_stop() && std::size_t(std::ranges::count(undecided_, true)) < kMostUndecidedPieces) {
     if (witness_ && witness_->step.value.approx == 0) break;
@@ -152,8 +147,7 @@ void PathBracket::search_together(const MarginValue& value, std::uint32_t most_b
   searched_ = {value.approx, most_boxes};
   hull_->request.replan(hull_->prepared, value);
   Settings settings = hull_->settings;
-  settings.interrupt = settings_.interrupt;
-  settings.time_limit = seconds_left();
+  settings.time_limit = settings_.budget.left();
   std::vector<bool> done(path_.pieces());
   for (std::size_t k = 0; k < done.size(); ++k) done[k] = is_certified(k, value.approx);
   SearchDisplay display(settings_.output);
@@ -177,25 +171,19 @@ void PathBracket::search_together(const MarginValue& value, std::uint32_t most_b
 void PathBracket::bracket_piece(std::size_t piece, std::optional<MarginValue> high, double gap) {
   MarginQuestion question = question_;
   question.high = std::move(high);
-  SearchOptions forming = settings_.search;
-  forming.time_limit = settings_.forming_limit;
-  auto margin =
-      std::make_unique<PreparedMargin>(question, piece_request(alone_, piece), 0, forming,
-                                       forming_watch(settings_.output, settings_.interrupt));
-  seconds_ += margin->prepared.seconds_spent();
-  if (!witness_) grant_least_time();
-  margin->settings.interrupt = settings_.interrupt;
-  margin->settings.time_limit = margin->prepared.stopped ? 0 : seconds_left() / 2;
-  MarginCertificates none("", margin->request, margin->prepared.labels);
+  PreparedMargin margin = prepare(question, piece_request(alone_, piece));
+  if (!witness_) settings_.budget.grant_least();
+  margin.settings.time_limit = margin.prepared.stopped ? 0 : settings_.budget.left() / 2;
+  VarietyAttempts attempts(margin, question, settings_.output);
   const std::unique_ptr<EarlierSearches> earlier = settings_.earlier(piece, question);
-  MarginRun run(
-      margin->prepared, question, margin->request, margin->search, settings_.output,
-      margin->settings, kPartOfPiece * gap, none, [](const MarginStep&) {}, earlier.get());
-  Margin found = run.run();
+  Margin found = close_bracket(attempts, question,
+                               {.limits = limits_of(margin.settings, kPartOfPiece * gap),
+                                .interrupt = settings_.interrupt,
+                                .earlier = earlier.get()});
   keep(piece, std::move(margin), std::move(found));
 }
 
-void PathBracket::keep(std::size_t piece, std::unique_ptr<PreparedMargin> margin, Margin found) {
+void PathBracket::keep(std::size_t piece, PreparedMargin margin, Margin found) {
   boxes_ += found.boxes;
   seconds_.search += found.seconds;
   if (found.certified)

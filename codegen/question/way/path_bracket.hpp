@@ -8,30 +8,30 @@
 // smallest of those of its pieces.
 #pragma once
 
-#include <chrono>
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "codegen/answer/report/output_options.hpp"
 #include "codegen/question/margin/margin_run.hpp"
 #include "codegen/question/margin/prepared_margin.hpp"
 #include "codegen/question/way/path_bounds.hpp"
+#include "codegen/support/time_budget.hpp"
 
 namespace regulus {
 
 /// A singular pose on one piece, at a value.
 struct PieceWitness {
   std::size_t piece = 0;
-  std::unique_ptr<PreparedMargin> margin;  ///< of the question about the piece
+  PreparedMargin margin;  ///< of the question about the piece
   MarginStep step;
 };
 
 struct PathBracketSettings {
-  SearchOptions search;  ///< its time limit is that of all searches
-  /// Seconds to form a matrix. Without its matrix nothing is known, so this may be more than the
-  /// time limit; then the first searches after it get a little time, too.
-  double forming_limit = 0;
+  SearchOptions search;
+  TimeBudget budget;  ///< of all searches
   OutputOptions output;
   const std::atomic<bool>* interrupt = nullptr;
   /// Returns roughly the value at which a piece becomes singular; nullopt if it cannot.
@@ -69,16 +69,14 @@ class PathBracket {
 
  private:
   [[nodiscard]] bool must_stop() const;
-  [[nodiscard]] double elapsed() const;
-  [[nodiscard]] double seconds_left() const;
-  void grant_least_time();
+  [[nodiscard]] PreparedMargin prepare(const MarginQuestion& question, Request request);
   [[nodiscard]] MarginValue target(double gap) const;
   [[nodiscard]] bool is_certified(std::size_t piece, double value) const;
   [[nodiscard]] std::vector<std::size_t> open_pieces(double value) const;
   [[nodiscard]] std::size_t most_promising(const std::vector<std::size_t>& pieces) const;
   void search_together(const MarginValue& value, std::uint32_t most_boxes);
   void bracket_piece(std::size_t piece, std::optional<MarginValue> high, double gap);
-  void keep(std::size_t piece, std::unique_ptr<PreparedMargin> margin, Margin found);
+  void keep(std::size_t piece, PreparedMargin margin, Margin found);
   void certify_lower();
 
   const Request& request_;
@@ -86,8 +84,6 @@ class PathBracket {
   const MarginQuestion& question_;
   PathBracketSettings settings_;
   const PathBounds path_;
-  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  double deadline_;  ///< seconds since then
   std::optional<PreparedMargin> hull_;
   std::vector<std::optional<double>> certified_;  ///< by piece: the largest value
   std::vector<bool> excluded_;                    ///< by piece: no pose remains

@@ -2,10 +2,12 @@
 // Brackets the largest safe tolerance, threshold or tube of a motion along a trajectory.
 #pragma once
 
-#include <atomic>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 
+#include "codegen/answer/certificate/proof_status.hpp"
+#include "codegen/answer/facts.hpp"
+#include "codegen/answer/report/output_options.hpp"
 #include "codegen/question/margin/margin_run.hpp"
 #include "codegen/question/way/trajectory_run.hpp"
 
@@ -15,23 +17,17 @@ struct TrajectoryMargin {
   Margin margin;
   TrajectoryCheck last;                    ///< the last check
   std::optional<TrajectoryCheck> refuted;  ///< the check at the least value that is not safe
+  EndProofs proofs;
 };
 
 /// Checks the trajectory at one value after another. `request`: its motion has a trajectory.
-/// Throws as check_trajectory.
-[[nodiscard]] TrajectoryMargin margin_of_trajectory(const MarginRequest& request,
-                                                    const MarginQuestion& question,
-                                                    const SearchOptions& search, double gap,
-                                                    const PathWatch& watch,
-                                                    const MarginRun::Listener& listener);
+/// `proofs`: of both ends. `settings`: but for its limits. Throws as check_trajectory; FileError.
+[[nodiscard]] TrajectoryMargin margin_of_trajectory(
+    const MarginRequest& request, const MarginQuestion& question, const SearchOptions& search,
+    double gap, const OutputOptions& output, BracketSettings settings, EndProofs proofs = {});
 
-/// Returns the lines for people, without the bracket.
-[[nodiscard]] std::string format_trajectory_margin(const TrajectoryMargin& found,
-                                                   const MarginQuestion& question,
-                                                   const SearchOptions& search);
-[[nodiscard]] nlohmann::ordered_json json_trajectory_margin(const TrajectoryMargin& found,
-                                                            const MarginQuestion& question,
-                                                            const SearchOptions& search,
-                                                            double gap);
+/// Tells the bracket and the check at its unsafe end.
+void tell_trajectory_margin(const TrajectoryMargin& found, const MarginQuestion& question,
+                            const SearchOptions& search, double gap, Facts& facts);
 
 }  // namespace regulus

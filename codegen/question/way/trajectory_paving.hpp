@@ -4,9 +4,10 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <string>
+#include <span>
 #include <vector>
 
+#include "codegen/answer/facts.hpp"
 #include "codegen/question/way/trajectory_run.hpp"
 #include "runtime/search/paving.hpp"
 
@@ -46,10 +47,9 @@ struct PathPaving {
 /// Returns the part of a claim in the time of a trajectory, approximately, in [0, 1].
 [[nodiscard]] double approx_share_of(const Trajectory& trajectory,
                                      const std::vector<PathStretch>& stretches, Claim claim);
-/// Returns a line for each stretch and one with their shares.
-[[nodiscard]] std::string format_stretches(const Trajectory& trajectory,
-                                           const std::vector<PathStretch>& stretches,
-                                           ClaimWord word);
+/// Tells the stretches, a line each, and the share of each of `claims`.
+void tell_stretches(const Trajectory& trajectory, const std::vector<PathStretch>& stretches,
+                    std::span<const Claim> claims, ClaimWord word, Facts& facts);
 /// Returns one stretch as an object: its claim, its segments, its lines and its times.
 [[nodiscard]] nlohmann::ordered_json json_stretch_of(const Trajectory& trajectory,
                                                      const PathStretch& stretch, ClaimWord word);
@@ -61,10 +61,9 @@ struct PathPaving {
                                          SearchOptions search, double resolution,
                                          const PathWatch& watch);
 
-/// Returns the lines for people, without the verdict.
-[[nodiscard]] std::string format_path_paving(const PathPaving& paving, SearchOptions search);
-[[nodiscard]] nlohmann::ordered_json json_path_paving(const PathPaving& paving,
-                                                      const SearchOptions& search);
+/// Tells the question, the stretches and the share of each claim.
+void tell_path_paving(const PathPaving& paving, const SearchOptions& search, Facts& facts);
+
 /// Returns one stretch as an object: its claim, its segments, its lines and its times.
 [[nodiscard]] nlohmann::ordered_json json_stretch(const PathPaving& paving,
                                                   const PathStretch& stretch);

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "codegen/answer/report/report.hpp"
-#include "codegen/answer/report/report_parts.hpp"
+#include "codegen/answer/report/number_text.hpp"
+#include "codegen/answer/report/place_text.hpp"
+#include "codegen/answer/report/search_facts.hpp"
 #include "codegen/question/way/trajectory_paving.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 
@@ -59,35 +60,50 @@ std::string percentage(double share) {
   return fmt::format("{:.3g} %", std::clamp(100 * share, 0.001, 99.9));
 }
 
-std::string format_shares(const Trajectory& trajectory, const std::vector<PathStretch>& stretches,
-                          ClaimWord word) {
-  std::string words;
-  for (const Claim claim : kClaimsInOrder)
-    if (const double share = approx_share_of(trajectory, stretches, claim); share > 0)
-      words += fmt::format("{}{} {}", words.empty() ? "" : ", ", word(claim), percentage(share));
-  return fmt::format("share      {} of the {}\n", words, trajectory.has_time ? "time" : "segments");
+/// Returns what the kinds of stretches claim.
+std::string describe_claims(const PathPaving& paving) {
+  const PreparedSearch& p = paving.check.hull;
+  const Interval& alpha = p.variety.alpha;
+  const std::string size = describe_size(p), poses = describe_poses_on_way(paving.check);
+  const bool is_uncertain = uncertain_count(p) > 0;
+  return fmt::format(
+      "free: {} at every {} of the stretch{}; singular: {} at some {} of the stretch{}",
+      alpha.hi > 0 ? "|det J⁻¹| > " + threshold_text(alpha, true)
+                   : fmt::format("the {} has full rank", size),
+      poses, is_uncertain ? ", for every value of the uncertain quantities" : "",
+      alpha.hi > 0 ? "|det J⁻¹| ≤ " + threshold_text(alpha, false)
+                   : fmt::format("the {} is singular", size),
+      poses, is_uncertain ? ", for some value of the uncertain quantities" : "");
 }
 
 }  // namespace
 
-std::string format_stretches(const Trajectory& trajectory,
-                             const std::vector<PathStretch>& stretches, ClaimWord word) {
-  std::string text;
-  std::size_t lines = 0;
-  for (const PathStretch& stretch : stretches) {
-    if (++lines > kMostLines) {
-      text += fmt::format("           and {} stretches more; --output FILE has all of them\n",
-                          stretches.size() - kMostLines);
-      break;
-    }
-    text += fmt::format("{:<11}{}\n", word(stretch.claim), describe_stretch(trajectory, stretch));
+void tell_stretches(const Trajectory& trajectory, const std::vector<PathStretch>& stretches,
+                    std::span<const Claim> claims, ClaimWord word, Facts& facts) {
+  facts.add("stretches", stretches.size());
+  for (std::size_t i = 0; i < std::min(stretches.size(), kMostLines); ++i)
+    facts.say(word(stretches[i].claim), describe_stretch(trajectory, stretches[i]));
+  if (stretches.size() > kMostLines)
+    facts.say("", fmt::format("and {} stretches more; --output FILE has all of them",
+                              stretches.size() - kMostLines));
+  Json shares = Json::object();
+  std::string words;
+  for (const Claim claim : claims) {
+    const double share = approx_share_of(trajectory, stretches, claim);
+    shares[word(claim)] = share;
+    if (share > 0)
+      words += fmt::format("{}{} {}", words.empty() ? "" : ", ", word(claim), percentage(share));
   }
-  return text + format_shares(trajectory, stretches, word);
+  facts.tell("share", std::move(shares), "share",
+             fmt::format("{} of the {}", words, trajectory.has_time ? "time" : "segments"));
 }
 
-std::string format_path_paving(const PathPaving& paving, SearchOptions search) {
-  return format_trajectory_question(paving.check, std::move(search)) +
-         format_stretches(trajectory_of(paving), paving.stretches, word_of_claim);
+void tell_path_paving(const PathPaving& paving, const SearchOptions& search, Facts& facts) {
+  facts.add("verdict", json_name(paving.check.verdict));
+  facts.add("reason", describe(paving.check.reason)).add("claim", describe_claims(paving));
+  tell_trajectory_question(paving.check, search, facts);
+  facts.add("resolution", paving.resolution);
+  tell_stretches(trajectory_of(paving), paving.stretches, kClaimsInOrder, word_of_claim, facts);
 }
 
 Json json_stretch_of(const Trajectory& t, const PathStretch& stretch, ClaimWord word) {
@@ -103,18 +119,6 @@ Json json_stretch_of(const Trajectory& t, const PathStretch& stretch, ClaimWord 
 
 Json json_stretch(const PathPaving& paving, const PathStretch& stretch) {
   return json_stretch_of(trajectory_of(paving), stretch, word_of_claim);
-}
-
-Json json_path_paving(const PathPaving& paving, const SearchOptions& search) {
-  Json report;
-  report["verdict"] = json_name(paving.check.verdict);
-  report["reason"] = describe(paving.check.reason);
-  add_trajectory_question(report, paving.check, search);
-  report["resolution"] = paving.resolution;
-  report["stretches"] = paving.stretches.size();
-  for (const Claim claim : kClaimsInOrder)
-    report["share"][name(claim)] = paving.approx_share(claim);
-  return report;
 }
 
 }  // namespace regulus

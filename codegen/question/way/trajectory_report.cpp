@@ -5,9 +5,11 @@
 
 #include <algorithm>
 
+#include "codegen/answer/report/number_text.hpp"
+#include "codegen/answer/report/place_text.hpp"
 #include "codegen/answer/report/question_report.hpp"
 #include "codegen/answer/report/report.hpp"
-#include "codegen/answer/report/report_parts.hpp"
+#include "codegen/answer/report/search_facts.hpp"
 #include "codegen/answer/report/undefined_report.hpp"
 #include "codegen/answer/report/witness_report.hpp"
 #include "codegen/model/way/trajectory.hpp"
@@ -51,13 +53,6 @@ std::string time_text(const Trajectory& trajectory, double time) {
   return fmt::format("t = {:.6g}{}", time, unit_suffix(trajectory.time_unit));
 }
 
-std::string format_uncertain_count(const TrajectoryCheck& check) {
-  const std::size_t count = uncertain_count(check.hull);
-  if (count == 0) return "uncertain  nothing: geometry is taken as exact\n";
-  return fmt::format("uncertain  {} {} of the geometry: {}\n", count,
-                     count == 1 ? "quantity" : "quantities", describe_groups(check.hull.labels));
-}
-
 std::string lines_text(const TrajectoryPiece& piece) {
   return piece.first_line == piece.last_line
              ? fmt::format("line {}", piece.first_line)
@@ -70,40 +65,16 @@ std::size_t excluded_count(const TrajectoryCheck& check) {
       std::ranges::count_if(check.path.leaves, &PieceLeaves::are_excluded));
 }
 
-/// "reachable pose that the constraints allow"
-std::string describe_poses(const TrajectoryCheck& check) {
-  const Motion& motion = check.request.motion;
-  const bool is_restricted = motion.where != Where::kEverywhere;
-  return std::string(is_restricted ? "reachable pose" : "pose") +
-         (motion.constraints.empty() ? "" : " that the constraints allow");
-}
-
-std::string format_excluded(const TrajectoryCheck& check) {
+void tell_excluded(const TrajectoryCheck& check, Facts& facts) {
   const std::size_t count = excluded_count(check);
-  if (count == 0 || check.verdict != Verdict::kNoSingularity) return "";
-  return fmt::format("excluded   {} segment{} without a {}: no part of the claim\n", count,
-                     count == 1 ? "" : "s", describe_poses(check));
+  facts.add("excluded", count);
+  if (count > 0 && check.verdict == Verdict::kNoSingularity)
+    facts.say("excluded", fmt::format("{} segment{} without a {}: no part of the claim", count,
+                                      count == 1 ? "" : "s", describe_poses_on_way(check)));
 }
 
-Json json_segment(const TrajectoryCheck& check) {
-  if (!check.deciding) return nullptr;
-  return json_segment(trajectory_of(check), check.deciding->index, parameter_of(*check.deciding));
-}
-
-}  // namespace
-
-std::string format_path(const Trajectory& t) {
-  std::string line = fmt::format("path       {} segment{}, {}", t.pieces.size(),
-                                 t.pieces.size() == 1 ? "" : "s", t.interpolation);
-  if (t.has_time)
-    line += fmt::format(", t in [{:.6g}, {:.6g}]{}", approx(t.pieces.front().begin),
-                        approx(t.pieces.back().end), unit_suffix(t.time_unit));
-  line += fmt::format(", {}\n", t.file);
-  for (const std::string& note : t.notes) line += fmt::format("note       {}\n", note);
-  return line;
-}
-
-std::string format_tube(const Model& model, const Motion& motion) {
+/// Returns "x ±0.1 cm, y ±0.1 cm": the control errors; empty if there are none.
+std::string describe_tube(const Model& model, const Motion& motion) {
   std::string words;
   for (std::size_t i = 0; i < motion.error.size(); ++i)
     if (!motion.error[i].is_zero()) {
@@ -111,7 +82,37 @@ std::string format_tube(const Model& model, const Motion& motion) {
       words += fmt::format("{}{} ±{:.6g}{}", words.empty() ? "" : ", ", p.name,
                            enclose_constant(motion.error[i], p.name).hi, unit_suffix(p.unit));
     }
-  return words.empty() ? "" : fmt::format("tube       {}\n", words);
+  return words;
+}
+
+std::string describe_path(const Trajectory& t) {
+  const std::string count = fmt::format("{} segment{}, {}", t.pieces.size(),
+                                        t.pieces.size() == 1 ? "" : "s", t.interpolation);
+  if (!t.has_time) return fmt::format("{}, {}", count, t.file);
+  return fmt::format("{}, t in [{:.6g}, {:.6g}]{}, {}", count, approx(t.pieces.front().begin),
+                     approx(t.pieces.back().end), unit_suffix(t.time_unit), t.file);
+}
+
+}  // namespace
+
+std::string describe_poses_on_way(const TrajectoryCheck& check) {
+  const Motion& motion = check.request.motion;
+  const bool is_restricted = motion.where != Where::kEverywhere;
+  return std::string(is_restricted ? "reachable pose" : "pose") +
+         (motion.constraints.empty() ? "" : " that the constraints allow");
+}
+
+void tell_way(const Request& request, std::size_t uncertain, const std::string& groups,
+              Facts& facts) {
+  const Trajectory& t = *request.motion.trajectory;
+  tell_model(request, facts);
+  facts.tell("waypoints", json_waypoints(t), "path", describe_path(t)).add("notes", t.notes);
+  for (const std::string& note : t.notes) facts.say("note", note);
+  facts.say("tube", describe_tube(request.model, request.motion));
+  facts.say("uncertain", uncertain == 0
+                             ? "nothing: geometry is taken as exact"
+                             : fmt::format("{} {} of the geometry{}", uncertain,
+                                           uncertain == 1 ? "quantity" : "quantities", groups));
 }
 
 Json json_waypoints(const Trajectory& t) {
@@ -138,28 +139,30 @@ Json json_segment(const Trajectory& trajectory, std::size_t piece,
   return segment;
 }
 
-std::string format_deciding_piece(const TrajectoryCheck& check) {
-  if (!check.deciding) return "";
+void tell_deciding_piece(const TrajectoryCheck& check, Facts& facts) {
+  facts.add("segment", nullptr).add("witness", nullptr);
+  if (!check.deciding) return;
   const DecidingPiece& d = *check.deciding;
-  std::string text =
-      fmt::format("{}{}\n", check.verdict == Verdict::kSingularity ? "singular   " : "blocked    ",
-                  describe_segment(trajectory_of(check), d.index, parameter_of(d)));
-  if (!d.preparation) return text;
-  text += format_witness(*d.preparation, d.result);
-  if (!d.result.blocking_box.empty())
-    text += fmt::format("           {}\n", describe_place(*d.preparation, d.result.blocking_box));
-  if (d.result.reason == Reason::kUndefined && !d.result.blocking_box.empty())
-    text += format_undefined(*d.preparation, find_undefined(*d.preparation, d.result.blocking_box));
-  return text;
+  const Trajectory& t = trajectory_of(check);
+  const std::optional<Interval> s = parameter_of(d);
+  facts.tell("segment", json_segment(t, d.index, s),
+             check.verdict == Verdict::kSingularity ? "singular" : "blocked",
+             describe_segment(t, d.index, s));
+  if (!d.preparation) return;
+  tell_witness(*d.preparation, d.result, facts);
+  if (d.result.blocking_box.empty()) return;
+  facts.say("", describe_place(*d.preparation, d.result.blocking_box));
+  if (d.result.reason == Reason::kUndefined)
+    tell_undefined(*d.preparation, find_undefined(*d.preparation, d.result.blocking_box), facts);
 }
 
 std::string describe_trajectory_claim(const TrajectoryCheck& check) {
   const PreparedSearch& p = check.hull;
   const std::string of_path =
-      fmt::format("every {} of the {} segment{}", describe_poses(check),
+      fmt::format("every {} of the {} segment{}", describe_poses_on_way(check),
                   trajectory_of(check).pieces.size(),
                   trajectory_of(check).pieces.size() == 1 ? "" : "s") +
-      (format_tube(check.request.model, check.request.motion).empty()
+      (describe_tube(check.request.model, check.request.motion).empty()
            ? ""
            : " and of the tube around them") +
       (uncertain_count(p) == 0 ? "" : " and every value of the uncertain quantities");
@@ -173,60 +176,34 @@ std::string describe_trajectory_claim(const TrajectoryCheck& check) {
   return fmt::format("none about the {}: {}", describe_size(p), describe(check.reason));
 }
 
-std::string format_trajectory_question(const TrajectoryCheck& check, SearchOptions search) {
-  search.engine = check.engine;
+void tell_trajectory_question(const TrajectoryCheck& check, const SearchOptions& search,
+                              Facts& facts) {
   const PreparedSearch& p = check.hull;
   const Statistics& statistics = check.path.statistics;
-  std::string text =
-      fmt::format("model      {}\nmotion     {}\n", p.labels.model, p.labels.motion) +
-      format_path(trajectory_of(check)) + format_tube(check.request.model, check.request.motion) +
-      format_uncertain_count(check) + format_method(p, search, search.method, statistics.boxes);
-  text += fmt::format("boxes      {} evaluated, at most {} waiting; {} segment{} searched alone\n",
-                      statistics.boxes, statistics.max_frontier, check.searched_alone,
-                      check.searched_alone == 1 ? "" : "s");
-  return text + format_time(check.seconds);
+  tell_way(check.request, uncertain_count(p), ": " + describe_groups(p.labels), facts);
+  facts.add("matrix", name(p.labels.matrix_kind));
+  tell_threshold(p, facts);
+  SearchOptions used = search;
+  used.engine = check.engine;
+  tell_method(p, used, search.method, statistics.boxes, facts);
+  facts.add("boxes", statistics.boxes).add("max_frontier", statistics.max_frontier);
+  facts.tell("searched_alone", check.searched_alone, "boxes",
+             fmt::format("{} evaluated, at most {} waiting; {} segment{} searched alone",
+                         statistics.boxes, statistics.max_frontier, check.searched_alone,
+                         check.searched_alone == 1 ? "" : "s"));
+  tell_time(check.seconds, facts);
+  if (!facts.are_for_programs()) return;
+  add_search(search, json_question(check.request, search), facts);
+  facts.add("engine", word_of(check.engine));
 }
 
-std::string format_trajectory(const TrajectoryCheck& check, const SearchOptions& search) {
-  return format_trajectory_question(check, search) + format_excluded(check) +
-         format_deciding_piece(check) +
-         fmt::format("claim      {}\n", describe_trajectory_claim(check));
-}
-
-void add_trajectory_question(Json& report, const TrajectoryCheck& check,
-                             const SearchOptions& search) {
-  const PreparedSearch& p = check.hull;
-  const Trajectory& t = trajectory_of(check);
-  report["model"] = p.labels.model;
-  report["model_file"] = p.model_file;
-  report["model_sha256"] = p.labels.model_sha256;
-  report["motion"] = p.labels.motion;
-  report["waypoints"] = json_waypoints(t);
-  report["notes"] = t.notes;
-  report["matrix"] = name(p.labels.matrix_kind);
-  report["alpha"] = mid(p.variety.alpha);
-  report["method"] = name(search.method);
-  report["boxes"] = check.path.statistics.boxes;
-  report["max_frontier"] = check.path.statistics.max_frontier;
-  report["searched_alone"] = check.searched_alone;
-  report["engine"] = word_of(check.engine);
-  report["isa"] = name(p.isa);
-  report["question"] = json_question(check.request, search);
-  report["seconds"] = json_seconds(check.seconds);
-}
-
-Json json_trajectory(const TrajectoryCheck& check, const SearchOptions& search) {
-  Json report;
-  report["verdict"] = json_name(check.verdict);
-  report["claim"] = describe_trajectory_claim(check);
-  report["reason"] = describe(check.reason);
-  add_trajectory_question(report, check, search);
-  report["excluded"] = excluded_count(check);
-  report["segment"] = json_segment(check);
-  const bool has_witness = check.deciding && check.deciding->preparation;
-  report["witness"] =
-      has_witness ? json_witness(*check.deciding->preparation, check.deciding->result) : Json();
-  return report;
+void tell_trajectory(const TrajectoryCheck& check, const SearchOptions& search, Facts& facts) {
+  facts.add("verdict", json_name(check.verdict)).add("reason", describe(check.reason));
+  tell_trajectory_question(check, search, facts);
+  tell_excluded(check, facts);
+  tell_deciding_piece(check, facts);
+  const std::string claim = describe_trajectory_claim(check);
+  facts.tell("claim", claim, "claim", claim);
 }
 
 }  // namespace regulus

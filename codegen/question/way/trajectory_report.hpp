@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reports of a check of a trajectory.
+// What is told of a check of a trajectory.
 #pragma once
 
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "codegen/answer/facts.hpp"
 #include "codegen/question/way/trajectory_run.hpp"
 
 namespace regulus {
 
-/// Returns a line with the number of segments, the interpolation and the file, and its notes.
-[[nodiscard]] std::string format_path(const Trajectory& trajectory);
-/// Returns a line with the control errors; nothing if there are none.
-[[nodiscard]] std::string format_tube(const Model& model, const Motion& motion);
+/// Tells model, motion, file, control errors, and how many quantities are uncertain, with a description of
+/// their groups.
+void tell_way(const Request& request, std::size_t uncertain, const std::string& groups,
+              Facts& facts);
 /// Returns the file for programs.
 [[nodiscard]] nlohmann::ordered_json json_waypoints(const Trajectory& trajectory);
 /// Returns "segment 417, t = 3.21 s (way.csv, lines 418 and 419)". `s`: of the place on the piece,
@@ -23,23 +24,19 @@ namespace regulus {
 [[nodiscard]] nlohmann::ordered_json json_segment(const Trajectory& trajectory, std::size_t piece,
                                                   const std::optional<Interval>& s);
 
-/// Returns the lines for people, without the verdict.
-[[nodiscard]] std::string format_trajectory(const TrajectoryCheck& check,
-                                            const SearchOptions& search);
-/// Returns the part of them about the question and the work.
-[[nodiscard]] std::string format_trajectory_question(const TrajectoryCheck& check,
-                                                     SearchOptions search);
-/// Returns the part of them about the piece that decides; empty if there is none.
-[[nodiscard]] std::string format_deciding_piece(const TrajectoryCheck& check);
+/// Tells the question and the work.
+void tell_trajectory_question(const TrajectoryCheck& check, const SearchOptions& search,
+                              Facts& facts);
+/// Tells of the piece that decides: `segment`, `witness`; null if there is none.
+void tell_deciding_piece(const TrajectoryCheck& check, Facts& facts);
+/// Tells all of it.
+void tell_trajectory(const TrajectoryCheck& check, const SearchOptions& search, Facts& facts);
+
+/// Returns "reachable pose that the constraints allow", for example: what a claim is about.
+[[nodiscard]] std::string describe_poses_on_way(const TrajectoryCheck& check);
 /// Returns the claim in words.
 ///
 /// Requires  a deciding piece with its search if the verdict is SINGULARITY.
 [[nodiscard]] std::string describe_trajectory_claim(const TrajectoryCheck& check);
-
-[[nodiscard]] nlohmann::ordered_json json_trajectory(const TrajectoryCheck& check,
-                                                     const SearchOptions& search);
-/// Adds the part of it about the question and the work.
-void add_trajectory_question(nlohmann::ordered_json& report, const TrajectoryCheck& check,
-                             const SearchOptions& search);
 
 }  // namespace regulus

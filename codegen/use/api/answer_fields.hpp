@@ -26,8 +26,10 @@ namespace regulus {
 /// `told`: the lines of Services::on_line.
 template <class Finding>
 void set_reports(const Answer& answer, const std::string& told, Finding& finding) {
-  finding.report = told + answer.text() + answer.about_files();
-  finding.json = report_text(answer.json(), 2);
+  Facts facts;
+  answer.tell(facts);
+  finding.report = told + facts.text() + answer.about_files();
+  finding.json = report_text(facts.report(), 2);
 }
 
 template <class Finding>

@@ -55,7 +55,7 @@ struct MarginFinding {
   std::vector<CertifiedEnd> certificates;  ///< two for each component, if they were wanted
 };
 
-/// A motion along way-points has no certificates. Threads and errors as check().
+/// Threads and errors as check().
 [[nodiscard]] MarginFinding margin(const Question& question, const MarginOptions& options,
                                    const std::atomic<bool>* interrupt = nullptr);
 

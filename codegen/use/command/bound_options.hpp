@@ -35,6 +35,8 @@ struct DatasheetCommand {
   OutputOptions output;
   std::string gap = "0.01";
   bool markdown = false;
+  std::string certificate;  ///< files, without their endings; empty: none
+  std::string checkpoint;   ///< file; empty: none
 };
 
 /// Adds the options that say which components of a quantity are meant.

@@ -27,6 +27,10 @@ constexpr const char* kBoundCertificate =
     "Write two proofs for each leg or freedom: FILE.leg_3.safe proves that no value is beyond the "
     "bracket, FILE.leg_3.singular that its other end is attained";
 
+constexpr const char* kDatasheetCertificate =
+    "Write two proofs for each bracket: FILE.force_payload.leg_3.safe proves that no value is "
+    "beyond it, FILE.force_payload.leg_3.singular that its other end is attained";
+
 constexpr const char* kBoundCheckpoint =
     "Save the outcome of each search to FILE when it ends (of condition --norm 2 the search "
     "itself, "
@@ -69,6 +73,10 @@ void CommandTables::add_datasheet() {
                               "Print the table as Markdown on standard output");
   add_search_options(*datasheet_command, datasheet.search);
   datasheet_command->get_option("--time-limit")->default_str("600");
+  add_certificate_option(*datasheet_command, datasheet.certificate, kDatasheetCertificate);
+  refuse_shard_option(*datasheet_command);
+  add_bracket_checkpoint(*datasheet_command, datasheet.checkpoint);
+  datasheet_command->get_option("--checkpoint")->description(kBoundCheckpoint);
   add_output_options(*datasheet_command, datasheet.output);
   add_page_option(*datasheet_command, datasheet.output);
   datasheet_command->footer(kDatasheetFooter);

@@ -53,7 +53,7 @@ struct MarginCommand {
   std::string limit;  ///< empty without a quantity
   std::string gap = "0.01";
   std::string certificate;  ///< files, without their endings; empty: none
-  std::string checkpoint;   ///< file, of a limit only; empty: none
+  std::string checkpoint;   ///< file; empty: none
 };
 
 struct VerifyCommand {

@@ -29,10 +29,12 @@ Services services_of(const OutputOptions& output, const std::string& certificate
 
 void print(const Answer& answer, const CommandQuestion& question) {
   const OutputOptions& output = question.output;
-  if (!output.quiet) print_report(answer.text() + answer.about_files());
+  Facts facts(!output.json ? Readers::kPeople : output.quiet ? Readers::kPrograms : Readers::kBoth);
+  if (output.json || !output.quiet) answer.tell(facts);
+  if (!output.quiet) print_report(facts.text() + answer.about_files());
   print_report(answer.warning());
   if (output.json)
-    std::cout << report_text(answer.json(), output.json_indent) << '\n';
+    std::cout << report_text(facts.report(), output.json_indent) << '\n';
   else if (std::holds_alternative<AskDatasheet>(question.asked))
     std::cout << answer.headline();
   else if (!question.prints_lines)
@@ -91,8 +93,11 @@ CommandQuestion question_of(const BoundCommand& given) {
 }
 
 CommandQuestion question_of(const DatasheetCommand& command) {
-  return {AskDatasheet{command.model, command.search, command.gap, command.markdown},
-          command.output, services_of(command.output, "")};
+  CommandQuestion question{
+      AskDatasheet{command.model, command.search, command.gap, command.markdown}, command.output,
+      services_of(command.output, command.certificate)};
+  question.services.checkpoint.path = command.checkpoint;
+  return question;
 }
 
 int run_question(CommandQuestion question, const std::string& typed) {

@@ -9,8 +9,8 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "codegen/answer/report/report_parts.hpp"
 #include "codegen/answer/report/report_text.hpp"
+#include "codegen/answer/report/search_facts.hpp"
 #include "codegen/model/file/installed_models.hpp"
 #include "codegen/model/file/model_edit.hpp"
 #include "codegen/model/file/model_file.hpp"
@@ -224,10 +224,13 @@ int ShellSession::prepare_again() {
       p.cache == "hit" ? "unchanged or known"
       : functions == 0 ? "interpreted"
                        : fmt::format("{} of {} functions compiled", p.parts.compiled, functions);
-  say(format_time(spent) + "kernel     " + kernel, report_text({{"seconds", json_seconds(spent)},
-                                                                {"cache", p.cache},
-                                                                {"functions", functions},
-                                                                {"compiled", p.parts.compiled}}));
+  Facts facts;
+  tell_time(spent, facts);
+  facts.add("cache", p.cache).add("functions", functions).add("compiled", p.parts.compiled);
+  facts.say("kernel", kernel);
+  std::string lines = facts.text();
+  lines.pop_back();  // say() ends the last line
+  say(lines, report_text(facts.object()));
   return 0;
 }
 

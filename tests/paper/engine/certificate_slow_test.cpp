@@ -8,8 +8,8 @@ class CertificatesOfLongTables : public testing::TestWithParam<TableCell> {};
 
 TEST_P(CertificatesOfLongTables, AreVerified) { expect_verified(GetParam()); }
 
-INSTANTIATE_TEST_SUITE_P(Paper, CertificatesOfLongTables, testing::ValuesIn(cells_of(kFewBoxes + 1, 60000)),
-                         cell_name);
+INSTANTIATE_TEST_SUITE_P(Paper, CertificatesOfLongTables,
+                         testing::ValuesIn(cells_of(kFewBoxes + 1, 60000)), cell_name);
 
 }  // namespace
 }  // namespace regulus::test

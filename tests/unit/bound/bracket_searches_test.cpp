@@ -2,9 +2,12 @@
 // The searches of a bracket, made by other workers or by an earlier run.
 #include <gtest/gtest.h>
 
+#include <atomic>
+
 #include "codegen/question/bound/bound_run.hpp"
 #include "codegen/question/bound/bracket_topic.hpp"
 #include "codegen/question/margin/prepared_margin.hpp"
+#include "codegen/question/margin/variety_attempts.hpp"
 #include "codegen/support/errors.hpp"
 #include "tests/support/simulated_workers.hpp"
 
@@ -53,13 +56,101 @@ Margin margin_with(EarlierSearches* earlier) {
   SearchOptions search;
   search.engine = Engine::kInterpreted;
   PreparedMargin margin(question, read_request(options), 0, search, {});
-  MarginCertificates certificates("", margin.request, margin.prepared.labels);
-  OutputOptions output;
-  output.quiet = true;
-  MarginRun run(
-      margin.prepared, question, margin.request, margin.search, output, margin.settings, 0.01,
-      certificates, [](const MarginStep&) {}, earlier);
-  return run.run();
+  const OutputOptions output{.json = false, .quiet = true};
+  VarietyAttempts attempts(margin, question, output);
+  return close_bracket(attempts, question,
+                       {.limits = limits_of(margin.settings, 0.01), .earlier = earlier});
+}
+
+/// Searches of a robot that is singular from `critical` on. Those nearer to it than `unsure` fail.
+class KnownRobot final : public Attempts {
+ public:
+  explicit KnownRobot(double critical, double unsure = 0) : critical_(critical), unsure_(unsure) {}
+
+  MarginStep at(const MarginValue& value, const PlannedAttempt& planned) override {
+    tried.push_back(value.approx);
+    MarginStep step{value, {}, "a claim"};
+    Result& result = step.result;
+    result.statistics.boxes = planned.boxes == kAnyBoxes ? 1 : 2;
+    if (value.approx < critical_ - unsure_) {
+      result.verdict = Verdict::kNoSingularity;
+      result.reason = Reason::kAllBoxesCertified;
+    } else if (value.approx >= critical_ + unsure_) {
+      result.verdict = Verdict::kSingularity;
+    } else {
+      result.reason = Reason::kWidth;
+    }
+    return step;
+  }
+  [[nodiscard]] bool can_look() const noexcept override { return looks; }
+  std::vector<MarginStep> near(const Result&, Refuted refuted) override {
+    if (refuted && *refuted <= critical_) return {};
+    MarginStep step{decimal_value(critical_), {}, "a witness"};
+    step.result.verdict = Verdict::kSingularity;
+    return {step};
+  }
+
+  std::vector<double> tried;
+  bool looks = false;
+
+ private:
+  double critical_, unsure_;
+};
+
+MarginQuestion up_to(double high) {
+  MarginQuestion question;
+  question.low = decimal_value(0);
+  question.high = decimal_value(high);
+  return question;
+}
+
+TEST(ABracketOfAttempts, ClosesAroundTheCriticalValue) {
+  KnownRobot robot(0.7);
+  const Margin found = close_bracket(robot, up_to(2), {.limits = {.gap = 0.01}});
+  ASSERT_TRUE(found.certified && found.refuted);
+  EXPECT_LT(found.certified->value.approx, 0.7);
+  EXPECT_GE(found.refuted->value.approx, 0.7);
+  EXPECT_TRUE(found.closed);
+  EXPECT_LE(*found.gap, 0.01);
+  EXPECT_EQ(found.steps.size(), robot.tried.size());
+}
+
+TEST(ABracketOfAttempts, LooksNearASearchThatFails) {
+  KnownRobot robot(0.7, 0.1);
+  const Margin blind = close_bracket(robot, up_to(2), {.limits = {.gap = 0.01}});
+  EXPECT_FALSE(blind.closed);
+  KnownRobot seeing(0.7, 0.1);
+  seeing.looks = true;
+  const Margin found = close_bracket(seeing, up_to(2), {.limits = {.gap = 0.2}});
+  EXPECT_TRUE(found.closed);
+  EXPECT_EQ(found.refuted->value.approx, 0.7);
+  EXPECT_EQ(found.refuted->claim, "a witness");
+  // What was found without a search is a step, but no search.
+  EXPECT_GT(found.steps.size(), seeing.tried.size());
+}
+
+TEST(ABracketOfAttempts, StopsWhenItIsInterrupted) {
+  KnownRobot robot(0.7);
+  std::atomic<bool> interrupt = false;
+  const auto stop = [&](const MarginStep&) { interrupt = true; };
+  const Margin found =
+      close_bracket(robot, up_to(2), {.limits = {}, .interrupt = &interrupt, .listener = stop});
+  EXPECT_EQ(robot.tried.size(), 1U);
+  EXPECT_TRUE(found.interrupted);
+  EXPECT_FALSE(found.closed);
+}
+
+TEST(ABracketOfAttempts, ClaimsNoEndThatThisRunHasNotSearched) {
+  KnownRobot robot(0.7);
+  Told told(0.6);
+  std::atomic<bool> interrupt = false;
+  const auto stop = [&](const MarginStep&) { interrupt = true; };
+  const Margin found = close_bracket(
+      robot, up_to(2), {.limits = {}, .interrupt = &interrupt, .listener = stop, .earlier = &told});
+  ASSERT_EQ(robot.tried.size(), 1U);
+  ASSERT_TRUE(found.certified);
+  EXPECT_EQ(found.certified->value.approx, robot.tried[0]);
+  EXPECT_EQ(found.certified->claim, "a claim");
 }
 
 TEST(EarlierSearches, LeadToTheSameEndWhichIsProvedAgain) {

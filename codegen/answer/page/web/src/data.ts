@@ -1,64 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The data of a page, as codegen/answer/page/page_data.cpp writes it.
 import { Damage } from "./expression";
+import type { Check, Enclosure, Path, Point, Witness } from "./report_types"; // made from the table of keys
 import { sha256 } from "./sha256";
 
-export type Bounds = readonly [number | null, number | null];
+export type { TwistColumn } from "./report_types";
 
-export interface ReportedPoint {
-  readonly parameters: Record<string, Bounds>;
-  readonly pose: Record<string, Bounds>;
-  readonly uncertain: Record<string, Bounds>;
-  readonly determinant?: Bounds;
-}
-
-export interface TwistColumn {
-  readonly column: number;
-  readonly name?: string;
-  readonly unit?: string;
-  readonly kind?: string;
-}
-
-export interface Degeneracy {
-  readonly nullity?: number;
-  readonly singular_values?: readonly number[];
-  readonly twist?: { readonly columns: readonly TwistColumn[]; readonly vectors: readonly (readonly number[])[]; readonly normalised?: string };
-  readonly rows?: { readonly taking_part: readonly number[]; readonly vectors: readonly (readonly number[])[] };
-}
-
-export interface ReportedWitness extends Degeneracy {
-  readonly points: readonly ReportedPoint[];
-  readonly near?: ReportedPoint;
-}
-
-export interface UncertainQuantity {
-  readonly name: string;
-  readonly group: string;
-  readonly shape: string;
-  readonly unit: string;
-  readonly tolerance_exact?: string;
-  readonly radius_exact?: string;
-}
-
-export interface Report {
-  readonly verdict: "no-singularity" | "singularity" | "possible-problem";
-  readonly claim: string;
-  readonly matrix: string;
-  readonly alpha: number;
-  readonly reason: string;
-  readonly blocking_box: Record<string, Bounds> | null;
-  readonly model: string;
-  readonly model_sha256: string;
-  readonly motion: string;
-  readonly boxes: number;
-  readonly method: string;
-  readonly leaves: Record<string, number>;
-  readonly witness: ReportedWitness | null;
-  readonly nearest_singular?: (Degeneracy & ReportedPoint) | null;
-  readonly question?: { readonly uncertain: readonly UncertainQuantity[]; readonly ranges_exact?: Record<string, readonly [string, string]>; readonly pose_exact?: Record<string, string> };
-  /** Of a motion along way-points: where the singular pose is. */
-  readonly segment?: { readonly segment: number; readonly s?: Bounds; readonly time?: number } | null;
-}
+export type Bounds = Enclosure;
+export type ReportedPoint = Pick<Point, "parameters" | "pose" | "uncertain">;
+export type Degeneracy = Pick<Witness, "nullity" | "singular_values" | "twist" | "rows">;
+/** The report of a motion, or of one along way-points, which has the segment of the singular pose. */
+export type Report = Omit<Check, "proof"> & Partial<Pick<Path, "segment">>;
 
 export interface DrawnPart {
   readonly kind: "base" | "platform" | "leg" | "link" | "rail" | "joint";

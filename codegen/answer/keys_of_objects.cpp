@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/answer/key_groups.hpp"
+
+namespace regulus {
+namespace {
+
+constexpr Key kQuestion[] = {
+    {"model_sha256", "sha256"},
+    {"motion", "text"},
+    {"ranges", "enclosure{}", "of the motion parameters"},
+    {"uncertain", "uncertain_quantity[]"},
+    {"groups", "group[]", "how many quantities of each group are uncertain"},
+    {"alpha", "enclosure"},
+    {"where", "text"},
+    {"constraints", "count"},
+    {"ranges_exact", "exact[]{}"},
+    {"alpha_exact", "exact"},
+    {"pose_exact?", "text{}",
+     "the formulas and constants that the motion gives pose parameters; not along way-points"},
+    {"constraints_exact?", "text[]", "each is at most 0; not along way-points"},
+    {"options", "options"},
+    {"version", "text"},
+};
+constexpr Key kOptions[] = {
+    {"method", "text"},
+    {"determinant", "text"},
+    {"entries", "text"},
+    {"bisect", "text"},
+    {"uncertainty", "text"},
+    {"engine", "text"},
+    {"threads", "count"},
+    {"max_boxes", "count?", "null: no limit"},
+    {"time_limit", "approx?", "seconds; null: no limit"},
+    {"precision", "count", "bits"},
+    {"symbolic_budget", "count", "terms"},
+    {"without", "text[]"},
+};
+constexpr Key kUncertain[] = {
+    {"name", "text"},
+    {"kind", "geometry|control"},
+    {"group", "text", "empty: none"},
+    {"shape", "range|ball"},
+    {"unit", "text"},
+    {"range", "enclosure"},
+    {"value_exact", "exact"},
+    {"tolerance_exact?", "exact", "of a range"},
+    {"radius_exact?", "exact", "of a ball"},
+};
+constexpr Key kGroup[] = {
+    {"group", "text", "empty: without a group, or control errors"},
+    {"kind", "geometry|control"},
+    {"quantities", "count"},
+};
+constexpr Key kSeconds[] = {
+    {"model", "approx"},   {"symbolic", "approx"}, {"emit", "approx"},
+    {"compile", "approx"}, {"search", "approx"},   {"total", "approx"},
+};
+constexpr Key kProof[] = {
+    {"file", "text?", "null: there is none"},
+    {"reason", "text?", "why there is none"},
+    {"end?", "safe|singular", "of a bracket"},
+    {"component?", "text", "of a quantity"},
+};
+constexpr Key kEngineBoxes[] = {
+    {"interpreted", "count"},
+    {"compiled", "count", "from the request for a compilation on"},
+};
+constexpr Key kFilter[] = {
+    {"path", "text"},
+    {"name", "text"},
+    {"sha256", "sha256"},
+    {"boxes", "count", "that rest on it"},
+};
+
+constexpr Key kPlace[] = {
+    {"parameters", "enclosure{}", "of the motion"},
+    {"pose", "enclosure{}"},
+    {"uncertain", "enclosure{}"},
+};
+constexpr Key kPoint[] = {
+    {"determinant", "enclosure?", "null: the matrix has more rows than columns"},
+    {"exact?", "exact{}", "coordinates that are known exactly and need not be doubles"},
+};
+constexpr Key kPlaceOfValue[] = {
+    {"exact?", "exact{}", "coordinates that are known exactly and need not be doubles"},
+    {"segment?", "segment"},
+    {"twist?", "approx[]", "with which the speed is attained"},
+};
+constexpr Key kWitnessPoints[] = {
+    {"points", "point[]", "two of opposite signs, or one"},
+    {"approx_hadamard", "approx?", "the product of the lengths of the rows, for comparison"},
+    {"vanishes_within?", "box", "between two points"},
+    {"near?", "point", "the point of the smallest determinant"},
+};
+constexpr Key kDegeneracy[] = {
+    {"nullity?", "count?"},
+    {"singular_values?", "approx[]?"},
+    {"twist?", "lost_twist?"},
+    {"rows?", "dependent_rows?"},
+};
+constexpr Key kBox[] = {{"parameters", "enclosure{}"}, {"uncertain", "enclosure{}"}};
+constexpr Key kLostTwist[] = {
+    {"approximate", "flag"},
+    {"columns", "twist_column[]"},
+    {"normalised", "text"},
+    {"vectors", "approx[][]"},
+};
+constexpr Key kTwistColumn[] = {{"column", "count"}, {"name?", "text"}, {"unit?", "text"}};
+constexpr Key kRows[] = {
+    {"approximate", "flag"},
+    {"taking_part", "count[]", "from 1"},
+    {"threshold", "approx"},
+    {"vectors", "approx[][]"},
+};
+constexpr Key kNearest[] = {
+    {"approximate", "flag"},
+    {"hadamard_share?", "approx", "of what the rows allow: almost singular"},
+};
+constexpr Key kUndefined[] = {{"expressions", "undefined_expression[]"}};
+constexpr Key kExpression[] = {
+    {"expression", "text"}, {"argument?", "text"}, {"enclosure?", "enclosure"}};
+
+constexpr Key kShare[] = {{"boxes", "count"}, {"volume", "enclosure"}, {"fraction", "enclosure"}};
+constexpr Key kClaimShare[] = {{"boxes", "count"}, {"fraction", "enclosure"}};
+constexpr Key kWorkspace[] = {
+    {"fraction", "enclosure"},
+    {"inside", "share"},
+    {"outside", "share"},
+    {"undecided", "share"},
+};
+constexpr Key kWaypoints[] = {
+    {"file", "text"}, {"sha256", "sha256"}, {"interpolation", "text"}, {"segments", "count"}};
+constexpr Key kSegmentPlace[] = {
+    {"segment", "count", "from 1"},
+    {"lines", "count[]", "of the file"},
+    {"time?", "approx"},
+    {"s?", "enclosure", "the place on the segment, from 0 to 1"},
+};
+
+constexpr Key kGrowing[] = {
+    {"kind", "tolerance|alpha|scale|parameter|tube"},
+    {"groups?", "text"},
+    {"parameter?", "text"},
+    {"parameters?", "text"},
+    {"low", "exact"},
+    {"high", "exact?", "null: none"},
+};
+constexpr Key kStep[] = {
+    {"value", "approx"},   {"exact", "exact"}, {"verdict", "text"},   {"reason", "text"},
+    {"nonempty", "flag?"}, {"boxes", "count"}, {"seconds", "approx"},
+};
+constexpr Key kQuantity[] = {
+    {"kind", "text", "a quantity of regulus bound, or an expression"},
+    {"unit", "text"},
+    {"least", "flag"},
+    {"signed", "flag"},
+    {"norm?", "2|max", "of a condition number"},
+    {"components", "text[]"},
+    {"load?", "vector_set"},
+    {"twist?", "vector_set"},
+    {"actuator_errors_exact?", "exact[]"},
+    {"stiffness_exact?", "exact[]"},
+};
+constexpr Key kVectorSet[] = {{"name", "text"}, {"entries", "vector_entry[]"}};
+constexpr Key kVectorEntry[] = {
+    {"name", "text"},
+    {"value_exact", "exact"},
+    {"tolerance_exact?", "exact"},
+    {"radius_exact?", "exact"},
+};
+constexpr Key kComponent[] = {
+    {"label", "text"},
+    {"unit", "text"},
+    {"verdict?", "within|exceeded|possible-problem"},
+    {"attained?", "rounded?"},
+    {"proved?", "rounded?"},
+    {"attained_exact?", "exact?"},
+    {"proved_exact?", "exact?"},
+    {"unbounded?", "flag"},
+    {"closed?", "flag"},
+    {"reason", "text", "why it is not closed or not decided; otherwise empty"},
+    {"nonempty", "flag?"},
+    {"place", "place_of_value?"},
+    {"boxes", "count"},
+    {"seconds", "seconds"},
+    {"limit?", "kept|EXCEEDED|unknown?", "of a datasheet"},
+};
+constexpr Key kComponentMargin[] = {
+    {"label", "text"},      {"within", "exact?"},         {"exceeded", "exact?"},
+    {"closed", "flag"},     {"place", "place_of_value?"}, {"boxes", "count"},
+    {"seconds", "seconds"},
+};
+constexpr Key kForceWitness[] = {
+    {"parameters", "enclosure{}"},
+    {"uncertain", "enclosure{}"},
+    {"wrench", "enclosure[]"},
+    {"direction", "approx[]"},
+    {"needed", "enclosure", "along the direction"},
+    {"possible", "enclosure"},
+};
+constexpr Key kEndFiles[] = {{"safe", "text?"}, {"singular", "text?"}};
+constexpr Key kEndObstacles[] = {{"safe?", "text"}, {"singular?", "text"}};
+constexpr Key kSheetEntry[] = {
+    {"model", "text"},          {"model_file", "text"},
+    {"model_sha256", "sha256"}, {"motion", "text"},
+    {"boxes", "count"},         {"seconds", "seconds"},
+    {"claim", "text?"},         {"verdict", "closed|open|refuted|within|exceeded|possible-problem"},
+};
+
+}  // namespace
+
+const std::vector<ObjectKind>& object_kinds() {
+  static const std::vector<ObjectKind> kinds = {
+      {"question",
+       "everything that was asked: with the model of model_sha256 it can be asked again; in a "
+       "margin "
+       "the growing quantity has its declared value",
+       {kQuestion}},
+      {"options", "of the search", {kOptions}},
+      {"uncertain_quantity", "a constant or a control error", {kUncertain}},
+      {"group", "uncertain quantities of one tolerance", {kGroup}},
+      {"seconds", "by stage", {kSeconds}},
+      {"proof", "a certificate, or why there is none", {kProof}},
+      {"engine_boxes", "how boxes were evaluated", {kEngineBoxes}},
+      {"filter", "a filter of the user", {kFilter}},
+      {"point", "a pose and its determinant", {kPlace, kPoint}},
+      {"place_of_value", "where a value is attained", {kPlace, kPlaceOfValue}},
+      {"witness", "a singularity", {kWitnessPoints, kDegeneracy}},
+      {"box", "of poses and uncertain values", {kBox}},
+      {"lost_twist", "what the actuators do not control", {kLostTwist}},
+      {"twist_column", "a column of the matrix", {kTwistColumn}},
+      {"dependent_rows", "rows of the matrix, with weights", {kRows}},
+      {"nearest_singular", "approximate; proves nothing", {kPlace, kNearest, kDegeneracy}},
+      {"undefined", "a pose at which expressions have no value", {kPlace, kUndefined}},
+      {"undefined_expression", "over that pose", {kExpression}},
+      {"share", "of the ranges", {kShare}},
+      {"claim_share", "of the ranges", {kClaimShare}},
+      {"workspace", "the part of the ranges that meets the constraints", {kWorkspace}},
+      {"waypoints", "the file", {kWaypoints}},
+      {"segment", "between two way-points", {kSegmentPlace}},
+      {"growing", "what grows", {kGrowing}},
+      {"step", "a search at one value", {kStep}},
+      {"quantity", "what is bounded", {kQuantity}},
+      {"vector_set", "a load or a set of twists", {kVectorSet}},
+      {"vector_entry", "a member of it", {kVectorEntry}},
+      {"component",
+       "the bracket of a component, or its comparison with the limit",
+       {kComponent, kEndCertificates}},
+      {"component_margin", "the bracket of a component", {kComponentMargin, kEndCertificates}},
+      {"sheet_entry", "the bracket of a quantity", {kSheetEntry, kBound}},
+      {"force_witness", "a wrench that is not held", {kForceWitness}},
+      {"end_files", "of the ends of a bracket", {kEndFiles}},
+      {"end_obstacles", "of the ends of a bracket", {kEndObstacles}},
+  };
+  return kinds;
+}
+
+}  // namespace regulus

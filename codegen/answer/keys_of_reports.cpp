@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/answer/key_groups.hpp"
+
+namespace regulus {
+namespace {
+
+constexpr Key kHead[] = {
+    {"model", "text"},
+    {"model_file", "text", "as it was opened"},
+    {"model_sha256", "sha256"},
+    {"motion", "text"},
+    {"question", "question"},
+    {"options", "options", "those of the question"},
+    {"version", "text", "of Regulus"},
+    {"engine", "text", "what evaluated the kernel"},
+    {"threads", "count"},
+    {"boxes", "count", "that were evaluated"},
+    {"seconds", "seconds"},
+    {"claim", "text?", "what is proved, in words; null: nothing"},
+    {"verdict", "text"},
+    {"proof", "proof[]", "the certificates, or why there are none"},
+};
+
+/// What is asked about one motion.
+constexpr Key kSubject[] = {
+    {"notes", "text[]", "about the question"},
+    {"where", "text", "which poses of the motion the claim is about; empty: all"},
+    {"matrix", "text", "which matrix may lose rank"},
+    {"matrix_notes", "text[]", "of the model"},
+    {"alpha", "approx", "the threshold of the determinant; 0: full rank"},
+    {"alpha_enclosure", "enclosure"},
+};
+
+constexpr Key kMethod[] = {
+    {"method", "text"},
+    {"without", "text[]", "the ingredients that were left out"},
+    {"forms", "full|small-parts|as-written?",
+     "the detail of the functions; null: none were formed"},
+    {"engine_boxes", "engine_boxes"},
+    {"isa", "text", "the instruction set"},
+    {"cache", "text"},
+    {"bits", "count", "the most that the search computed with"},
+};
+
+constexpr Key kReason[] = {{"reason", "text", "why this is the verdict"}};
+constexpr Key kNonempty[] = {
+    {"nonempty", "flag?", "whether the constraints leave any pose; null: not known"}};
+constexpr Key kBoxes[] = {
+    {"max_frontier", "count", "the most boxes that waited"},
+    {"probes", "count", "points at which a determinant was computed to find a witness"},
+};
+constexpr Key kWitness[] = {
+    {"witness", "witness?", "the proof of a singularity"},
+    {"undefined?", "undefined", "where an expression has no value"},
+};
+constexpr Key kBlocking[] = {{"blocking_box", "enclosure{}?", "the box that could not be decided"}};
+constexpr Key kCertificate[] = {
+    {"certificate?", "text?", "the file; null: there is none"},
+    {"certificate_obstacle?", "text", "why there is none"},
+    {"certificate_note?", "text", "why the verifier may not finish"},
+};
+constexpr Key kCheck[] = {
+    {"filters", "filter[]"},
+    {"leaves", "count{}", "certified boxes by the test that certified them"},
+    {"nearest_singular?", "nearest_singular", "where the matrix is nearest to losing rank"},
+};
+
+constexpr Key kPage[] = {{"page?", "text", "the file that regulus report wrote"}};
+
+constexpr Key kPaving[] = {
+    {"resolution", "approx", "part of each range"},
+    {"unit", "text", "of the volumes"},
+    {"volume", "enclosure", "of the ranges"},
+    {"free", "share"},
+    {"singular", "share"},
+    {"undecided", "share"},
+    {"outside", "share"},
+    {"unreachable", "share"},
+    {"unfinished", "share", "of the undecided boxes, those that were not searched"},
+    {"workspace", "workspace?", "the part of the ranges that meets the constraints"},
+    {"stopped_by", "text?", "the limit that ended the search"},
+};
+
+/// What is asked about a motion along way-points.
+constexpr Key kWay[] = {
+    {"waypoints", "waypoints"},
+    {"notes", "text[]", "about the file"},
+    {"searched_alone", "count", "segments with a search of their own"},
+};
+constexpr Key kWayMatrix[] = {
+    {"matrix", "text", "which matrix may lose rank"},
+    {"alpha", "approx", "the threshold of the determinant; 0: full rank"},
+    {"alpha_enclosure", "enclosure"},
+    {"max_frontier", "count", "the most boxes that waited"},
+};
+constexpr Key kSegment[] = {{"segment", "segment?", "the segment that decides"}};
+constexpr Key kExcluded[] = {
+    {"excluded", "count", "segments without a pose that the claim is about"}};
+constexpr Key kStretches[] = {
+    {"resolution", "approx", "part of a segment"},
+    {"stretches", "count"},
+    {"share", "approx{}", "of the time or of the segments, by claim"},
+};
+
+constexpr Key kBracket[] = {
+    {"margin", "growing", "what grows"},
+    {"bracket", "text"},
+    {"certified", "rounded?", "the largest safe value"},
+    {"certified_exact", "exact?"},
+    {"certified_claim", "text?"},
+    {"refuted", "rounded?", "the least value that is not safe"},
+    {"refuted_exact", "exact?"},
+    {"refuted_claim", "text?"},
+    {"gap", "approx?", "relative to the upper end"},
+    {"gap_wanted", "approx"},
+    {"closed", "flag", "the bracket is as narrow as wanted"},
+    {"steps", "step[]", "one search after another"},
+};
+constexpr Key kLimitMargin[] = {
+    {"limit", "text", "what must hold"},
+    {"limit_exact", "exact"},
+    {"quantity", "quantity"},
+    {"components", "component_margin[]"},
+};
+
+constexpr Key kDatasheet[] = {
+    {"interrupted", "flag"},
+    {"bounds", "sheet_entry[]"},
+    {"not_bounded", "text[]", "quantities without a bound, and why"},
+};
+
+constexpr Key kForces[] = {
+    {"load", "text"},
+    {"forces", "enclosure[]", "what each motor can exert, in force_unit"},
+    {"force_unit", "text"},
+    {"reason", "text?", "why neither was shown"},
+    {"witness", "force_witness?", "a pose and a wrench that is not held"},
+    {"stopped_by", "text?", "the limit that ended the search"},
+};
+constexpr Key kForceShares[] = {{"boxes_by_claim?", "claim_share{}", "of a paving"}};
+
+constexpr const char* kOfMatrix = "no-singularity|singularity|possible-problem";
+constexpr const char* kOfBracket = "closed|open|refuted";
+constexpr const char* kOfBound = "closed|open|refuted|within|exceeded|possible-problem";
+constexpr const char* kOfForces = "feasible|infeasible|possible-problem";
+
+}  // namespace
+
+std::span<const Key> head_keys() { return kHead; }
+
+const std::vector<ObjectKind>& report_kinds() {
+  static const std::vector<ObjectKind> kinds = {
+      {"check",
+       "check",
+       {kReason, kSubject, kMethod, kBoxes, kCheck, kNonempty, kWitness, kBlocking, kPage,
+        kCertificate},
+       kOfMatrix},
+      {"path",
+       "check of a motion along way-points",
+       {kReason, kWay, kWayMatrix, kMethod, kExcluded, kSegment, kWitness, kPage, kCertificate},
+       kOfMatrix},
+      {"paving",
+       "locate",
+       {kReason, kSubject, kMethod, kBoxes, kPaving, kNonempty, kWitness, kCertificate},
+       kOfMatrix},
+      {"path_paving",
+       "locate of a motion along way-points",
+       {kReason, kWay, kWayMatrix, kMethod, kStretches},
+       kOfMatrix},
+      {"margin",
+       "margin",
+       {kReason, kMethod, kBracket, kNonempty, kWitness, kEndCertificates},
+       kOfBracket},
+      {"path_margin",
+       "margin of a motion along way-points",
+       {kReason, kWay, kWayMatrix, kMethod, kBracket, kNonempty, kSegment, kWitness},
+       kOfBracket},
+      {"limit_margin",
+       "margin --quantity --limit",
+       {kReason, kBracket, kNonempty, kLimitMargin},
+       kOfBracket},
+      {"bound", "bound", {kBound}, kOfBound},
+      {"datasheet", "datasheet", {kDatasheet}, kOfBracket},
+      {"forces",
+       "check --load and locate --load",
+       {kForces, kSubject, kNonempty, kBlocking, kForceShares, kCertificate},
+       kOfForces},
+      {"path_forces",
+       "check --load of a motion along way-points",
+       {kForces, kWay, kExcluded, kSegment, kNonempty, kBlocking, kCertificate},
+       kOfForces},
+      {"path_force_paving",
+       "locate --load of a motion along way-points",
+       {kForces, kWay, kExcluded, kSegment, kNonempty, kBlocking, kStretches},
+       kOfForces},
+  };
+  return kinds;
+}
+
+}  // namespace regulus

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/answer/report/search_facts.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "codegen/answer/report/number_text.hpp"
+#include "codegen/answer/report/place_text.hpp"
+#include "codegen/answer/report/question_report.hpp"
+#include "codegen/question/engine/choices.hpp"
+#include "codegen/question/engine/settings.hpp"
+
+namespace regulus {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Returns the decimal of at most six digits that is this angle in degrees, if there is one.
+std::optional<double> short_degrees(const Interval& radians) {
+  // Two roundings: of the factor and of the product.
+  const double degree = 180 / std::numbers::pi;
+  const double slack = 4 * std::numeric_limits<double>::epsilon() * std::fabs(radians.lo);
+  const double lo = (radians.lo - slack) * degree, hi = (radians.hi + slack) * degree;
+  double shown = 0;
+  const std::string text = fmt::format("{:.6g}", lo / 2 + hi / 2);
+  std::from_chars(text.data(), text.data() + text.size(), shown);
+  return lo <= shown && shown <= hi ? std::optional(shown) : std::nullopt;
+}
+
+/// Returns " ([-15, 15] deg)" for angles in radians whose ends are short numbers of degrees.
+std::string describe_degrees(const PreparedSearch& p, std::size_t k) {
+  const Interval& outer = p.variety.outer[k];
+  const std::optional<Interval>& inner = p.variety.inner[k];
+  if (p.labels.variables[k].unit != "rad" || (outer.lo == 0 && outer.hi == 0)) return "";
+  const auto lo = short_degrees(inner ? Interval{outer.lo, inner->lo} : outer);
+  const auto hi = short_degrees(inner ? Interval{inner->hi, outer.hi} : outer);
+  return lo && hi ? fmt::format(" ({} deg)", ends_text(shortest_text(*lo), shortest_text(*hi)))
+                  : "";
+}
+
+void say_variables(const PreparedSearch& p, bool motion, Facts& facts) {
+  const auto& variables = p.labels.variables;
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    if (is_motion(variables[i]) != motion) continue;
+    const std::string range = range_text(p, i, p.variety.outer[i]);
+    facts.say("", fmt::format("{} {} {}{}{}", variables[i].name, range.front() == '[' ? "in" : "=",
+                              range, unit_suffix(variables[i].unit), describe_degrees(p, i)));
+  }
+}
+
+void say_uncertain(const PreparedSearch& p, Facts& facts) {
+  const std::size_t count = uncertain_count(p);
+  if (count == 0) {
+    facts.say("uncertain", "nothing: geometry and control are taken as exact");
+    return;
+  }
+  facts.say("uncertain",
+            fmt::format("{} {}: {}", count, count == 1 ? "quantity" : "quantities",
+                        // Searches at several tolerances have one report.
+                        count <= kMostListed || p.is_replanned ? describe_groups(p.labels)
+                                                               : describe_tolerances(p)));
+  if (count <= kMostListed) say_variables(p, false, facts);
+}
+
+void tell_where(const PreparedSearch& p, Facts& facts) {
+  facts.add("where", p.labels.where);
+  if (p.labels.where.empty()) return;
+  const bool ranges = p.labels.where == name(Where::kWithinRanges);
+  facts.say("where", fmt::format("{}: poses out of reach{} are no part of the claim",
+                                 p.labels.where, ranges ? " and joints out of range" : ""));
+}
+
+void tell_matrix(const PreparedSearch& p, Facts& facts) {
+  facts.add("matrix", name(p.labels.matrix_kind)).add("matrix_notes", p.labels.matrix_notes);
+  const char* label = "matrix";
+  for (const std::string& note : p.labels.matrix_notes) facts.say(std::exchange(label, ""), note);
+}
+
+/// The text does not depend on the speed of the compiler: `boxes` decides whether a compilation was
+/// requested.
+std::string describe_engine(const PreparedSearch& p, const SearchOptions& search,
+                            std::uint64_t boxes) {
+  if (search.engine == Engine::kInterpreted || p.stopped) return "interpreted";
+  if (!p.no_compiler.empty()) return "interpreted, because there is no compiler: " + p.no_compiler;
+  if (!p.late)
+    return fmt::format("compiled {}for {}, cache {}",
+                       search.engine == Engine::kClang ? "by Clang " : "", name(p.isa), p.cache);
+  const std::string most = in_thousands(p.late->after_boxes());
+  return boxes < p.late->after_boxes()
+             ? fmt::format("interpreted (the search ended before {} boxes)", most)
+             : fmt::format("interpreted, and compiled meanwhile from {} boxes on", most);
+}
+
+std::string describe_without(const SearchOptions& search) {
+  return search.without.empty() ? "" : fmt::format(" without {}", fmt::join(search.without, ", "));
+}
+
+const char* json_name(FormDetail detail) {
+  switch (detail) {
+    case FormDetail::kFull:
+      return "full";
+    case FormDetail::kSmallParts:
+      return "small-parts";
+    case FormDetail::kAsWritten:
+      return "as-written";
+  }
+  return "";
+}
+
+/// Returns the detail of the forms: "full", "small-parts", "as-written"; null if forming was stopped.
+Json json_forms(const PreparedSearch& p) {
+  if (p.stopped) return nullptr;
+  return json_name(p.labels.detail);
+}
+
+/// Returns the numbers of boxes before and after the compilation was requested, {"interpreted",
+/// "compiled"}; one of them is 0 if the engine never changes. The end of the compilation is left
+/// out, since it differs from run to run: until then, boxes of the second number are interpreted,
+/// too.
+Json json_engine_boxes(const PreparedSearch& p, const SearchOptions& search, std::uint64_t boxes) {
+  std::uint64_t interpreted = 0;
+  if (search.engine == Engine::kInterpreted || p.stopped || !p.no_compiler.empty())
+    interpreted = boxes;
+  else if (p.late)
+    interpreted = std::min(boxes, p.late->after_boxes());
+  return {{"interpreted", interpreted}, {"compiled", boxes - interpreted}};
+}
+
+/// Returns an empty text for forms of full detail.
+std::string describe_detail(const PreparedSearch& p) {
+  if (p.stopped)
+    return fmt::format("none: {} before the search",
+                       p.stopped->interrupted ? "interrupted" : "the time limit was reached");
+  if (p.labels.detail == FormDetail::kFull) return "";
+  return fmt::format("{}: the model takes more terms than the budget for them; bounds may be wide",
+                     p.labels.detail == FormDetail::kSmallParts ? "of short parts only"
+                                                                : "as the model writes them");
+}
+
+}  // namespace
+
+Json json_seconds(const StageSeconds& s) {
+  return {{"model", s.model},   {"symbolic", s.symbolic},
+          {"emit", s.emit},     {"compile", s.compile},
+          {"search", s.search}, {"total", s.model + s.symbolic + s.emit + s.compile + s.search}};
+}
+
+const char* json_name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kNoSingularity:
+      return "no-singularity";
+    case Verdict::kSingularity:
+      return "singularity";
+    case Verdict::kPossibleProblem:
+      return "possible-problem";
+  }
+  return "";
+}
+
+std::string describe_size(const PreparedSearch& p) {
+  return fmt::format("full {}×{} {}", p.labels.rows, p.labels.columns, name(p.labels.matrix_kind));
+}
+
+const char* describe_pose(const PreparedSearch& p) {
+  return p.labels.where == name(Where::kReachable) ? "reachable pose of the variety"
+         : p.labels.where == name(Where::kWithinRanges)
+             ? "pose of the variety with the actuated joints in range"
+             : "pose of the variety";
+}
+
+void tell_threshold(const PreparedSearch& p, Facts& facts) {
+  facts.add("alpha", mid(p.variety.alpha)).add("alpha_enclosure", json_interval(p.variety.alpha));
+}
+
+void tell_question(const PreparedSearch& p, Facts& facts) {
+  tell_model(p, facts);
+  facts.add("notes", p.labels.notes);
+  say_variables(p, true, facts);
+  tell_where(p, facts);
+  tell_matrix(p, facts);
+  say_uncertain(p, facts);
+  tell_threshold(p, facts);
+}
+
+void add_model(const PreparedSearch& p, Facts& facts) {
+  facts.add("model", p.labels.model).add("model_file", p.model_file);
+  facts.add("model_sha256", p.labels.model_sha256).add("motion", p.labels.motion);
+}
+
+void add_model(const Request& request, Facts& facts) {
+  facts.add("model", request.model.name).add("model_file", request.model.path);
+  facts.add("model_sha256", request.model.sha256).add("motion", request.motion.name);
+}
+
+void tell_model(const PreparedSearch& p, Facts& facts) {
+  add_model(p, facts);
+  facts.say("model", p.labels.model).say("motion", p.labels.motion);
+}
+
+void tell_model(const Request& request, Facts& facts) {
+  add_model(request, facts);
+  facts.say("model", request.model.name).say("motion", request.motion.name);
+}
+
+void add_search(const SearchOptions& search, Json question, Facts& facts) {
+  facts.add("engine", word_of(search.engine)).add("threads", settings_from(search).threads);
+  for (const char* key : {"options", "version"}) facts.add(key, question[key]);
+  facts.add("question", std::move(question));
+}
+
+void tell_method(const PreparedSearch& p, const SearchOptions& search, Method method,
+                 std::uint64_t boxes, Facts& facts) {
+  facts.add("method", name(method)).add("without", search.without).add("forms", json_forms(p));
+  facts.add("engine_boxes", json_engine_boxes(p, search, boxes));
+  facts.add("isa", name(p.isa)).add("cache", p.cache).add("bits", p.bits);
+  facts.say("method", fmt::format("{}{}, {}", name(method), describe_without(search),
+                                  describe_engine(p, search, boxes)));
+  facts.say("", p.cache_note).say("forms", describe_detail(p));
+}
+
+void tell_time(const StageSeconds& seconds, Facts& facts) {
+  facts.tell("seconds", json_seconds(seconds), "time", describe_time(seconds));
+}
+
+std::string describe_time(const StageSeconds& s) {
+  return fmt::format(
+      "model {:.1f} ms, symbolic {:.1f} ms, emit {:.1f} ms, compile {:.1f} ms, search {:.3f} ms",
+      1e3 * s.model, 1e3 * s.symbolic, 1e3 * s.emit, 1e3 * s.compile, 1e3 * s.search);
+}
+
+Json json_occupancy(const Result& result) {
+  if (result.occupancy == Occupancy::kUnknown) return nullptr;
+  return result.occupancy == Occupancy::kInhabited;
+}
+
+void tell_occupancy(const Result& result, Facts& facts) {
+  facts.add("nonempty", json_occupancy(result));
+  if (result.verdict == Verdict::kNoSingularity && result.occupancy == Occupancy::kUnknown)
+    facts.say("warning",
+              "no pose was found that satisfies the constraints: the claim may be about no pose");
+}
+
+}  // namespace regulus

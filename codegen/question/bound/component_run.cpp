@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/question/bound/component_run.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "codegen/model/exact/ginac_text.hpp"
+#include "codegen/question/bound/bound_certificate.hpp"
+#include "codegen/question/bound/bracket_topic.hpp"
+#include "codegen/question/bound/reference.hpp"
+
+namespace regulus {
+namespace {
+
+constexpr int kMostRefinements = 3;
+constexpr const char* kNoTime = "no search was likely to end within the time left";
+
+}  // namespace
+
+ComponentRun::ComponentRun(const Request& request, const Component& component,
+                           const BoundSettings& settings, const TimeBudget& budget)
+    : request_(request), settings_(settings), budget_(budget) {
+  result_.component = component;
+}
+
+ComponentBound ComponentRun::bracket() {
+  MarginQuestion question = choose_question();
+  if (is_zero_everywhere()) {
+    set_zero(result_);
+    return std::move(result_);
+  }
+  Ends ends;
+  double gap = settings_.gap;
+  for (int round = 0; round <= kMostRefinements; ++round) {
+    ends = close(question, gap);
+    set_ends(ends);
+    // A proof of any bound shows that everything is defined at every pose.
+    if (result_.proved && is_zero_where_defined()) {
+      set_zero(result_);
+      break;
+    }
+    const std::optional<double> width = relative_gap(&result_, &result_);
+    result_.is_closed = width && *width <= settings_.gap;
+    if (result_.is_closed || !width || !ends.is_closed) break;
+    // The gap of 1/r is relative to q − y, that of the bracket to q.
+    gap *= 0.8 * settings_.gap / *width;
+    question.low = *ends.certified;
+    question.high = ends.refuted;
+  }
+  const bool has_ended = result_.is_closed || result_.is_unbounded || ends.is_closed;
+  result_.reason = is_interrupted() ? "the run was interrupted" : has_ended ? "" : kNoTime;
+  finish();
+  return std::move(result_);
+}
+
+ComponentBound ComponentRun::compare() {
+  bordered_ = border_at_limit(request_, component(), *settings_.limit);
+  MarginQuestion question = question_at_limit(bordered_);
+  question.certified = [this](const Request& grown) { return certified(grown, bordered_); };
+  const Result result = search_at(question, *question.high).result;
+  result_.is_empty = result.occupancy == Occupancy::kEmpty;
+  EndProofs& proofs = result_.proofs;
+  const std::string limit = formula_text(*settings_.limit);
+  switch (result.verdict) {
+    case Verdict::kNoSingularity:
+      result_.verdict = LimitVerdict::kWithin;
+      if (!proofs.safe().file.empty()) proofs.set_safe("within " + limit);
+      break;
+    case Verdict::kSingularity:
+      result_.verdict = LimitVerdict::kExceeded;
+      if (!proofs.singular().file.empty()) proofs.set_singular("exceeds " + limit);
+      break;
+    case Verdict::kPossibleProblem:
+      proofs.set_no_safe(kNothingClaimed);
+      proofs.set_no_singular(kNothingClaimed);
+  }
+  return std::move(result_);
+}
+
+MarginQuestion ComponentRun::choose_question() {
+  bordered_ = border(request_, component());
+  std::optional<double> sampled;
+  if (!bordered_.parameter.empty()) {
+    const Reference reference = choose_reference(component(), samples());
+    sampled = reference.sampled;
+    reference_ = reference.approx;
+    if (reference_ != 0) bordered_ = border(request_, component(), reference.value());
+  }
+  MarginQuestion question = question_beyond(bordered_, sampled);
+  question.certified = [this](const Request& grown) { return certified(grown, bordered_); };
+  return question;
+}
+
+/// There is no certificate of a bound of 0.
+bool ComponentRun::is_zero_where_defined() const {
+  return !are_proofs_wanted() && regulus::is_zero_where_defined(bordered_, component());
+}
+
+/// Nothing can be undefined.
+bool ComponentRun::is_zero_everywhere() const {
+  return is_zero_where_defined() && bordered_.request.motion.must_be_defined.empty() &&
+         bordered_.request.model.must_be_defined.empty();
+}
+
+void ComponentRun::set_ends(const Ends& ends) {
+  result_.is_empty = ends.is_empty;
+  const auto is_zero = [this](const MarginValue& value) {
+    return bordered_.is_reciprocal && value.exact.is_zero();
+  };
+  if (ends.certified && !is_zero(*ends.certified)) {
+    const BoundEnd end = end_at(bound_at(bordered_, component(), *ends.certified));
+    if (std::isfinite(end.approx)) result_.proved = end;
+  }
+  if (!ends.refuted) return;
+  result_.place = ends.place;
+  result_.is_unbounded = is_zero(*ends.refuted);
+  if (!result_.is_unbounded)
+    result_.attained = end_at(bound_at(bordered_, component(), *ends.refuted));
+}
+
+EndProofs ComponentRun::proofs(const char* no_safe, const char* no_singular) const {
+  const std::string path =
+      are_proofs_wanted() ? settings_.certificate + certificate_suffix(component()) : "";
+  return EndProofs(path, settings_.held, no_safe, no_singular);
+}
+
+CertifiedMotion ComponentRun::certified(const Request& grown, Bordered bordered) const {
+  const Motion& motion = grown.motion;
+  const GiNaC::ex end =
+      bordered.parameter.empty() ? motion.alpha : motion.parameters.back().range.hi;
+  return {request_, [this, end, bordered = std::move(bordered)](
+                        const Request& about, const std::set<std::string>& uncertain) {
+            return certified_bound(about, component(), bordered, end, uncertain);
+          }};
+}
+
+}  // namespace regulus
