@@ -64,7 +64,8 @@ TEST_F(InShards, AProofIsVerifiedByAnyNumberOfThreads) {
     EXPECT_EQ(many.output, one.output);
     EXPECT_EQ(many.errors, one.errors);
   }
-  const CommandResult own = verify(file("proof"), {"--model", kRobot1}, "regulus");
+  const CommandResult own =
+      verify(file("proof"), {"--model", kRobot1, "--allow-options"}, "regulus");
   EXPECT_EQ(own.output, "VERIFIED\n") << own.errors;
   EXPECT_THAT(own.errors, HasSubstr("question   that of"));
 }

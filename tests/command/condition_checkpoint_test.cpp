@@ -109,7 +109,7 @@ TEST_F(ConditionCheckpointTest, IsSavedAtAnInterrupt) {
   const CommandResult interrupted = run.wait();
   EXPECT_EQ(interrupted.exit_code, 2) << interrupted.errors;
   const json report = json::parse(interrupted.output);
-  const json state = json::parse(text_of(file_)).at("search");
+  const json state = json::parse(text_of(file_)).at("known").at("tree");
   EXPECT_FALSE(state.at("open").get<std::string>().empty());
   std::vector<std::string> stopped = question;
   stopped.insert(stopped.end(), {"--max-boxes", "1"});
@@ -132,7 +132,7 @@ TEST_F(ConditionCheckpointTest, IfDamagedIsRefusedOrRight) {
   start.insert(start.end(), {"--max-boxes", "100"});
   ASSERT_EQ(ask(start).exit_code, 2);
   const std::string saved = text_of(file_);
-  const std::size_t state = saved.find("\"search\"");
+  const std::size_t state = saved.find("\"tree\"");
   ASSERT_NE(state, std::string::npos);
   const std::vector<std::string> splices{" ",        "-",    "=",  "7",  "0:1 ",
                                          "=0x0p+0 ", "null", "{}", "\"", "1e9"};

@@ -244,7 +244,8 @@ TEST_F(FileTrouble, ASearchWhoseCertificateDoesNotFitGoesOnWhenThereIsRoom) {
                  "the certificate cannot be written");
   EXPECT_EQ(file_contents(file("checkpoint")), before);
   EXPECT_EQ(regulus(certified({})).exit_code, 0);
-  const CommandResult verified = regulus({"verify", file("certificate"), "--model", kRobot1});
+  const CommandResult verified =
+      regulus({"verify", file("certificate"), "--model", kRobot1, "--allow-options"});
   EXPECT_EQ(verified.output, "VERIFIED\n") << verified.errors;
 }
 

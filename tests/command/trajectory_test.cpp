@@ -118,7 +118,7 @@ TEST_F(Trajectories, HaveATubeOfErrors) {
                      "--certificate", proof})
                 .output,
             "NO SINGULARITY\n");
-  const CommandResult verified = regulus({"verify", proof, "--model", model});
+  const CommandResult verified = regulus({"verify", proof, "--model", model, "--allow-options"});
   EXPECT_EQ(verified.output, "VERIFIED\n") << verified.errors;
   EXPECT_THAT(verified.errors, HasSubstr("tube y 99/100 instead of 0"));
 }

@@ -181,7 +181,7 @@ TEST_F(Ranks, FindASingularPoseWhenTheyBoundAConditionNumber) {
 /// Shared after 16 384 boxes, in rounds of 256.
 TEST_F(Ranks, PaveForALoadAsOneThreadDoes) {
   const Words locate = {"locate",       model("delta"), "far",         "--load", "payload",
-                        "--resolution", "1/64",         "--max-boxes", "40000"};
+                        "--resolution", "1/64",         "--max-boxes", "20000"};
   const auto files = [this](const std::string& name) {
     return Words{"--output", file(name + ".lines"), "--certificate", file(name + ".proof")};
   };
@@ -189,11 +189,11 @@ TEST_F(Ranks, PaveForALoadAsOneThreadDoes) {
   ASSERT_EQ(one.exit_code, 1) << one.errors;
   const auto boxes_of = [this](const std::string& name) {
     const std::string lines = text_of(file(name + ".lines"));
-    return lines.substr(0, lines.rfind("\n{\"load\"")) + text_of(file(name + ".proof"));
+    return lines.substr(0, lines.rfind('\n', lines.size() - 2)) + text_of(file(name + ".proof"));
   };
   const std::string expected = boxes_of("one");
   EXPECT_GT(expected.size(), 1'000'000U);
-  for (const int count : {1, 2, 3}) {
+  for (const int count : {1, 3}) {
     const CommandResult many =
         run_command(ranks(count, joined(joined(locate, files("many")), {"--threads", "2"})));
     EXPECT_EQ(many.exit_code, 1) << many.errors;
@@ -202,7 +202,7 @@ TEST_F(Ranks, PaveForALoadAsOneThreadDoes) {
 }
 
 TEST_F(Ranks, CheckALoadAsOneThreadDoes) {
-  const Words check = {"check", model("cable_8"), "work", "--load", "weight", "--certificate"};
+  const Words check = {"check", model("delta"), "work", "--load", "payload", "--certificate"};
   ASSERT_EQ(run_command(one_thread(joined(check, {file("one")}))).exit_code, 0);
   const CommandResult many = run_command(ranks(2, joined(check, {file("many")})));
   EXPECT_EQ(many.output, "FEASIBLE\n") << many.errors;

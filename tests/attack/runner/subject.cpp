@@ -155,7 +155,7 @@ void verify(const Attack& attack, const std::string& model, const std::string& c
   std::vector<std::string> words{"regulus", "verify", certificate, "--json", "--quiet"};
   // Reading the question from the file again takes as long as the first time.
   if (Random("verify" + attack.family, attack.seed).one_in(4))
-    words.insert(words.end(), {"--model", model});
+    words.insert(words.end(), {"--model", model, "--allow-options"});
   const Answer answer = run_command(words);
   outcome.verify_seconds = answer.seconds;
   outcome.proof = proof_of(answer);
