@@ -202,7 +202,7 @@ TEST_F(Ranks, PaveForALoadAsOneThreadDoes) {
 }
 
 TEST_F(Ranks, CheckALoadAsOneThreadDoes) {
-  const Words check = {"check", model("cable_8"), "work", "--load", "weight", "--certificate"};
+  const Words check = {"check", model("delta"), "work", "--load", "payload", "--certificate"};
   ASSERT_EQ(run_command(one_thread(joined(check, {file("one")}))).exit_code, 0);
   const CommandResult many = run_command(ranks(2, joined(check, {file("many")})));
   EXPECT_EQ(many.output, "FEASIBLE\n") << many.errors;

@@ -7,7 +7,7 @@ import re
 
 import pytest
 
-PAGE = pathlib.Path(__file__).parents[2] / "codegen" / "python" / "PYTHON.md"
+PAGE = pathlib.Path(__file__).parents[2] / "codegen/use/python/PYTHON.md"
 BLOCK = re.compile(r"^```python\n(.*?)^```", re.MULTILINE | re.DOTALL)
 
 
