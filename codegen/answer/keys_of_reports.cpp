@@ -120,6 +120,7 @@ constexpr Key kLimitMargin[] = {
     {"limit", "text", "what must hold"},
     {"limit_exact", "exact"},
     {"quantity", "quantity"},
+    {"waypoints?", "waypoints"},
     {"components", "component_margin[]"},
 };
 
@@ -173,7 +174,8 @@ const std::vector<ObjectKind>& report_kinds() {
        kOfBracket},
       {"path_margin",
        "margin of a motion along way-points",
-       {kReason, kWay, kWayMatrix, kMethod, kBracket, kNonempty, kSegment, kWitness},
+       {kReason, kWay, kWayMatrix, kMethod, kBracket, kNonempty, kSegment, kWitness,
+        kEndCertificates},
        kOfBracket},
       {"limit_margin",
        "margin --quantity --limit",

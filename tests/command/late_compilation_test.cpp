@@ -97,7 +97,7 @@ void expect_same_finding(const Outcome& found, const Outcome& expected) {
   EXPECT_FALSE(found.certificate.empty());
   nlohmann::json a = found.json, b = expected.json;
   for (nlohmann::json* report : {&a, &b}) {
-    for (const char* key : {"engine", "engine_boxes", "threads"}) report->erase(key);
+    for (const char* key : {"engine", "engine_boxes", "threads", "options"}) report->erase(key);
     for (const char* key : {"engine", "threads"}) report->at("question").at("options").erase(key);
   }
   EXPECT_EQ(a, b);
@@ -173,8 +173,7 @@ TEST(LateCompilation, StartsFromTheCacheWithoutAnObject) {
   for (const auto& file : cache.objects()) std::filesystem::remove(file);
   const PreparedSearch p = prepared(kFree, options(Engine::kAuto));
   ASSERT_TRUE(p.late);
-  EXPECT_EQ(p.seconds_spent().symbolic, 0);
-  EXPECT_EQ(p.seconds_spent().emit, 0);
+  EXPECT_EQ(p.seconds_spent().emit, 0) << "its forms are in the cache";
   const Outcome second = run(kFree, options(Engine::kAuto));
   EXPECT_EQ(second.report, first.report);
   EXPECT_EQ(second.certificate, first.certificate);

@@ -110,7 +110,8 @@ TEST_F(WayMargin, HasProofsOfBothEnds) {
     EXPECT_EQ(json::parse(run.output)["certificates"]["singular"], proof + ".singular");
     for (const char* end : {".safe", ".singular"}) {
       EXPECT_TRUE(proves(proof + end)) << end;
-      const CommandResult compared = regulus({"verify", proof + end, "--model", cart_});
+      const CommandResult compared =
+          regulus({"verify", proof + end, "--model", cart_, "--allow-options"});
       EXPECT_EQ(compared.exit_code, 0) << end << compared.errors;
     }
     std::string text = contents_of(proof + ".safe");
@@ -188,7 +189,9 @@ TEST_F(WayMargin, KeepsALimitOfASpeed) {
   EXPECT_EQ(report["components"][0]["place"]["segment"]["segment"], 4);
   EXPECT_TRUE(proves(proof + ".leg_1.safe"));
   EXPECT_TRUE(proves(proof + ".leg_1.singular"));
-  EXPECT_EQ(regulus({"verify", proof + ".leg_1.safe", "--model", shear_}).exit_code, 0);
+  EXPECT_EQ(
+      regulus({"verify", proof + ".leg_1.safe", "--model", shear_, "--allow-options"}).exit_code,
+      0);
   const json again = json::parse(ask(path("again")).output);
   for (const char* key : {"bracket", "boxes"}) EXPECT_EQ(again[key], report[key]) << key;
   EXPECT_TRUE(proves(path("again.leg_1.safe")));

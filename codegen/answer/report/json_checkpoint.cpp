@@ -57,7 +57,9 @@ Json JsonCheckpoint::read(const std::string& text, const Json& question) const {
   if (!is_checkpoint) refuse("it is not a checkpoint of such a question, or it is damaged");
   if (content[kCheckpointFormat] != kCheckpointVersion)
     refuse("another version of Regulus wrote it");
-  if (content["question"] != question) refuse("it is about another question");
+  // The order of keys is not part of it.
+  if (nlohmann::json(content["question"]) != nlohmann::json(question))
+    refuse("it is about another question");
   return content;
 }
 

@@ -125,6 +125,7 @@ Json json_sheet_entry(const Request& request, const Bound& bound, const BoundSet
   add_model(request, facts);
   tell_bracket(request, bound, settings, facts);
   Json object = facts.object();
+  object.erase("proof");  // the head of the report has all of them
   for (std::size_t i = 0; i < bound.components.size(); ++i) {
     const LimitState state = limit_state(request.model, bound.components[i]);
     object["components"][i]["limit"] =
@@ -172,14 +173,18 @@ std::string markdown_datasheet(const Request& request, const Datasheet& sheet) {
 void tell_datasheet(const Request& request, const Datasheet& sheet, const BoundSettings& settings,
                     Facts& facts) {
   if (!facts.are_for_programs()) return;  // people read the sheet
-  Json bounds = Json::array();
+  Json bounds = Json::array(), proofs = Json::array();
   StageSeconds seconds;
   std::uint64_t boxes = 0;
   for (const Bound& bound : sheet.bounds) {
     bounds.push_back(json_sheet_entry(request, bound, settings));
     seconds += seconds_of(bound);
     boxes += boxes_of(bound);
+    for (const ComponentBound& c : bound.components)
+      c.proofs.add_to(proofs,
+                      name_of(bound) + (c.component.label.empty() ? "" : ", ") + c.component.label);
   }
+  if (!proofs.empty()) facts.add("proof", std::move(proofs));
   add_model(request, facts);
   add_search(settings.search, json_question(request, settings.search), facts);
   facts.add("boxes", boxes).add("seconds", json_seconds(seconds));

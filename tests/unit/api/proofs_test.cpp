@@ -119,7 +119,7 @@ TEST_F(Proofs, ABoundNamesTheProofOfEachEndOrTheReasonWhyThereIsNone) {
   ASSERT_EQ(within.certificates.size(), 2U);
   EXPECT_TRUE(is_verified(within.certificates[0].certificate));
   EXPECT_EQ(within.certificates[1].certificate, "");
-  EXPECT_EQ(within.certificates[1].no_certificate, "no singularity was found");
+  EXPECT_EQ(within.certificates[1].no_certificate, "no pose exceeds the limit");
 }
 
 }  // namespace

@@ -164,7 +164,7 @@ TEST_F(ConditionUnits, DamagedOnesAreRefused) {
   EXPECT_THROW(static_cast<void>(read(with(outcome, other))), cluster::MalformedMessage);
   const std::unique_ptr<cluster::UnitDecider> decider = unit_judges<BoxJudge>(question_)();
   for (const cluster::Unit& wrong :
-       {cluster::Unit{{0}, {{0, 1}, {0, 1}, {0, 1}}}, {std::vector<std::uint32_t>(9), {}}})
+       {cluster::Unit{{0}, {{0, 1}, {0, 1}}}, {std::vector<std::uint32_t>(9), {}}})
     EXPECT_THROW(static_cast<void>(decider->decide(wrong)), cluster::MalformedMessage);
 }
 

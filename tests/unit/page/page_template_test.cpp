@@ -44,7 +44,7 @@ TEST(CommandsToProveAgain, AreWordsOfAShell) {
       commands[0],
       "regulus check 'my robot'\\''s.toml' work --range 'psi=-5*deg:5*deg' --tolerance base=0.1 "
       "--alpha 1e-3 --certificate proof.txt");
-  EXPECT_EQ(commands[1], "regulus verify proof.txt --model 'my robot'\\''s.toml'");
+  EXPECT_EQ(commands[1], "regulus verify proof.txt --model 'my robot'\\''s.toml' --allow-options");
 }
 
 }  // namespace
