@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <type_traits>
+
 #include "codegen/answer/page_of_answers.hpp"
 #include "codegen/question/margin/margin_question.hpp"
 
@@ -10,7 +12,11 @@ namespace regulus {
 
 std::unique_ptr<Answer> ask(const Asked& asked, const Services& services) {
   return std::visit(
-      [&services](const auto& one) -> std::unique_ptr<Answer> { return ask(one, services); },
+      [&services](const auto& one) -> std::unique_ptr<Answer> {
+        // A question without an overload of its own would become an Asked again.
+        static_assert(!std::is_same_v<decltype(ask(one, services)), std::unique_ptr<Answer>>);
+        return ask(one, services);
+      },
       asked);
 }
 

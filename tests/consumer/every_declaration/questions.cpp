@@ -80,6 +80,12 @@ void use_files() {
   static_cast<void>(regulus::check(bead(), {}, nullptr, "proof"));
   std::printf("%d\n", regulus::verify("proof").outcome == regulus::ProofOutcome::kVerified);
   std::printf("%d\n", regulus::describe_model(bead()).empty());
+  std::ofstream("page.template") << "@REGULUS_TITLE@ @REGULUS_VERDICT@ @REGULUS_CLAIM@ "
+                                    "@REGULUS_REPORT@ @REGULUS_SHA256@ @REGULUS_DATA@";
+  regulus::PageContents contents;
+  contents.json = regulus::check(bead()).json;
+  contents.page_template = "page.template";
+  regulus::write_page(bead(), contents, "page.html");
   std::ofstream("none.urdf") << "<robot name='none'/>\n";
   try {
     static_cast<void>(regulus::import_file("none.urdf"));
