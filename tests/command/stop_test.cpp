@@ -81,7 +81,8 @@ class Stop : public testing::TestWithParam<StoppedQuestion> {
       EXPECT_THAT(result.output,
                   AnyOf(HasSubstr("POSSIBLE PROBLEM"), HasSubstr("possible-problem"),
                         HasSubstr("NOTHING KNOWN"), HasSubstr("SAFE UP TO"), HasSubstr("AT LEAST"),
-                        HasSubstr("BELOW"), HasSubstr("BETWEEN"), HasSubstr("quantity")))
+                        HasSubstr("AT MOST"), HasSubstr("BELOW"), HasSubstr("BETWEEN"),
+                        HasSubstr("quantity")))
           << when << '\n'
           << result.errors;
     }
