@@ -73,7 +73,7 @@ class AnswerOfBound final : public BoundAnswer {
  private:
   void run(Quantity quantity, const Services& services) {
     HeldFiles held;
-    settings_.held = &held;
+    settings_.placing = {&held, services.shard_size};
     std::optional<BracketCheckpoint> checkpoint;
     if (!services.checkpoint.path.empty())
       settings_.checkpoint = &checkpoint.emplace(
@@ -83,7 +83,7 @@ class AnswerOfBound final : public BoundAnswer {
           services.tell(format_component(component, settings_.limit.has_value()));
         });
     held.put_in_place();
-    settings_.held = nullptr;
+    settings_.placing.held = nullptr;
     settings_.checkpoint = nullptr;
     if (checkpoint) checkpoint_line_ = checkpoint->line();
   }
@@ -154,14 +154,14 @@ class Sheet final : public DatasheetAnswer {
  private:
   void run(const Services& services) {
     HeldFiles held;
-    settings_.held = &held;
+    settings_.placing = {&held, services.shard_size};
     std::optional<BracketCheckpoint> checkpoint;
     if (!services.checkpoint.path.empty())
       settings_.checkpoint = &checkpoint.emplace(
           services.checkpoint.path, checkpointed_datasheet(request_, settings_.search));
     found_ = make_datasheet(request_, settings_, [](const ComponentBound&) {});
     held.put_in_place();
-    settings_.held = nullptr;
+    settings_.placing.held = nullptr;
     settings_.checkpoint = nullptr;
     if (checkpoint) checkpoint_line_ = checkpoint->line();
     for (const Bound& bound : found_.bounds)

@@ -83,7 +83,7 @@ class WayCheck final : public CheckAnswer {
     check_ =
         check_trajectory(std::move(request), model_seconds, search_, !services.certificate.empty(),
                          {services.interrupt, display.observer()});
-    proof = certify_trajectory(services.certificate, check_);
+    proof = certify_trajectory(services.certificate, check_, {nullptr, services.shard_size});
     if (check_.deciding) result = check_.deciding->result;
     result.verdict = check_.verdict;
     result.reason = check_.reason;

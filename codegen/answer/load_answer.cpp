@@ -27,7 +27,7 @@ class LoadSearch {
   LoadSearch(const ModelOptions& model, const SearchOptions& search, const std::string& load,
              bool paves, const Services& services)
       : prepared_(prepare_forces(model, load, search, watch_of(services))),
-        certificate_(services.certificate, prepared_, paves) {}
+        certificate_(services.certificate, prepared_, paves, services.shard_size) {}
 
   /// An exception from the listener ends the search.
   void run(const FeasibilitySettings& settings, const ForceListener& listener,
@@ -97,7 +97,7 @@ class WayLoad final : public LoadAnswer {
                                     {services.interrupt, display.observer()});
     verdict = found_.verdict;
     boxes = found_.boxes;
-    proof = certify_way_forces(services.certificate, found_);
+    proof = certify_way_forces(services.certificate, found_, {nullptr, services.shard_size});
     if (verdict == FeasibilityVerdict::kFeasible) claim = describe_claim(found_);
     if (verdict == FeasibilityVerdict::kPossibleProblem) reason = describe_reason(found_);
   }

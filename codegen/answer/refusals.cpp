@@ -14,7 +14,6 @@
 namespace regulus {
 namespace {
 
-constexpr std::string_view kOneFile = "the proof of an end of a bracket is one file";
 constexpr std::string_view kNoBoxes = "a picture is of the boxes of a paving; ask where, by locate";
 constexpr std::string_view kLoadPicture = "a load has no picture; draw the boxes of the paving";
 constexpr std::string_view kOneMachine =
@@ -32,19 +31,11 @@ using enum Service;
 
 constexpr Refusal kRefusals[] = {
     {kPaving, kCheckpoint, "a paving writes its boxes as they come; divide the ranges instead"},
-    {kMargin, kShards, kOneFile},
-    {kLimitMargin, kShards, kOneFile},
-    {kBound, kShards, kOneFile},
-    {kCondition2, kShards, kOneFile},
     {kCondition2, kTheorem, kNoTheorem},
-    {kLoad, kShards, "a proof about a load stays in one file"},
     {kLoad, kTheorem, kNoTheorem},
-    {kLoadPaving, kShards, "a proof about a load stays in one file"},
     {kLoadPaving, kTheorem, kNoTheorem},
     {kLoadPaving, kPicture, kLoadPicture},
-    {kDatasheet, kShards, kOneFile},
     {kDatasheet, kRanks, kNoRows},
-    {kWayCheck, kShards, "the proof of a motion along way-points is one file"},
     {kWayCheck, kCheckpoint, kWayNotContinued},
     {kWayCheck, kRanks, kOneMachine},
     {kWayPaving, kProof,
@@ -55,14 +46,10 @@ constexpr Refusal kRefusals[] = {
     {kWayPaving, kCheckpoint, kWayNotContinued},
     {kWayPaving, kRanks, kOneMachine},
     {kWayPaving, kPicture, "a motion along way-points is not drawn; the paving has its stretches"},
-    {kWayMargin, kShards, kOneFile},
     {kWayMargin, kRanks, kOneMachine},
-    {kWayLimitMargin, kShards, kOneFile},
     {kWayLimitMargin, kRanks, kOneMachine},
-    {kWayBound, kShards, kOneFile},
     {kWayBound, kRanks, kOneMachine},
     {kWayCondition2, kAnswer, kNoWayCondition},
-    {kWayLoad, kShards, "a proof about a load stays in one file"},
     {kWayLoad, kTheorem, kNoTheorem},
     {kWayLoad, kCheckpoint, kWayNotContinued},
     {kWayLoad, kRanks, kOneMachine},
@@ -75,7 +62,6 @@ constexpr Refusal kRefusals[] = {
     {kWayLoadPaving, kRanks, kOneMachine},
     {kWayLoadPaving, kPicture,
      "a motion along way-points is not drawn; the paving has its stretches"},
-    {kWayDatasheet, kShards, kOneFile},
     {kWayDatasheet, kRanks, kNoRows},
     // What has no boxes has no picture.
     {kCheck, kPicture, kNoBoxes, false},
@@ -104,7 +90,6 @@ constexpr OptionRefusal kOptionsOfLoads[] = {
     {"precision", kOneMethod},
     {"symbolic-budget", kOneMethod},
     {"without", kOneMethod},
-    {"shard-size", "a proof about a load stays in one file"},
     {"picture", kLoadPicture},
     {"axes", kLoadPicture},
     {"slices", kLoadPicture},

@@ -65,7 +65,7 @@ class ConditionRun {
 
   ComponentBound run() {
     certificate_.emplace(certificate_path(), request_, result_.component,
-                         uncertain_names(prepared_.labels), settings_.held);
+                         uncertain_names(prepared_.labels), settings_.placing);
     if (prepared_.stopped) return stopped();
     const MatrixScaling scaling = prepared_.stages->formulation().scaling;
     const Problem problem = prepared_.problem();
