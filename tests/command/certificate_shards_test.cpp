@@ -133,7 +133,7 @@ TEST_F(InShards, APageDoesNotContainThem) {
 TEST_F(InShards, ABoundHasThemForEachEnd) {
   const CommandResult result =
       run_command({kCommand, "bound", kRobot1, "table6_15_15", "force", "--load", "payload",
-                   "--leg", "3", "--certificate", file("ends"), "--shard-size", "32kB", "--quiet"});
+                   "--leg", "3", "--certificate", file("ends"), "--shard-size", "8kB", "--quiet"});
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_GT(shards_of("ends.leg_3.safe"), 1U);
   for (const char* name : {"ends.leg_3.safe", "ends.leg_3.singular"})
