@@ -32,7 +32,8 @@ class LoadSearch {
   /// An exception from the listener ends the search.
   void run(const FeasibilitySettings& settings, const ForceListener& listener,
            const Services& services) {
-    ForceCheckpoint checkpoint(services.checkpoint, prepared_, settings);
+    SearchCheckpoint checkpoint(services.checkpoint,
+                                [&] { return checkpointed_question(prepared_, settings); });
     SearchDisplay display(display_of(services));
     Observers observers(present({certificate_.observer(), display.observer()}));
     result_ = run_forces(prepared_, settings, listener, &observers, &checkpoint);
@@ -92,12 +93,17 @@ class WayLoad final : public LoadAnswer {
  public:
   WayLoad(Request request, double model_seconds, const AskLoad& asked, const Services& services) {
     SearchDisplay display(display_of(services));
+    SearchCheckpoint checkpoint(services.checkpoint, [&] {
+      return checkpointed_question(request, asked.search, asked.load);
+    });
     found_ = check_forces_along_way(std::move(request), model_seconds, asked.load, asked.search,
                                     !services.certificate.empty(),
-                                    {services.interrupt, display.observer()});
+                                    {services.interrupt, display.observer(), &checkpoint});
     verdict = found_.verdict;
     boxes = found_.boxes;
     proof = certify_way_forces(services.certificate, found_);
+    checkpoint.finish(found_.can_continue && verdict == FeasibilityVerdict::kPossibleProblem);
+    checkpoint_line_ = checkpoint.line();
     if (verdict == FeasibilityVerdict::kFeasible) claim = describe_claim(found_);
     if (verdict == FeasibilityVerdict::kPossibleProblem) reason = describe_reason(found_);
   }
@@ -106,9 +112,11 @@ class WayLoad final : public LoadAnswer {
     tell_way_forces(found_, facts);
     proof.tell(facts);
   }
+  [[nodiscard]] std::string about_files() const override { return proof.line() + checkpoint_line_; }
 
  private:
   WayForces found_;
+  std::string checkpoint_line_;
 };
 
 class VarietyLoadPaving final : public LoadPavingAnswer {
@@ -163,18 +171,28 @@ class WayLoadPaving final : public LoadPavingAnswer {
                 const Services& services)
       : lines_(services.lines) {
     SearchDisplay display(display_of(services));
-    paving_ = pave_forces_along_way(
-        std::move(request), model_seconds, asked.load, asked.search,
-        asked.resolution.empty() ? kPathResolution : read_resolution(asked.resolution),
-        {services.interrupt, display.observer()});
+    const double resolution =
+        asked.resolution.empty() ? kPathResolution : read_resolution(asked.resolution);
+    SearchCheckpoint checkpoint(services.checkpoint, [&] {
+      Json question = checkpointed_question(request, asked.search, asked.load);
+      question["paves"] = true;
+      question["resolution"] = resolution;
+      return question;
+    });
+    paving_ =
+        pave_forces_along_way(std::move(request), model_seconds, asked.load, asked.search,
+                              resolution, {services.interrupt, display.observer(), &checkpoint});
     verdict = paving_.found.verdict;
     boxes = paving_.found.boxes;
     if (verdict == FeasibilityVerdict::kFeasible) claim = describe_claim(paving_.found);
     if (verdict == FeasibilityVerdict::kPossibleProblem) reason = describe_reason(paving_.found);
     write();
+    checkpoint.finish(paving_.found.can_continue);
+    checkpoint_line_ = checkpoint.line();
   }
 
   void tell(Facts& facts) const override { tell_way_force_paving(paving_, facts); }
+  [[nodiscard]] std::string about_files() const override { return checkpoint_line_; }
 
  private:
   void write() {
@@ -187,6 +205,7 @@ class WayLoadPaving final : public LoadPavingAnswer {
 
   LinesFile lines_;
   WayForcePaving paving_;
+  std::string checkpoint_line_;
 };
 
 }  // namespace

@@ -10,14 +10,18 @@
 #include "codegen/answer/page/paving_tree.hpp"
 #include "codegen/answer/picture/pictures.hpp"
 #include "codegen/answer/refusals.hpp"
+#include "codegen/answer/report/kept_search.hpp"
 #include "codegen/answer/report/paving_options.hpp"
 #include "codegen/answer/report/paving_report.hpp"
 #include "codegen/answer/report/paving_writer.hpp"
 #include "codegen/answer/report/progress.hpp"
+#include "codegen/answer/report/question_report.hpp"
 #include "codegen/answer/report/report_text.hpp"
+#include "codegen/answer/report/search_checkpoint.hpp"
 #include "codegen/question/engine/paving_verdict.hpp"
 #include "codegen/question/engine/search_run.hpp"
 #include "codegen/question/engine/settings.hpp"
+#include "codegen/question/way/margin_checkpoint.hpp"
 #include "codegen/question/way/read_trajectory.hpp"
 #include "codegen/question/way/trajectory_paving.hpp"
 #include "codegen/support/stopwatch.hpp"
@@ -34,6 +38,21 @@ ModelOptions model_of(const AskPaving& asked, const Services& services) {
   ModelOptions model = asked.model;
   model.separates_reach = services.certificate.empty();
   return model;
+}
+
+/// Returns everything that the boxes depend on. Formulas are left out: their terms may have another
+/// order in another process.
+Json checkpointed_paving(const PreparedSearch& prepared, const SearchOptions& search,
+                         double resolution) {
+  Json question = json_question(prepared, search);
+  question.erase("options");  // they change how long it takes
+  question.erase("pose_exact");
+  question.erase("constraints_exact");
+  for (const FilterFile& filter : prepared.filters) question["filters"].push_back(filter.sha256());
+  question["separates_reach"] = prepared.labels.reach;
+  question["paves"] = true;
+  question["resolution"] = resolution;
+  return question;
 }
 
 class VarietyPaving final : public PavingAnswer {
@@ -54,7 +73,7 @@ class VarietyPaving final : public PavingAnswer {
     tell_paving(prepared_, search_, options_, volumes_, result, facts);
     proof.tell(facts);
   }
-  [[nodiscard]] std::string about_files() const override { return proof.line(); }
+  [[nodiscard]] std::string about_files() const override { return proof.line() + checkpoint_line_; }
 
  private:
   void pave(const Services& services) {
@@ -77,8 +96,13 @@ class VarietyPaving final : public PavingAnswer {
     Settings settings = settings_of(prepared_, search_, &listener.stop());
     require_paving(options_, settings);
     services.begin_search();
-    result = run_search(prepared_, search_, settings, &observers);
+    SearchCheckpoint checkpoint(services.checkpoint, [this] {
+      return checkpointed_paving(prepared_, search_, options_.resolution);
+    });
+    KeptSearch kept(checkpoint.file(), "search", checkpoint.interval());
+    result = kept.run(prepared_, search_, settings, observers);
     listener.rethrow();
+    const bool can_continue = result.stopped_by.has_value();
     conclude(settings, listener.stop());
     certificate.finish(result);
     proof = certificate.status();
@@ -86,6 +110,8 @@ class VarietyPaving final : public PavingAnswer {
     if (writer) writer->finish(json(), lines.name());
     lines.finish();
     pictures.draw(volumes_);
+    checkpoint.finish(can_continue);
+    checkpoint_line_ = checkpoint.line();
   }
 
   void conclude(const Settings& settings, const std::atomic<bool>& stop) {
@@ -108,6 +134,7 @@ class VarietyPaving final : public PavingAnswer {
   PavingOptions options_;
   Problem problem_;
   Volumes volumes_;
+  std::string checkpoint_line_;
 };
 
 /// Of a motion along way-points: stretches, and no boxes.
@@ -116,10 +143,16 @@ class WayPaving final : public PavingAnswer {
   WayPaving(Request request, double model_seconds, const AskPaving& asked, const Services& services)
       : search_(asked.search), lines_(services.lines) {
     SearchDisplay display(display_of(services));
-    paving_ = pave_trajectory(
-        std::move(request), model_seconds, search_,
-        asked.resolution.empty() ? kPathResolution : read_resolution(asked.resolution),
-        {services.interrupt, display.observer()});
+    const double resolution =
+        asked.resolution.empty() ? kPathResolution : read_resolution(asked.resolution);
+    SearchCheckpoint checkpoint(services.checkpoint, [&] {
+      Json question = checkpointed_question(request, search_);
+      question["paves"] = true;
+      question["resolution"] = resolution;
+      return question;
+    });
+    paving_ = pave_trajectory(std::move(request), model_seconds, search_, resolution,
+                              {services.interrupt, display.observer(), &checkpoint});
     result.verdict = paving_.check.verdict;
     result.reason = paving_.check.reason;
     result.statistics = paving_.check.path.statistics;
@@ -128,10 +161,13 @@ class WayPaving final : public PavingAnswer {
                            stretch.begin.s, stretch.end.s,
                            report_text(json_stretch(paving_, stretch))});
     write();
+    checkpoint.finish(paving_.check.can_continue);
+    checkpoint_line_ = checkpoint.line();
   }
 
   [[nodiscard]] Json header() const override { return {}; }
   void tell(Facts& facts) const override { tell_path_paving(paving_, search_, facts); }
+  [[nodiscard]] std::string about_files() const override { return checkpoint_line_; }
 
  private:
   void write() {
@@ -144,6 +180,7 @@ class WayPaving final : public PavingAnswer {
   SearchOptions search_;
   LinesFile lines_;
   PathPaving paving_;
+  std::string checkpoint_line_;
 };
 
 }  // namespace

@@ -19,7 +19,6 @@ constexpr std::string_view kNoBoxes = "a picture is of the boxes of a paving; as
 constexpr std::string_view kLoadPicture = "a load has no picture; draw the boxes of the paving";
 constexpr std::string_view kOneMachine =
     "a motion along way-points is searched on one machine, by all of its threads";
-constexpr std::string_view kWayNotContinued = "a motion along way-points cannot be continued";
 constexpr std::string_view kNoRows = "a datasheet brackets many quantities; bound one of them";
 constexpr std::string_view kOneMethod = "for a load there is one method; leave the option out";
 constexpr std::string_view kNoTheorem =
@@ -31,7 +30,6 @@ using enum Kind;
 using enum Service;
 
 constexpr Refusal kRefusals[] = {
-    {kPaving, kCheckpoint, "a paving writes its boxes as they come; divide the ranges instead"},
     {kMargin, kShards, kOneFile},
     {kLimitMargin, kShards, kOneFile},
     {kBound, kShards, kOneFile},
@@ -45,14 +43,12 @@ constexpr Refusal kRefusals[] = {
     {kDatasheet, kShards, kOneFile},
     {kDatasheet, kRanks, kNoRows},
     {kWayCheck, kShards, "the proof of a motion along way-points is one file"},
-    {kWayCheck, kCheckpoint, kWayNotContinued},
     {kWayCheck, kRanks, kOneMachine},
     {kWayPaving, kProof,
      "there is no proof of the stretches of a motion along way-points; check proves the whole "
      "motion"},
     {kWayPaving, kShards, "there is no proof of stretches"},
     {kWayPaving, kTheorem, "there is no proof of stretches"},
-    {kWayPaving, kCheckpoint, kWayNotContinued},
     {kWayPaving, kRanks, kOneMachine},
     {kWayPaving, kPicture, "a motion along way-points is not drawn; the paving has its stretches"},
     {kWayMargin, kShards, kOneFile},
@@ -64,14 +60,12 @@ constexpr Refusal kRefusals[] = {
     {kWayCondition2, kAnswer, kNoWayCondition},
     {kWayLoad, kShards, "a proof about a load stays in one file"},
     {kWayLoad, kTheorem, kNoTheorem},
-    {kWayLoad, kCheckpoint, kWayNotContinued},
     {kWayLoad, kRanks, kOneMachine},
     {kWayLoadPaving, kProof,
      "there is no proof of the stretches of a motion along way-points; check proves the whole "
      "motion"},
     {kWayLoadPaving, kShards, "there is no proof of stretches"},
     {kWayLoadPaving, kTheorem, "there is no proof of stretches"},
-    {kWayLoadPaving, kCheckpoint, kWayNotContinued},
     {kWayLoadPaving, kRanks, kOneMachine},
     {kWayLoadPaving, kPicture,
      "a motion along way-points is not drawn; the paving has its stretches"},

@@ -57,6 +57,7 @@ set(lent
     way/path_bracket.hpp
     way/path_parts.hpp
     way/path_run.hpp
+    way/path_steps.hpp
     way/pieces_alone.hpp
     way/trajectory_certificate.hpp
     way/trajectory_paving.hpp

@@ -24,8 +24,8 @@ class PathRun {
   /// Returns the settings of that search, with the time that is left.
   [[nodiscard]] Settings settings_of_piece(const PreparedSearch& preparation) const;
   /// Runs it, with an observer that may be null, and adds its time and counts to those of `check`.
-  [[nodiscard]] Result search_piece(PreparedSearch& preparation, const Settings& settings,
-                                    Observer* observer);
+  [[nodiscard]] Result search_piece(std::size_t piece, PreparedSearch& preparation,
+                                    const Settings& settings, Observer* observer);
 
   [[nodiscard]] bool has_ended() const noexcept { return has_ended_; }
   void end(std::size_t piece, Reason reason);

@@ -57,7 +57,10 @@ class PathPaver {
       if (const auto claim = claim_about(k)) {
         append({*claim, {}, {k, 0}, {k, 1}});
       } else {
-        if (must_stop()) return add_rest(k);
+        if (must_stop()) {
+          check_.can_continue = true;
+          return add_rest(k);
+        }
         divide(k);
       }
     }
@@ -86,7 +89,7 @@ class PathPaver {
     options.resolution = paving_.resolution;
     require_paving(options, settings);
     PieceParts parts(problem, preparation->labels.reach, k);
-    const Result result = run_.search_piece(*preparation, settings, &parts);
+    const Result result = run_.search_piece(k, *preparation, settings, &parts);
     std::vector<PathStretch> found = parts.take();
     if (found.empty()) found = {{Claim::kUndecided, result.reason, {k, 0}, {k, 1}}};
     for (const PathStretch& part : found) append(part);
