@@ -28,7 +28,7 @@ bool is_worth_waiting(const PreparedSearch& preparation, const Result& result) {
           *result.stopped_by == Reason::kStalled);
 }
 
-/// Of a motion whose poses are a box or follow a formula.
+/// The answer for a motion whose poses are a box or follow a formula.
 class VarietyCheck final : public CheckAnswer {
  public:
   VarietyCheck(const AskCheck& asked, const Services& services)
@@ -76,7 +76,7 @@ class VarietyCheck final : public CheckAnswer {
   std::string checkpoint_line_;
 };
 
-/// Of a motion along way-points: `variables` are empty.
+/// The answer for a motion along way-points has no `variables`.
 class WayCheck final : public CheckAnswer {
  public:
   WayCheck(Request request, double model_seconds, const AskCheck& asked, const Services& services)

@@ -32,6 +32,6 @@ void require_picture_format(const std::string& file);
 /// Throws UsageError for an unknown axis or slice, and for a picture of nothing.
 [[nodiscard]] PictureOptions resolve_pictures(const PictureRequest& request,
                                               const PavingOptions& paving,
-                                              const PreparedSearch& preparation);
+                                              const SearchSubject& preparation);
 
 }  // namespace regulus

@@ -56,11 +56,11 @@ inline constexpr std::array kDrawingOrder{Claim::kFree, Claim::kUnreachable, Cla
                                           Claim::kUndecided, Claim::kSingular};
 
 /// The commands of a map of two ranges, each tile coloured by the worst claim or by its share.
-[[nodiscard]] std::string map_commands(const PreparedSearch& preparation,
+[[nodiscard]] std::string map_commands(const SearchSubject& preparation,
                                        const PictureOptions& options, const Volumes& volumes,
                                        const Canvas& canvas, bool has_legend);
 /// The commands of the determinant over the only range.
-[[nodiscard]] std::string curve_commands(const PreparedSearch& preparation,
+[[nodiscard]] std::string curve_commands(const SearchSubject& preparation,
                                          const PictureOptions& options, const Volumes& volumes,
                                          const Canvas& canvas);
 
