@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where has the motion singular poses?
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "codegen/answer/ask.hpp"
@@ -9,6 +11,7 @@
 #include "codegen/answer/outputs.hpp"
 #include "codegen/answer/page/paving_tree.hpp"
 #include "codegen/answer/picture/pictures.hpp"
+#include "codegen/answer/picture/way_picture.hpp"
 #include "codegen/answer/refusals.hpp"
 #include "codegen/answer/report/kept_search.hpp"
 #include "codegen/answer/report/paving_options.hpp"
@@ -142,6 +145,7 @@ class WayPaving final : public PavingAnswer {
  public:
   WayPaving(Request request, double model_seconds, const AskPaving& asked, const Services& services)
       : search_(asked.search), lines_(services.lines) {
+    WayPictures pictures(services.pictures);
     SearchDisplay display(display_of(services));
     const double resolution =
         asked.resolution.empty() ? kPathResolution : read_resolution(asked.resolution);
@@ -152,7 +156,9 @@ class WayPaving final : public PavingAnswer {
       return question;
     });
     paving_ = pave_trajectory(std::move(request), model_seconds, search_, resolution,
+                              !services.certificate.empty(),
                               {services.interrupt, display.observer(), &checkpoint});
+    proof = certify_path_paving(services.certificate, paving_);
     result.verdict = paving_.check.verdict;
     result.reason = paving_.check.reason;
     result.statistics = paving_.check.path.statistics;
@@ -161,13 +167,19 @@ class WayPaving final : public PavingAnswer {
                            stretch.begin.s, stretch.end.s,
                            report_text(json_stretch(paving_, stretch))});
     write();
+    const Request& asked_about = paving_.check.request;
+    pictures.draw({fmt::format("{}, {}", asked_about.model.name, asked_about.motion.name),
+                   *asked_about.motion.trajectory, paving_.stretches, name});
     checkpoint.finish(paving_.check.can_continue);
     checkpoint_line_ = checkpoint.line();
   }
 
   [[nodiscard]] Json header() const override { return {}; }
-  void tell(Facts& facts) const override { tell_path_paving(paving_, search_, facts); }
-  [[nodiscard]] std::string about_files() const override { return checkpoint_line_; }
+  void tell(Facts& facts) const override {
+    tell_path_paving(paving_, search_, facts);
+    proof.tell(facts);
+  }
+  [[nodiscard]] std::string about_files() const override { return proof.line() + checkpoint_line_; }
 
  private:
   void write() {
@@ -191,9 +203,7 @@ std::unique_ptr<PavingAnswer> ask(const AskPaving& asked, const Services& servic
   refuse_services_along_way(Kind::kWayPaving, asked.model, asked.search, services);
   set_outputs_aside(asked.model, asked.search, services);
   Stopwatch watch;
-  ModelOptions model = asked.model;
-  model.separates_reach = true;
-  std::optional<Request> along = read_trajectory(model);
+  std::optional<Request> along = read_trajectory(model_of(asked, services));
   if (!along) return std::make_unique<VarietyPaving>(asked, services);
   services.begin_search();
   return std::make_unique<WayPaving>(std::move(*along), watch.lap(), asked, services);

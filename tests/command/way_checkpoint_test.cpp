@@ -89,16 +89,12 @@ class KeptSearchTest : public testing::TestWithParam<Asked> {
     std::vector<std::string> all{kCommand, asked.words[0], path("parabola.toml")};
     all.insert(all.end(), asked.words.begin() + 1, asked.words.end());
     all.insert(all.end(), {"--json", "--engine", "interpreted"});
-    if (has_proof(asked)) all.insert(all.end(), {"--certificate", path(name + ".proof")});
+    all.insert(all.end(), {"--certificate", path(name + ".proof")});
     if (is_paving(asked)) all.insert(all.end(), {"--output", path(name + ".lines")});
     all.insert(all.end(), more.begin(), more.end());
     return all;
   }
   static bool is_paving(const Asked& asked) { return asked.words[0] == "locate"; }
-  static bool is_along_way(const Asked& asked) {
-    return asked.words[1] == "beside" || asked.words[1] == "across";
-  }
-  static bool has_proof(const Asked& asked) { return !is_paving(asked) || !is_along_way(asked); }
 
   /// Returns what may not depend on interruptions: the report without times, the boxes, the proof.
   [[nodiscard]] std::string answer_of(const CommandResult& run, const std::string& name) const {

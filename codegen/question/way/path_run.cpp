@@ -4,7 +4,6 @@
 #include "codegen/answer/certificate/certificate_question.hpp"
 #include "codegen/answer/certificate/piece_question.hpp"
 #include "codegen/answer/report/kept_search.hpp"
-#include "codegen/question/engine/search_run.hpp"
 #include "codegen/question/engine/settings.hpp"
 #include "codegen/question/way/trajectory_request.hpp"
 #include "codegen/support/errors.hpp"

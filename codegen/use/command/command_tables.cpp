@@ -71,7 +71,9 @@ constexpr const char* kCheckCertificate = "Write a proof of the verdict";
 constexpr const char* kLocateCertificate =
     "Write a proof of the verdict, not of each box: the proof shows that the whole variety is "
     "free, "
-    "or that it contains the singular pose of the report. With --load a proof of each box";
+    "or that it contains the singular pose of the report. With --load a proof of each box, but "
+    "along "
+    "way-points of the verdict";
 constexpr const char* kMarginCertificate =
     "Write a proof for each end of the bracket: FILE.safe proves that there is no singularity at "
     "a, "
