@@ -58,8 +58,7 @@ class Rows {
 std::string row_text(const Trajectory& trajectory, std::size_t segment) {
   std::string text = std::to_string(segment + 1);
   if (trajectory.has_time)
-    text += fmt::format(", t = {:.4g}{}",
-                        GiNaC::ex_to<GiNaC::numeric>(trajectory.pieces[segment].begin).to_double(),
+    text += fmt::format(", t = {:.4g}{}", approx_time_at(trajectory, {segment, 0}),
                         unit_suffix(trajectory.time_unit));
   return text;
 }

@@ -162,24 +162,22 @@ void set_verdict(PathPaving& paving) {
   }
 }
 
-double approx_time(const TrajectoryPiece& piece, double s) {
+}  // namespace
+
+double approx_time_at(const Trajectory& trajectory, const PathPlace& place) {
+  const TrajectoryPiece& piece = trajectory.pieces[place.piece];
   const double begin = GiNaC::ex_to<GiNaC::numeric>(piece.begin).to_double();
   const double end = GiNaC::ex_to<GiNaC::numeric>(piece.end).to_double();
-  return begin + s * (end - begin);
+  return begin + place.s * (end - begin);
 }
-
-}  // namespace
 
 double approx_share_of(const Trajectory& trajectory, const std::vector<PathStretch>& stretches,
                        Claim claim) {
-  const auto& pieces = trajectory.pieces;
-  const auto time = [&pieces](const PathPlace& place) {
-    return approx_time(pieces[place.piece], place.s);
-  };
+  const auto time = [&](const PathPlace& place) { return approx_time_at(trajectory, place); };
   double sum = 0;
   for (const PathStretch& stretch : stretches)
     if (stretch.claim == claim) sum += time(stretch.end) - time(stretch.begin);
-  return sum / (approx_time(pieces.back(), 1) - approx_time(pieces.front(), 0));
+  return sum / (time({trajectory.pieces.size() - 1, 1}) - time({0, 0}));
 }
 
 double PathPaving::approx_share(Claim claim) const {

@@ -47,6 +47,8 @@ struct PathPaving {
   [[nodiscard]] double approx_share(Claim claim) const;
 };
 
+/// Returns the time at a place, to nearest: for people.
+[[nodiscard]] double approx_time_at(const Trajectory& trajectory, const PathPlace& place);
 /// Returns the part of a claim in the time of a trajectory, approximately, in [0, 1].
 [[nodiscard]] double approx_share_of(const Trajectory& trajectory,
                                      const std::vector<PathStretch>& stretches, Claim claim);
