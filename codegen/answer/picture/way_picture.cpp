@@ -78,7 +78,7 @@ std::string share_text(double share) {
   return fmt::format("{:.3g} %", std::clamp(100 * share, 0.001, 99.9));
 }
 
-void add_legends(Plot& plot, const WayPaving& paving) {
+void add_legends(Plot& plot, const DrawnStretches& paving) {
   for (const Claim claim :
        {Claim::kFree, Claim::kSingular, Claim::kUndecided, Claim::kOutside, Claim::kUnreachable}) {
     const double share = approx_share_of(paving.trajectory, paving.stretches, claim);
@@ -108,12 +108,12 @@ WayPictures::WayPictures(const PictureRequest& request) {
     drawings_.push_back({file, std::make_unique<Gnuplot>(file)});
 }
 
-void WayPictures::draw(const WayPaving& paving) {
+void WayPictures::draw(const DrawnStretches& paving) {
   for (Drawing& drawing : drawings_)
     drawing.gnuplot->draw(way_picture_commands(drawing.file, paving));
 }
 
-std::string way_picture_commands(const std::string& file, const WayPaving& paving) {
+std::string way_picture_commands(const std::string& file, const DrawnStretches& paving) {
   const Trajectory& trajectory = paving.trajectory;
   const Rows rows(trajectory.pieces.size());
   const bool is_one = rows.a_row() == 1;

@@ -15,7 +15,7 @@
 namespace regulus {
 
 /// What is drawn.
-struct WayPaving {
+struct DrawnStretches {
   std::string title;
   const Trajectory& trajectory;
   std::vector<PathStretch> stretches;  ///< in order, without gaps
@@ -29,7 +29,7 @@ class WayPictures {
   explicit WayPictures(const PictureRequest& request);
 
   /// Throws FileError if a picture cannot be written.
-  void draw(const WayPaving& paving);
+  void draw(const DrawnStretches& paving);
 
  private:
   struct Drawing {
@@ -40,6 +40,7 @@ class WayPictures {
 };
 
 /// Returns the commands of gnuplot.
-[[nodiscard]] std::string way_picture_commands(const std::string& file, const WayPaving& paving);
+[[nodiscard]] std::string way_picture_commands(const std::string& file,
+                                               const DrawnStretches& paving);
 
 }  // namespace regulus
