@@ -158,6 +158,7 @@ force = [1, 9]
 force_unit = "kN"
 [motion.line]
 x = [-1, 1]
+y = 1
 [motion.area]
 x = [-1, 1]
 y = [0, 2]
@@ -169,7 +170,7 @@ class PictureOfALoad : public PictureFile {
  protected:
   PictureOfALoad() {
     std::ofstream(model_) << kHeld;
-    std::ofstream(folder_.path() / "way.csv") << "t [s],x [m]\n0,0\n1,0.9\n3,0.3\n";
+    std::ofstream(folder_.path() / "way.csv") << "t [s],x [m],y [m]\n0,0,1\n1,0.9,1\n3,0.3,1\n";
   }
   const std::string model_ = folder_.path() / "held.toml";
 };
