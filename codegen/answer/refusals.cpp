@@ -15,10 +15,8 @@ namespace regulus {
 namespace {
 
 constexpr std::string_view kNoBoxes = "a picture is of the boxes of a paving; ask where, by locate";
-constexpr std::string_view kLoadPicture = "a load has no picture; draw the boxes of the paving";
 constexpr std::string_view kOneMachine =
     "a motion along way-points is searched on one machine, by all of its threads";
-constexpr std::string_view kWayNotContinued = "a motion along way-points cannot be continued";
 constexpr std::string_view kNoRows = "a datasheet brackets many quantities; bound one of them";
 constexpr std::string_view kOneMethod = "for a load there is one method; leave the option out";
 constexpr std::string_view kNoTheorem =
@@ -28,39 +26,21 @@ using enum Kind;
 using enum Service;
 
 constexpr Refusal kRefusals[] = {
-    {kPaving, kCheckpoint, "a paving writes its boxes as they come; divide the ranges instead"},
     {kCondition2, kTheorem, kNoTheorem},
     {kLoad, kTheorem, kNoTheorem},
     {kLoadPaving, kTheorem, kNoTheorem},
-    {kLoadPaving, kPicture, kLoadPicture},
     {kDatasheet, kRanks, kNoRows},
-    {kWayCheck, kCheckpoint, kWayNotContinued},
     {kWayCheck, kRanks, kOneMachine},
-    {kWayPaving, kProof,
-     "there is no proof of the stretches of a motion along way-points; check proves the whole "
-     "motion"},
-    {kWayPaving, kShards, "there is no proof of stretches"},
-    {kWayPaving, kTheorem, "there is no proof of stretches"},
-    {kWayPaving, kCheckpoint, kWayNotContinued},
     {kWayPaving, kRanks, kOneMachine},
-    {kWayPaving, kPicture, "a motion along way-points is not drawn; the paving has its stretches"},
     {kWayMargin, kRanks, kOneMachine},
     {kWayLimitMargin, kRanks, kOneMachine},
     {kWayBound, kRanks, kOneMachine},
     {kWayCondition2, kTheorem, kNoTheorem},
     {kWayCondition2, kRanks, kOneMachine},
     {kWayLoad, kTheorem, kNoTheorem},
-    {kWayLoad, kCheckpoint, kWayNotContinued},
     {kWayLoad, kRanks, kOneMachine},
-    {kWayLoadPaving, kProof,
-     "there is no proof of the stretches of a motion along way-points; check proves the whole "
-     "motion"},
-    {kWayLoadPaving, kShards, "there is no proof of stretches"},
-    {kWayLoadPaving, kTheorem, "there is no proof of stretches"},
-    {kWayLoadPaving, kCheckpoint, kWayNotContinued},
+    {kWayLoadPaving, kTheorem, kNoTheorem},
     {kWayLoadPaving, kRanks, kOneMachine},
-    {kWayLoadPaving, kPicture,
-     "a motion along way-points is not drawn; the paving has its stretches"},
     {kWayDatasheet, kRanks, kNoRows},
     // What has no boxes has no picture.
     {kCheck, kPicture, kNoBoxes, false},
@@ -90,10 +70,6 @@ constexpr OptionRefusal kOptionsOfLoads[] = {
     {"precision", kOneMethod},
     {"symbolic-budget", kOneMethod},
     {"without", kOneMethod},
-    {"picture", kLoadPicture},
-    {"axes", kLoadPicture},
-    {"slices", kLoadPicture},
-    {"shade", kLoadPicture},
 };
 
 /// Returns the options that differ from their defaults, as the command calls them.

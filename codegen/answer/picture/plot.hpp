@@ -43,7 +43,7 @@ class Plot {
 [[nodiscard]] const char* colour_of(Claim claim);
 
 /// Adds a line for each claim that some box has, with the part of the volume.
-void add_legends(Plot& plot, const Volumes& volumes);
+void add_legends(Plot& plot, const PictureOptions& options, const Volumes& volumes);
 
 /// Returns part [begin, end) of `count` equal parts of a range.
 [[nodiscard]] Interval part_of(Interval range, std::size_t begin, std::size_t end,
