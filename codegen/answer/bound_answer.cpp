@@ -72,7 +72,7 @@ class AnswerOfBound final : public BoundAnswer {
  private:
   void run(Quantity quantity, const Services& services) {
     HeldFiles held;
-    settings_.held = &held;
+    settings_.placing = {&held, services.shard_size};
     std::optional<BracketCheckpoint> checkpoint;
     if (!services.checkpoint.path.empty())
       settings_.checkpoint = &checkpoint.emplace(
@@ -82,7 +82,7 @@ class AnswerOfBound final : public BoundAnswer {
           services.tell(format_component(component, settings_.limit.has_value()));
         });
     held.put_in_place();
-    settings_.held = nullptr;
+    settings_.placing.held = nullptr;
     settings_.checkpoint = nullptr;
     if (checkpoint) checkpoint_line_ = checkpoint->line();
   }
@@ -153,14 +153,14 @@ class Sheet final : public DatasheetAnswer {
  private:
   void run(const Services& services) {
     HeldFiles held;
-    settings_.held = &held;
+    settings_.placing = {&held, services.shard_size};
     std::optional<BracketCheckpoint> checkpoint;
     if (!services.checkpoint.path.empty())
       settings_.checkpoint = &checkpoint.emplace(
           services.checkpoint.path, checkpointed_datasheet(request_, settings_.search));
     found_ = make_datasheet(request_, settings_, [](const ComponentBound&) {});
     held.put_in_place();
-    settings_.held = nullptr;
+    settings_.placing.held = nullptr;
     settings_.checkpoint = nullptr;
     if (checkpoint) checkpoint_line_ = checkpoint->line();
     for (const Bound& bound : found_.bounds)

@@ -87,7 +87,7 @@ class WayCheck final : public CheckAnswer {
     check_ =
         check_trajectory(std::move(request), model_seconds, search_, !services.certificate.empty(),
                          {services.interrupt, display.observer(), &checkpoint});
-    proof = certify_trajectory(services.certificate, check_);
+    proof = certify_trajectory(services.certificate, check_, {nullptr, services.shard_size});
     checkpoint.finish(check_.can_continue && check_.verdict == Verdict::kPossibleProblem);
     checkpoint_line_ = checkpoint.line();
     if (check_.deciding) result = check_.deciding->result;

@@ -31,7 +31,7 @@ class LoadSearch {
   LoadSearch(const ModelOptions& model, const SearchOptions& search, const std::string& load,
              bool paves, const Services& services)
       : prepared_(prepare_forces(model, load, search, watch_of(services))),
-        certificate_(services.certificate, prepared_, paves) {}
+        certificate_(services.certificate, prepared_, paves, services.shard_size) {}
 
   /// An exception from the listener ends the search.
   void run(const FeasibilitySettings& settings, const ForceListener& listener,
@@ -107,7 +107,7 @@ class WayLoad final : public LoadAnswer {
                                     {services.interrupt, display.observer(), &checkpoint});
     verdict = found_.verdict;
     boxes = found_.boxes;
-    proof = certify_way_forces(services.certificate, found_);
+    proof = certify_way_forces(services.certificate, found_, {nullptr, services.shard_size});
     checkpoint.finish(found_.can_continue && verdict == FeasibilityVerdict::kPossibleProblem);
     checkpoint_line_ = checkpoint.line();
     if (verdict == FeasibilityVerdict::kFeasible) claim = describe_claim(found_);
@@ -200,7 +200,7 @@ class WayLoadPaving final : public LoadPavingAnswer {
     boxes = paving_.found.boxes;
     if (verdict == FeasibilityVerdict::kFeasible) claim = describe_claim(paving_.found);
     if (verdict == FeasibilityVerdict::kPossibleProblem) reason = describe_reason(paving_.found);
-    proof = certify_way_forces(services.certificate, paving_.found);
+    proof = certify_way_forces(services.certificate, paving_.found, {nullptr, services.shard_size});
     write();
     const Request& asked_about = paving_.found.request;
     pictures.draw({fmt::format("{}, {}, load {}", asked_about.model.name, asked_about.motion.name,
