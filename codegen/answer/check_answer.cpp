@@ -11,6 +11,7 @@
 #include "codegen/question/engine/search_run.hpp"
 #include "codegen/question/engine/settings.hpp"
 #include "codegen/question/way/read_trajectory.hpp"
+#include "codegen/question/way/sides_search.hpp"
 #include "codegen/question/way/trajectory_certificate.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 #include "codegen/support/stopwatch.hpp"
@@ -24,6 +25,13 @@ bool is_worth_waiting(const PreparedSearch& preparation, const Result& result) {
   return preparation.cache != name(CacheUse::kOff) &&
          (!result.stopped_by || *result.stopped_by == Reason::kBoxBudget ||
           *result.stopped_by == Reason::kStalled);
+}
+
+/// True if the search has ended by itself, and more of it would not help.
+bool is_undecided(const Result& result) {
+  return result.reason == Reason::kUndefined || result.reason == Reason::kWidth ||
+         result.reason == Reason::kStalled || result.reason == Reason::kUncertainty ||
+         result.reason == Reason::kSeemsSingular;
 }
 
 /// Of a motion whose poses are a box or follow a formula.
@@ -43,8 +51,9 @@ class VarietyCheck final : public CheckAnswer {
     result = run_search(prepared_, search_, settings, &observers, checkpoint.found());
     certificate.finish(result);
     checkpoint.finish(result, certificate.file());
-    nearest_ = nearest_singular(prepared_, result);
     proof = certificate.status();
+    if (is_undecided(result)) decide_by_sides(services, display.observer());
+    nearest_ = nearest_singular(prepared_, result);
     checkpoint_line_ = checkpoint.line();
     for (const VariableLabel& variable : prepared_.labels.variables)
       variables.push_back(variable.name);
@@ -68,6 +77,18 @@ class VarietyCheck final : public CheckAnswer {
   }
 
  private:
+  /// Where atan2 jumps on the motion, the matrix is followed on both sides.
+  void decide_by_sides(const Services& services, Observer* display) {
+    const CutSides sides(prepared_.stages->request());
+    if (sides.is_empty()) return;
+    const auto decision =
+        search_sides(sides, prepared_, result, search_, services.interrupt, display);
+    if (!decision) return;
+    result = decision->result;
+    proof = certify_sides(services.certificate, sides, prepared_, *decision);
+    prepared_.labels.matrix_notes.push_back(sides.note());
+  }
+
   SearchOptions search_;
   PreparedSearch prepared_;
   std::optional<LeastSingular> nearest_;
