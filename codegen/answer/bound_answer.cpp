@@ -13,7 +13,6 @@
 #include "codegen/question/bound/bound_report.hpp"
 #include "codegen/question/bound/bound_run.hpp"
 #include "codegen/question/bound/datasheet.hpp"
-#include "codegen/question/condition/condition_run.hpp"
 #include "codegen/question/margin/prepared_margin.hpp"
 #include "codegen/support/errors.hpp"
 
@@ -185,7 +184,6 @@ std::unique_ptr<BoundAnswer> ask(const AskBound& asked, const Services& services
       question.quantity.kind != QuantityKind::kCondition2)
     throw UsageError(services.dashes +
                      "checkpoint: with a limit there is one search and no bracket to continue");
-  refuse_unsupported(question.request, question.quantity);
   set_outputs_aside(asked.model, asked.search, services,
                     certificate_files(question.quantity, services.certificate));
   return std::make_unique<AnswerOfBound>(std::move(question), asked, services);

@@ -34,7 +34,7 @@ bool is_undecided(const Result& result) {
          result.reason == Reason::kSeemsSingular;
 }
 
-/// Of a motion whose poses are a box or follow a formula.
+/// The answer for a motion whose poses are a box or follow a formula.
 class VarietyCheck final : public CheckAnswer {
  public:
   VarietyCheck(const AskCheck& asked, const Services& services)
@@ -95,7 +95,7 @@ class VarietyCheck final : public CheckAnswer {
   std::string checkpoint_line_;
 };
 
-/// Of a motion along way-points: `variables` are empty.
+/// The answer for a motion along way-points has no `variables`.
 class WayCheck final : public CheckAnswer {
  public:
   WayCheck(Request request, double model_seconds, const AskCheck& asked, const Services& services)

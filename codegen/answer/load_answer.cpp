@@ -87,7 +87,7 @@ class VarietyLoad final : public LoadAnswer {
   LoadSearch search_;
 };
 
-/// Of a motion along way-points: `variables` are empty.
+/// The answer for a motion along way-points has no `variables`.
 class WayLoad final : public LoadAnswer {
  public:
   WayLoad(Request request, double model_seconds, const AskLoad& asked, const Services& services) {

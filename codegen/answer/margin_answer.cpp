@@ -87,7 +87,7 @@ class VarietyMargin final : public MarginAnswer {
   std::string checkpoint_line_;
 };
 
-/// Of a motion along way-points.
+/// The answer for a motion along way-points.
 class WayMargin final : public MarginAnswer {
  public:
   WayMargin(const MarginQuestion& question, Request request, const AskMargin& asked,
@@ -141,7 +141,7 @@ Json checkpointed(const Request& request, const MarginQuestion& question, const 
   return text;
 }
 
-/// Of a limit that a quantity must keep.
+/// The answer for a limit that a quantity must keep.
 class MarginOfLimit final : public MarginAnswer {
  public:
   MarginOfLimit(const MarginQuestion& question, const ModelOptions& model, const AskMargin& asked,

@@ -110,7 +110,7 @@ class VarietyPaving final : public PavingAnswer {
   Volumes volumes_;
 };
 
-/// Of a motion along way-points: stretches, and no boxes.
+/// The answer for a motion along way-points has stretches, and no boxes.
 class WayPaving final : public PavingAnswer {
  public:
   WayPaving(Request request, double model_seconds, const AskPaving& asked, const Services& services)

@@ -24,8 +24,6 @@ constexpr std::string_view kNoRows = "a datasheet brackets many quantities; boun
 constexpr std::string_view kOneMethod = "for a load there is one method; leave the option out";
 constexpr std::string_view kNoTheorem =
     "Coq proves what the regularity of a matrix says; regulus-verify proves this";
-constexpr std::string_view kNoWayCondition =
-    "a motion along way-points cannot be bounded yet; give the motion a formula, or ranges";
 
 using enum Kind;
 using enum Service;
@@ -61,7 +59,9 @@ constexpr Refusal kRefusals[] = {
     {kWayLimitMargin, kRanks, kOneMachine},
     {kWayBound, kShards, kOneFile},
     {kWayBound, kRanks, kOneMachine},
-    {kWayCondition2, kAnswer, kNoWayCondition},
+    {kWayCondition2, kShards, kOneFile},
+    {kWayCondition2, kTheorem, kNoTheorem},
+    {kWayCondition2, kRanks, kOneMachine},
     {kWayLoad, kShards, "a proof about a load stays in one file"},
     {kWayLoad, kTheorem, kNoTheorem},
     {kWayLoad, kCheckpoint, kWayNotContinued},
@@ -89,6 +89,7 @@ constexpr Refusal kRefusals[] = {
     {kWayMargin, kPicture, kNoBoxes, false},
     {kWayLimitMargin, kPicture, kNoBoxes, false},
     {kWayBound, kPicture, kNoBoxes, false},
+    {kWayCondition2, kPicture, kNoBoxes, false},
     {kWayLoad, kPicture, kNoBoxes, false},
     {kWayDatasheet, kPicture, kNoBoxes, false},
 };

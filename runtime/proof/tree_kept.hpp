@@ -21,6 +21,8 @@ class TreeKept final : public Observer {
   void split(const Split& split) noexcept;
   void leaf(BoxId box, Rule rule) noexcept;
 
+  /// Notes that a part of the tree is lost.
+  void lose() noexcept { is_whole_ = false; }
   /// Forgets the tree: another search begins.
   void clear() noexcept;
   /// Throws std::bad_alloc if there was no memory for some of it.

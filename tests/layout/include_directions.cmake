@@ -38,7 +38,8 @@ set(floors
     "codegen/answer/certificate"
     "codegen/answer/report"
     "codegen/question/margin"
-    "codegen/question/way codegen/question/bound codegen/question/condition codegen/question/load"
+    "codegen/question/way"
+    "codegen/question/bound codegen/question/condition codegen/question/load"
     "codegen/answer/picture codegen/answer/page"
     "codegen/answer"
     "codegen/use/api"
@@ -51,17 +52,8 @@ set(lent
     bound/bound_number.hpp
     bound/bound_run.hpp
     bound/bracket_topic.hpp
-    condition/condition_run.hpp
-    way/margin_checkpoint.hpp
-    way/path_attempts.hpp
-    way/path_bracket.hpp
-    way/path_parts.hpp
-    way/path_run.hpp
-    way/pieces_alone.hpp
-    way/trajectory_certificate.hpp
-    way/trajectory_paving.hpp
-    way/trajectory_report.hpp
-    way/trajectory_request.hpp)
+    bound/way_place.hpp
+    condition/condition_run.hpp)
 
 # What the verifier and what prints for Coq see.
 set(only_runtime/verifier runtime/files/ runtime/proof/format.hpp)

@@ -224,6 +224,24 @@ def test_a_check_has_a_page(circle, robot_1, tmp_path):
     assert "<iframe sandbox" in prepared._repr_html_()
     with pytest.raises(rg.FileError):
         found.page(tmp_path / "no folder" / "page.html")
+    found.page(tmp_path / "page.html")
+    assert (tmp_path / "page.html.old").read_text(encoding="utf-8") == text
+
+
+def test_a_page_never_replaces_the_model(tmp_path):
+    model = tmp_path / "own.toml"
+    text = (
+        'regulus = 1\nname = "own"\n[pose]\nx = "cm"\n[matrix]\nrows = [["x"]]\n'
+        "[motion.m]\nx = [1, 2]\n"
+    )
+    model.write_text(text)
+    proof = tmp_path / "proof"
+    found = rg.load(model).check(certificate=proof)
+    kept = proof.read_text()
+    for file in (model, proof):
+        with pytest.raises(rg.UsageError, match="page"):
+            found.page(file)
+    assert model.read_text() == text and proof.read_text() == kept
 
 
 def test_a_paving_is_drawn(circle, robot_1):

@@ -26,14 +26,17 @@ std::string certificate_of(const Component& c, const std::string& certificate) {
   return certificate.empty() ? certificate : certificate + certificate_suffix(c);
 }
 
-ComponentBound bound_variety(const Request& request, const Component& component, std::size_t number,
-                             const BoundSettings& settings, const TimeBudget& budget) {
-  if (component.kind != QuantityKind::kCondition2)
-    return bound_over_variety(request, component, number, settings, budget);
-  const auto other = [&](const Component& c, const BoundSettings& of, double seconds) {
-    return bound_variety(request, c, 0, of, TimeBudget(seconds));
-  };
-  return bound_condition_number(request, component, settings, budget.left(), budget.all(), other);
+ComponentBound bound_component(const Request& request, const Component& component,
+                               std::size_t number, const BoundSettings& settings,
+                               const TimeBudget& budget) {
+  if (component.kind == QuantityKind::kCondition2) {
+    const auto other = [&](const Component& c, const BoundSettings& of, double seconds) {
+      return bound_component(request, c, 0, of, TimeBudget(seconds));
+    };
+    return bound_condition_number(request, component, settings, budget.left(), budget.all(), other);
+  }
+  if (request.motion.trajectory) return bound_along_way(request, component, settings, budget);
+  return bound_over_variety(request, component, number, settings, budget);
 }
 
 /// Compares exact numbers; approximately only if their difference has no certain sign.
@@ -99,16 +102,12 @@ LimitVerdict Bound::verdict() const {
 
 Bound bound_quantity(const Request& request, Quantity quantity, const BoundSettings& settings,
                      const BoundListener& listener) {
-  const bool is_along_way = request.motion.trajectory != nullptr;
-  refuse_unsupported(request, quantity);
   Bound bound{std::move(quantity), {}};
   const TimeBudget all = TimeBudget::of_option(settings.search.time_limit, settings.forming_limit);
   const std::vector<Component>& components = bound.quantity.components;
   for (std::size_t i = 0; i < components.size(); ++i) {
     const TimeBudget budget = all.share(components.size() - i);
-    bound.components.push_back(is_along_way
-                                   ? bound_along_way(request, components[i], settings, budget)
-                                   : bound_variety(request, components[i], i, settings, budget));
+    bound.components.push_back(bound_component(request, components[i], i, settings, budget));
     // A certificate is of the end that the component's own search found.
     if (!settings.limit && settings.certificate.empty())
       use_freedoms(bound.components.back(), bound, request.model, settings.gap);

@@ -35,10 +35,7 @@ bool is_symmetric(const std::vector<Range>& ranges) {
 /// The questions of a datasheet, in the order of its rows.
 class Questions {
  public:
-  explicit Questions(const Request& request)
-      : model_(request.model), is_along_way_(request.motion.trajectory != nullptr) {
-    collect();
-  }
+  explicit Questions(const Model& model) : model_(model) { collect(); }
 
   std::vector<QuantityOptions> all;
 
@@ -51,7 +48,7 @@ class Questions {
     if (!model_.actuators.error.empty()) add("error");
     add("sigma-min");
     add("sigma-max");
-    if (!is_along_way_) add("condition").norm = "2";
+    add("condition").norm = "2";
     add("condition");
     add("determinant");
   }
@@ -77,7 +74,6 @@ class Questions {
   }
 
   const Model& model_;
-  const bool is_along_way_;
 };
 
 /// Returns the limits of a component, as a range of q; nullopt if the model has none.
@@ -137,7 +133,7 @@ std::string name_of(const QuantityOptions& asked) {
 std::vector<AskedQuantity> quantities_of(const Request& request,
                                          std::vector<std::string>& left_out) {
   std::vector<AskedQuantity> quantities;
-  for (const QuantityOptions& question : Questions(request).all) try {
+  for (const QuantityOptions& question : Questions(request.model).all) try {
       Quantity quantity = quantity_of(request.model, question);
       if (quantity.kind == QuantityKind::kCondition && quantity.components.size() > kMostPairs)
         throw UsageError(fmt::format("condition: {} pairs of a row and a column; bound it alone",

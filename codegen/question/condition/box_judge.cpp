@@ -11,10 +11,16 @@ using cluster::ByteReader;
 using cluster::ByteWriter;
 using cluster::MalformedMessage;
 
+void keep_attained(BoxFinding& finding, const std::vector<Interval>& point,
+                   std::span<const Interval> A, const Problem& problem, double attained) {
+  StretchedVectors shown = attained_condition(A, std::size_t(problem.kernel->rows),
+                                              std::size_t(problem.kernel->columns));
+  const double known = finding.attained ? finding.attained->shown.condition : attained;
+  if (shown.condition > known) finding.attained.emplace(ConditionWitness{point, std::move(shown)});
+}
+
 BoxJudge::BoxJudge(const ConditionQuestion& question)
     : problem_(question.problem),
-      rows_(question.problem.kernel->rows),
-      columns_(question.problem.kernel->columns),
       rotated_(question.problem, question.scaling),
       matrices_(rotated_.matrices()) {}
 
@@ -36,7 +42,8 @@ void BoxJudge::judge(std::span<const Box> boxes, std::span<BoxFinding> findings,
       continue;
     }
     if (matrices_.is_inhabited(lane))
-      keep(finding, matrices_.point(lane), matrices_.matrix_at_point(lane), attained);
+      keep_attained(finding, matrices_.point(lane), matrices_.matrix_at_point(lane), problem_,
+                    attained);
     if (finding.bound.growth.empty() || !(finding.bound.upper > attained)) continue;
     points.push_back(corner(boxes[lane], matrices_.point(lane), finding.bound.growth));
     of.push_back(lane);
@@ -44,7 +51,7 @@ void BoxJudge::judge(std::span<const Box> boxes, std::span<BoxFinding> findings,
   if (points.empty()) return;
   const auto matrices = matrices_.at(points);
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (matrices[i]) keep(findings[of[i]], points[i], *matrices[i], attained);
+    if (matrices[i]) keep_attained(findings[of[i]], points[i], *matrices[i], problem_, attained);
 }
 
 void BoxJudge::put(ByteWriter& to, const BoxFinding& finding) {
@@ -87,13 +94,6 @@ BoxJudge::Box BoxJudge::corner(const Box& box, Box point, const std::vector<doub
     point[v] = std::clamp(growth[v] > 0 ? box[v].hi : box[v].lo, inner->lo, inner->hi);
   }
   return point;
-}
-
-void BoxJudge::keep(BoxFinding& finding, const Box& point, std::span<const Interval> A,
-                    double attained) const {
-  StretchedVectors shown = attained_condition(A, rows_, columns_);
-  const double known = finding.attained ? finding.attained->shown.condition : attained;
-  if (shown.condition > known) finding.attained.emplace(ConditionWitness{point, std::move(shown)});
 }
 
 }  // namespace regulus

@@ -30,6 +30,13 @@ struct BoxFinding {
   std::optional<ConditionWitness> attained{};
 };
 
+/// Notes κ at a point, if it is above `attained` and what the finding has.
+///
+/// Shape     A row-major; encloses the matrix of the problem's kernel there.
+/// Rounding  MXCSR at nearest.
+void keep_attained(BoxFinding& finding, const std::vector<Interval>& point,
+                   std::span<const Interval> A, const Problem& problem, double attained);
+
 /// A judge of boxes (runtime/search/box_judges.hpp). Each thread has its own.
 class BoxJudge {
  public:
@@ -57,11 +64,8 @@ class BoxJudge {
 
  private:
   [[nodiscard]] Box corner(const Box& box, Box point, const std::vector<double>& growth) const;
-  void keep(BoxFinding& finding, const Box& point, std::span<const Interval> A,
-            double attained) const;
 
   const Problem& problem_;
-  const std::size_t rows_, columns_;
   RotatedBoxes rotated_;
   BoxMatrices& matrices_;
 };

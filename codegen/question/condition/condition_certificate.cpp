@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include "codegen/answer/certificate/certificate_question.hpp"
+#include "codegen/answer/certificate/piece_question.hpp"
 #include "codegen/question/bound/bound_certificate.hpp"
+#include "codegen/question/way/trajectory_certificate.hpp"
 #include "runtime/proof/format.hpp"
 
 namespace regulus {
@@ -15,18 +17,26 @@ ConditionCertificate::ConditionCertificate(const std::string& path, const Reques
     : proofs_(path, held, "no bound was proved", "no pose shows it", "upper", "attained"),
       request_(request),
       component_(component),
-      uncertain_(uncertain) {}
-
-CertifiedQuestion ConditionCertificate::question(const GiNaC::ex& number,
-                                                 const std::set<std::string>& uncertain) const {
-  Bordered itself;
-  itself.is_reciprocal = false;
-  return certified_bound(request_, component_, itself, number, uncertain);
+      uncertain_(uncertain) {
+  if (request.motion.trajectory) pieces_.emplace(request.motion.trajectory->pieces.size());
 }
 
-CertifiedQuestion ConditionCertificate::question_of_singularity(
-    const std::set<std::string>& uncertain) const {
-  return certified_bound(request_, component_, Bordered{}, 0, uncertain);
+Observer* ConditionCertificate::observer() noexcept {
+  if (!proofs_.are_wanted()) return nullptr;
+  return pieces_ ? static_cast<Observer*>(&*pieces_) : &tree_;
+}
+
+CertifiedAbout ConditionCertificate::about(const GiNaC::ex& number) const {
+  Bordered itself;
+  itself.is_reciprocal = number.is_zero();
+  return [this, itself, number](const Request& request, const std::set<std::string>& uncertain) {
+    return certified_bound(request, component_, itself, number, uncertain);
+  };
+}
+
+CertifiedQuestion ConditionCertificate::on_piece(std::size_t piece, const CertifiedAbout& about,
+                                                 const std::set<std::string>& uncertain) const {
+  return about(pieces_ ? piece_request(request_, piece) : request_, uncertain);
 }
 
 bool ConditionCertificate::is_refused(const CertifiedQuestion& question, bool is_singular) {
@@ -39,24 +49,33 @@ bool ConditionCertificate::is_refused(const CertifiedQuestion& question, bool is
 
 void ConditionCertificate::prove(const BoundEnd& end) {
   if (!proofs_.are_wanted()) return;
-  const CertifiedQuestion question = this->question(end.exact, uncertain_);
-  if (is_refused(question, false)) return;
-  const auto file = with_file_errors([&] {
+  const CertifiedAbout about = this->about(end.exact);
+  const CertifiedQuestion one = on_piece(0, about, uncertain_);
+  if (is_refused(one, false)) return;
+  const auto file =
+      pieces_ ? proof_of_pieces(proofs_.safe_file(),
+                                trajectory_question(request_, uncertain_, about).head(false),
+                                pieces_->trees(), certificate_word)
+              : proof_of_tree(one.head(false));
+  proofs_.write_safe(file, "below " + rounded_text(end, RoundTo::kAbove));
+}
+
+std::shared_ptr<ProofFile> ConditionCertificate::proof_of_tree(const std::string& head) const {
+  return with_file_errors([&] {
     auto proof = std::make_shared<ProofFile>(proofs_.safe_file());
-    proof->begin(question.head(false));
+    proof->begin(head);
     tree_.write_to(*proof, certificate_word);
     proof->complete();
     return proof;
   });
-  proofs_.write_safe(file, "below " + rounded_text(end, RoundTo::kAbove));
 }
 
-void ConditionCertificate::attain(const BoundEnd& end, const std::vector<Interval>& variables) {
+void ConditionCertificate::attain(const BoundEnd& end, const ConditionPlace& place) {
   if (!proofs_.are_wanted()) return;
-  const CertifiedQuestion question = this->question(end.exact, uncertain_);
+  const CertifiedQuestion question = on_piece(place.piece, about(end.exact), uncertain_);
   if (is_refused(question, true)) return;
   std::string witness = fmt::format("reason {}\npoint 0", format::kRatio);
-  for (const Interval& x : variables) witness += ' ' + coordinate_text(x);
+  for (const Interval& x : place.variables) witness += ' ' + coordinate_text(x);
   proofs_.write_singular(question.head(true), witness + "\nend\n",
                          "attains " + rounded_text(end, RoundTo::kBelow));
 }
@@ -66,24 +85,20 @@ void ConditionCertificate::note_ratio() {
       "it is the ratio of the bounds of sigma-max and sigma-min, which have one each");
 }
 
-void ConditionCertificate::show_singular(const Result& result,
-                                         const std::set<std::string>& uncertain) {
-  if (proofs_.are_wanted()) write_singular(result, uncertain);
-}
-
-void ConditionCertificate::show_singular(const std::vector<Interval>& variables) {
-  if (!proofs_.are_wanted()) return;
+void ConditionCertificate::show_singular(const ConditionPlace& place) {
   const GiNaC::matrix& matrix = request_.model.matrix;
   Result result;
   result.verdict = Verdict::kSingularity;
   result.reason = matrix.rows() == matrix.cols() ? Reason::kSmallDeterminant : Reason::kLostRank;
-  result.witness.emplace().points.push_back({variables, {}, {}, {}, {}});
-  write_singular(result, uncertain_);
+  result.witness.emplace().points.push_back({place.variables, {}, {}, {}, {}});
+  show_singular(result, uncertain_, place.piece);
 }
 
-void ConditionCertificate::write_singular(const Result& result,
-                                          const std::set<std::string>& uncertain) {
-  const CertifiedQuestion question = question_of_singularity(uncertain);
+void ConditionCertificate::show_singular(const Result& result,
+                                         const std::set<std::string>& uncertain,
+                                         std::size_t piece) {
+  if (!proofs_.are_wanted()) return;
+  const CertifiedQuestion question = on_piece(piece, about(0), uncertain);
   if (is_refused(question, true)) return;
   proofs_.write_singular(question.head(true), witness_lines(result), "the matrix is singular");
 }

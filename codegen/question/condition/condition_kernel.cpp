@@ -5,6 +5,7 @@
 
 #include "codegen/answer/certificate/certificate_question.hpp"
 #include "codegen/question/quantity/inverse_in_one_unit.hpp"
+#include "codegen/question/way/trajectory_request.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus {
@@ -40,6 +41,12 @@ bool has_expansion(const PreparedSearch& prepared) {
   return rows != nullptr && std::all_of(rows, rows + kernel.variables, [](int r) { return r < 0; });
 }
 
+/// Returns the question about every pose that the kernel must reach: of a trajectory, its hull.
+Request reached_by(const Request& request) {
+  if (!request.motion.trajectory) return request;
+  return hull_request(request, PathBounds(*request.motion.trajectory, request.motion.error));
+}
+
 PreparedSearch form_kernel(const Request& request, const SearchOptions& search, bool expands,
                            const FormingWatch& watch) {
   return prepare(inverse_in_one_unit(request), 0, options_of_kernel(search, expands), watch);
@@ -49,11 +56,12 @@ PreparedSearch form_kernel(const Request& request, const SearchOptions& search, 
 
 ConditionKernel form_condition_kernel(const Request& request, const SearchOptions& search,
                                       const FormingWatch& watch) {
-  bool expands = may_expand(request);
-  PreparedSearch prepared = form_kernel(request, search, expands, watch);
+  const Request reached = reached_by(request);
+  bool expands = may_expand(reached);
+  PreparedSearch prepared = form_kernel(reached, search, expands, watch);
   if (expands && !prepared.stopped && !has_expansion(prepared)) {
     expands = false;
-    prepared = form_kernel(request, search, expands, watch);
+    prepared = form_kernel(reached, search, expands, watch);
   }
   return {std::move(prepared), expands};
 }
@@ -71,7 +79,7 @@ PreparedSearch prepare_condition(const BracketTopic& topic, const Request& reque
   const bool expands = topic.kind == TopicKind::kExpandedMatrix;
   SearchOptions forming = search;
   forming.time_limit = 0;  // the process that asks ends the search
-  PreparedSearch prepared = form_kernel(request, forming, expands, {});
+  PreparedSearch prepared = form_kernel(reached_by(request), forming, expands, {});
   if (expands && !prepared.stopped && !has_expansion(prepared))
     throw InternalError("the ranks have formed different matrices");
   return prepared;

@@ -5,14 +5,17 @@
 #include <cmath>
 
 #include "codegen/answer/certificate/certificate_question.hpp"
+#include "codegen/answer/certificate/piece_question.hpp"
 #include "codegen/answer/report/progress.hpp"
 #include "codegen/model/exact/expression_parser.hpp"
+#include "codegen/question/bound/way_place.hpp"
 #include "codegen/question/condition/condition_certificate.hpp"
 #include "codegen/question/condition/condition_kernel.hpp"
 #include "codegen/question/condition/condition_search.hpp"
 #include "codegen/question/engine/search_run.hpp"
 #include "codegen/question/engine/settings.hpp"
-#include "codegen/support/errors.hpp"
+#include "codegen/question/way/path_run.hpp"
+#include "codegen/question/way/trajectory_report.hpp"
 #include "runtime/problem/observers.hpp"
 
 namespace regulus {
@@ -24,6 +27,8 @@ constexpr double kLeastConditionSearch = 0.5;
 constexpr double kGapOfExtremes = 0.01;
 
 constexpr int kDigitsOfEnd = 12;
+/// The part of the upper end that is left to the rounding of the verifier, whose test is another one.
+constexpr double kRoomToVerify = 0x1p-32;
 
 /// Returns the number itself, as a fraction.
 GiNaC::ex exact_number(double x) {
@@ -47,35 +52,37 @@ std::string describe_end(const ConditionResult& result) {
          describe(result.reason);
 }
 
+/// What does not depend on whether the poses are a variety or a trajectory.
 class ConditionRun {
  public:
   ConditionRun(const Request& request, const Component& component, const BoundSettings& settings,
                double seconds, double left, const OtherBound& other)
-      : request_(request),
-        settings_(settings),
-        other_(other),
+      : other_(other),
         seconds_(std::max(seconds, 1e-3)),
-        left_(left) {
+        left_(left),
+        request_(request),
+        settings_(settings) {
     result_.component = component;
     SearchOptions forming = settings.search;
     forming.time_limit = std::max(left, 1e-3);
     kernel_ =
         form_condition_kernel(request, forming, forming_watch(settings.output, settings.interrupt));
   }
+  ConditionRun(const ConditionRun&) = delete;
+  ConditionRun& operator=(const ConditionRun&) = delete;
+  virtual ~ConditionRun() = default;
 
   ComponentBound run() {
     certificate_.emplace(certificate_path(), request_, result_.component,
                          uncertain_names(prepared_.labels), settings_.held);
     if (prepared_.stopped) return stopped();
-    const MatrixScaling scaling = prepared_.stages->formulation().scaling;
-    const Problem problem = prepared_.problem();
     SearchDisplay display(settings_.output);
     std::vector<Observer*> watching;
     for (Observer* observer : {certificate_->observer(), display.observer()})
       if (observer != nullptr) watching.push_back(observer);
     Observers observers(std::move(watching));
     const auto search = [&](const ConditionSettings& settings) {
-      return search_condition({problem, scaling}, settings, &observers);
+      return this->search(settings, observers);
     };
     const ConditionResult found =
         settings_.checkpoint == nullptr
@@ -86,10 +93,7 @@ class ConditionRun {
     result_.seconds += prepared_.seconds_spent();
     result_.is_empty = found.is_empty;
     result_.is_unbounded = found.is_singular;
-    if (found.attained && !result_.place)
-      result_.place = place_of(
-          found.attained->variables,
-          BoxMatrices(problem, scaling, problem.outer.size()).pose_at(found.attained->variables));
+    if (found.attained && !result_.place) result_.place = place_of(found.attained->variables);
     if (settings_.limit)
       set_verdict(found);
     else
@@ -98,6 +102,39 @@ class ConditionRun {
     result_.proofs = certificate_->proofs();
     return std::move(result_);
   }
+
+ protected:
+  [[nodiscard]] virtual ConditionResult search(const ConditionSettings& settings,
+                                               Observer& observer) = 0;
+  /// Returns a point of the search as the certificate has it.
+  [[nodiscard]] virtual ConditionPlace on_certificate(const std::vector<Interval>& point) const = 0;
+  [[nodiscard]] virtual AttainedPlace place_of(const std::vector<Interval>& point) = 0;
+  /// Searches for a singular pose, as `check` does, and shows it.
+  [[nodiscard]] virtual bool has_singular_pose(double seconds) = 0;
+
+  [[nodiscard]] MatrixScaling scaling() const { return prepared_.stages->formulation().scaling; }
+  [[nodiscard]] std::vector<Interval> pose_at(const Problem& kernel,
+                                              const std::vector<Interval>& point) const {
+    return BoxMatrices(kernel, scaling(), kernel.outer.size()).pose_at(point);
+  }
+  /// Returns the question whether the matrix is regular.
+  [[nodiscard]] Request about_regularity() const {
+    Request request = request_;
+    request.motion.alpha = 0;
+    return request;
+  }
+  [[nodiscard]] SearchOptions options_in(double seconds) const {
+    SearchOptions search = settings_.search;
+    search.time_limit = seconds;
+    search.workers = nullptr;  // they have another kernel
+    return search;
+  }
+  void show_singular(AttainedPlace place, const Result& result,
+                     const std::set<std::string>& uncertain, std::size_t piece) {
+    result_.place = std::move(place);
+    certificate_->show_singular(result, uncertain, piece);
+  }
+  void count(std::uint64_t boxes) { result_.boxes += boxes; }
 
  private:
   [[nodiscard]] std::string certificate_path() const {
@@ -122,9 +159,10 @@ class ConditionRun {
       return result_.verdict == verdict ? std::optional(end_at(*settings_.limit)) : std::nullopt;
     };
     if (found.attained && found.attained->shown.condition == kInfinity)
-      certificate_->show_singular(found.attained->variables);
+      certificate_->show_singular(on_certificate(found.attained->variables));
     const auto attained = end(result_.attained, LimitVerdict::kExceeded);
-    if (attained && !found.is_singular) certificate_->attain(*attained, found.attained->variables);
+    if (attained && !found.is_singular)
+      certificate_->attain(*attained, on_certificate(found.attained->variables));
     const auto proved = end(result_.proved, LimitVerdict::kWithin);
     if (proved && found.is_by_hint)
       certificate_->note_ratio();
@@ -175,31 +213,6 @@ class ConditionRun {
     return enclose_constant(bound.proved->exact, quantity);
   }
 
-  /// Searches for a singular pose, as `check` does.
-  bool has_singular_pose(double seconds) {
-    SearchOptions search = settings_.search;
-    search.time_limit = seconds;
-    search.workers = nullptr;  // they have another kernel
-    Request request = request_;
-    request.motion.alpha = 0;
-    PreparedSearch prepared = prepare(std::move(request), 0, search,
-                                      forming_watch(settings_.output, settings_.interrupt));
-    const Settings settings = settings_of(prepared, search, settings_.interrupt);
-    const Result result = run_search(prepared, search, settings);
-    result_.boxes += result.statistics.boxes;
-    if (result.verdict != Verdict::kSingularity) return false;
-    result_.place = attained_place(prepared, result, "");
-    certificate_->show_singular(result, uncertain_names(prepared.labels));
-    return true;
-  }
-
-  [[nodiscard]] AttainedPlace place_of(const std::vector<Interval>& variables,
-                                       const std::vector<Interval>& pose) const {
-    Result result;
-    result.witness.emplace().points.push_back({variables, {}, {}, {}, pose});
-    return attained_place(prepared_, result, "");
-  }
-
   void set_verdict(const ConditionResult& found) {
     const Interval limit = enclose_constant(*settings_.limit, "--limit");
     const bool is_exceeded =
@@ -212,39 +225,140 @@ class ConditionRun {
       result_.reason = describe_end(found);
   }
 
+  /// Returns a bound a little above that of the search, within the gap.
+  [[nodiscard]] double with_room(const ConditionResult& found) const {
+    double end = found.proved * (1 + kRoomToVerify);
+    if (found.is_closed && found.attained)
+      end = std::min(end, found.attained->shown.condition / (1 - settings_.gap));
+    return std::max(end, found.proved);
+  }
+
   void set_ends(const ConditionResult& found) {
     if (found.is_singular || found.is_empty) return;
-    if (std::isfinite(found.proved)) result_.proved = decimal_end(found.proved, RoundTo::kAbove);
+    if (std::isfinite(found.proved))
+      result_.proved = decimal_end(with_room(found), RoundTo::kAbove);
     if (found.attained)
       result_.attained = decimal_end(found.attained->shown.condition, RoundTo::kBelow);
     result_.is_closed = found.is_closed && found.attained.has_value();
     if (!result_.is_closed) result_.reason = describe_end(found);
   }
 
-  const Request& request_;
-  const BoundSettings& settings_;
   const OtherBound& other_;
   const double seconds_, left_;
   ConditionKernel kernel_;
-  PreparedSearch& prepared_ = kernel_.prepared;
   std::optional<ConditionCertificate> certificate_;
   ComponentBound result_;
+
+ protected:
+  const Request& request_;
+  const BoundSettings& settings_;
+  PreparedSearch& prepared_ = kernel_.prepared;
+};
+
+class VarietyCondition final : public ConditionRun {
+ public:
+  using ConditionRun::ConditionRun;
+
+ private:
+  ConditionResult search(const ConditionSettings& settings, Observer& observer) override {
+    return search_condition({prepared_.problem(), scaling()}, settings, &observer);
+  }
+
+  [[nodiscard]] ConditionPlace on_certificate(const std::vector<Interval>& point) const override {
+    return {point};
+  }
+
+  AttainedPlace place_of(const std::vector<Interval>& point) override {
+    Result result;
+    result.witness.emplace().points.push_back(
+        {point, {}, {}, {}, pose_at(prepared_.problem(), point)});
+    return attained_place(prepared_, result, "");
+  }
+
+  bool has_singular_pose(double seconds) override {
+    const SearchOptions search = options_in(seconds);
+    PreparedSearch prepared = prepare(about_regularity(), 0, search,
+                                      forming_watch(settings_.output, settings_.interrupt));
+    const Result result =
+        run_search(prepared, search, settings_of(prepared, search, settings_.interrupt));
+    count(result.statistics.boxes);
+    if (result.verdict != Verdict::kSingularity) return false;
+    show_singular(attained_place(prepared, result, ""), result, uncertain_names(prepared.labels),
+                  0);
+    return true;
+  }
+};
+
+/// The poses of a trajectory: one search of all of its pieces.
+class WayCondition final : public ConditionRun {
+ public:
+  WayCondition(const Request& request, const Component& component, const BoundSettings& settings,
+               double seconds, double left, const OtherBound& other)
+      : ConditionRun(request, component, settings, seconds, left, other),
+        path_(trajectory(), request.motion.error) {
+    SearchOptions options = settings.search;
+    settle_options(options);
+  }
+
+ private:
+  [[nodiscard]] const Trajectory& trajectory() const { return *request_.motion.trajectory; }
+
+  ConditionResult search(const ConditionSettings& settings, Observer& observer) override {
+    variety_.emplace(path_, prepared_.problem(), request_.motion.parameters.size());
+    return search_condition({variety_->problem(), *variety_, scaling()}, settings, &observer);
+  }
+
+  [[nodiscard]] ConditionPlace on_certificate(const std::vector<Interval>& point) const override {
+    return {variety_->on_piece(point), variety_->piece_of(point)};
+  }
+
+  AttainedPlace place_of(const std::vector<Interval>& point) override {
+    const ConditionPlace place = on_certificate(point);
+    SearchOptions options = options_in(0);
+    options.method = Method::kReg;
+    options.engine = Engine::kInterpreted;
+    const PreparedSearch piece = prepare(piece_request(about_regularity(), place.piece), 0, options,
+                                         forming_watch(settings_.output, settings_.interrupt));
+    if (piece.stopped) return segment_of(place);
+    Result result;
+    result.witness.emplace().points.push_back(
+        {place.variables, {}, {}, {}, pose_at(variety_->kernel(), variety_->on_kernel(point))});
+    return place_on_way(trajectory(), place.piece, piece, result, "");
+  }
+
+  /// What is known of a place without the matrix of its piece.
+  [[nodiscard]] AttainedPlace segment_of(const ConditionPlace& place) const {
+    AttainedPlace segment;
+    segment.pose = describe_segment(trajectory(), place.piece, place.variables.front());
+    segment.json["segment"] = json_segment(trajectory(), place.piece, place.variables.front());
+    return segment;
+  }
+
+  bool has_singular_pose(double seconds) override {
+    SearchDisplay display(settings_.output);
+    const TrajectoryCheck check =
+        check_trajectory(about_regularity(), 0, options_in(seconds), false,
+                         {settings_.interrupt, display.observer()});
+    count(check.path.statistics.boxes);
+    if (check.verdict != Verdict::kSingularity) return false;
+    const DecidingPiece& piece = *check.deciding;
+    show_singular(place_on_way(trajectory(), piece.index, *piece.preparation, piece.result, ""),
+                  piece.result, uncertain_names(piece.preparation->labels), piece.index);
+    return true;
+  }
+
+  const PathBounds path_;
+  std::optional<PathVariety> variety_;
 };
 
 }  // namespace
 
-void refuse_unsupported(const Request& request, const Quantity& quantity) {
-  if (quantity.kind != QuantityKind::kCondition2) return;
-  if (request.motion.trajectory)
-    throw UsageError(
-        "condition --norm 2: a motion along way-points cannot be bounded yet; give the motion a "
-        "formula, or ranges");
-}
-
 ComponentBound bound_condition_number(const Request& request, const Component& component,
                                       const BoundSettings& settings, double seconds, double left,
                                       const OtherBound& other) {
-  return ConditionRun(request, component, settings, seconds, left, other).run();
+  if (request.motion.trajectory)
+    return WayCondition(request, component, settings, seconds, left, other).run();
+  return VarietyCondition(request, component, settings, seconds, left, other).run();
 }
 
 }  // namespace regulus

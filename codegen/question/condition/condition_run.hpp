@@ -6,10 +6,6 @@
 
 namespace regulus {
 
-/// Throws    UsageError if the quantity is a condition number in the 2-norm and the motion follows
-///           way-points, which its search does not have.
-void refuse_unsupported(const Request& request, const Quantity& quantity);
-
 /// Brackets another quantity of the same question, in so many seconds.
 using OtherBound =
     std::function<ComponentBound(const Component&, const BoundSettings&, double seconds)>;
@@ -17,8 +13,9 @@ using OtherBound =
 /// Brackets κ, or compares it with the limit of `settings`. `seconds`: for the search; `left`: to form
 /// the matrix; `other`: for singular values.
 ///
-/// Requires  component.kind is kCondition2; refuse_unsupported() has not thrown.
-/// Throws    the exceptions of prepare().
+/// Requires  component.kind is kCondition2.
+/// Throws    UsageError for options that a motion along way-points does not have; the exceptions of
+///           prepare().
 [[nodiscard]] ComponentBound bound_condition_number(const Request& request,
                                                     const Component& component,
                                                     const BoundSettings& settings, double seconds,

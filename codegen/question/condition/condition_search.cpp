@@ -39,7 +39,10 @@ class ConditionGoal {
 
   ConditionGoal(BoxCourse& course, const Problem& problem, const ConditionSettings& settings)
       : course_(course), settings_(settings) {
-    for (const Interval& range : problem.outer) ranges_.push_back(width_ru(range));
+    for (std::size_t v = 0; v < problem.outer.size(); ++v) {
+      const bool is_idle = v < problem.idle.size() && problem.idle[v] != 0;
+      ranges_.push_back(is_idle ? kInfinity : width_ru(problem.outer[v]));
+    }
   }
 
   void start(TreeBox root) { open_.push({std::move(root)}); }
@@ -209,14 +212,25 @@ class ConditionGoal {
   ConditionResult result_;
 };
 
+template <class Judge>
+ConditionResult search_with(const typename Judge::Question& question,
+                            const ConditionSettings& settings, Observer* progress) {
+  BoxCourse course(question.problem, settings, progress);
+  ConditionGoal goal(course, question.problem, settings);
+  BoxSearch<Judge, ConditionGoal>(question, 2 * kMostParents, course, goal).run();
+  return goal.finish();
+}
+
 }  // namespace
 
 ConditionResult search_condition(const ConditionQuestion& question,
                                  const ConditionSettings& settings, Observer* progress) {
-  BoxCourse course(question.problem, settings, progress);
-  ConditionGoal goal(course, question.problem, settings);
-  BoxSearch<BoxJudge, ConditionGoal>(question, 2 * kMostParents, course, goal).run();
-  return goal.finish();
+  return search_with<BoxJudge>(question, settings, progress);
+}
+
+ConditionResult search_condition(const PathConditionQuestion& question,
+                                 const ConditionSettings& settings, Observer* progress) {
+  return search_with<PathJudge>(question, settings, progress);
 }
 
 }  // namespace regulus

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "codegen/question/condition/box_judge.hpp"
+#include "codegen/question/condition/path_judge.hpp"
 #include "runtime/search/box_search.hpp"
 
 namespace regulus {
@@ -54,6 +55,10 @@ struct ConditionResult {
 /// Throws    SavedTreeError if `from` is no tree of a search with these variables; the
 ///           exceptions of the workers.
 [[nodiscard]] ConditionResult search_condition(const ConditionQuestion& question,
+                                               const ConditionSettings& settings,
+                                               Observer* progress);
+/// Overload for a trajectory: the variables are those of the PathVariety.
+[[nodiscard]] ConditionResult search_condition(const PathConditionQuestion& question,
                                                const ConditionSettings& settings,
                                                Observer* progress);
 

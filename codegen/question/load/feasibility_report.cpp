@@ -19,24 +19,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kFormatVersion = 1;
-constexpr std::array kEveryClaim{ForceClaim::kFeasible, ForceClaim::kInfeasible,
-                                 ForceClaim::kUndecided, ForceClaim::kOutside};
-
-/// The claim of Volumes that stands for a claim about forces.
-Claim stand_in(ForceClaim claim) noexcept {
-  switch (claim) {
-    case ForceClaim::kFeasible:
-      return Claim::kFree;
-    case ForceClaim::kInfeasible:
-      return Claim::kSingular;
-    case ForceClaim::kUndecided:
-      return Claim::kUndecided;
-    case ForceClaim::kOutside:
-      return Claim::kOutside;
-  }
-  return Claim::kUndecided;
-}
-
 std::string short_numbers(const std::vector<double>& values) {
   std::string text;
   for (const double value : values)
@@ -101,7 +83,7 @@ void tell_reason(const PreparedForces& prepared, const FeasibilityResult& result
 
 void tell_volumes(const PreparedForces& prepared, const ForceVolumes& volumes, Facts& facts) {
   Json kinds = Json::object();
-  for (const ForceClaim claim : kEveryClaim) {
+  for (const ForceClaim claim : kEveryForceClaim) {
     const std::uint64_t boxes = volumes.of(claim).boxes;
     kinds[name(claim)] = {{"boxes", boxes}, {"fraction", json_interval(volumes.fraction(claim))}};
     if (claim != ForceClaim::kOutside || prepared.preparation.labels.constraints > 0)
@@ -111,6 +93,20 @@ void tell_volumes(const PreparedForces& prepared, const ForceVolumes& volumes, F
 }
 
 }  // namespace
+
+Claim stand_in(ForceClaim claim) noexcept {
+  switch (claim) {
+    case ForceClaim::kFeasible:
+      return Claim::kFree;
+    case ForceClaim::kInfeasible:
+      return Claim::kSingular;
+    case ForceClaim::kUndecided:
+      return Claim::kUndecided;
+    case ForceClaim::kOutside:
+      return Claim::kOutside;
+  }
+  return Claim::kUndecided;
+}
 
 std::string describe_limits(const PreparedForces& prepared) {
   const auto& limits = prepared.forces.certain;
@@ -248,7 +244,8 @@ void tell_forces(const PreparedForces& prepared, const FeasibilityResult& result
 Json json_forces_header(const PreparedForces& prepared, double resolution) {
   const PreparedSearch& p = prepared.preparation;
   Json claims = Json::object();
-  for (const ForceClaim claim : kEveryClaim) claims[name(claim)] = describe_claim(prepared, claim);
+  for (const ForceClaim claim : kEveryForceClaim)
+    claims[name(claim)] = describe_claim(prepared, claim);
   return {{"regulus_forces", kFormatVersion},
           {"model", p.labels.model},
           {"model_sha256", p.labels.model_sha256},

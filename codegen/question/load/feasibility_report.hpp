@@ -31,6 +31,11 @@ void say_shortage(const PreparedForces& prepared, const ForceWitness& witness, F
 /// Returns "feasible", "infeasible" or "possible-problem".
 [[nodiscard]] const char* json_word(FeasibilityVerdict verdict) noexcept;
 
+inline constexpr std::array kEveryForceClaim{ForceClaim::kFeasible, ForceClaim::kInfeasible,
+                                             ForceClaim::kUndecided, ForceClaim::kOutside};
+/// Returns the claim of Volumes and of PathStretch that stands for a claim about forces.
+[[nodiscard]] Claim stand_in(ForceClaim claim) noexcept;
+
 /// Adds up the volumes of boxes by their claims.
 class ForceVolumes {
  public:

@@ -14,27 +14,9 @@
 namespace regulus {
 namespace {
 
-constexpr std::array kClaimsOfWay{ForceClaim::kFeasible, ForceClaim::kInfeasible,
-                                  ForceClaim::kUndecided, ForceClaim::kOutside};
-
-/// The claim of a PathStretch that stands for a claim about a load.
-Claim stand_in_of(ForceClaim claim) noexcept {
-  switch (claim) {
-    case ForceClaim::kFeasible:
-      return Claim::kFree;
-    case ForceClaim::kInfeasible:
-      return Claim::kSingular;
-    case ForceClaim::kUndecided:
-      return Claim::kUndecided;
-    case ForceClaim::kOutside:
-      return Claim::kOutside;
-  }
-  return Claim::kUndecided;
-}
-
 const char* word_of_stand_in(Claim claim) noexcept {
-  for (const ForceClaim held : kClaimsOfWay)
-    if (stand_in_of(held) == claim) return name(held);
+  for (const ForceClaim held : kEveryForceClaim)
+    if (stand_in(held) == claim) return name(held);
   return "";
 }
 
@@ -111,7 +93,7 @@ class WayForcePaver {
 std::vector<PathStretch> as_path_stretches(const WayForcePaving& paving) {
   std::vector<PathStretch> stretches;
   for (const ForceStretch& stretch : paving.stretches)
-    stretches.push_back({stand_in_of(stretch.claim), {}, stretch.begin, stretch.end});
+    stretches.push_back({stand_in(stretch.claim), {}, stretch.begin, stretch.end});
   return stretches;
 }
 
@@ -135,12 +117,12 @@ WayForcePaving pave_forces_along_way(Request request, double model_seconds, cons
 
 double WayForcePaving::approx_share(ForceClaim claim) const {
   return approx_share_of(*found.request.motion.trajectory, as_path_stretches(*this),
-                         stand_in_of(claim));
+                         stand_in(claim));
 }
 
 void tell_way_force_paving(const WayForcePaving& paving, Facts& facts) {
   std::vector<Claim> claims;
-  for (const ForceClaim claim : kClaimsOfWay) claims.push_back(stand_in_of(claim));
+  for (const ForceClaim claim : kEveryForceClaim) claims.push_back(stand_in(claim));
   tell_way_forces(paving.found, facts);
   facts.add("resolution", paving.resolution);
   tell_stretches(trajectory_of(paving), as_path_stretches(paving), claims, word_of_stand_in, facts);
@@ -149,7 +131,7 @@ void tell_way_force_paving(const WayForcePaving& paving, Facts& facts) {
 nlohmann::ordered_json json_force_stretch(const WayForcePaving& paving,
                                           const ForceStretch& stretch) {
   return json_stretch_of(trajectory_of(paving),
-                         {stand_in_of(stretch.claim), {}, stretch.begin, stretch.end},
+                         {stand_in(stretch.claim), {}, stretch.begin, stretch.end},
                          word_of_stand_in);
 }
 

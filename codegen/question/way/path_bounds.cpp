@@ -101,8 +101,10 @@ void PathBounds::find_moving(const Trajectory& trajectory, const std::vector<ex>
         });
     if (!is_moving && !has_error) continue;
     moving_.push_back(i);
-    const double error = has_error ? enclose_constant(errors[i], "a control error").hi : 0.0;
-    errors_.emplace_back(-error, error);
+    const Interval error =
+        has_error ? enclose_constant(errors[i], "a control error") : Interval(0.0);
+    errors_.emplace_back(-error.hi, error.hi);
+    certain_errors_.push_back(std::max(error.lo, 0.0));
   }
 }
 

@@ -43,6 +43,8 @@ class PathBounds {
   [[nodiscard]] std::span<const std::size_t> moving() const noexcept { return moving_; }
   /// Returns their control errors; 0: none.
   [[nodiscard]] std::span<const Interval> errors() const noexcept { return errors_; }
+  /// Returns an error that each of them surely reaches.
+  [[nodiscard]] std::span<const double> certain_errors() const noexcept { return certain_errors_; }
   /// Encloses the commanded values of the moving parameter number m.
   [[nodiscard]] Interval over(std::size_t piece, std::size_t m, double begin,
                               double end) const noexcept {
@@ -59,6 +61,7 @@ class PathBounds {
   std::size_t pieces_;
   std::vector<std::size_t> moving_;
   std::vector<Interval> errors_;
+  std::vector<double> certain_errors_;
   std::vector<CoordinateBounds> coordinates_;
   /// Level L: the hulls of groups of 2^L pieces, by group and moving parameter.
   std::vector<std::vector<Interval>> groups_;

@@ -31,9 +31,9 @@ std::string write_singular(const std::string& path, const TrajectoryCheck& check
 
 }  // namespace
 
-void write_pieces(const std::string& path, const std::string& head,
-                  const std::vector<TreeKept>& trees, LeafWord word, HeldFiles* held) {
-  const auto file = with_file_errors([&] {
+std::shared_ptr<ProofFile> proof_of_pieces(const std::string& path, const std::string& head,
+                                           const std::vector<TreeKept>& trees, LeafWord word) {
+  return with_file_errors([&] {
     auto proof = std::make_shared<ProofFile>(path);
     proof->begin(head);
     for (const TreeKept& tree : trees) {
@@ -43,7 +43,11 @@ void write_pieces(const std::string& path, const std::string& head,
     proof->complete();
     return proof;
   });
-  put_in_place(file, held);
+}
+
+void write_pieces(const std::string& path, const std::string& head,
+                  const std::vector<TreeKept>& trees, LeafWord word, HeldFiles* held) {
+  put_in_place(proof_of_pieces(path, head, trees, word), held);
 }
 
 ProofStatus certify_trajectory(const std::string& path, const TrajectoryCheck& check) {

@@ -2,6 +2,7 @@
 // The option --certificate for a motion along a trajectory.
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "codegen/answer/certificate/piece_question.hpp"
@@ -10,8 +11,13 @@
 
 namespace regulus {
 
-/// Writes the trees of all pieces, in their order. `held`: where the file waits for the end of the
-/// run. Throws FileError; std::bad_alloc if there was no memory for one of them.
+/// Writes the trees of all pieces, in their order. Throws FileError; std::bad_alloc if there was no
+/// memory for one of them.
+[[nodiscard]] std::shared_ptr<ProofFile> proof_of_pieces(const std::string& path,
+                                                         const std::string& head,
+                                                         const std::vector<TreeKept>& trees,
+                                                         LeafWord word);
+/// The same, and puts it in its place. `held`: where the file waits for the end of the run.
 void write_pieces(const std::string& path, const std::string& head,
                   const std::vector<TreeKept>& trees, LeafWord word, HeldFiles* held = nullptr);
 

@@ -2,6 +2,7 @@
 #include "codegen/use/api/page.hpp"
 
 #include "codegen/answer/page_of_answers.hpp"
+#include "codegen/support/earlier_outputs.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/use/api/algebra_lock.hpp"
 
@@ -9,11 +10,15 @@ namespace regulus {
 
 void write_page(const Question& question, const PageContents& contents, const std::string& file) {
   const AlgebraLock lock;
+  const ModelOptions& model = question.options();
+  set_earlier_outputs_aside(
+      {model.path, model.waypoints, contents.certificate, contents.page_template},
+      {{"page", file, true}});
   auto report = nlohmann::ordered_json::parse(contents.json, nullptr, false);
   if (report.is_discarded()) throw UsageError("page: `json` is no JSON object");
   PageOfAnswers page(contents.page_template.empty() ? PageTemplate::installed()
                                                     : PageTemplate::of_file(contents.page_template),
-                     question.options(), "");
+                     model, "");
   page.add({contents.kind, contents.headline, contents.report, std::move(report),
             contents.certificate, contents.no_certificate});
   static_cast<void>(page.write(file));

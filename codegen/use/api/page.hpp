@@ -22,10 +22,11 @@ struct PageContents {
 };
 
 /// Writes one HTML file, for any browser, that shows the answer to the question: the robot, the
-/// claim, and a proof that the browser does again.
+/// claim, and a proof that the browser does again. An earlier FILE is renamed to FILE.old.
 ///
 /// Requires  the contents are those of an answer to this question.
-/// Threads   as check(). Throws InputError for the model, FileError if the program has no page
+/// Threads   as check(). Throws InputError for the model, UsageError if `file` is one that
+///           is read, FileError if the program has no page
 ///           (regulus was built without npm), or a file cannot be read or written.
 void write_page(const Question& question, const PageContents& contents, const std::string& file);
 
