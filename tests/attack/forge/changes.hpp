@@ -2,6 +2,7 @@
 // One change of a certificate or of a model file, at random.
 #pragma once
 
+#include <set>
 #include <string>
 
 #include "tests/attack/oracle/random.hpp"
@@ -13,10 +14,18 @@ struct Change {
   std::string what;  ///< "line 12: 'entry x' -> 'entry x + 1'"
 };
 
-/// Changes a line of the question of a certificate; its proof stays.
+/// Changes lines of a certificate: one of the question, several in the same way, all of a kind, a
+/// condition to have a value, or the frame around the question.
 [[nodiscard]] Change change_certificate(const std::string& certificate, Random& random);
 
 /// Changes a number, a name, a word or a line of a model file.
 [[nodiscard]] Change change_model(const std::string& model, Random& random);
+
+/// Returns the first words of the lines that only one of two certificates has; of `quantity` also the
+/// second.
+[[nodiscard]] std::set<std::string> words_touched(const std::string& before,
+                                                  const std::string& after);
+/// Returns the first words of the lines that FORMAT.md describes in its tables.
+[[nodiscard]] std::set<std::string> words_of_format(const std::string& page);
 
 }  // namespace regulus::attack
