@@ -55,14 +55,15 @@ TEST(AWitness, IsPrintedAlikeForEveryInstructionSetAndEngine) {
                           "[motion.crossing]\nx = [-1, 1]\n"
                           "[motion.small]\nx = [\"0.2\", \"0.6\"]\nalpha = \"0.05\"\n";
   const std::vector<std::vector<std::string>> questions = {
-      {model, "crossing"}, {model, "small"}, {kRobot2, "table5_40"}};
+      {model, "crossing"}, {model, "small"}, {kRobot1, "wide_40"}};
   for (const auto& question : questions) {
     json first;
     for (const Isa isa : kAllIsas) {
       if (!supported(isa)) continue;
       for (const char* engine : {"interpreted", "jit"}) {
-        std::vector<std::string> words{"check",    question[0], question[1],  "--isa",   name(isa),
-                                       "--engine", engine,      "--no-cache", "--quiet", "--json"};
+        const std::vector<std::string> words{
+            "check",    question[0], question[1],  "--isa",   std::string(name(isa)),
+            "--engine", engine,      "--no-cache", "--quiet", "--json"};
         const json witness = json::parse(regulus(words).output)["witness"];
         ASSERT_TRUE(witness.is_object()) << question[1];
         if (first.is_null()) first = witness;
