@@ -50,9 +50,10 @@ class VarietyCheck final : public CheckAnswer {
         {certificate.observer(), checkpoint.observer(certificate.file()), display.observer()}));
     result = run_search(prepared_, search_, settings, &observers, checkpoint.found());
     certificate.finish(result);
-    checkpoint.finish(result, certificate.file());
+    write_beside([&] { checkpoint.finish(result, certificate.file()); });
     proof = certificate.status();
     if (is_undecided(result)) decide_by_sides(services, display.observer());
+    if (proof.is_lost()) lost.push_back(proof.obstacle());
     nearest_ = nearest_singular(prepared_, result);
     checkpoint_line_ = checkpoint.line();
     for (const VariableLabel& variable : prepared_.labels.variables)
@@ -105,6 +106,7 @@ class WayCheck final : public CheckAnswer {
         check_trajectory(std::move(request), model_seconds, search_, !services.certificate.empty(),
                          {services.interrupt, display.observer()});
     proof = certify_trajectory(services.certificate, check_);
+    if (proof.is_lost()) lost.push_back(proof.obstacle());
     if (check_.deciding) result = check_.deciding->result;
     result.verdict = check_.verdict;
     result.reason = check_.reason;
@@ -130,7 +132,7 @@ std::unique_ptr<CheckAnswer> ask(const AskCheck& asked, const Services& services
   refuse_services_along_way(Kind::kWayCheck, asked.model, asked.search, services);
   set_outputs_aside(asked.model, asked.search, services);
   Stopwatch watch;
-  std::optional<Request> along = read_trajectory(asked.model);
+  std::optional<Request> along = read_trajectory(asked.model, watch_of(services, asked.search));
   if (!along) return std::make_unique<VarietyCheck>(asked, services);
   services.begin_search();
   return std::make_unique<WayCheck>(std::move(*along), watch.lap(), asked, services);

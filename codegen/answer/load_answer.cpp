@@ -44,6 +44,7 @@ class LoadSearch {
     answer.verdict = result_.verdict;
     answer.boxes = result_.boxes;
     answer.proof = certificate_.status();
+    if (answer.proof.is_lost()) answer.lost.push_back(answer.proof.obstacle());
     for (const VariableLabel& variable : prepared_.preparation.labels.variables)
       answer.variables.push_back(variable.name);
     if (answer.verdict == FeasibilityVerdict::kFeasible) answer.claim = describe_claim(prepared_);
@@ -98,6 +99,7 @@ class WayLoad final : public LoadAnswer {
     verdict = found_.verdict;
     boxes = found_.boxes;
     proof = certify_way_forces(services.certificate, found_);
+    if (proof.is_lost()) lost.push_back(proof.obstacle());
     if (verdict == FeasibilityVerdict::kFeasible) claim = describe_claim(found_);
     if (verdict == FeasibilityVerdict::kPossibleProblem) reason = describe_reason(found_);
   }
@@ -130,8 +132,10 @@ class VarietyLoadPaving final : public LoadPavingAnswer {
       write(json_forces_box(prepared, box, held));
       if (services.on_force_box) services.on_force_box(held, box);
     });
-    write(json());
-    lines.finish();
+    write_beside([&] {
+      write(json());
+      lines.finish();
+    });
   }
 
   void tell(Facts& facts) const override { search_.tell(&volumes_, facts); }
@@ -171,7 +175,7 @@ class WayLoadPaving final : public LoadPavingAnswer {
     boxes = paving_.found.boxes;
     if (verdict == FeasibilityVerdict::kFeasible) claim = describe_claim(paving_.found);
     if (verdict == FeasibilityVerdict::kPossibleProblem) reason = describe_reason(paving_.found);
-    write();
+    write_beside([this] { write(); });
   }
 
   void tell(Facts& facts) const override { tell_way_force_paving(paving_, facts); }
@@ -197,7 +201,7 @@ std::unique_ptr<LoadAnswer> ask(const AskLoad& asked, const Services& services) 
   refuse_services_along_way(Kind::kWayLoad, asked.model, asked.search, services);
   set_outputs_aside(asked.model, asked.search, services);
   Stopwatch watch;
-  std::optional<Request> along = read_trajectory(asked.model);
+  std::optional<Request> along = read_trajectory(asked.model, watch_of(services, asked.search));
   if (!along) return std::make_unique<VarietyLoad>(asked, services);
   services.begin_search();
   return std::make_unique<WayLoad>(std::move(*along), watch.lap(), asked, services);
@@ -209,7 +213,7 @@ std::unique_ptr<LoadPavingAnswer> ask(const AskLoadPaving& asked, const Services
   refuse_services_along_way(Kind::kWayLoadPaving, asked.model, asked.search, services);
   set_outputs_aside(asked.model, asked.search, services);
   Stopwatch watch;
-  std::optional<Request> along = read_trajectory(asked.model);
+  std::optional<Request> along = read_trajectory(asked.model, watch_of(services, asked.search));
   if (!along) return std::make_unique<VarietyLoadPaving>(asked, services);
   services.begin_search();
   return std::make_unique<WayLoadPaving>(std::move(*along), watch.lap(), asked, services);

@@ -82,10 +82,13 @@ class VarietyPaving final : public PavingAnswer {
     conclude(settings, listener.stop());
     certificate.finish(result);
     proof = certificate.status();
+    if (proof.is_lost()) lost.push_back(proof.obstacle());
     if (tree) *services.tree = tree->text();
-    if (writer) writer->finish(json(), lines.name());
-    lines.finish();
-    pictures.draw(volumes_);
+    write_beside([&] {
+      if (writer) writer->finish(json(), lines.name());
+      lines.finish();
+    });
+    write_beside([&] { pictures.draw(volumes_); });
   }
 
   void conclude(const Settings& settings, const std::atomic<bool>& stop) {
@@ -127,7 +130,7 @@ class WayPaving final : public PavingAnswer {
       stretches.push_back({stretch.claim, stretch.begin.piece + 1, stretch.end.piece + 1,
                            stretch.begin.s, stretch.end.s,
                            report_text(json_stretch(paving_, stretch))});
-    write();
+    write_beside([this] { write(); });
   }
 
   [[nodiscard]] Json header() const override { return {}; }
@@ -156,7 +159,7 @@ std::unique_ptr<PavingAnswer> ask(const AskPaving& asked, const Services& servic
   Stopwatch watch;
   ModelOptions model = asked.model;
   model.separates_reach = true;
-  std::optional<Request> along = read_trajectory(model);
+  std::optional<Request> along = read_trajectory(model, watch_of(services, asked.search));
   if (!along) return std::make_unique<VarietyPaving>(asked, services);
   services.begin_search();
   return std::make_unique<WayPaving>(std::move(*along), watch.lap(), asked, services);

@@ -116,11 +116,13 @@ ProofStatus certify_sides(const std::string& path, const CutSides& sides,
       is_singular ? certified_question(whole) : sides.on_all_sides(uncertain_names(whole.labels));
   status.set_obstacle(certificate_obstacle(question, is_singular));
   if (!status.obstacle().empty()) return status;
-  if (is_singular)
-    write_witness(path, question.head(true), witness_lines(decision.result), nullptr);
-  else
-    write_pieces(path, question.head(false), decision.trees, certificate_word);
-  status.set_written();
+  status.attempt([&] {
+    if (is_singular)
+      write_witness(path, question.head(true), witness_lines(decision.result), nullptr);
+    else
+      write_pieces(path, question.head(false), decision.trees, certificate_word);
+    status.set_written();
+  });
   return status;
 }
 

@@ -31,7 +31,7 @@ struct SidesDecision {
                                                         const std::atomic<bool>* interrupt,
                                                         Observer* display);
 
-/// Writes the proof of a decision. An empty `path` means none. Throws FileError.
+/// Writes the proof of a decision. An empty `path` means none.
 [[nodiscard]] ProofStatus certify_sides(const std::string& path, const CutSides& sides,
                                         const PreparedSearch& whole, const SidesDecision& decision);
 
