@@ -6,10 +6,12 @@
 #include "codegen/answer/refusals.hpp"
 #include "codegen/answer/report/progress.hpp"
 #include "codegen/answer/report/report.hpp"
+#include "codegen/answer/report/search_checkpoint.hpp"
 #include "codegen/question/analysis/least_singular.hpp"
 #include "codegen/question/engine/checkpoint_file.hpp"
 #include "codegen/question/engine/search_run.hpp"
 #include "codegen/question/engine/settings.hpp"
+#include "codegen/question/way/margin_checkpoint.hpp"
 #include "codegen/question/way/read_trajectory.hpp"
 #include "codegen/question/way/sides_search.hpp"
 #include "codegen/question/way/trajectory_certificate.hpp"
@@ -102,11 +104,17 @@ class WayCheck final : public CheckAnswer {
   WayCheck(Request request, double model_seconds, const AskCheck& asked, const Services& services)
       : search_(asked.search) {
     SearchDisplay display(display_of(services));
+    SearchCheckpoint checkpoint(services.checkpoint,
+                                [&] { return checkpointed_question(request, search_); });
     check_ =
         check_trajectory(std::move(request), model_seconds, search_, !services.certificate.empty(),
-                         {services.interrupt, display.observer()});
+                         {services.interrupt, display.observer(), &checkpoint});
     proof = certify_trajectory(services.certificate, check_);
     if (proof.is_lost()) lost.push_back(proof.obstacle());
+    write_beside([&] {
+      checkpoint.finish(check_.can_continue && check_.verdict == Verdict::kPossibleProblem);
+    });
+    checkpoint_line_ = checkpoint.line();
     if (check_.deciding) result = check_.deciding->result;
     result.verdict = check_.verdict;
     result.reason = check_.reason;
@@ -118,11 +126,12 @@ class WayCheck final : public CheckAnswer {
     tell_trajectory(check_, search_, facts);
     proof.tell(facts);
   }
-  [[nodiscard]] std::string about_files() const override { return proof.line(); }
+  [[nodiscard]] std::string about_files() const override { return proof.line() + checkpoint_line_; }
 
  private:
   SearchOptions search_;
   TrajectoryCheck check_;
+  std::string checkpoint_line_;
 };
 
 }  // namespace

@@ -166,7 +166,7 @@ const std::vector<ObjectKind>& report_kinds() {
        kOfMatrix},
       {"path_paving",
        "locate of a motion along way-points",
-       {kReason, kWay, kWayMatrix, kMethod, kStretches},
+       {kReason, kWay, kWayMatrix, kMethod, kStretches, kCertificate},
        kOfMatrix},
       {"margin",
        "margin",
@@ -193,7 +193,7 @@ const std::vector<ObjectKind>& report_kinds() {
        kOfForces},
       {"path_force_paving",
        "locate --load of a motion along way-points",
-       {kForces, kWay, kExcluded, kSegment, kNonempty, kBlocking, kStretches},
+       {kForces, kWay, kExcluded, kSegment, kNonempty, kBlocking, kStretches, kCertificate},
        kOfForces},
   };
   return kinds;

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Do forces within the limits hold a load, and where?
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "codegen/answer/ask.hpp"
 #include "codegen/answer/lines_file.hpp"
 #include "codegen/answer/outputs.hpp"
+#include "codegen/answer/picture/pictures.hpp"
+#include "codegen/answer/picture/way_picture.hpp"
 #include "codegen/answer/refusals.hpp"
 #include "codegen/answer/report/paving_options.hpp"
 #include "codegen/answer/report/progress.hpp"
@@ -31,10 +35,13 @@ class LoadSearch {
 
   /// An exception from the listener ends the search.
   void run(const FeasibilitySettings& settings, const ForceListener& listener,
-           const Services& services) {
-    ForceCheckpoint checkpoint(services.checkpoint, prepared_, settings);
+           const Services& services, const std::vector<Observer*>& pictures = {}) {
+    SearchCheckpoint checkpoint(services.checkpoint,
+                                [&] { return checkpointed_question(prepared_, settings); });
     SearchDisplay display(display_of(services));
-    Observers observers(present({certificate_.observer(), display.observer()}));
+    std::vector<Observer*> watching = present({certificate_.observer(), display.observer()});
+    watching.insert(watching.end(), pictures.begin(), pictures.end());
+    Observers observers(std::move(watching));
     result_ = run_forces(prepared_, settings, listener, &observers, &checkpoint);
     certificate_.finish(result_);
     checkpoint_line_ = checkpoint.line();
@@ -93,13 +100,20 @@ class WayLoad final : public LoadAnswer {
  public:
   WayLoad(Request request, double model_seconds, const AskLoad& asked, const Services& services) {
     SearchDisplay display(display_of(services));
+    SearchCheckpoint checkpoint(services.checkpoint, [&] {
+      return checkpointed_question(request, asked.search, asked.load);
+    });
     found_ = check_forces_along_way(std::move(request), model_seconds, asked.load, asked.search,
                                     !services.certificate.empty(),
-                                    {services.interrupt, display.observer()});
+                                    {services.interrupt, display.observer(), &checkpoint});
     verdict = found_.verdict;
     boxes = found_.boxes;
     proof = certify_way_forces(services.certificate, found_);
     if (proof.is_lost()) lost.push_back(proof.obstacle());
+    write_beside([&] {
+      checkpoint.finish(found_.can_continue && verdict == FeasibilityVerdict::kPossibleProblem);
+    });
+    checkpoint_line_ = checkpoint.line();
     if (verdict == FeasibilityVerdict::kFeasible) claim = describe_claim(found_);
     if (verdict == FeasibilityVerdict::kPossibleProblem) reason = describe_reason(found_);
   }
@@ -108,9 +122,11 @@ class WayLoad final : public LoadAnswer {
     tell_way_forces(found_, facts);
     proof.tell(facts);
   }
+  [[nodiscard]] std::string about_files() const override { return proof.line() + checkpoint_line_; }
 
  private:
   WayForces found_;
+  std::string checkpoint_line_;
 };
 
 class VarietyLoadPaving final : public LoadPavingAnswer {
@@ -119,7 +135,11 @@ class VarietyLoadPaving final : public LoadPavingAnswer {
       : search_(asked.model, asked.search, asked.load, true, services),
         volumes_(search_.prepared().problem) {
     const PreparedForces& prepared = search_.prepared();
-    resolution_ = resolve_paving(asked.resolution, asked.search, prepared.preparation).resolution;
+    PavingOptions options = resolve_paving(asked.resolution, asked.search, prepared.preparation);
+    options.encloses_determinants = false;
+    resolution_ = options.resolution;
+    Pictures pictures(services.pictures, options, prepared.preparation, word_of_stand_in,
+                      ", load " + prepared.load);
     LinesFile lines(services.lines);
     const auto write = [&](const Json& line) {
       if (!lines.is_wanted()) return;
@@ -127,27 +147,30 @@ class VarietyLoadPaving final : public LoadPavingAnswer {
       if (!(lines.stream() << report_text(line) << '\n')) lines.finish();
     };
     write(json_forces_header(prepared, resolution_));
-    pave(services, [&](std::span<const Interval> box, ForceClaim held) {
+    const auto listen = [&](std::span<const Interval> box, ForceClaim held) {
       volumes_.add(box, held);
       write(json_forces_box(prepared, box, held));
       if (services.on_force_box) services.on_force_box(held, box);
-    });
+    };
+    pave(services, listen, pictures.observers());
     write_beside([&] {
       write(json());
       lines.finish();
     });
+    write_beside([&] { pictures.draw(volumes_.by_stand_in()); });
   }
 
   void tell(Facts& facts) const override { search_.tell(&volumes_, facts); }
   [[nodiscard]] std::string about_files() const override { return search_.about_files(); }
 
  private:
-  void pave(const Services& services, const ForceListener& listener) {
+  void pave(const Services& services, const ForceListener& listener,
+            const std::vector<Observer*>& pictures) {
     FeasibilitySettings settings = settings_of(search_.prepared(), services.interrupt);
     settings.paves = true;
     settings.min_relative_width = resolution_;
     services.begin_search();
-    search_.run(settings, listener, services);
+    search_.run(settings, listener, services, pictures);
     search_.describe(*this);
     feasible = volumes_.fraction(ForceClaim::kFeasible);
     infeasible = volumes_.fraction(ForceClaim::kInfeasible);
@@ -166,19 +189,41 @@ class WayLoadPaving final : public LoadPavingAnswer {
   WayLoadPaving(Request request, double model_seconds, const AskLoadPaving& asked,
                 const Services& services)
       : lines_(services.lines) {
+    WayPictures pictures(services.pictures);
     SearchDisplay display(display_of(services));
-    paving_ = pave_forces_along_way(
-        std::move(request), model_seconds, asked.load, asked.search,
-        asked.resolution.empty() ? kPathResolution : read_resolution(asked.resolution),
-        {services.interrupt, display.observer()});
+    const double resolution =
+        asked.resolution.empty() ? kPathResolution : read_resolution(asked.resolution);
+    SearchCheckpoint checkpoint(services.checkpoint, [&] {
+      Json question = checkpointed_question(request, asked.search, asked.load);
+      question["paves"] = true;
+      question["resolution"] = resolution;
+      return question;
+    });
+    paving_ = pave_forces_along_way(std::move(request), model_seconds, asked.load, asked.search,
+                                    resolution, !services.certificate.empty(),
+                                    {services.interrupt, display.observer(), &checkpoint});
     verdict = paving_.found.verdict;
     boxes = paving_.found.boxes;
     if (verdict == FeasibilityVerdict::kFeasible) claim = describe_claim(paving_.found);
     if (verdict == FeasibilityVerdict::kPossibleProblem) reason = describe_reason(paving_.found);
+    proof = certify_way_forces(services.certificate, paving_.found);
+    if (proof.is_lost()) lost.push_back(proof.obstacle());
     write_beside([this] { write(); });
+    const Request& asked_about = paving_.found.request;
+    write_beside([&] {
+      pictures.draw({fmt::format("{}, {}, load {}", asked_about.model.name, asked_about.motion.name,
+                                 asked.load),
+                     *asked_about.motion.trajectory, as_path_stretches(paving_), word_of_stand_in});
+    });
+    write_beside([&] { checkpoint.finish(paving_.found.can_continue); });
+    checkpoint_line_ = checkpoint.line();
   }
 
-  void tell(Facts& facts) const override { tell_way_force_paving(paving_, facts); }
+  void tell(Facts& facts) const override {
+    tell_way_force_paving(paving_, facts);
+    proof.tell(facts);
+  }
+  [[nodiscard]] std::string about_files() const override { return proof.line() + checkpoint_line_; }
 
  private:
   void write() {
@@ -191,6 +236,7 @@ class WayLoadPaving final : public LoadPavingAnswer {
 
   LinesFile lines_;
   WayForcePaving paving_;
+  std::string checkpoint_line_;
 };
 
 }  // namespace
@@ -208,6 +254,7 @@ std::unique_ptr<LoadAnswer> ask(const AskLoad& asked, const Services& services) 
 }
 
 std::unique_ptr<LoadPavingAnswer> ask(const AskLoadPaving& asked, const Services& services) {
+  for (const std::string& picture : services.pictures.files) require_picture_format(picture);
   refuse_changed_options(asked.model, asked.search);
   refuse_services(Kind::kLoadPaving, asked.search, services);
   refuse_services_along_way(Kind::kWayLoadPaving, asked.model, asked.search, services);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where has the motion singular poses?
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "codegen/answer/ask.hpp"
@@ -9,15 +11,20 @@
 #include "codegen/answer/outputs.hpp"
 #include "codegen/answer/page/paving_tree.hpp"
 #include "codegen/answer/picture/pictures.hpp"
+#include "codegen/answer/picture/way_picture.hpp"
 #include "codegen/answer/refusals.hpp"
+#include "codegen/answer/report/kept_search.hpp"
 #include "codegen/answer/report/paving_options.hpp"
 #include "codegen/answer/report/paving_report.hpp"
 #include "codegen/answer/report/paving_writer.hpp"
 #include "codegen/answer/report/progress.hpp"
+#include "codegen/answer/report/question_report.hpp"
 #include "codegen/answer/report/report_text.hpp"
+#include "codegen/answer/report/search_checkpoint.hpp"
 #include "codegen/question/engine/paving_verdict.hpp"
 #include "codegen/question/engine/search_run.hpp"
 #include "codegen/question/engine/settings.hpp"
+#include "codegen/question/way/margin_checkpoint.hpp"
 #include "codegen/question/way/read_trajectory.hpp"
 #include "codegen/question/way/trajectory_paving.hpp"
 #include "codegen/support/stopwatch.hpp"
@@ -34,6 +41,21 @@ ModelOptions model_of(const AskPaving& asked, const Services& services) {
   ModelOptions model = asked.model;
   model.separates_reach = services.certificate.empty();
   return model;
+}
+
+/// Returns everything that the boxes depend on. Formulas are left out: their terms may have another
+/// order in another process.
+Json checkpointed_paving(const PreparedSearch& prepared, const SearchOptions& search,
+                         double resolution) {
+  Json question = json_question(prepared, search);
+  question.erase("options");  // they change how long it takes
+  question.erase("pose_exact");
+  question.erase("constraints_exact");
+  for (const FilterFile& filter : prepared.filters) question["filters"].push_back(filter.sha256());
+  question["separates_reach"] = prepared.labels.reach;
+  question["paves"] = true;
+  question["resolution"] = resolution;
+  return question;
 }
 
 class VarietyPaving final : public PavingAnswer {
@@ -54,7 +76,7 @@ class VarietyPaving final : public PavingAnswer {
     tell_paving(prepared_, search_, options_, volumes_, result, facts);
     proof.tell(facts);
   }
-  [[nodiscard]] std::string about_files() const override { return proof.line(); }
+  [[nodiscard]] std::string about_files() const override { return proof.line() + checkpoint_line_; }
 
  private:
   void pave(const Services& services) {
@@ -77,8 +99,13 @@ class VarietyPaving final : public PavingAnswer {
     Settings settings = settings_of(prepared_, search_, &listener.stop());
     require_paving(options_, settings);
     services.begin_search();
-    result = run_search(prepared_, search_, settings, &observers);
+    SearchCheckpoint checkpoint(services.checkpoint, [this] {
+      return checkpointed_paving(prepared_, search_, options_.resolution);
+    });
+    KeptSearch kept(checkpoint.file(), "search", checkpoint.interval());
+    result = kept.run(prepared_, search_, settings, observers);
     listener.rethrow();
+    const bool can_continue = result.stopped_by.has_value();
     conclude(settings, listener.stop());
     certificate.finish(result);
     proof = certificate.status();
@@ -89,6 +116,8 @@ class VarietyPaving final : public PavingAnswer {
       lines.finish();
     });
     write_beside([&] { pictures.draw(volumes_); });
+    write_beside([&] { checkpoint.finish(can_continue); });
+    checkpoint_line_ = checkpoint.line();
   }
 
   void conclude(const Settings& settings, const std::atomic<bool>& stop) {
@@ -111,6 +140,7 @@ class VarietyPaving final : public PavingAnswer {
   PavingOptions options_;
   Problem problem_;
   Volumes volumes_;
+  std::string checkpoint_line_;
 };
 
 /// The answer for a motion along way-points has stretches, and no boxes.
@@ -118,11 +148,21 @@ class WayPaving final : public PavingAnswer {
  public:
   WayPaving(Request request, double model_seconds, const AskPaving& asked, const Services& services)
       : search_(asked.search), lines_(services.lines) {
+    WayPictures pictures(services.pictures);
     SearchDisplay display(display_of(services));
-    paving_ = pave_trajectory(
-        std::move(request), model_seconds, search_,
-        asked.resolution.empty() ? kPathResolution : read_resolution(asked.resolution),
-        {services.interrupt, display.observer()});
+    const double resolution =
+        asked.resolution.empty() ? kPathResolution : read_resolution(asked.resolution);
+    SearchCheckpoint checkpoint(services.checkpoint, [&] {
+      Json question = checkpointed_question(request, search_);
+      question["paves"] = true;
+      question["resolution"] = resolution;
+      return question;
+    });
+    paving_ = pave_trajectory(std::move(request), model_seconds, search_, resolution,
+                              !services.certificate.empty(),
+                              {services.interrupt, display.observer(), &checkpoint});
+    proof = certify_path_paving(services.certificate, paving_);
+    if (proof.is_lost()) lost.push_back(proof.obstacle());
     result.verdict = paving_.check.verdict;
     result.reason = paving_.check.reason;
     result.statistics = paving_.check.path.statistics;
@@ -131,10 +171,21 @@ class WayPaving final : public PavingAnswer {
                            stretch.begin.s, stretch.end.s,
                            report_text(json_stretch(paving_, stretch))});
     write_beside([this] { write(); });
+    const Request& asked_about = paving_.check.request;
+    write_beside([&] {
+      pictures.draw({fmt::format("{}, {}", asked_about.model.name, asked_about.motion.name),
+                     *asked_about.motion.trajectory, paving_.stretches, name});
+    });
+    write_beside([&] { checkpoint.finish(paving_.check.can_continue); });
+    checkpoint_line_ = checkpoint.line();
   }
 
   [[nodiscard]] Json header() const override { return {}; }
-  void tell(Facts& facts) const override { tell_path_paving(paving_, search_, facts); }
+  void tell(Facts& facts) const override {
+    tell_path_paving(paving_, search_, facts);
+    proof.tell(facts);
+  }
+  [[nodiscard]] std::string about_files() const override { return proof.line() + checkpoint_line_; }
 
  private:
   void write() {
@@ -147,6 +198,7 @@ class WayPaving final : public PavingAnswer {
   SearchOptions search_;
   LinesFile lines_;
   PathPaving paving_;
+  std::string checkpoint_line_;
 };
 
 }  // namespace
@@ -157,9 +209,8 @@ std::unique_ptr<PavingAnswer> ask(const AskPaving& asked, const Services& servic
   refuse_services_along_way(Kind::kWayPaving, asked.model, asked.search, services);
   set_outputs_aside(asked.model, asked.search, services);
   Stopwatch watch;
-  ModelOptions model = asked.model;
-  model.separates_reach = true;
-  std::optional<Request> along = read_trajectory(model, watch_of(services, asked.search));
+  std::optional<Request> along =
+      read_trajectory(model_of(asked, services), watch_of(services, asked.search));
   if (!along) return std::make_unique<VarietyPaving>(asked, services);
   services.begin_search();
   return std::make_unique<WayPaving>(std::move(*along), watch.lap(), asked, services);

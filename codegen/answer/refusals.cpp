@@ -17,10 +17,8 @@ namespace {
 
 constexpr std::string_view kOneFile = "the proof of an end of a bracket is one file";
 constexpr std::string_view kNoBoxes = "a picture is of the boxes of a paving; ask where, by locate";
-constexpr std::string_view kLoadPicture = "a load has no picture; draw the boxes of the paving";
 constexpr std::string_view kOneMachine =
     "a motion along way-points is searched on one machine, by all of its threads";
-constexpr std::string_view kWayNotContinued = "a motion along way-points cannot be continued";
 constexpr std::string_view kNoRows = "a datasheet brackets many quantities; bound one of them";
 constexpr std::string_view kOneMethod = "for a load there is one method; leave the option out";
 constexpr std::string_view kNoTheorem =
@@ -30,7 +28,6 @@ using enum Kind;
 using enum Service;
 
 constexpr Refusal kRefusals[] = {
-    {kPaving, kCheckpoint, "a paving writes its boxes as they come; divide the ranges instead"},
     {kMargin, kShards, kOneFile},
     {kLimitMargin, kShards, kOneFile},
     {kBound, kShards, kOneFile},
@@ -40,20 +37,12 @@ constexpr Refusal kRefusals[] = {
     {kLoad, kTheorem, kNoTheorem},
     {kLoadPaving, kShards, "a proof about a load stays in one file"},
     {kLoadPaving, kTheorem, kNoTheorem},
-    {kLoadPaving, kPicture, kLoadPicture},
     {kDatasheet, kShards, kOneFile},
     {kDatasheet, kRanks, kNoRows},
     {kWayCheck, kShards, "the proof of a motion along way-points is one file"},
-    {kWayCheck, kCheckpoint, kWayNotContinued},
     {kWayCheck, kRanks, kOneMachine},
-    {kWayPaving, kProof,
-     "there is no proof of the stretches of a motion along way-points; check proves the whole "
-     "motion"},
-    {kWayPaving, kShards, "there is no proof of stretches"},
-    {kWayPaving, kTheorem, "there is no proof of stretches"},
-    {kWayPaving, kCheckpoint, kWayNotContinued},
+    {kWayPaving, kShards, "the proof of a motion along way-points is one file"},
     {kWayPaving, kRanks, kOneMachine},
-    {kWayPaving, kPicture, "a motion along way-points is not drawn; the paving has its stretches"},
     {kWayMargin, kShards, kOneFile},
     {kWayMargin, kRanks, kOneMachine},
     {kWayLimitMargin, kShards, kOneFile},
@@ -65,17 +54,10 @@ constexpr Refusal kRefusals[] = {
     {kWayCondition2, kRanks, kOneMachine},
     {kWayLoad, kShards, "a proof about a load stays in one file"},
     {kWayLoad, kTheorem, kNoTheorem},
-    {kWayLoad, kCheckpoint, kWayNotContinued},
     {kWayLoad, kRanks, kOneMachine},
-    {kWayLoadPaving, kProof,
-     "there is no proof of the stretches of a motion along way-points; check proves the whole "
-     "motion"},
-    {kWayLoadPaving, kShards, "there is no proof of stretches"},
-    {kWayLoadPaving, kTheorem, "there is no proof of stretches"},
-    {kWayLoadPaving, kCheckpoint, kWayNotContinued},
+    {kWayLoadPaving, kShards, "a proof about a load stays in one file"},
+    {kWayLoadPaving, kTheorem, kNoTheorem},
     {kWayLoadPaving, kRanks, kOneMachine},
-    {kWayLoadPaving, kPicture,
-     "a motion along way-points is not drawn; the paving has its stretches"},
     {kWayDatasheet, kShards, kOneFile},
     {kWayDatasheet, kRanks, kNoRows},
     // What has no boxes has no picture.
@@ -107,10 +89,6 @@ constexpr OptionRefusal kOptionsOfLoads[] = {
     {"symbolic-budget", kOneMethod},
     {"without", kOneMethod},
     {"shard-size", "a proof about a load stays in one file"},
-    {"picture", kLoadPicture},
-    {"axes", kLoadPicture},
-    {"slices", kLoadPicture},
-    {"shade", kLoadPicture},
 };
 
 /// Returns the options that differ from their defaults, as the command calls them.

@@ -157,6 +157,10 @@ TEST_F(BoundCommandTest, RefusesWhatItCannotBound) {
       {{"force", "--load", "ani"}, "did you mean 'any'"},
       {{"force", "--load", "any", "--leg", "3"}, "--leg: found '3', expected a number from 1 to 2"},
       {{"speed", "--freedom", "x"}, "--freedom: has no meaning for speed"},
+      // An expression has no legs, and no load.
+      {{"x^2", "--leg", "1"}, "--leg: has no meaning for x^2"},
+      {{"x^2", "--load", "any"}, "--load: has no meaning for x^2"},
+      {{"x^2", "--norm", "2"}, "--norm: has no meaning for x^2"},
       {{"error", "--freedom", "z"}, "--freedom: there is no 'z'"},
       {{"speed", "--limit", "-1"}, "expected a positive number"},
       {{"speed", "--alpha", "1"}, "--alpha: a bound has no threshold"},

@@ -303,9 +303,6 @@ TEST_F(FileTrouble, TwoCheckpointsOfOneCertificateAreKeptApart) {
 }
 
 TEST_F(FileTrouble, ACheckpointIsRefusedWhereItWouldBeIgnored) {
-  const CommandResult locate = regulus({"locate", kPlanar, "regular", "--checkpoint", file("c")});
-  EXPECT_EQ(locate.exit_code, 64);
-  EXPECT_THAT(locate.errors, HasSubstr("a paving writes its boxes as they come"));
   const CommandResult bound =
       regulus({"bound", kPlanar, "regular", "determinant", "--checkpoint-every", "1"});
   EXPECT_EQ(bound.exit_code, 64);

@@ -136,16 +136,19 @@ TEST_F(ForcesCommandTest, PavesWayPoints) {
   EXPECT_EQ(count, report["stretches"]);
   std::vector<std::string> proved = question;
   proved.insert(proved.end(), {"--certificate", folder_.path() / "proof"});
-  EXPECT_THAT(regulus(proved).errors, HasSubstr("there is no proof of the stretches"));
+  EXPECT_EQ(regulus(proved).exit_code, 1);
+  EXPECT_EQ(regulus({"verify", folder_.path() / "proof", "--quiet"}).output, "VERIFIED\n");
 }
 
 TEST_F(ForcesCommandTest, PavesWayPointsThatHoldTheLoad) {
   const std::string way = folder_.path() / "way.csv";
   std::ofstream(way) << "x\n-0.5\n0.5\n";
-  const CommandResult r =
-      regulus({"locate", model_, "--waypoints", way, "--load", "push", "--quiet"});
+  const std::string proof = folder_.path() / "proof";
+  const CommandResult r = regulus(
+      {"locate", model_, "--waypoints", way, "--load", "push", "--quiet", "--certificate", proof});
   EXPECT_EQ(r.exit_code, 0) << r.errors;
   EXPECT_THAT(r.output, HasSubstr("\"kind\":\"feasible\",\"segments\":[1,1]"));
+  EXPECT_EQ(regulus({"verify", proof, "--quiet"}).output, "VERIFIED\n");
 }
 
 TEST_F(ForcesCommandTest, WritesProofsThatBothVerifiersAccept) {

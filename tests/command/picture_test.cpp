@@ -142,6 +142,64 @@ TEST_F(PictureFile, MayHaveAnyNameInIt) {
   EXPECT_THAT(draw("name.png", {path}), StartsWith("\x89PNG"));
 }
 
+/// A bead on a rail between two pulleys. It is held where |x| < 0.6, whatever y is.
+constexpr const char* kHeld = R"toml(regulus = 1
+name = "bead"
+[pose]
+x = "m"
+y = "m"
+[matrix]
+twist = ["v_x"]
+rows = [["x + 1"], ["x - 1"]]
+[load.push]
+force = [[-2, 2]]
+[actuators]
+force = [1, 9]
+force_unit = "kN"
+[motion.line]
+x = [-1, 1]
+y = 1
+[motion.area]
+x = [-1, 1]
+y = [0, 2]
+[motion.way]
+waypoints = "way.csv"
+)toml";
+
+class PictureOfALoad : public PictureFile {
+ protected:
+  PictureOfALoad() {
+    std::ofstream(model_) << kHeld;
+    std::ofstream(folder_.path() / "way.csv") << "t [s],x [m],y [m]\n0,0,1\n1,0.9,1\n3,0.3,1\n";
+  }
+  const std::string model_ = folder_.path() / "held.toml";
+};
+
+TEST_F(PictureOfALoad, HasTheColoursOfAPaving) {
+  const std::string area =
+      draw("area.svg", {model_, "area", "--load", "push", "--resolution", "1/64"});
+  EXPECT_EQ(result_.exit_code, 1) << result_.errors;
+  EXPECT_THAT(area, AllOf(HasSubstr("bead, area, load push"), HasSubstr("feasible 5"),
+                          HasSubstr("infeasible 3"), HasSubstr("x (m)"), HasSubstr("y (m)"),
+                          HasSubstr("rgb( 86, 180, 233)"), HasSubstr("rgb(213,  94,   0)")));
+  EXPECT_THAT(area, Not(HasSubstr("singular")));
+  const std::string line = draw("line.svg", {model_, "line", "--load", "push"});
+  EXPECT_THAT(line, AllOf(HasSubstr("feasible 59.77 %"), Not(HasSubstr("determinant"))));
+  EXPECT_THAT(draw("share.svg", {model_, "area", "--load", "push", "--shade", "share"}),
+              HasSubstr("half feasible"));
+}
+
+/// The bead leaves |x| < 0.6 at t = 2/3 s, and comes back at t = 2 s: 5/9 of the time are held.
+TEST_F(PictureOfALoad, HasARowForEachSegment) {
+  const std::string way = draw("way.svg", {model_, "way", "--load", "push"});
+  EXPECT_EQ(result_.exit_code, 1) << result_.errors;
+  EXPECT_THAT(
+      way, AllOf(HasSubstr("bead, way, load push"), HasSubstr("part of the segment"),
+                 HasSubstr("1, t = 0 s"), HasSubstr("2, t = 1 s"), HasSubstr("parts of the time"),
+                 HasSubstr("feasible 55."), HasSubstr("infeasible 44.")));
+  EXPECT_THAT(draw("way.png", {model_, "way", "--load", "push"}), StartsWith("\x89PNG"));
+}
+
 TEST_F(PictureFile, RefusesWhatCannotBeDrawn) {
   const auto refused = [this](const std::string& file, std::vector<std::string> words) {
     EXPECT_EQ(draw(file, std::move(words)), "");

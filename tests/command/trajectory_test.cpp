@@ -237,8 +237,12 @@ TEST_F(Trajectories, AreNamedWhereAnotherQuestionHasNone) {
   static_cast<void>(file("way.csv", circle()));
   EXPECT_EQ(regulus({"check", model, "way", "--range", "x=0:1"}).exit_code, 64);
   for (const auto& [words, why] :
-       {std::pair(std::vector<std::string>{"locate", "--picture", "way.svg"}, "is not drawn"),
-        {{"locate", "--certificate", "way.txt"}, "no proof of the stretches"},
+       {std::pair(std::vector<std::string>{"locate", "--picture", "way.vtu"},
+                  "boxes in space need three motion parameters with ranges"),
+        {{"locate", "--picture", "way.svg", "--axes", "x,y"}, "--axes: a motion along way-points"},
+        {{"locate", "--picture", "way.svg", "--slices", "x=3"}, "has no ranges"},
+        {{"locate", "--picture", "way.svg", "--shade", "share"}, "a row for each segment"},
+        {{"locate", "--certificate", "way.txt", "--shard-size", "1MB"}, "is one file"},
         {{"margin", "--scale", "0:1"}, "has no ranges; use --tube"},
         {{"margin", "--grow", "x=0:1"}, "has no ranges; use --tube"}}) {
     std::vector<std::string> line = {words[0], model, "way"};
@@ -247,6 +251,11 @@ TEST_F(Trajectories, AreNamedWhereAnotherQuestionHasNone) {
     EXPECT_EQ(run.exit_code, 64);
     EXPECT_THAT(run.errors, HasSubstr(why));
   }
+  const std::string earlier = file("proof", "earlier");
+  EXPECT_EQ(
+      regulus({"locate", model, "way", "--certificate", earlier, "--shard-size", "1MB"}).exit_code,
+      64);
+  EXPECT_EQ(contents_of(earlier), "earlier");
   std::filesystem::remove(path("way.csv"));
   EXPECT_EQ(regulus({"check", model, "way"}).exit_code, 74);
   EXPECT_EQ(regulus({"check", model, "hold", "--quiet"}).output, "NO SINGULARITY\n");
@@ -256,8 +265,10 @@ TEST_F(Trajectories, AreNamedWhereAnotherQuestionHasNone) {
 TEST_F(Trajectories, AreDividedIntoStretches) {
   const std::string model = file("cart.toml", kCart);
   static_cast<void>(file("way.csv", circle(117)));
-  const CommandResult run = regulus({"locate", model, "way", "--output", path("stretches.jsonl")});
+  const CommandResult run = regulus({"locate", model, "way", "--output", path("stretches.jsonl"),
+                                     "--certificate", path("proof.txt")});
   EXPECT_EQ(run.output, "SINGULARITY\n") << run.errors;
+  EXPECT_EQ(regulus({"verify", path("proof.txt"), "--model", model}).output, "VERIFIED\n");
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_THAT(run.errors, HasSubstr("free       segments 1 to 117, t from 0 to 1.169"));
   EXPECT_THAT(run.errors, HasSubstr("singular   segment 117, t from 1.169"));
@@ -276,9 +287,12 @@ TEST_F(Trajectories, AreDividedIntoStretches) {
   EXPECT_THAT(kinds, testing::ElementsAre("free", "singular", "free", "singular", "free"));
   EXPECT_GT(last["summary"]["share"]["free"], 0.9999);
   EXPECT_EQ(regulus({"locate", model, "hold", "--waypoints", file("good.csv", circle()), "--quiet",
-                     "--json"})
+                     "--certificate", path("free.txt")})
                 .exit_code,
             0);
+  EXPECT_EQ(regulus({"verify", path("free.txt"), "--model", model, "--waypoints", path("good.csv")})
+                .output,
+            "VERIFIED\n");
 }
 
 /// The singular way-point is the only one at x < 1.2.

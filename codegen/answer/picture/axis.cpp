@@ -49,7 +49,7 @@ std::string Axis::range_command(const char* axis) const {
                      range_.hi * factor_);
 }
 
-Axis axis_of(const PreparedSearch& p, std::size_t variable) {
+Axis axis_of(const SearchSubject& p, std::size_t variable) {
   const VariableLabel& label = p.labels.variables[variable];
   return {p.variety.outer[variable], label.name, label.unit};
 }

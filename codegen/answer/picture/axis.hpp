@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "codegen/question/engine/pipeline.hpp"
+#include "codegen/question/engine/search_subject.hpp"
 
 namespace regulus {
 
@@ -28,6 +28,6 @@ class Axis {
 };
 
 /// Returns the axis of a variable.
-[[nodiscard]] Axis axis_of(const PreparedSearch& preparation, std::size_t variable);
+[[nodiscard]] Axis axis_of(const SearchSubject& preparation, std::size_t variable);
 
 }  // namespace regulus

@@ -21,8 +21,11 @@ std::string comment(std::string text) {
 
 }  // namespace
 
-BoxGrid::BoxGrid(const PreparedSearch& p, const PavingOptions& options) : axes_(options.axes) {
-  description_ = fmt::format("{}, {}: ", p.labels.model, p.labels.motion);
+BoxGrid::BoxGrid(const PreparedSearch& p, const PictureOptions& options)
+    : axes_(options.paving.axes) {
+  description_ = fmt::format("{}, {}{}: ", p.labels.model, p.labels.motion, options.subject);
+  for (std::size_t k = 0; k < kClaims; ++k)
+    words_ += fmt::format("{}{} {}", k > 0 ? ", " : "", k, options.word(Claim(k)));
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     const VariableLabel& variable = p.labels.variables[axes_[i]];
     description_ += fmt::format("{}{} is {}{}", i > 0 ? ", " : "", "xyz"[i], variable.name,
@@ -74,11 +77,11 @@ std::string BoxGrid::text() const {
     claims += fmt::format("{}\n", int(cells_[i].claim));
   }
   return fmt::format(
-             "<?xml version=\"1.0\"?>\n<!-- {}; claim: 0 free, 1 singular, 2 undecided, 3 outside, "
-             "4 out of reach -->\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
+             "<?xml version=\"1.0\"?>\n<!-- {}; claim: {} -->\n<VTKFile type=\"UnstructuredGrid\" "
+             "version=\"0.1\" "
              "byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" "
              "NumberOfCells=\"{}\">\n<Points>\n",
-             comment(description_), 8 * cells_.size(), cells_.size()) +
+             comment(description_), comment(words_), 8 * cells_.size(), cells_.size()) +
          array("Float64", "Points", 3, points) + "</Points>\n<Cells>\n" +
          array("Int64", "connectivity", 1, corners) + array("Int64", "offsets", 1, offsets) +
          array("UInt8", "types", 1, types) + "</Cells>\n<CellData Scalars=\"claim\">\n" +

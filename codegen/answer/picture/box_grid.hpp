@@ -16,7 +16,7 @@ namespace regulus {
 class BoxGrid final : public Observer {
  public:
   /// Requires  the paving has three ranges.
-  BoxGrid(const PreparedSearch& preparation, const PavingOptions& options);
+  BoxGrid(const PreparedSearch& preparation, const PictureOptions& options);
 
   void on_leaf(const OpenBox& box, Rule rule, const Proof& proof) noexcept override;
   void on_open(const OpenBox& box) noexcept override;
@@ -37,7 +37,7 @@ class BoxGrid final : public Observer {
 
   std::optional<LeafClaims> claims_;  ///< if boxes can be out of reach
   std::vector<std::size_t> axes_;
-  std::string description_;
+  std::string description_, words_;
   std::vector<Cell> cells_;
   bool is_full_ = false;  ///< memory ran out
 };

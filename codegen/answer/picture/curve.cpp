@@ -61,7 +61,7 @@ std::string curve_commands(const PreparedSearch& p, const PictureOptions& option
     if (alpha != 0)
       for (const double level : {alpha, -alpha}) plot.add_level(level, true);
   }
-  add_legends(plot, volumes);
+  add_legends(plot, options, volumes);
   return (has_determinants ? "set ylabel " + Gnuplot::quoted(plot.up().label()) + '\n'
                            : "unset ytics\n") +
          plot.commands();

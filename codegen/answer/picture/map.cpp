@@ -69,13 +69,15 @@ void add_shares(Plot& plot, const Canvas& canvas) {
   }
 }
 
-void add_share_legends(Plot& plot, const Volumes& volumes) {
+void add_share_legends(Plot& plot, const PictureOptions& options, const Volumes& volumes) {
+  const std::string certified = options.word(Claim::kFree);
   for (const int level : {0, 5, 10})
-    plot.add_legend(colour_of_level(level), level == 0    ? "nothing free"
-                                            : level == 10 ? "all free"
-                                                          : "half free");
+    plot.add_legend(colour_of_level(level), (level == 0    ? "nothing "
+                                             : level == 10 ? "all "
+                                                           : "half ") +
+                                                certified);
   for (const Claim claim : {Claim::kOutside, Claim::kUnreachable})
-    if (volumes.of(claim).boxes > 0) plot.add_legend(colour_of(claim), name(claim));
+    if (volumes.of(claim).boxes > 0) plot.add_legend(colour_of(claim), options.word(claim));
 }
 
 }  // namespace
@@ -90,10 +92,10 @@ std::string map_commands(const PreparedSearch& p, const PictureOptions& options,
   const bool equal = across.unit == up.unit && ratio > 0.4 && ratio < 2.5;
   if (options.shade == Shade::kShare) {
     add_shares(plot, canvas);
-    if (has_legend) add_share_legends(plot, volumes);
+    if (has_legend) add_share_legends(plot, options, volumes);
   } else {
     add_claims(plot, canvas);
-    if (has_legend) add_legends(plot, volumes);
+    if (has_legend) add_legends(plot, options, volumes);
   }
   return "set ylabel " + Gnuplot::quoted(plot.up().label()) + '\n' +
          (equal ? "set size ratio -1\n" : "") + plot.commands();

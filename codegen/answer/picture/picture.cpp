@@ -60,8 +60,9 @@ std::vector<std::string> describe_others(const PreparedSearch& p, const PictureO
                                 short_interval(p.variety.outer[k]), unit_suffix(variable.unit)));
   }
   if (projected)
-    words.back() +=
-        options.shade == Shade::kShare ? ": the part that is free" : ": the worst of them";
+    words.back() += options.shade == Shade::kShare
+                        ? fmt::format(": the part that is {}", options.word(Claim::kFree))
+                        : ": the worst of them";
   return words;
 }
 
@@ -80,7 +81,8 @@ std::vector<std::string> wrapped(const std::vector<std::string>& words) {
 }
 
 std::string title(const PreparedSearch& p, const PictureOptions& options) {
-  std::string text = Gnuplot::quoted(fmt::format("{}, {}", p.labels.model, p.labels.motion));
+  std::string text =
+      Gnuplot::quoted(fmt::format("{}, {}{}", p.labels.model, p.labels.motion, options.subject));
   for (const std::string& line : wrapped(describe_others(p, options)))
     text += ".newline." + Gnuplot::quoted(line);
   return text + '\n';
@@ -90,10 +92,9 @@ std::string title(const PreparedSearch& p, const PictureOptions& options) {
 std::string key_title(const PictureOptions& options) {
   const std::size_t ranges = options.paving.axes.size();
   if (options.shade == Shade::kShare) return "";
-  return "title " + Gnuplot::quoted(ranges == 1 ? "parts of the range"
-                                    : ranges == 2
-                                        ? "parts of the area"
-                                        : fmt::format("parts of the {}-D volume", ranges));
+  return ranges == 1   ? "parts of the range"
+         : ranges == 2 ? "parts of the area"
+                       : fmt::format("parts of the {}-D volume", ranges);
 }
 
 std::string single_picture(const PreparedSearch& p, const PictureOptions& options,
@@ -121,19 +122,28 @@ std::string slice_pictures(const PreparedSearch& p, const PictureOptions& option
   return text + "unset multiplot\n";
 }
 
+std::string head(const std::string& file, Grid grid, const std::string& across,
+                 const std::string& legend) {
+  return "set encoding utf8\n" + terminal(file, grid) + "newline = \"\\n\"\n" +
+         Gnuplot::kQuoteCommand + "set xlabel " + Gnuplot::quoted(across) +
+         "\nset key at screen 0.5, screen 0.02 center bottom horizontal Left reverse samplen 1.5 " +
+         (legend.empty() ? "" : "title " + Gnuplot::quoted(legend)) +
+         "\nset tics out nomirror\n"
+         "set border linecolor rgb '#404040'\n";
+}
+
 }  // namespace
+
+std::string picture_head(const std::string& file, const std::string& across,
+                         const std::string& legend) {
+  return head(file, {}, across, legend);
+}
 
 std::string picture_commands(const std::string& file, const PreparedSearch& p,
                              const PictureOptions& options, const Volumes& volumes,
                              const std::deque<Canvas>& canvases) {
   const Grid grid = grid_of(canvases.size());
-  return "set encoding utf8\n" + terminal(file, grid) + "newline = \"\\n\"\n" +
-         Gnuplot::kQuoteCommand + "set xlabel " +
-         Gnuplot::quoted(axis_of(p, options.drawn[0]).label()) +
-         "\nset key at screen 0.5, screen 0.02 center bottom horizontal Left reverse samplen 1.5 " +
-         key_title(options) +
-         "\nset tics out nomirror\n"
-         "set border linecolor rgb '#404040'\n" +
+  return head(file, grid, axis_of(p, options.drawn[0]).label(), key_title(options)) +
          (options.slices.empty() ? single_picture(p, options, volumes, canvases.front())
                                  : slice_pictures(p, options, volumes, canvases, grid));
 }

@@ -12,6 +12,10 @@
 
 namespace regulus {
 
+/// Returns the commands before those of a plot of one panel. `legend`: over the legend.
+[[nodiscard]] std::string picture_head(const std::string& file, const std::string& across,
+                                       const std::string& legend);
+
 /// `canvases`: one for each slice, or one.
 [[nodiscard]] std::string picture_commands(const std::string& file,
                                            const PreparedSearch& preparation,

@@ -13,7 +13,7 @@ namespace {
 
 using Axes = std::vector<std::size_t>;
 
-std::string listed(const PreparedSearch& p, const Axes& axes) {
+std::string listed(const SearchSubject& p, const Axes& axes) {
   std::string words;
   for (const std::size_t k : axes)
     words += (words.empty() ? "" : ", ") + p.labels.variables[k].name;
@@ -21,7 +21,7 @@ std::string listed(const PreparedSearch& p, const Axes& axes) {
 }
 
 /// `option` and `choice` are parts of the message: "--axes", "two of".
-std::size_t parse_axis(const std::string& wanted, const PreparedSearch& p, const Axes& axes,
+std::size_t parse_axis(const std::string& wanted, const SearchSubject& p, const Axes& axes,
                        const char* option, const char* choice) {
   for (const std::size_t k : axes)
     if (p.labels.variables[k].name == wanted) return k;
@@ -29,7 +29,7 @@ std::size_t parse_axis(const std::string& wanted, const PreparedSearch& p, const
                                wanted, choice, listed(p, axes)));
 }
 
-Axes parse_axes(const std::string& text, const PreparedSearch& p, const Axes& axes) {
+Axes parse_axes(const std::string& text, const SearchSubject& p, const Axes& axes) {
   const std::size_t comma = text.find(',');
   if (comma == std::string::npos)
     throw UsageError("--axes: found '" + text + "', expected two motion parameters, p,q");
@@ -44,8 +44,7 @@ Axes parse_axes(const std::string& text, const PreparedSearch& p, const Axes& ax
 }
 
 /// The values are the middles of equal parts of the range: no picture is one of its ends.
-std::vector<Slice> parse_slices(const std::string& text, const PreparedSearch& p,
-                                const Axes& axes) {
+std::vector<Slice> parse_slices(const std::string& text, const SearchSubject& p, const Axes& axes) {
   constexpr unsigned kMaxSlices = 36;
   const std::size_t equals = text.find('=');
   const std::string number = equals == std::string::npos ? "" : text.substr(equals + 1);
@@ -96,7 +95,7 @@ void require_picture_format(const std::string& file) {
 bool is_grid_file(const std::string& file) { return file.ends_with(".vtu"); }
 
 PictureOptions resolve_pictures(const PictureRequest& request, const PavingOptions& paving,
-                                const PreparedSearch& p) {
+                                const SearchSubject& p) {
   PictureOptions options{paving, paving.axes, {}, request.shade};
   if (request.files.empty()) {
     for (const auto& [option, text] :

@@ -8,6 +8,7 @@
 
 #include "codegen/answer/picture/picture_request.hpp"
 #include "codegen/answer/report/paving_options.hpp"
+#include "runtime/search/paving.hpp"
 
 namespace regulus {
 
@@ -17,11 +18,16 @@ struct Slice {
   double value = 0;
 };
 
+/// Returns the word for the claim of a box.
+using WordOfClaim = const char* (*)(Claim) noexcept;
+
 struct PictureOptions {
   PavingOptions paving;
   std::vector<std::size_t> drawn;  ///< the motion parameters along the axes: two, or the only one
   std::vector<Slice> slices;       ///< a map for each of them; empty: one map
   Shade shade = Shade::kWorst;
+  WordOfClaim word = name;
+  std::string subject{};  ///< of the question, for the title; empty: model and motion say it
 };
 
 /// Throws UsageError unless the name of the file ends as that of a picture.
@@ -32,6 +38,6 @@ void require_picture_format(const std::string& file);
 /// Throws UsageError for an unknown axis or slice, and for a picture of nothing.
 [[nodiscard]] PictureOptions resolve_pictures(const PictureRequest& request,
                                               const PavingOptions& paving,
-                                              const PreparedSearch& preparation);
+                                              const SearchSubject& preparation);
 
 }  // namespace regulus

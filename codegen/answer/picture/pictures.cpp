@@ -2,6 +2,7 @@
 #include "codegen/answer/picture/pictures.hpp"
 
 #include <system_error>
+#include <utility>
 
 #include "codegen/answer/picture/picture.hpp"
 #include "codegen/support/errors.hpp"
@@ -23,9 +24,15 @@ auto with_file(const std::string& name, Step step) {
 
 Pictures::Pictures(const PictureRequest& request, const PavingOptions& paving,
                    const PreparedSearch& preparation)
+    : Pictures(request, paving, preparation, name, "") {}
+
+Pictures::Pictures(const PictureRequest& request, const PavingOptions& paving,
+                   const PreparedSearch& preparation, WordOfClaim word, std::string subject)
     : preparation_(preparation), options_(resolve_pictures(request, paving, preparation)) {
+  options_.word = word;
+  options_.subject = std::move(subject);
   for (const std::string& file : request.files) open(file);
-  if (!grids_.empty()) boxes_.emplace(preparation, paving);
+  if (!grids_.empty()) boxes_.emplace(preparation, options_);
   if (drawings_.empty()) return;
   if (options_.slices.empty()) canvases_.emplace_back(preparation, options_);
   for (const Slice& slice : options_.slices) canvases_.emplace_back(preparation, options_, slice);

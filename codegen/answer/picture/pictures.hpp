@@ -23,6 +23,9 @@ class Pictures {
   /// be written.
   Pictures(const PictureRequest& request, const PavingOptions& paving,
            const PreparedSearch& preparation);
+  /// The same for claims about something else, a load: `subject` is for the title.
+  Pictures(const PictureRequest& request, const PavingOptions& paving,
+           const PreparedSearch& preparation, WordOfClaim word, std::string subject);
 
   /// Returns what must see each box.
   [[nodiscard]] std::vector<Observer*> observers();

@@ -66,12 +66,12 @@ const char* colour_of(Claim claim) {
   return "";
 }
 
-void add_legends(Plot& plot, const Volumes& volumes) {
+void add_legends(Plot& plot, const PictureOptions& options, const Volumes& volumes) {
   for (const Claim claim :
        {Claim::kFree, Claim::kSingular, Claim::kUndecided, Claim::kOutside, Claim::kUnreachable})
     if (const Share& share = volumes.of(claim); share.boxes > 0)
       plot.add_legend(colour_of(claim),
-                      fmt::format("{} {}", name(claim), percentage(volumes, share)));
+                      fmt::format("{} {}", options.word(claim), percentage(volumes, share)));
 }
 
 Interval part_of(Interval range, std::size_t begin, std::size_t end, std::size_t count) {

@@ -43,7 +43,7 @@ class Plot {
 [[nodiscard]] const char* colour_of(Claim claim);
 
 /// Adds a line for each claim that some box has, with the part of the volume.
-void add_legends(Plot& plot, const Volumes& volumes);
+void add_legends(Plot& plot, const PictureOptions& options, const Volumes& volumes);
 
 /// Returns part [begin, end) of `count` equal parts of a range.
 [[nodiscard]] Interval part_of(Interval range, std::size_t begin, std::size_t end,
@@ -56,11 +56,11 @@ inline constexpr std::array kDrawingOrder{Claim::kFree, Claim::kUnreachable, Cla
                                           Claim::kUndecided, Claim::kSingular};
 
 /// The commands of a map of two ranges, each tile coloured by the worst claim or by its share.
-[[nodiscard]] std::string map_commands(const PreparedSearch& preparation,
+[[nodiscard]] std::string map_commands(const SearchSubject& preparation,
                                        const PictureOptions& options, const Volumes& volumes,
                                        const Canvas& canvas, bool has_legend);
 /// The commands of the determinant over the only range.
-[[nodiscard]] std::string curve_commands(const PreparedSearch& preparation,
+[[nodiscard]] std::string curve_commands(const SearchSubject& preparation,
                                          const PictureOptions& options, const Volumes& volumes,
                                          const Canvas& canvas);
 

@@ -15,7 +15,7 @@ using Kind = TwistComponent::Kind;
 constexpr const char* kUnnamed = "the largest entry is 1";
 constexpr const char* kPlatform = "angular velocity of norm 1; velocity of norm 1 if there is none";
 
-Json json_columns(const PreparedSearch& p) {
+Json json_columns(const SearchSubject& p) {
   Json columns = Json::array();
   const auto& components = p.labels.twist;
   for (int j = 0; j < p.labels.columns; ++j) {
@@ -43,7 +43,7 @@ std::string part_words(const std::vector<double>& v, const std::vector<TwistComp
                      unit.empty() || unit == "1" ? "" : " " + unit);
 }
 
-std::string describe_twist(const PreparedSearch& p, const std::vector<double>& v) {
+std::string describe_twist(const SearchSubject& p, const std::vector<double>& v) {
   const auto& components = p.labels.twist;
   if (!components.empty())
     return fmt::format("velocity {}, angular velocity {}", part_words(v, components, Kind::kLinear),
@@ -89,7 +89,7 @@ std::string describe_space(std::size_t dimension) {
   return dimension == 1 ? "" : fmt::format("a space of dimension {}, spanned by ", dimension);
 }
 
-void say_nothing_lost(const PreparedSearch& p, const Degeneracy& degeneracy, Facts& facts) {
+void say_nothing_lost(const SearchSubject& p, const Degeneracy& degeneracy, Facts& facts) {
   const bool is_twist = p.labels.matrix_kind == MatrixKind::kInverse;
   facts.say(is_twist ? "twist" : "rank",
             fmt::format("no {} is lost there: the least singular value is {:.2g} of the largest",
@@ -112,7 +112,7 @@ void tell_rows(const Degeneracy& degeneracy, Facts& facts) {
 
 }  // namespace
 
-void tell_degeneracy(const PreparedSearch& p, const std::optional<Degeneracy>& degeneracy,
+void tell_degeneracy(const SearchSubject& p, const std::optional<Degeneracy>& degeneracy,
                      Facts& facts) {
   if (!degeneracy) {
     for (const char* key : {"nullity", "singular_values", "twist", "rows"}) facts.add(key, nullptr);

@@ -63,9 +63,9 @@ Json JsonCheckpoint::read(const std::string& text, const Json& question) const {
   return content;
 }
 
-std::optional<SavedTree> JsonCheckpoint::tree() const try {
-  if (!had_tree_) return std::nullopt;
-  const Json& saved = known().at(kTree);
+std::optional<SavedTree> JsonCheckpoint::tree(const std::string& place) const try {
+  if (!known().contains(place)) return std::nullopt;
+  const Json& saved = known().at(place);
   return SavedTree{saved.at("steps").get<std::string>(), saved.at("open").get<std::string>(),
                    saved.at("shown").get<std::vector<BoxId>>(),
                    saved.at("own").get<std::vector<std::uint64_t>>()};
@@ -73,9 +73,12 @@ std::optional<SavedTree> JsonCheckpoint::tree() const try {
   refuse_tree(SavedTreeError(error.what()));
 }
 
-void JsonCheckpoint::keep(const SavedTree& tree) {
-  known()[kTree] = {
-      {"steps", tree.steps}, {"open", tree.open}, {"shown", tree.shown}, {"own", tree.own}};
+void JsonCheckpoint::keep(const SavedTree& tree, const std::string& place) {
+  Json& saved = known()[place];
+  saved["steps"] = tree.steps;
+  saved["open"] = tree.open;
+  saved["shown"] = tree.shown;
+  saved["own"] = tree.own;
   save();
 }
 

@@ -30,12 +30,14 @@ class JsonCheckpoint {
   /// The search is over: there is nothing to continue.
   void remove() noexcept;
 
-  /// Runs search(settings), which continues from the tree in the file, if there is one, and saves
-  /// trees there. Throws InputError if the file has something else in the place of a tree.
+  /// Runs search(settings), which continues from the tree in the file, if it had one when it was
+  /// read, and saves trees there. Throws InputError if the file has something else in the place of a
+  /// tree. `place`: the key of the tree among what is known.
   template <class BoxSettings, class Search>
-  auto continue_search(BoxSettings settings, const Search& search) {
-    settings.save = [this](const SavedTree& tree) { keep(tree); };
-    const std::optional<SavedTree> from = tree();
+  auto continue_search(BoxSettings settings, const Search& search,
+                       const std::string& place = "tree") {
+    settings.save = [this, place](const SavedTree& tree) { keep(tree, place); };
+    const std::optional<SavedTree> from = place != "tree" || had_tree_ ? tree(place) : std::nullopt;
     if (from) settings.from = &*from;
     try {
       return search(settings);
@@ -43,6 +45,12 @@ class JsonCheckpoint {
       refuse_tree(error);
     }
   }
+  /// Returns the tree at a place; nullopt if there is none. Throws as refuse().
+  [[nodiscard]] std::optional<SavedTree> tree(const std::string& place) const;
+  /// Puts it there, and saves the file.
+  void keep(const SavedTree& tree, const std::string& place);
+  [[noreturn]] void refuse_tree(const SavedTreeError& error) const;
+
   /// True if the file had a tree when it was read.
   [[nodiscard]] bool had_tree() const noexcept { return had_tree_; }
 
@@ -55,9 +63,6 @@ class JsonCheckpoint {
  private:
   [[nodiscard]] nlohmann::ordered_json read(const std::string& text,
                                             const nlohmann::ordered_json& question) const;
-  [[nodiscard]] std::optional<SavedTree> tree() const;
-  void keep(const SavedTree& tree);
-  [[noreturn]] void refuse_tree(const SavedTreeError& error) const;
   /// Throws    std::exception.
   void write() const;
 

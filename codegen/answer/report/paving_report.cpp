@@ -26,7 +26,7 @@ constexpr std::array kEveryClaim{Claim::kFree, Claim::kSingular, Claim::kUndecid
 
 /// Returns the claim of a box of that kind, for every value of the uncertain quantities or for
 /// some.
-std::string describe_claim(const PreparedSearch& p, Claim claim) {
+std::string describe_claim(const SearchSubject& p, Claim claim) {
   const bool threshold = p.variety.alpha.hi > 0;
   const std::string alpha = threshold_text(p.variety.alpha, claim == Claim::kFree);
   const bool uncertain = uncertain_count(p) > 0;
@@ -56,7 +56,7 @@ std::string describe_claim(const PreparedSearch& p, Claim claim) {
 }
 
 /// Returns "cm^2*rad", for example; "1" if no range has a unit.
-std::string volume_unit(const PreparedSearch& p, const std::vector<std::size_t>& axes) {
+std::string volume_unit(const SearchSubject& p, const std::vector<std::size_t>& axes) {
   std::map<std::string, int> powers;
   for (const std::size_t k : axes) {
     const std::string& unit = p.labels.variables[k].unit;
@@ -69,7 +69,7 @@ std::string volume_unit(const PreparedSearch& p, const std::vector<std::size_t>&
   return text.empty() ? "1" : text;
 }
 
-Json json_ranges(const PreparedSearch& p) {
+Json json_ranges(const SearchSubject& p) {
   Json ranges = Json::array();
   for (std::size_t k = 0; k < p.labels.variables.size(); ++k) {
     const VariableLabel& variable = p.labels.variables[k];
@@ -117,7 +117,7 @@ Json json_workspace(const Volumes& volumes) {
 }
 
 /// People read nothing if all poses meet the constraints.
-void tell_workspace(const PreparedSearch& p, const Volumes& volumes, Facts& facts) {
+void tell_workspace(const SearchSubject& p, const Volumes& volumes, Facts& facts) {
   facts.add("workspace", json_workspace(volumes));
   const auto& workspace = volumes.workspace();
   if (!workspace || workspace->outside.boxes + workspace->undecided.boxes == 0) return;
@@ -129,7 +129,7 @@ void tell_workspace(const PreparedSearch& p, const Volumes& volumes, Facts& fact
                                                               : "are within reach"));
 }
 
-void tell_volumes(const PreparedSearch& p, const Volumes& volumes, const Result& result,
+void tell_volumes(const SearchSubject& p, const Volumes& volumes, const Result& result,
                   Facts& facts) {
   facts.add("volume", json_interval(volumes.total()));
   for (const Claim claim : kEveryClaim)
@@ -147,7 +147,7 @@ void tell_volumes(const PreparedSearch& p, const Volumes& volumes, const Result&
                     counted(volumes.unfinished()), percentage(volumes, volumes.unfinished())));
 }
 
-void tell_claims(const PreparedSearch& p, Facts& facts) {
+void tell_claims(const SearchSubject& p, Facts& facts) {
   const std::string free = "free: " + describe_claim(p, Claim::kFree);
   const std::string singular = "singular: " + describe_claim(p, Claim::kSingular);
   facts.tell("claim", free + "; " + singular, "claim", free + '\n' + singular);
@@ -155,7 +155,7 @@ void tell_claims(const PreparedSearch& p, Facts& facts) {
 
 }  // namespace
 
-Json json_paving_header(const PreparedSearch& p, const PavingOptions& options) {
+Json json_paving_header(const SearchSubject& p, const PavingOptions& options) {
   Json claims = Json::object();
   for (const Claim claim : kEveryClaim) claims[name(claim)] = describe_claim(p, claim);
   Json header = {{"regulus_paving", kFormatVersion},

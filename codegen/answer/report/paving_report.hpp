@@ -12,7 +12,7 @@
 namespace regulus {
 
 /// Returns the first JSON line: the question, and the claim of each kind of box.
-[[nodiscard]] nlohmann::ordered_json json_paving_header(const PreparedSearch& preparation,
+[[nodiscard]] nlohmann::ordered_json json_paving_header(const SearchSubject& preparation,
                                                         const PavingOptions& options);
 
 /// Tells the question, and number, volume and fraction of each kind of box; if the paving is not complete,

@@ -12,11 +12,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string short_text_of(const PreparedSearch&, std::size_t, const Interval& x) {
+std::string short_text_of(const SearchSubject&, std::size_t, const Interval& x) {
   return short_interval(x);
 }
 
-Json json_variables(const PreparedSearch& p, std::span<const Interval> values, bool motion) {
+Json json_variables(const SearchSubject& p, std::span<const Interval> values, bool motion) {
   Json object = Json::object();
   const auto& variables = p.labels.variables;
   for (std::size_t i = 0; i < values.size() && i < variables.size(); ++i)
@@ -25,8 +25,8 @@ Json json_variables(const PreparedSearch& p, std::span<const Interval> values, b
 }
 
 /// "x = 3, y = [4, 5]": of the motion parameters or of the other variables.
-std::string assignments(const PreparedSearch& p, std::span<const Interval> values, bool motion,
-                        std::string (*text)(const PreparedSearch&, std::size_t, const Interval&)) {
+std::string assignments(const SearchSubject& p, std::span<const Interval> values, bool motion,
+                        std::string (*text)(const SearchSubject&, std::size_t, const Interval&)) {
   std::string words;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const VariableLabel& variable = p.labels.variables[i];
@@ -37,7 +37,7 @@ std::string assignments(const PreparedSearch& p, std::span<const Interval> value
   return words;
 }
 
-std::string pose_words(const PreparedSearch& p, std::span<const Interval> pose,
+std::string pose_words(const SearchSubject& p, std::span<const Interval> pose,
                        std::string (*text)(const Interval&)) {
   const auto& parameters = p.labels.pose;
   const auto& variables = p.labels.variables;
@@ -55,13 +55,13 @@ std::string pose_words(const PreparedSearch& p, std::span<const Interval> pose,
 
 bool is_motion(const VariableLabel& variable) { return variable.kind == VariableKind::kMotion; }
 
-std::size_t uncertain_count(const PreparedSearch& p) {
+std::size_t uncertain_count(const SearchSubject& p) {
   std::size_t count = 0;
   for (const VariableLabel& variable : p.labels.variables) count += !is_motion(variable);
   return count;
 }
 
-std::string range_text(const PreparedSearch& p, std::size_t k, const Interval& x) {
+std::string range_text(const SearchSubject& p, std::size_t k, const Interval& x) {
   const Interval& outer = p.variety.outer[k];
   const std::optional<Interval>& inner = p.variety.inner[k];
   if (!inner && x.lo == outer.lo && x.hi == outer.hi) return shortest_text_in(outer);
@@ -70,15 +70,15 @@ std::string range_text(const PreparedSearch& p, std::size_t k, const Interval& x
                    to_last ? shortest_text_in({inner->hi, outer.hi}) : shortest_text(x.hi));
 }
 
-Json json_parameters(const PreparedSearch& p, std::span<const Interval> variables) {
+Json json_parameters(const SearchSubject& p, std::span<const Interval> variables) {
   return json_variables(p, variables, true);
 }
 
-Json json_uncertain(const PreparedSearch& p, std::span<const Interval> variables) {
+Json json_uncertain(const SearchSubject& p, std::span<const Interval> variables) {
   return json_variables(p, variables, false);
 }
 
-Json json_pose(const PreparedSearch& p, std::span<const Interval> pose) {
+Json json_pose(const SearchSubject& p, std::span<const Interval> pose) {
   Json object = Json::object();
   const auto& parameters = p.labels.pose;
   for (std::size_t i = 0; i < pose.size() && i < parameters.size(); ++i)
@@ -86,18 +86,17 @@ Json json_pose(const PreparedSearch& p, std::span<const Interval> pose) {
   return object;
 }
 
-std::string describe_place(const PreparedSearch& p, std::span<const Interval> variables) {
+std::string describe_place(const SearchSubject& p, std::span<const Interval> variables) {
   const std::string words = assignments(p, variables, true, range_text);
   return words.empty() ? "the only pose" : words;
 }
 
-std::string describe_short_place(const PreparedSearch& p, std::span<const Interval> variables) {
+std::string describe_short_place(const SearchSubject& p, std::span<const Interval> variables) {
   const std::string words = assignments(p, variables, true, short_text_of);
   return words.empty() ? "the only pose" : words;
 }
 
-std::string describe_uncertain_values(const PreparedSearch& p,
-                                      std::span<const Interval> variables) {
+std::string describe_uncertain_values(const SearchSubject& p, std::span<const Interval> variables) {
   const std::size_t count = uncertain_count(p);
   if (count == 0) return "";
   if (count > kMostListed)
@@ -105,11 +104,11 @@ std::string describe_uncertain_values(const PreparedSearch& p,
   return "with " + assignments(p, variables, false, short_text_of);
 }
 
-std::string describe_pose_of(const PreparedSearch& p, std::span<const Interval> pose) {
+std::string describe_pose_of(const SearchSubject& p, std::span<const Interval> pose) {
   return pose_words(p, pose, value_text);
 }
 
-std::string describe_short_pose(const PreparedSearch& p, std::span<const Interval> pose) {
+std::string describe_short_pose(const SearchSubject& p, std::span<const Interval> pose) {
   return pose_words(p, pose, short_interval);
 }
 

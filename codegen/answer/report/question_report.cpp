@@ -169,7 +169,7 @@ Json json_asked(const AskedQuestion& asked, const SearchOptions& search) {
 }
 
 /// Returns "base ±0.05": six digits, for people.
-std::string describe_tolerance(const PreparedSearch& p, std::size_t index) {
+std::string describe_tolerance(const SearchSubject& p, std::size_t index) {
   const VariableLabel& variable = p.labels.variables[index];
   const Interval& range = p.variety.outer[index];
   return fmt::format("{} ±{:.6g}{}{}", variable.group.empty() ? variable.name : variable.group,
@@ -228,7 +228,7 @@ std::string describe_groups(const ReportLabels& labels) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-std::string describe_tolerances(const PreparedSearch& p) {
+std::string describe_tolerances(const SearchSubject& p) {
   Counts tolerances;
   for (std::size_t i = 0; i < p.labels.variables.size(); ++i)
     if (!is_motion(p.labels.variables[i])) tolerances.add(describe_tolerance(p, i));

@@ -34,6 +34,6 @@ namespace regulus {
 /// Returns "18 of base ±0.05, 18 of platform ±0.1 in balls": the groups of uncertain quantities.
 ///
 /// Requires  some quantity is uncertain.
-[[nodiscard]] std::string describe_tolerances(const PreparedSearch& preparation);
+[[nodiscard]] std::string describe_tolerances(const SearchSubject& preparation);
 
 }  // namespace regulus

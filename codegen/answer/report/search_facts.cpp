@@ -35,7 +35,7 @@ std::optional<double> short_degrees(const Interval& radians) {
 }
 
 /// Returns " ([-15, 15] deg)" for angles in radians whose ends are short numbers of degrees.
-std::string describe_degrees(const PreparedSearch& p, std::size_t k) {
+std::string describe_degrees(const SearchSubject& p, std::size_t k) {
   const Interval& outer = p.variety.outer[k];
   const std::optional<Interval>& inner = p.variety.inner[k];
   if (p.labels.variables[k].unit != "rad" || (outer.lo == 0 && outer.hi == 0)) return "";
@@ -45,7 +45,7 @@ std::string describe_degrees(const PreparedSearch& p, std::size_t k) {
                   : "";
 }
 
-void say_variables(const PreparedSearch& p, bool motion, Facts& facts) {
+void say_variables(const SearchSubject& p, bool motion, Facts& facts) {
   const auto& variables = p.labels.variables;
   for (std::size_t i = 0; i < variables.size(); ++i) {
     if (is_motion(variables[i]) != motion) continue;
@@ -55,7 +55,7 @@ void say_variables(const PreparedSearch& p, bool motion, Facts& facts) {
   }
 }
 
-void say_uncertain(const PreparedSearch& p, Facts& facts) {
+void say_uncertain(const SearchSubject& p, Facts& facts) {
   const std::size_t count = uncertain_count(p);
   if (count == 0) {
     facts.say("uncertain", "nothing: geometry and control are taken as exact");
@@ -69,7 +69,7 @@ void say_uncertain(const PreparedSearch& p, Facts& facts) {
   if (count <= kMostListed) say_variables(p, false, facts);
 }
 
-void tell_where(const PreparedSearch& p, Facts& facts) {
+void tell_where(const SearchSubject& p, Facts& facts) {
   facts.add("where", p.labels.where);
   if (p.labels.where.empty()) return;
   const bool ranges = p.labels.where == name(Where::kWithinRanges);
@@ -77,7 +77,7 @@ void tell_where(const PreparedSearch& p, Facts& facts) {
                                  p.labels.where, ranges ? " and joints out of range" : ""));
 }
 
-void tell_matrix(const PreparedSearch& p, Facts& facts) {
+void tell_matrix(const SearchSubject& p, Facts& facts) {
   facts.add("matrix", name(p.labels.matrix_kind)).add("matrix_notes", p.labels.matrix_notes);
   const char* label = "matrix";
   for (const std::string& note : p.labels.matrix_notes) facts.say(std::exchange(label, ""), note);
@@ -164,22 +164,22 @@ const char* json_name(Verdict verdict) {
   return "";
 }
 
-std::string describe_size(const PreparedSearch& p) {
+std::string describe_size(const SearchSubject& p) {
   return fmt::format("full {}×{} {}", p.labels.rows, p.labels.columns, name(p.labels.matrix_kind));
 }
 
-const char* describe_pose(const PreparedSearch& p) {
+const char* describe_pose(const SearchSubject& p) {
   return p.labels.where == name(Where::kReachable) ? "reachable pose of the variety"
          : p.labels.where == name(Where::kWithinRanges)
              ? "pose of the variety with the actuated joints in range"
              : "pose of the variety";
 }
 
-void tell_threshold(const PreparedSearch& p, Facts& facts) {
+void tell_threshold(const SearchSubject& p, Facts& facts) {
   facts.add("alpha", mid(p.variety.alpha)).add("alpha_enclosure", json_interval(p.variety.alpha));
 }
 
-void tell_question(const PreparedSearch& p, Facts& facts) {
+void tell_question(const SearchSubject& p, Facts& facts) {
   tell_model(p, facts);
   facts.add("notes", p.labels.notes);
   say_variables(p, true, facts);
@@ -189,7 +189,7 @@ void tell_question(const PreparedSearch& p, Facts& facts) {
   tell_threshold(p, facts);
 }
 
-void add_model(const PreparedSearch& p, Facts& facts) {
+void add_model(const SearchSubject& p, Facts& facts) {
   facts.add("model", p.labels.model).add("model_file", p.model_file);
   facts.add("model_sha256", p.labels.model_sha256).add("motion", p.labels.motion);
 }
@@ -199,7 +199,7 @@ void add_model(const Request& request, Facts& facts) {
   facts.add("model_sha256", request.model.sha256).add("motion", request.motion.name);
 }
 
-void tell_model(const PreparedSearch& p, Facts& facts) {
+void tell_model(const SearchSubject& p, Facts& facts) {
   add_model(p, facts);
   facts.say("model", p.labels.model).say("motion", p.labels.motion);
 }

@@ -12,17 +12,17 @@
 namespace regulus {
 
 /// Tells the model, its file and its hash, and the motion.
-void tell_model(const PreparedSearch& preparation, Facts& facts);
+void tell_model(const SearchSubject& preparation, Facts& facts);
 void tell_model(const Request& request, Facts& facts);
 /// Tells them to programs alone.
-void add_model(const PreparedSearch& preparation, Facts& facts);
+void add_model(const SearchSubject& preparation, Facts& facts);
 void add_model(const Request& request, Facts& facts);
 /// Tells the question as json_question() returns it, its options and version, engine and threads.
 void add_search(const SearchOptions& search, nlohmann::ordered_json question, Facts& facts);
 /// Tells model, motion, matrix, threshold and uncertain quantities.
-void tell_question(const PreparedSearch& preparation, Facts& facts);
+void tell_question(const SearchSubject& preparation, Facts& facts);
 /// Tells α: approximately, and its enclosure.
-void tell_threshold(const PreparedSearch& preparation, Facts& facts);
+void tell_threshold(const SearchSubject& preparation, Facts& facts);
 /// Tells method and engine, after a search of `boxes`.
 void tell_method(const PreparedSearch& preparation, const SearchOptions& search, Method method,
                  std::uint64_t boxes, Facts& facts);
@@ -31,9 +31,9 @@ void tell_time(const StageSeconds& seconds, Facts& facts);
 void tell_occupancy(const Result& result, Facts& facts);
 
 /// Returns "full 6×6 matrix", for example.
-[[nodiscard]] std::string describe_size(const PreparedSearch& preparation);
+[[nodiscard]] std::string describe_size(const SearchSubject& preparation);
 /// Returns the poses that a claim is about: "pose of the variety", "reachable pose of the variety".
-[[nodiscard]] const char* describe_pose(const PreparedSearch& preparation);
+[[nodiscard]] const char* describe_pose(const SearchSubject& preparation);
 /// Returns "model 1.2 ms, …": the times of the stages.
 [[nodiscard]] std::string describe_time(const StageSeconds& seconds);
 

@@ -10,7 +10,7 @@
 
 namespace regulus {
 
-nlohmann::ordered_json json_undefined(const PreparedSearch& p, const Undefined& undefined) {
+nlohmann::ordered_json json_undefined(const SearchSubject& p, const Undefined& undefined) {
   auto expressions = nlohmann::ordered_json::array();
   for (const UndefinedExpression& e : undefined.expressions) {
     nlohmann::ordered_json object = {{"expression", e.text}};
@@ -26,7 +26,7 @@ nlohmann::ordered_json json_undefined(const PreparedSearch& p, const Undefined& 
           {"expressions", expressions}};
 }
 
-void tell_undefined(const PreparedSearch& p, const Undefined& undefined, Facts& facts) {
+void tell_undefined(const SearchSubject& p, const Undefined& undefined, Facts& facts) {
   facts.add("undefined", json_undefined(p, undefined));
   for (const UndefinedExpression& e : undefined.expressions)
     facts.say("undefined",

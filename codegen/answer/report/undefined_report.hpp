@@ -9,9 +9,9 @@
 
 namespace regulus {
 
-[[nodiscard]] nlohmann::ordered_json json_undefined(const PreparedSearch& preparation,
+[[nodiscard]] nlohmann::ordered_json json_undefined(const SearchSubject& preparation,
                                                     const Undefined& undefined);
 /// Tells it under the key `undefined`.
-void tell_undefined(const PreparedSearch& preparation, const Undefined& undefined, Facts& facts);
+void tell_undefined(const SearchSubject& preparation, const Undefined& undefined, Facts& facts);
 
 }  // namespace regulus

@@ -42,11 +42,11 @@ std::string describe_value(const Interval& x) {
 }
 
 /// True if the determinant of a witness is that of J⁻¹, not of the matrix as the model writes it.
-bool has_row_scales(const PreparedSearch& p, const Witness& witness) {
+bool has_row_scales(const SearchSubject& p, const Witness& witness) {
   return witness.points.size() != 2 && p.variety.alpha.hi > 0;
 }
 
-std::optional<double> approx_scale(const PreparedSearch& p, const Witness& witness,
+std::optional<double> approx_scale(const SearchSubject& p, const Witness& witness,
                                    const InverseJacobian& matrix) {
   if (p.labels.rows != p.labels.columns) return std::nullopt;
   return matrix.approx_hadamard(closest(witness).variables, has_row_scales(p, witness));
@@ -62,7 +62,7 @@ std::string text_of(const ExactNumber& number) {
 }
 
 /// Returns the coordinates that are known exactly and need not be doubles, by variable.
-Json json_exact(const PreparedSearch& p, const WitnessPoint& point) {
+Json json_exact(const SearchSubject& p, const WitnessPoint& point) {
   Json exact = Json::object();
   for (std::size_t k = 0; k < point.numbers.size(); ++k)
     if (point.numbers[k].denominator > 0)
@@ -70,7 +70,7 @@ Json json_exact(const PreparedSearch& p, const WitnessPoint& point) {
   return exact;
 }
 
-std::string describe_exact_values(const PreparedSearch& p, const WitnessPoint& point) {
+std::string describe_exact_values(const SearchSubject& p, const WitnessPoint& point) {
   std::string words;
   for (std::size_t k = 0; k < point.numbers.size(); ++k)
     if (point.numbers[k].denominator > 0)
@@ -79,7 +79,7 @@ std::string describe_exact_values(const PreparedSearch& p, const WitnessPoint& p
   return words;
 }
 
-void say_proof(const PreparedSearch& p, const Witness& witness, const std::optional<double>& scale,
+void say_proof(const SearchSubject& p, const Witness& witness, const std::optional<double>& scale,
                Facts& facts) {
   if (p.labels.rows != p.labels.columns) {
     facts.say("",
@@ -99,7 +99,7 @@ void say_proof(const PreparedSearch& p, const Witness& witness, const std::optio
 }
 
 /// Tells the points of a witness, and for two of them the box between.
-void add_points(const PreparedSearch& p, const Witness& witness, const std::optional<double>& scale,
+void add_points(const SearchSubject& p, const Witness& witness, const std::optional<double>& scale,
                 Facts& facts) {
   Json points = Json::array();
   for (const WitnessPoint& point : witness.points) points.push_back(json_point(p, point));
@@ -112,7 +112,7 @@ void add_points(const PreparedSearch& p, const Witness& witness, const std::opti
 
 }  // namespace
 
-Json json_point(const PreparedSearch& p, const WitnessPoint& point) {
+Json json_point(const SearchSubject& p, const WitnessPoint& point) {
   const bool has_determinant = p.labels.rows == p.labels.columns;
   Json report = {{"parameters", json_parameters(p, point.variables)},
                  {"pose", json_pose(p, point.pose)},
@@ -144,7 +144,7 @@ void tell_witness(const PreparedSearch& p, const Result& result, Facts& facts) {
   facts.tell_part("witness", std::move(told));
 }
 
-void tell_nearest(const PreparedSearch& p, const LeastSingular& nearest, Facts& facts) {
+void tell_nearest(const SearchSubject& p, const LeastSingular& nearest, Facts& facts) {
   Facts told = facts.part();
   told.add("approximate", true)
       .add("parameters", json_parameters(p, nearest.variables))

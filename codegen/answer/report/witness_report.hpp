@@ -12,7 +12,7 @@
 
 namespace regulus {
 
-[[nodiscard]] nlohmann::ordered_json json_point(const PreparedSearch& preparation,
+[[nodiscard]] nlohmann::ordered_json json_point(const SearchSubject& preparation,
                                                 const WitnessPoint& point);
 
 /// Tells it under the key `witness`, which is null without a witness.
@@ -20,6 +20,6 @@ void tell_witness(const PreparedSearch& preparation, const Result& result, Facts
 
 /// Tells under the key `nearest_singular` where a matrix is nearest to losing rank, if nothing could
 /// be proved or if it is almost singular there.
-void tell_nearest(const PreparedSearch& preparation, const LeastSingular& nearest, Facts& facts);
+void tell_nearest(const SearchSubject& preparation, const LeastSingular& nearest, Facts& facts);
 
 }  // namespace regulus

@@ -7,6 +7,7 @@
 #include "codegen/answer/certificate/certificate_question.hpp"
 #include "codegen/answer/certificate/load_question.hpp"
 #include "codegen/model/mechanism/twist.hpp"
+#include "codegen/question/quantity/quantity_traits.hpp"
 #include "runtime/proof/format.hpp"
 
 namespace regulus {
@@ -14,39 +15,11 @@ namespace {
 
 using GiNaC::ex;
 
-const char* name_of_quantity(QuantityKind kind) {
-  switch (kind) {
-    case QuantityKind::kForce:
-      return format::kForce;
-    case QuantityKind::kError:
-      return format::kError;
-    case QuantityKind::kSpeed:
-      return format::kSpeed;
-    case QuantityKind::kSigmaMin:
-      return format::kSigmaMin;
-    case QuantityKind::kSigmaMax:
-      return format::kSigmaMax;
-    case QuantityKind::kCondition:
-      return format::kCondition;
-    case QuantityKind::kDeflection:
-      return format::kDeflection;
-    case QuantityKind::kDeterminant:
-      return format::kDeterminant;
-    case QuantityKind::kCondition2:
-      return format::kCondition2;
-    case QuantityKind::kExpression:
-      break;
-  }
-  return format::kExpression;
-}
-
 /// A quantity that is never negative has the side of its end, not that of an absolute value.
 const char* side_of(const Component& c) {
-  if (c.kind == QuantityKind::kSigmaMin || c.kind == QuantityKind::kDeterminant)
-    return format::kLeast;
-  const bool is_norm = c.kind == QuantityKind::kError && c.part != PosePart::kColumn;
-  const bool is_ratio = c.kind == QuantityKind::kCondition || c.kind == QuantityKind::kCondition2;
-  if (is_norm || is_ratio || c.kind == QuantityKind::kSigmaMax) return format::kLargest;
+  const QuantityTraits& traits = traits_of(c.kind);
+  if (traits.is_always_least) return format::kLeast;
+  if (traits.is_never_negative || c.part != PosePart::kColumn) return format::kLargest;
   if (c.is_absolute) return format::kAbsolute;
   return c.sign < 0 ? format::kLeast : format::kLargest;
 }
@@ -54,25 +27,24 @@ const char* side_of(const Component& c) {
 class BoundText {
  public:
   BoundText(const Model& model, const Component& component, const Bordered& bordered)
-      : model_(model), c_(component), bordered_(bordered) {}
+      : model_(model), c_(component), traits_(traits_of(component.kind)), bordered_(bordered) {}
 
   std::string text(const ex& end) {
-    put("quantity", words_.quantity = name_of_quantity(c_.kind));
+    put("quantity", words_.quantity = traits_.certified);
     put("side", words_.side = side_of(c_));
-    const QuantityKind kind = c_.kind;
-    const bool is_condition = kind == QuantityKind::kCondition;
-    if (kind == QuantityKind::kForce || kind == QuantityKind::kSpeed || is_condition)
+    const bool has_pairs = traits_.components == ComponentsOf::kPairs;
+    if (has_pairs || traits_.components == ComponentsOf::kRows)
       put("row", words_.row = std::to_string(c_.row + 1));
-    if (kind == QuantityKind::kError || kind == QuantityKind::kDeflection || is_condition)
+    if (has_pairs || traits_.components == ComponentsOf::kFreedoms ||
+        traits_.components == ComponentsOf::kNorms)
       put("column", words_.columns = columns());
     if (c_.set != nullptr) write_set();
-    if (kind == QuantityKind::kError) put_each("motor-error", model_.actuators.error);
-    if (kind == QuantityKind::kDeflection) put_each("stiffness", model_.actuators.stiffness);
-    if (is_condition || kind == QuantityKind::kCondition2 || kind == QuantityKind::kSigmaMin ||
-        kind == QuantityKind::kSigmaMax)
-      write_factors();
+    if (traits_.data == NeededData::kMotorErrors) put_each("motor-error", model_.actuators.error);
+    if (traits_.data == NeededData::kLoadAndStiffness)
+      put_each("stiffness", model_.actuators.stiffness);
+    if (traits_.compares_units) write_factors();
     if (bordered_.combination) write_combination();
-    if (kind == QuantityKind::kExpression) write_expression();
+    if (c_.expression) write_expression();
     put("reference", expression_text(bordered_.reference));
     write_bound(end);
     return std::move(text_);
@@ -101,7 +73,7 @@ class BoundText {
   }
 
   void write_set() {
-    put(c_.kind == QuantityKind::kSpeed ? "twist" : "load", words_.set = c_.set->name);
+    put(traits_.data == NeededData::kTwist ? "twist" : "load", words_.set = c_.set->name);
     text_ += vector_lines(*c_.set);
     if (bordered_.has_norms) text_ += "norms\n";
   }
@@ -142,6 +114,7 @@ class BoundText {
 
   const Model& model_;
   const Component& c_;
+  const QuantityTraits& traits_;
   const Bordered& bordered_;
   format::ClaimedBound words_;
   std::string text_;

@@ -23,7 +23,7 @@ bool is_word(const std::string& text) {
 /// A text that is neither a quantity nor an expression may be a mistyped word.
 Request read_asked(ModelOptions model, const QuantityOptions& quantity, const FormingWatch& watch) {
   const std::string& text = quantity.quantity;
-  if (!kind_of(text)) model.asked = text;
+  if (!is_quantity(text)) model.asked = text;
   try {
     return read_request(model, &watch);
   } catch (const UsageError&) {

@@ -10,6 +10,7 @@
 #include "codegen/answer/report/search_facts.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/question/bound/quantity_report.hpp"
+#include "codegen/question/quantity/quantity_traits.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 
 namespace regulus {
@@ -18,9 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// True if the bracket is for a least value: its proved end is the lower one.
-bool is_least(const Component& c) {
-  return c.sign < 0 || c.kind == QuantityKind::kSigmaMin || c.kind == QuantityKind::kDeterminant;
-}
+bool is_least(const Component& c) { return c.sign < 0 || traits_of(c.kind).is_always_least; }
 
 RoundTo side_of_proved(const Component& c) {
   return is_least(c) ? RoundTo::kBelow : RoundTo::kAbove;
@@ -88,9 +87,8 @@ bool is_empty(const Bound& bound) {
 std::string subject_of(const Bound& bound, const Component& c) {
   const std::string words =
       c.label.empty() ? bound.quantity.name : fmt::format("{} of {}", bound.quantity.name, c.label);
-  const bool has_bars = c.is_absolute && c.part == PosePart::kColumn &&
-                        (c.kind == QuantityKind::kForce || c.kind == QuantityKind::kSpeed ||
-                         c.kind == QuantityKind::kError || c.kind == QuantityKind::kDeflection);
+  const bool has_bars =
+      c.is_absolute && c.part == PosePart::kColumn && !traits_of(c.kind).is_never_negative;
   return has_bars ? "|" + words + "|" : words;
 }
 
@@ -105,7 +103,7 @@ std::string claim_words(const Request& request, const Component& c) {
     is_uncertain = is_uncertain || !g.tolerance.is_zero();
   if (is_uncertain) words += ", every value of the uncertain quantities";
   if (c.set) words += ", every value of " + c.set->name;
-  if (c.kind == QuantityKind::kError) words += ", every error of the motors";
+  if (traits_of(c.kind).data == NeededData::kMotorErrors) words += ", every error of the motors";
   return words;
 }
 

@@ -63,11 +63,8 @@ void tell_components(const LimitMargin& margin, Facts& facts) {
 }  // namespace
 
 std::string describe_limit(const Quantity& quantity, const GiNaC::ex& limit) {
-  const Component& c = quantity.components.front();
-  const bool least = quantity.is_least || c.kind == QuantityKind::kSigmaMin ||
-                     c.kind == QuantityKind::kDeterminant;
-  return fmt::format("{} {} {}{}", quantity.name, least ? ">" : "<", formula_text(limit),
-                     quantity.unit == "1" ? "" : " " + quantity.unit);
+  return fmt::format("{} {} {}{}", quantity.name, quantity.is_least ? ">" : "<",
+                     formula_text(limit), quantity.unit == "1" ? "" : " " + quantity.unit);
 }
 
 std::string describe_limit_bracket(const MarginQuestion& question, const LimitMargin& margin) {

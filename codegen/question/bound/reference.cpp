@@ -6,16 +6,13 @@
 
 #include "codegen/model/exact/decimal.hpp"
 #include "codegen/question/bound/bracket_topic.hpp"
+#include "codegen/question/quantity/quantity_traits.hpp"
 #include "runtime/search/bracket.hpp"
 
 namespace regulus {
 namespace {
 
 constexpr double kBeyond = 1.01;  ///< an end of the bracket that is certainly singular
-
-bool is_direct(QuantityKind kind) {
-  return kind == QuantityKind::kSigmaMin || kind == QuantityKind::kDeterminant;
-}
 
 }  // namespace
 
@@ -24,7 +21,7 @@ GiNaC::ex Reference::value() const { return shortest_decimal(approx); }
 Reference choose_reference(const Component& component, const std::vector<double>& values) {
   Reference result;
   if (values.empty()) return result;
-  const bool direct = is_direct(component.kind);
+  const bool direct = traits_of(component.kind).is_always_least;
   double extreme = direct ? std::ranges::min(values) : std::ranges::max(values);
   if (!component.is_absolute && extreme <= 0) {
     result.approx = extreme == 0 ? -1 : 2 * extreme;

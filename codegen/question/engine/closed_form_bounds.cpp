@@ -143,6 +143,7 @@ ClosedFormBounds::Form::Form(Program made) : program(std::move(made)) {
 // Without it the search goes on as it did. Not all that is thrown is a std::exception: OverBudget
 // and FormingStopped are none.
 void ClosedFormBounds::make() noexcept try {
+  if (!forms_.empty()) return;
   const Formulation& f = stages_.natural_formulation();
   if (f.rows != f.columns || f.rows > kMostRows) return;
   for (const auto form : {expanded_program, program_with_powers}) try {

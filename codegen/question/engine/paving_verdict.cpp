@@ -3,7 +3,7 @@
 
 namespace regulus {
 
-void keep_poses_out_of_reach(const PreparedSearch& p, const Volumes& volumes, Result& result) {
+void keep_poses_out_of_reach(const SearchSubject& p, const Volumes& volumes, Result& result) {
   const bool claims_all =
       result.verdict == Verdict::kNoSingularity || result.reason == Reason::kEmptyVariety;
   if (!p.labels.where.empty() || !claims_all || volumes.unreachable_box().empty()) return;

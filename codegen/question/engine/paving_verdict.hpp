@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "codegen/question/engine/pipeline.hpp"
+#include "codegen/question/engine/search_subject.hpp"
 #include "runtime/problem/result.hpp"
 #include "runtime/search/paving.hpp"
 
@@ -9,7 +9,7 @@ namespace regulus {
 
 /// Withdraws a claim of a paving about all poses if some of them are out of reach. Unless the motion
 /// says where = "reachable", these are part of the question, and the matrix is undefined there.
-void keep_poses_out_of_reach(const PreparedSearch& preparation, const Volumes& volumes,
+void keep_poses_out_of_reach(const SearchSubject& preparation, const Volumes& volumes,
                              Result& result);
 
 }  // namespace regulus

@@ -10,14 +10,14 @@
 #include "codegen/kernel/cpp/emitted_kernel.hpp"
 #include "codegen/kernel/formulation/formulation.hpp"
 #include "codegen/kernel/formulation/functions_needed.hpp"
-#include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/kernel/program/ball_program.hpp"
 #include "codegen/model/request.hpp"
 #include "codegen/question/engine/filter_file.hpp"
 #include "codegen/question/engine/late_compilation.hpp"
 #include "codegen/question/engine/loaded_kernel.hpp"
 #include "codegen/question/engine/options.hpp"
-#include "codegen/question/engine/report_labels.hpp"
+#include "codegen/question/engine/search_subject.hpp"
+#include "codegen/question/engine/stage_seconds.hpp"
 #include "codegen/question/engine/symbolic_stages.hpp"
 #include "codegen/support/stopwatch.hpp"
 #include "runtime/kernel/isa.hpp"
@@ -26,30 +26,8 @@
 
 namespace regulus {
 
-/// Seconds spent in each stage.
-struct StageSeconds {
-  double model = 0;
-  double symbolic = 0;
-  double emit = 0;
-  double compile = 0;
-  double search = 0;
-
-  StageSeconds& operator+=(const StageSeconds& other) noexcept {
-    model += other.model;
-    symbolic += other.symbolic;
-    emit += other.emit;
-    compile += other.compile;
-    search += other.search;
-    return *this;
-  }
-};
-
-/// All data of a check, and of the report about its preparation.
-struct PreparedSearch {
-  ReportLabels labels;
-  std::string model_file;  ///< as it was opened
-  Variety variety;
-  bool is_replanned = false;  ///< the ranges or the threshold are not those that `stages` has
+/// The functions that are evaluated, and where they come from.
+struct PreparedKernel {
   /// The program of a square matrix, with rows and columns scaled as in the kernel. The threads of
   /// a search evaluate it with more digits.
   std::optional<BallProgram> matrix;
@@ -63,13 +41,21 @@ struct PreparedSearch {
   std::string no_compiler;  ///< why only the interpreter was left; otherwise empty
   std::string cache_note;   ///< why the cache could not be used; otherwise empty
   PartCount parts;          ///< of the kernel, with SearchOptions::parts
-  long bits = 53;           ///< the most that the search computed with
+};
+
+/// What the preparation took, and how it ended.
+struct PreparationCourse {
   /// Without the time of `stages`, which may still increase.
   StageSeconds seconds;
-  std::unique_ptr<SymbolicStages> stages;
   /// The reason why the search must not begin; nullopt: it may.
   std::optional<FormingStopped> stopped = {};
+};
+
+/// All that a search needs, and the report about it. What needs a part alone takes that part.
+struct PreparedSearch : SearchSubject, PreparedKernel, PreparationCourse {
+  std::unique_ptr<SymbolicStages> stages;
   Solver solver = {};  ///< of this kernel, for one search after another
+  long bits = 53;      ///< the most that the search computed with
 
   /// Refers to the kernels of this preparation.
   [[nodiscard]] Problem problem() const;

@@ -37,15 +37,11 @@ Result with_oracle(PreparedSearch& preparation, const SearchOptions& search, Set
   return result;
 }
 
-}  // namespace
-
-double seconds_left(const PreparedSearch& preparation, double time_limit) {
-  const StageSeconds spent = preparation.seconds_spent();
-  return std::max(0.0, time_limit - (spent.model + spent.symbolic + spent.emit + spent.compile));
-}
-
-Result run_search(PreparedSearch& preparation, const SearchOptions& search, Settings settings,
-                  Observer* observer, const Checkpoint* from) {
+/// `find(problem, settings, observers)` returns the state from which the search continues, or null.
+/// `earlier`: seconds of earlier runs.
+template <class Find>
+Result run_from(PreparedSearch& preparation, const SearchOptions& search, Settings settings,
+                Observer* observer, double earlier, const Find& find) {
   std::vector<Observer*> watching;
   if (observer != nullptr) watching.push_back(observer);
   if (preparation.late) watching.push_back(preparation.late.get());
@@ -60,15 +56,39 @@ Result run_search(PreparedSearch& preparation, const SearchOptions& search, Sett
   }
   Result result = with_oracle(preparation, search, settings, [&] {
     Solver& solver = preparation.solver;
-    return from != nullptr ? solver.resume(problem, settings, from->open(), from->state, &observers)
-                           : solver.solve(problem, settings, &observers);
+    const Checkpoint* const from = find(problem, settings, observers);
+    if (from == nullptr) return solver.solve(problem, settings, &observers);
+    return solver.resume(problem, settings, from->open(), from->state, &observers);
   });
   result.method = method;
   // The search has ended its own count when the stages serve its conclusion.
-  const double earlier = from != nullptr ? from->state.statistics.seconds : 0;
   const double spent_by_stages = preparation.stages->seconds() - before;
   preparation.seconds.search = earlier + std::max(0.0, watch.lap() - spent_by_stages);
   return result;
+}
+
+}  // namespace
+
+double seconds_left(const PreparedSearch& preparation, double time_limit) {
+  const StageSeconds spent = preparation.seconds_spent();
+  return std::max(0.0, time_limit - (spent.model + spent.symbolic + spent.emit + spent.compile));
+}
+
+Result run_search(PreparedSearch& preparation, const SearchOptions& search, Settings settings,
+                  Observer* observer, const Checkpoint* from) {
+  const double earlier = from != nullptr ? from->state.statistics.seconds : 0;
+  return run_from(preparation, search, settings, observer, earlier,
+                  [from](const Problem&, Settings&, Observer&) { return from; });
+}
+
+Result continue_search(PreparedSearch& preparation, const SearchOptions& search, Settings settings,
+                       Observer* observer, const Restore& restore) {
+  Checkpoint from;
+  return run_from(preparation, search, settings, observer, 0,
+                  [&](const Problem& problem, Settings& of_search, Observer& observers) {
+                    from = restore(problem, of_search, observers);
+                    return &from;
+                  });
 }
 
 void decide_for_another(PreparedSearch& preparation, const SearchOptions& search,

@@ -22,6 +22,14 @@ namespace regulus {
                                 Settings settings, Observer* observer = nullptr,
                                 const Checkpoint* from = nullptr);
 
+/// Returns the state from which a search continues. It may judge boxes with the settings, which have
+/// the oracles of the search, and take the time for that from their limit.
+using Restore = std::function<Checkpoint(const Problem&, Settings&, Observer&)>;
+
+/// The same, from a state that is made when all is ready to judge boxes.
+[[nodiscard]] Result continue_search(PreparedSearch& preparation, const SearchOptions& search,
+                                     Settings settings, Observer* observer, const Restore& restore);
+
 /// Calls `decide` with the problem and the settings of a search that another process runs: with the
 /// kernel, the digits and the closed form of this one. Throws InternalError if the other process
 /// has another kernel.

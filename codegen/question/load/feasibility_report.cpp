@@ -108,6 +108,12 @@ Claim stand_in(ForceClaim claim) noexcept {
   return Claim::kUndecided;
 }
 
+const char* word_of_stand_in(Claim claim) noexcept {
+  for (const ForceClaim held : kEveryForceClaim)
+    if (stand_in(held) == claim) return name(held);
+  return "none";
+}
+
 std::string describe_limits(const PreparedForces& prepared) {
   const auto& limits = prepared.forces.certain;
   const bool same = std::ranges::all_of(limits, [&](Interval x) { return x == limits.front(); });

@@ -35,6 +35,8 @@ inline constexpr std::array kEveryForceClaim{ForceClaim::kFeasible, ForceClaim::
                                              ForceClaim::kUndecided, ForceClaim::kOutside};
 /// Returns the claim of Volumes and of PathStretch that stands for a claim about forces.
 [[nodiscard]] Claim stand_in(ForceClaim claim) noexcept;
+/// Returns the word for what it stands for.
+[[nodiscard]] const char* word_of_stand_in(Claim claim) noexcept;
 
 /// Adds up the volumes of boxes by their claims.
 class ForceVolumes {
@@ -45,6 +47,8 @@ class ForceVolumes {
   /// Returns the part of the whole box, "83.1 %".
   [[nodiscard]] std::string percentage(ForceClaim claim) const;
   [[nodiscard]] Interval fraction(ForceClaim claim) const noexcept;
+  /// Returns the same by the claims that stand for those about forces.
+  [[nodiscard]] const Volumes& by_stand_in() const noexcept { return volumes_; }
 
  private:
   Volumes volumes_;

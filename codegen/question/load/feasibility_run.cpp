@@ -18,8 +18,10 @@ SearchOptions with_derivatives(SearchOptions search) {
   return search;
 }
 
-/// Returns everything that the boxes depend on. Formulas are left out: their terms may have another
-/// order in another process. No claim rests on this text, since boxes are judged again.
+}  // namespace
+
+/// Formulas are left out: their terms may have another order in another process. No claim rests on
+/// this text, since boxes are judged again.
 nlohmann::ordered_json checkpointed_question(const PreparedForces& prepared,
                                              const FeasibilitySettings& settings) {
   nlohmann::ordered_json question = json_question(prepared.preparation, prepared.search);
@@ -33,8 +35,6 @@ nlohmann::ordered_json checkpointed_question(const PreparedForces& prepared,
   question["least_width"] = settings.min_relative_width;
   return question;
 }
-
-}  // namespace
 
 PreparedForces prepare_forces(const ModelOptions& model, const std::string& load,
                               const SearchOptions& search, FormingWatch watch) {
@@ -80,37 +80,19 @@ FeasibilitySettings settings_of(const PreparedForces& prepared,
   return settings;
 }
 
-ForceCheckpoint::ForceCheckpoint(const CheckpointOptions& options, const PreparedForces& prepared,
-                                 const FeasibilitySettings& settings)
-    : interval_(options.interval) {
-  if (!options.path.empty())
-    file_ = std::make_unique<JsonCheckpoint>(
-        options.path, checkpointed_question(prepared, settings), "the search");
-}
-
-std::string ForceCheckpoint::line() const {
-  if (!file_) return "";
-  std::string text = file_->line();
-  if (is_kept_ && text.empty())
-    text = "checkpoint " + file_->path() + ": repeat the command to continue from here\n";
-  return text;
-}
-
 FeasibilityResult run_forces(PreparedForces& prepared, const FeasibilitySettings& settings,
                              const ForceListener& listener, Observer* progress,
-                             ForceCheckpoint* checkpoint) {
+                             SearchCheckpoint* checkpoint) {
   const auto search = [&](const FeasibilitySettings& chosen) {
     return search_forces(prepared.question(), chosen, listener, progress);
   };
   FeasibilityResult result;
-  if (checkpoint != nullptr && checkpoint->file_) {
+  if (checkpoint != nullptr && checkpoint->file() != nullptr) {
     FeasibilitySettings saving = settings;
-    saving.save_every = checkpoint->interval_;
-    result = checkpoint->file_->continue_search(saving, search);
-    checkpoint->is_kept_ =
-        result.stopped_by.has_value() &&
-        (settings.paves || result.verdict == FeasibilityVerdict::kPossibleProblem);
-    if (!checkpoint->is_kept_) checkpoint->file_->remove();
+    saving.save_every = checkpoint->interval();
+    result = checkpoint->file()->continue_search(saving, search);
+    checkpoint->finish(result.stopped_by.has_value() &&
+                       (settings.paves || result.verdict == FeasibilityVerdict::kPossibleProblem));
   } else {
     result = search(settings);
   }

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "codegen/answer/report/json_checkpoint.hpp"
+#include "codegen/answer/report/search_checkpoint.hpp"
 #include "codegen/question/engine/pipeline.hpp"
 #include "codegen/question/load/feasibility_search.hpp"
 #include "codegen/question/quantity/quantity.hpp"
@@ -45,31 +45,15 @@ struct PreparedForces {
 [[nodiscard]] FeasibilitySettings settings_of(const PreparedForces& prepared,
                                               const std::atomic<bool>* interrupt);
 
-/// A search about a load in the file of --checkpoint.
-class ForceCheckpoint {
- public:
-  /// An empty path means none. `settings`: of the search. Throws InputError for a file of another
-  /// question or of none, FileError.
-  ForceCheckpoint(const CheckpointOptions& options, const PreparedForces& prepared,
-                  const FeasibilitySettings& settings);
-
-  /// Returns the lines of the report.
-  [[nodiscard]] std::string line() const;
-
- private:
-  friend FeasibilityResult run_forces(PreparedForces&, const FeasibilitySettings&,
-                                      const ForceListener&, Observer*, ForceCheckpoint*);
-
-  double interval_;
-  std::unique_ptr<JsonCheckpoint> file_;
-  bool is_kept_ = false;
-};
+/// Returns everything that the boxes depend on, for a checkpoint.
+[[nodiscard]] nlohmann::ordered_json checkpointed_question(const PreparedForces& prepared,
+                                                           const FeasibilitySettings& settings);
 
 /// Runs the search, and adds its time to the preparation's. `checkpoint`: null means none. The file
 /// stays if the search may continue.
 [[nodiscard]] FeasibilityResult run_forces(PreparedForces& prepared,
                                            const FeasibilitySettings& settings,
                                            const ForceListener& listener, Observer* progress,
-                                           ForceCheckpoint* checkpoint = nullptr);
+                                           SearchCheckpoint* checkpoint = nullptr);
 
 }  // namespace regulus

@@ -14,17 +14,14 @@
 namespace regulus {
 namespace {
 
-const char* word_of_stand_in(Claim claim) noexcept {
-  for (const ForceClaim held : kEveryForceClaim)
-    if (stand_in(held) == claim) return name(held);
-  return "";
-}
-
 class WayForcePaver {
  public:
   WayForcePaver(WayForcePaving& paving, const std::string& load, const SearchOptions& search,
-                const PathWatch& watch)
-      : paving_(paving), found_(paving.found), stage_(paving.found, load, search, false, watch) {}
+                bool wants_trees, const PathWatch& watch)
+      : paving_(paving),
+        found_(paving.found),
+        wants_trees_(wants_trees),
+        stage_(paving.found, load, search, wants_trees, watch) {}
 
   void run(double model_seconds) {
     stage_.search_all(model_seconds);
@@ -51,7 +48,9 @@ class WayForcePaver {
     const auto listen = [&](std::span<const Interval> box, ForceClaim claim) {
       parts.push_back({claim, {k, box[0].lo}, {k, box[0].hi}});
     };
-    auto [prepared, result] = stage_.search_piece(k, paving_.resolution, listen, nullptr);
+    TreeKept* const tree = wants_trees_ ? &found_.trees[k] : nullptr;
+    if (tree != nullptr) tree->clear();
+    auto [prepared, result] = stage_.search_piece(k, paving_.resolution, listen, tree);
     std::ranges::sort(parts, {}, [](const ForceStretch& part) { return part.begin.s; });
     for (const ForceStretch& part : parts) append(part);
     if (parts.empty()) append({ForceClaim::kUndecided, {k, 0}, {k, 1}});
@@ -87,15 +86,9 @@ class WayForcePaver {
 
   WayForcePaving& paving_;
   WayForces& found_;
+  const bool wants_trees_;
   WayForceStage stage_;
 };
-
-std::vector<PathStretch> as_path_stretches(const WayForcePaving& paving) {
-  std::vector<PathStretch> stretches;
-  for (const ForceStretch& stretch : paving.stretches)
-    stretches.push_back({stand_in(stretch.claim), {}, stretch.begin, stretch.end});
-  return stretches;
-}
 
 const Trajectory& trajectory_of(const WayForcePaving& paving) {
   return *paving.found.request.motion.trajectory;
@@ -104,15 +97,22 @@ const Trajectory& trajectory_of(const WayForcePaving& paving) {
 }  // namespace
 
 WayForcePaving pave_forces_along_way(Request request, double model_seconds, const std::string& load,
-                                     SearchOptions search, double resolution,
+                                     SearchOptions search, double resolution, bool wants_trees,
                                      const PathWatch& watch) {
   settle_options(search);
   WayForcePaving paving;
   paving.resolution = resolution;
   paving.found.request = std::move(request);
   paving.found.request.motion.alpha = 0;
-  WayForcePaver(paving, load, search, watch).run(model_seconds);
+  WayForcePaver(paving, load, search, wants_trees, watch).run(model_seconds);
   return paving;
+}
+
+std::vector<PathStretch> as_path_stretches(const WayForcePaving& paving) {
+  std::vector<PathStretch> stretches;
+  for (const ForceStretch& stretch : paving.stretches)
+    stretches.push_back({stand_in(stretch.claim), {}, stretch.begin, stretch.end});
+  return stretches;
 }
 
 double WayForcePaving::approx_share(ForceClaim claim) const {

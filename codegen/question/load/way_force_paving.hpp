@@ -17,7 +17,7 @@ struct ForceStretch {
 };
 
 struct WayForcePaving {
-  WayForces found;                      ///< its verdict is that of the paving; without trees
+  WayForces found;                      ///< its verdict is that of the paving
   double resolution = 1;                ///< part of a segment
   std::vector<ForceStretch> stretches;  ///< in order, without gaps
 
@@ -30,7 +30,11 @@ struct WayForcePaving {
 /// Throws as prepare_forces().
 [[nodiscard]] WayForcePaving pave_forces_along_way(Request request, double model_seconds,
                                                    const std::string& load, SearchOptions search,
-                                                   double resolution, const PathWatch& watch);
+                                                   double resolution, bool wants_trees,
+                                                   const PathWatch& watch);
+
+/// Returns the stretches, with the claims that stand for those about forces.
+[[nodiscard]] std::vector<PathStretch> as_path_stretches(const WayForcePaving& paving);
 
 /// Tells the question, the stretches and the share of each claim.
 void tell_way_force_paving(const WayForcePaving& paving, Facts& facts);

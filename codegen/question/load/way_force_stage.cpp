@@ -20,9 +20,9 @@ class WayForceGoal {
  public:
   static constexpr bool kJudgesWhenMade = false;
 
-  WayForceGoal(BoxCourse& course, PathParts& parts, const PathBounds& path,
+  WayForceGoal(BoxCourse& course, PathParts& parts, const PathBounds& path, PathSteps& steps,
                std::vector<PieceForces>& pieces)
-      : course_(course), parts_(parts), path_(path), pieces_(pieces) {}
+      : course_(course), parts_(parts), path_(path), steps_(steps), pieces_(pieces) {}
 
   void start(const TreeBox& root) {
     box_ = root.box;
@@ -30,15 +30,20 @@ class WayForceGoal {
   }
   [[nodiscard]] bool has_ended() const { return open_.empty(); }
 
+  /// Of rounds of an earlier run only the parts are judged that it says to be held or outside.
   void fill(std::vector<std::vector<Interval>>& boxes, std::uint64_t) {
-    taken_.clear();
-    while (!open_.empty() && boxes.size() < kLanes) {
-      PathPart part = std::move(open_.back());
-      open_.pop_back();
-      if (part.pieces == 1 && !pieces_[part.piece].is_held) continue;
-      parts_.load_box(part, box_);
-      boxes.push_back(box_);
-      taken_.push_back(std::move(part));
+    while (boxes.empty() && !course_.must_pause()) {
+      take_parts();
+      if (taken_.empty()) return;
+      found_.assign(taken_.size(), {});
+      is_told_ = steps_.is_repeating() && steps_.take(found_);
+      for (std::size_t i = 0; i < taken_.size(); ++i) {
+        if (!is_judged(i)) continue;
+        parts_.load_box(taken_[i], box_);
+        boxes.push_back(box_);
+      }
+      course_.count(taken_.size() - boxes.size());
+      if (boxes.empty()) settle_all();
     }
   }
 
@@ -48,22 +53,61 @@ class WayForceGoal {
   [[nodiscard]] std::size_t next_piece() const { return open_.empty() ? 0 : open_.back().piece; }
 
   void conclude(std::span<BoxOutcome> outcomes) {
-    for (std::size_t i = taken_.size(); i-- > 0;) settle(taken_[i], outcomes[i]);
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < taken_.size(); ++i)
+      if (is_judged(i)) note(found_[i], step_of(outcomes[at++]));
+    settle_all();
   }
 
  private:
-  void settle(PathPart& part, const BoxOutcome& outcome) {
-    using Kind = BoxOutcome::Kind;
-    if (outcome.kind == Kind::kHeld || outcome.kind == Kind::kOutside)
-      return leave(part, outcome.kind == Kind::kHeld);
-    if (part.pieces > 1) return parts_.split_group(part, open_);
-    PieceForces& piece = pieces_[part.piece];
-    const bool is_lost = outcome.kind == Kind::kNotHeld || ++piece.boxes > kMostForceBoxesOfPiece;
-    if (is_lost || !parts_.split(part, widest(outcome), open_)) piece.is_held = false;
+  void take_parts() {
+    taken_.clear();
+    while (!open_.empty() && taken_.size() < kLanes) {
+      PathPart part = std::move(open_.back());
+      open_.pop_back();
+      if (part.pieces == 1 && !pieces_[part.piece].is_held) continue;
+      taken_.push_back(std::move(part));
+    }
   }
 
-  void leave(const PathPart& part, bool is_held) {
-    const Rule rule = is_held ? Rule::kHMatrix : Rule::kOutside;
+  [[nodiscard]] bool is_judged(std::size_t i) const {
+    return !is_told_ || found_[i].kind == PathStep::Kind::kCertified;
+  }
+
+  [[nodiscard]] PathStep step_of(const BoxOutcome& outcome) const {
+    switch (outcome.kind) {
+      case BoxOutcome::Kind::kHeld:
+        return {PathStep::Kind::kCertified, Rule::kHMatrix, 0};
+      case BoxOutcome::Kind::kOutside:
+        return {PathStep::Kind::kCertified, Rule::kOutside, 0};
+      case BoxOutcome::Kind::kNotHeld:
+        return {};
+      default:
+        return {PathStep::Kind::kSplit, Rule::kBlocked, widest(outcome)};
+    }
+  }
+
+  void note(PathStep& step, const PathStep& now) {
+    if (is_told_ && (step.kind != now.kind || step.rule != now.rule)) steps_.stop_repeating();
+    step = now;
+  }
+
+  void settle_all() {
+    for (std::size_t i = taken_.size(); i-- > 0;) settle(taken_[i], found_[i]);
+    steps_.add(found_);
+  }
+
+  void settle(PathPart& part, const PathStep& step) {
+    if (step.kind == PathStep::Kind::kCertified) return leave(part, step.rule);
+    if (part.pieces > 1) return parts_.split_group(part, open_);
+    PieceForces& piece = pieces_[part.piece];
+    const bool is_lost =
+        step.kind == PathStep::Kind::kLost || ++piece.boxes > kMostForceBoxesOfPiece;
+    if (is_lost || !parts_.split(part, step.variable, open_)) piece.is_held = false;
+  }
+
+  void leave(const PathPart& part, Rule rule) {
+    const bool is_held = rule != Rule::kOutside;
     for (std::size_t k = part.piece; k < parts_.end_of(part); ++k)
       (is_held ? pieces_[k].is_within : pieces_[k].is_outside) = true;
     parts_.leaf(part, rule);
@@ -80,9 +124,12 @@ class WayForceGoal {
   BoxCourse& course_;
   PathParts& parts_;
   const PathBounds& path_;
+  PathSteps& steps_;
   std::vector<PieceForces>& pieces_;
   std::vector<Interval> box_;
   std::vector<PathPart> open_, taken_;
+  std::vector<PathStep> found_;  ///< about those that were taken
+  bool is_told_ = false;         ///< by an earlier run
 };
 
 }  // namespace
@@ -125,6 +172,7 @@ bool WayForceStage::must_stop(std::size_t piece) {
 
 void WayForceStage::end(std::size_t piece, Reason reason) {
   has_ended_ = true;
+  found_.can_continue = found_.can_continue || reason != Reason::kMemory;
   if (found_.deciding) return;
   found_.reason = reason;
   found_.deciding.emplace(DecidingForces{piece, std::nullopt, {}});
@@ -138,8 +186,10 @@ void WayForceStage::search_together() {
   BoxCourse course(found_.hull.problem, settings, watch_.display);
   PathParts parts(path_, found_.hull.problem,
                   {0, uncertain_names(found_.hull.preparation.labels).size()}, wants_trees_);
-  WayForceGoal goal(course, parts, path_, pieces_);
+  PathSteps steps(watch_.checkpoint, path_.moving().size());
+  WayForceGoal goal(course, parts, path_, steps, pieces_);
   BoxSearch<BoxForces, WayForceGoal>(found_.hull.question(), kLanes, course, goal).run();
+  steps.save();
   course.tell_end();
   found_.boxes += course.boxes();
   found_.seconds.search += course.seconds();
@@ -158,7 +208,14 @@ WayForceStage::Alone WayForceStage::search_piece(std::size_t piece, double resol
   settings.paves = resolution > 0;
   if (settings.paves) settings.min_relative_width = resolution;
   Observers observers(present({tree, watch_.display}));
-  alone.result = run_forces(alone.prepared, settings, listener, &observers);
+  const auto run = [&](const FeasibilitySettings& chosen) {
+    return run_forces(alone.prepared, chosen, listener, &observers);
+  };
+  settings.save_every = watch_.interval();
+  JsonCheckpoint* const file = watch_.file();
+  alone.result =
+      file != nullptr ? file->continue_search(settings, run, place_of_piece(piece)) : run(settings);
+  found_.can_continue = found_.can_continue || alone.result.stopped_by.has_value();
   found_.boxes += alone.result.boxes;
   found_.seconds += alone.prepared.preparation.seconds_spent();
   return alone;

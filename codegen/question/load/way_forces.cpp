@@ -3,8 +3,10 @@
 
 #include <algorithm>
 
+#include "codegen/answer/report/question_report.hpp"
 #include "codegen/model/way/trajectory.hpp"
 #include "codegen/question/load/way_force_stage.hpp"
+#include "codegen/question/way/margin_checkpoint.hpp"
 #include "codegen/question/way/path_run.hpp"
 #include "codegen/question/way/pieces_alone.hpp"
 
@@ -71,6 +73,13 @@ WayForces check_forces_along_way(Request request, double model_seconds, const st
   found.request.motion.alpha = 0;
   WayForceRun(found, load, search, wants_trees, watch).run(model_seconds);
   return found;
+}
+
+nlohmann::ordered_json checkpointed_question(const Request& request, const SearchOptions& search,
+                                             const std::string& load) {
+  nlohmann::ordered_json question = checkpointed_question(request, search);
+  question["load"] = json_vector_set(choose_load(request.model, load));
+  return question;
 }
 
 }  // namespace regulus

@@ -36,6 +36,7 @@ struct WayForces {
   std::size_t searched_alone = 0;
   std::size_t excluded = 0;  ///< pieces without a pose that the constraints allow
   std::uint64_t boxes = 0;
+  bool can_continue = false;  ///< a limit or an interrupt ended a search
   StageSeconds seconds;
 };
 
@@ -49,6 +50,11 @@ struct WayForces {
 [[nodiscard]] WayForces check_forces_along_way(Request request, double model_seconds,
                                                const std::string& load, SearchOptions search,
                                                bool wants_trees, const PathWatch& watch);
+
+/// Returns everything that the boxes depend on, for a checkpoint.
+[[nodiscard]] nlohmann::ordered_json checkpointed_question(const Request& request,
+                                                           const SearchOptions& search,
+                                                           const std::string& load);
 
 /// Tells the question, the claim and the segment where it fails.
 void tell_way_forces(const WayForces& found, Facts& facts);

@@ -7,6 +7,7 @@
 #include "codegen/model/mechanism/twist.hpp"
 #include "codegen/question/quantity/inverse_columns.hpp"
 #include "codegen/question/quantity/inverse_in_one_unit.hpp"
+#include "codegen/question/quantity/quantity_traits.hpp"
 
 namespace regulus {
 namespace {
@@ -346,8 +347,7 @@ Bordered border(const Request& request, const Component& component, const ex& re
 
 Bordered border_at_limit(const Request& request, const Component& component, const ex& limit) {
   const ex bound = component.sign * limit;
-  const bool is_direct =
-      component.kind == QuantityKind::kSigmaMin || component.kind == QuantityKind::kDeterminant;
+  const bool is_direct = traits_of(component.kind).is_always_least;
   ex reference = 0;  // below the limit
   if (!is_direct && !component.is_absolute)
     reference = bound - (bound.is_zero() ? ex(1) : GiNaC::abs(bound));

@@ -4,36 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 
 #include "codegen/model/mechanism/twist.hpp"
 #include "codegen/model/names.hpp"
+#include "codegen/question/quantity/quantity_traits.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus {
 namespace {
 
 using Kind = TwistComponent::Kind;
-
-struct QuantityWord {
-  const char* word;
-  QuantityKind kind;
-  const char* description;
-};
-
-constexpr const char* kCondition2 = "condition number of J^-1 in the 2-norm";
-
-constexpr std::array<QuantityWord, 8> kWords{{
-    {"force", QuantityKind::kForce, "force"},
-    {"error", QuantityKind::kError, "error of the pose"},
-    {"speed", QuantityKind::kSpeed, "speed of the motors"},
-    {"sigma-min", QuantityKind::kSigmaMin, "least singular value of J^-1"},
-    {"sigma-max", QuantityKind::kSigmaMax, "largest singular value of J^-1"},
-    {"condition", QuantityKind::kCondition, "condition number of J^-1 in the maximum norm"},
-    {"deflection", QuantityKind::kDeflection, "deflection"},
-    {"determinant", QuantityKind::kDeterminant, "least |det J^-1|"},
-}};
 
 /// Returns the set of that name, or the only one.
 const VectorSet& choose_set(const std::vector<VectorSet>& sets, const std::string& wanted,
@@ -63,54 +44,33 @@ class Components {
       : model_(model), options_(options) {}
 
   Quantity of(QuantityKind kind) {
-    quantity_.kind = kind;
-    for (const QuantityWord& known : kWords)
-      if (known.kind == kind) quantity_.name = known.description;
-    if (kind == QuantityKind::kCondition2) quantity_.name = kCondition2;
-    refuse_foreign_options();
-    if (kind != QuantityKind::kSpeed) require_inverse();
-    switch (kind) {
-      case QuantityKind::kForce:
-        add_rows(choose_set(model_.loads, options_.load, "load"));
+    begin(kind);
+    require_inverse();
+    const VectorSet* const set = choose_data();
+    if (traits_->compares_units) require_one_unit();
+    switch (traits_->components) {
+      case ComponentsOf::kWhole:
+        add_whole();
         break;
-      case QuantityKind::kSpeed:
-        add_rows(choose_set(model_.twists, options_.twist, "twist"));
+      case ComponentsOf::kRows:
+        add_rows(*set);
         break;
-      case QuantityKind::kError:
-        require(model_.actuators.error, "error", "the error of each motor");
-        add_freedoms(nullptr, true);
+      case ComponentsOf::kFreedoms:
+      case ComponentsOf::kNorms:
+        add_freedoms(set);
         break;
-      case QuantityKind::kDeflection:
-        require(model_.actuators.stiffness, "stiffness", "the stiffness of each motor");
-        add_freedoms(&choose_set(model_.loads, options_.load, "load"), false);
-        break;
-      case QuantityKind::kSigmaMin:
-      case QuantityKind::kSigmaMax:
-      case QuantityKind::kCondition2:
-        require_one_unit();
-        add_one(kind);
-        break;
-      case QuantityKind::kDeterminant:
-        add_one(kind);
-        break;
-      case QuantityKind::kCondition:
-        require_one_unit();
+      case ComponentsOf::kPairs:
         add_pairs();
         break;
-      case QuantityKind::kExpression:
-        break;
     }
-    quantity_.is_least = options_.least || is_always_least();
     return std::move(quantity_);
   }
 
   Quantity of_expression() {
-    refuse_foreign_options();
-    quantity_.kind = QuantityKind::kExpression;
+    begin(QuantityKind::kExpression);
     quantity_.name = options_.quantity;
     quantity_.unit = "1";
-    quantity_.is_least = options_.least;
-    Component c = component(QuantityKind::kExpression);
+    Component c = component();
     c.expression = model_.asked->value;
     c.must_be_defined = model_.asked->must_be_defined;
     quantity_.components.push_back(std::move(c));
@@ -118,48 +78,64 @@ class Components {
   }
 
  private:
-  /// An option that does not belong to the quantity would be ignored.
-  void refuse_foreign_options() const {
-    const bool rows =
-        quantity_.kind == QuantityKind::kForce || quantity_.kind == QuantityKind::kSpeed;
-    const bool freedoms =
-        quantity_.kind == QuantityKind::kError || quantity_.kind == QuantityKind::kDeflection;
-    const bool loads =
-        quantity_.kind == QuantityKind::kForce || quantity_.kind == QuantityKind::kDeflection;
-    const bool signs = rows || quantity_.kind == QuantityKind::kDeflection;
-    const bool expression = quantity_.name.empty();
-    const auto refuse = [&](bool given, const char* option) {
-      if (given)
-        throw UsageError(fmt::format("--{}: has no meaning for {}", option, options_.quantity));
-    };
-    refuse(!options_.row.empty() && !rows, "leg");
-    refuse(!options_.freedom.empty() && !freedoms, "freedom");
-    refuse(!options_.load.empty() && !loads, "load");
-    refuse(!options_.twist.empty() && quantity_.kind != QuantityKind::kSpeed, "twist");
-    refuse(options_.is_signed && !signs, "signed");
-    const bool norms =
-        quantity_.kind == QuantityKind::kCondition || quantity_.kind == QuantityKind::kCondition2;
-    refuse(!options_.norm.empty() && !norms, "norm");
-    refuse(options_.least && !signs && !expression && quantity_.kind != QuantityKind::kSigmaMin,
-           "min");
+  void begin(QuantityKind kind) {
+    traits_ = &traits_of(kind);
+    quantity_.kind = kind;
+    quantity_.name = traits_->description;
+    quantity_.is_least = options_.least || traits_->is_always_least;
+    refuse_foreign_options();
   }
 
-  [[nodiscard]] bool is_always_least() const {
-    return quantity_.kind == QuantityKind::kSigmaMin ||
-           quantity_.kind == QuantityKind::kDeterminant;
+  [[nodiscard]] bool has_freedoms() const {
+    return traits_->components == ComponentsOf::kFreedoms ||
+           traits_->components == ComponentsOf::kNorms;
+  }
+
+  /// An option that does not belong to the quantity would be ignored.
+  void refuse_foreign_options() const {
+    const bool has_load =
+        traits_->data == NeededData::kLoad || traits_->data == NeededData::kLoadAndStiffness;
+    const auto refuse = [&](bool given, bool has_meaning, const char* option) {
+      if (given && !has_meaning)
+        throw UsageError(fmt::format("--{}: has no meaning for {}", option, options_.quantity));
+    };
+    refuse(!options_.row.empty(), traits_->components == ComponentsOf::kRows, "leg");
+    refuse(!options_.freedom.empty(), has_freedoms(), "freedom");
+    refuse(!options_.load.empty(), has_load, "load");
+    refuse(!options_.twist.empty(), traits_->data == NeededData::kTwist, "twist");
+    refuse(options_.is_signed, traits_->has_signs, "signed");
+    refuse(!options_.norm.empty(), *traits_->norm != '\0', "norm");
+    refuse(options_.least, traits_->has_signs || traits_->may_be_least, "min");
+  }
+
+  /// Returns the load or the twist; nullptr if the quantity has none.
+  [[nodiscard]] const VectorSet* choose_data() const {
+    const Actuators& motors = model_.actuators;
+    switch (traits_->data) {
+      case NeededData::kNone:
+        break;
+      case NeededData::kMotorErrors:
+        require(motors.error, "error", "the error of each motor");
+        break;
+      case NeededData::kLoadAndStiffness:
+        require(motors.stiffness, "stiffness", "the stiffness of each motor");
+        [[fallthrough]];
+      case NeededData::kLoad:
+        return &choose_set(model_.loads, options_.load, "load");
+      case NeededData::kTwist:
+        return &choose_set(model_.twists, options_.twist, "twist");
+    }
+    return nullptr;
   }
 
   void require_inverse() const {
     const auto rows = model_.matrix.rows(), columns = model_.matrix.cols();
-    if (model_.matrix_kind != MatrixKind::kInverse)
+    if (traits_->needs_inverse && model_.matrix_kind != MatrixKind::kInverse)
       throw UsageError(
           fmt::format("{}: the matrix of a serial robot is its Jacobian in a frame of "
                       "its own; bound an expression of the model instead",
                       options_.quantity));
-    const bool any_shape = quantity_.kind == QuantityKind::kSigmaMin ||
-                           quantity_.kind == QuantityKind::kSigmaMax ||
-                           quantity_.kind == QuantityKind::kCondition2;
-    if (rows != columns && !any_shape)
+    if (traits_->needs_square && rows != columns)
       throw UsageError(
           fmt::format("{}: the {}×{} matrix is not square, so it has no inverse; "
                       "sigma-min, sigma-max, speed and condition --norm 2 can be bounded",
@@ -179,20 +155,21 @@ class Components {
     return (motors.units.empty() ? length_unit(model_) : motors.units[row]) + "/s";
   }
 
-  [[nodiscard]] Component component(QuantityKind kind) const {
+  [[nodiscard]] Component component() const {
     Component c;
-    c.kind = kind;
+    c.kind = quantity_.kind;
     c.unit = quantity_.unit;
     // The least singular value is a least value without --min, too.
-    const bool is_least = options_.least && kind != QuantityKind::kSigmaMin;
-    const bool has_sign = is_least || options_.is_signed || kind == QuantityKind::kExpression;
+    const bool is_least = options_.least && !traits_->is_always_least;
+    const bool has_sign =
+        is_least || options_.is_signed || quantity_.kind == QuantityKind::kExpression;
     c.is_absolute = !has_sign;
     c.sign = is_least ? -1 : 1;
     return c;
   }
 
   void add_rows(const VectorSet& set) {
-    quantity_.name += (quantity_.kind == QuantityKind::kForce ? " under " : " for ") + set.name;
+    quantity_.name += (traits_->data == NeededData::kTwist ? " for " : " under ") + set.name;
     const std::size_t rows = model_.matrix.rows();
     std::size_t first = 0, last = rows;
     if (!options_.row.empty()) {
@@ -200,7 +177,7 @@ class Components {
       last = first + 1;
     }
     for (std::size_t i = first; i < last; ++i) {
-      Component c = component(quantity_.kind);
+      Component c = component();
       c.label = fmt::format("leg {}", i + 1);
       c.row = i;
       c.unit = unit_of_motor(i);
@@ -221,7 +198,7 @@ class Components {
   }
 
   /// Adds the columns, and for errors the norms of the two parts of the pose.
-  void add_freedoms(const VectorSet* set, bool with_parts) {
+  void add_freedoms(const VectorSet* set) {
     const std::vector<TwistComponent> twist = twist_of(model_);
     if (set) quantity_.name += " under " + set->name;
     std::vector<std::string> known;
@@ -233,12 +210,12 @@ class Components {
       quantity_.components.push_back(std::move(c));
     };
     for (std::size_t k = 0; k < model_.matrix.cols(); ++k) {
-      Component c = component(quantity_.kind);
+      Component c = component();
       c.column = k;
       if (k < twist.size()) c.unit = twist[k].unit;
       offer(k < twist.size() ? twist[k].name : fmt::format("column {}", k + 1), std::move(c));
     }
-    if (with_parts && !twist.empty()) {
+    if (traits_->components == ComponentsOf::kNorms && !twist.empty()) {
       offer_part(twist, Kind::kLinear, "position", offer);
       offer_part(twist, Kind::kAngular, "rotation", offer);
     }
@@ -254,7 +231,7 @@ class Components {
                   const Offer& offer) const {
     const auto of_kind = [&](const TwistComponent& t) { return t.kind == kind; };
     if (std::ranges::count_if(twist, of_kind) < 2) return;
-    Component c = component(quantity_.kind);
+    Component c = component();
     c.part = kind == Kind::kLinear ? PosePart::kLinear : PosePart::kAngular;
     c.unit = std::ranges::find_if(twist, of_kind)->unit;
     offer(name, std::move(c));
@@ -274,16 +251,16 @@ class Components {
                       options_.quantity));
   }
 
-  void add_one(QuantityKind kind) {
+  void add_whole() {
     quantity_.unit = "1";
-    quantity_.components.push_back(component(kind));
+    quantity_.components.push_back(component());
   }
 
   void add_pairs() {
     quantity_.unit = "1";
     for (std::size_t i = 0; i < model_.matrix.rows(); ++i)
       for (std::size_t k = 0; k < model_.matrix.cols(); ++k) {
-        Component c = component(QuantityKind::kCondition);
+        Component c = component();
         c.label = fmt::format("row {}, column {}", i + 1, k + 1);
         c.row = i;
         c.column = k;
@@ -293,32 +270,37 @@ class Components {
 
   const Model& model_;
   const QuantityOptions& options_;
+  const QuantityTraits* traits_ = nullptr;
   Quantity quantity_;
 };
 
-std::optional<QuantityKind> with_norm(std::optional<QuantityKind> kind, const std::string& norm) {
+/// Returns nullopt for a text that is no word of a quantity. The first of two with one word has the
+/// norm that is meant without --norm.
+std::optional<QuantityKind> kind_of(const std::string& word, const std::string& norm) {
   if (!norm.empty() && norm != "2" && norm != "max")
     throw UsageError(fmt::format("--norm: found {}, expected 2 or max", in_quotes(norm)));
-  return kind == QuantityKind::kCondition && norm == "2" ? QuantityKind::kCondition2 : kind;
+  for (const QuantityTraits& traits : quantity_traits())
+    if (word == traits.word && (norm.empty() || *traits.norm == '\0' || norm == traits.norm))
+      return traits.kind;
+  return std::nullopt;
 }
 
 }  // namespace
 
 std::vector<std::string> quantity_words() {
   std::vector<std::string> words;
-  for (const QuantityWord& known : kWords) words.emplace_back(known.word);
+  for (const QuantityTraits& traits : quantity_traits())
+    if (*traits.word != '\0' && (words.empty() || words.back() != traits.word))
+      words.emplace_back(traits.word);
   return words;
 }
 
-std::optional<QuantityKind> kind_of(const std::string& word) {
-  for (const QuantityWord& known : kWords)
-    if (word == known.word) return known.kind;
-  return std::nullopt;
-}
+bool is_quantity(const std::string& word) { return std::ranges::count(quantity_words(), word) > 0; }
 
 Quantity quantity_of(const Model& model, const QuantityOptions& options) {
   Components components(model, options);
-  const std::optional<QuantityKind> kind = with_norm(kind_of(options.quantity), options.norm);
+  const std::optional<QuantityKind> kind =
+      is_quantity(options.quantity) ? kind_of(options.quantity, options.norm) : std::nullopt;
   Quantity quantity = kind ? components.of(*kind) : components.of_expression();
   for (Component& c : quantity.components)
     if (c.unit.empty()) c.unit = quantity.unit;

@@ -8,22 +8,10 @@
 #include <vector>
 
 #include "codegen/model/model.hpp"
+#include "codegen/question/quantity/quantity_kind.hpp"
 #include "codegen/question/quantity/quantity_options.hpp"
 
 namespace regulus {
-
-enum class QuantityKind {
-  kForce,        ///< of a row, under a load
-  kError,        ///< of the pose, by errors of the motors
-  kSpeed,        ///< of a motor, for a twist
-  kSigmaMin,     ///< the least singular value of J⁻¹
-  kSigmaMax,     ///< the largest
-  kCondition,    ///< ‖J⁻¹‖·‖J‖ in the maximum norm
-  kCondition2,   ///< σ_max/σ_min of J⁻¹, the condition number in the 2-norm
-  kDeflection,   ///< of the pose under a load, by the stiffness of the motors
-  kDeterminant,  ///< the least |det J⁻¹|
-  kExpression,
-};
 
 /// The part of the pose that a component is about, if it is not a single column.
 enum class PosePart { kColumn, kLinear, kAngular };
@@ -57,8 +45,8 @@ struct Quantity {
 /// Returns the words for quantities, without expressions.
 [[nodiscard]] std::vector<std::string> quantity_words();
 
-/// Returns nullopt for a text that is none of quantity_words(): it is an expression.
-[[nodiscard]] std::optional<QuantityKind> kind_of(const std::string& word);
+/// Returns false for a text that is none of them: it is an expression.
+[[nodiscard]] bool is_quantity(const std::string& word);
 
 /// Returns the components that the options ask for. `model` must outlive the result.
 ///

@@ -3,7 +3,7 @@
 
 #include "codegen/answer/certificate/certificate_question.hpp"
 #include "codegen/answer/certificate/piece_question.hpp"
-#include "codegen/question/engine/search_run.hpp"
+#include "codegen/answer/report/kept_search.hpp"
 #include "codegen/question/engine/settings.hpp"
 #include "codegen/question/way/trajectory_request.hpp"
 #include "codegen/support/errors.hpp"
@@ -43,6 +43,7 @@ void PathRun::search_all() {
                             uncertain_names(check_.hull.labels).size(), wants_trees_,
                             check_.hull.labels.reach};
   options.progress = watch_.display;
+  options.checkpoint = watch_.checkpoint;
   check_.path = search_path(path, check_.hull.problem(), settings_, options);
   check_.seconds.search = check_.path.statistics.seconds;
   if (check_.path.stopped_by) end(check_.path.stopped_at, *check_.path.stopped_by);
@@ -60,11 +61,16 @@ Settings PathRun::settings_of_piece(const PreparedSearch& preparation) const {
   return settings;
 }
 
-Result PathRun::search_piece(PreparedSearch& preparation, const Settings& settings,
-                             Observer* observer) {
+Result PathRun::search_piece(std::size_t piece, PreparedSearch& preparation,
+                             const Settings& settings, Observer* observer) {
   Observers observers(present({observer, watch_.display}));
-  Result result = run_search(preparation, search_, settings, &observers);
+  KeptSearch kept(watch_.file(), place_of_piece(piece), watch_.interval());
+  Result result = kept.run(preparation, search_, settings, observers);
   add(preparation, result.statistics);
+  const bool is_at_own_limit =
+      result.stopped_by == Reason::kBoxBudget && settings.max_boxes == kMostBoxesAlone;
+  if (result.stopped_by && result.stopped_by != Reason::kStalled && !is_at_own_limit)
+    check_.can_continue = true;
   return result;
 }
 
@@ -84,6 +90,7 @@ void PathRun::end(std::size_t piece, Reason reason) {
   has_ended_ = true;
   check_.reason = reason;
   check_.deciding = DecidingPiece{piece, nullptr, {}};
+  check_.can_continue = reason != Reason::kBadProblem && reason != Reason::kMemory;
 }
 
 double PathRun::seconds_left() const {
@@ -97,6 +104,8 @@ bool PathRun::is_cut_short(const Result& result) const {
   return result.stopped_by == Reason::kInterrupted ||
          (result.stopped_by == Reason::kTimeBudget && seconds_left() <= 0);
 }
+
+std::string place_of_piece(std::size_t piece) { return "segment " + std::to_string(piece + 1); }
 
 void settle_options(SearchOptions& search) {
   if (!search.filters.empty())

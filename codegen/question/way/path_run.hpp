@@ -5,6 +5,7 @@
 #include <atomic>
 
 #include "codegen/question/engine/options.hpp"
+#include "codegen/question/engine/search_run.hpp"
 #include "codegen/question/way/trajectory_run.hpp"
 
 namespace regulus {
@@ -24,8 +25,13 @@ class PathRun {
   /// Returns the settings of that search, with the time that is left.
   [[nodiscard]] Settings settings_of_piece(const PreparedSearch& preparation) const;
   /// Runs it, with an observer that may be null, and adds its time and counts to those of `check`.
-  [[nodiscard]] Result search_piece(PreparedSearch& preparation, const Settings& settings,
-                                    Observer* observer);
+  [[nodiscard]] Result search_piece(std::size_t piece, PreparedSearch& preparation,
+                                    const Settings& settings, Observer* observer);
+
+  /// Refines its witness.
+  void close_in(PreparedSearch& preparation, const Settings& settings, Result& result) const {
+    close_in_on_witness(preparation, search_, settings, result);
+  }
 
   [[nodiscard]] bool has_ended() const noexcept { return has_ended_; }
   void end(std::size_t piece, Reason reason);

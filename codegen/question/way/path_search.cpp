@@ -2,6 +2,7 @@
 #include "codegen/question/way/path_search.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "runtime/problem/row_structure.hpp"
 #include "runtime/search/box_search.hpp"
@@ -24,6 +25,7 @@ class PathSearch {
         round_(problem, settings, structure_),
         claims_(problem, options.reach),
         parts_(path, problem, {options.added, options.uncertain}, options.wants_trees),
+        steps_(options.checkpoint, problem.kernel->motion_variables),
         box_(problem.outer),
         boxes_(path.pieces()),
         blocked_(path.pieces(), false) {
@@ -35,7 +37,8 @@ class PathSearch {
     course_.announce();
     round_.begin(course_.deadline());
     open_.push_back(parts_.whole());
-    while (!open_.empty() && !course_.must_stop()) decide_round();
+    while (!open_.empty() && !must_stop()) decide_round();
+    steps_.save();
     result_.stopped_by = course_.stopped_by();
     if (result_.stopped_by && !open_.empty()) result_.stopped_at = open_.back().piece;
     for (const PathPart& part : open_) leave_open(part);
@@ -55,6 +58,11 @@ class PathSearch {
     return limits;
   }
 
+  /// The limit of boxes does not cut what an earlier run has done.
+  [[nodiscard]] bool must_stop() {
+    return steps_.is_repeating() ? course_.must_pause() : course_.must_stop();
+  }
+
   void leave_open(const PathPart& part) {
     const std::size_t end = parts_.end_of(part);
     std::fill(result_.certified.begin() + std::ptrdiff_t(part.piece),
@@ -62,46 +70,105 @@ class PathSearch {
   }
 
   void decide_round() {
-    load_round();
-    if (round_.size() == 0) return course_.note_lack_of_memory();
-    if (!round_.decide(threshold_)) course_.note_lack_of_memory();
-    std::size_t at = 0;
-    std::vector<PathPart> taken = std::move(taken_);
+    take_parts();
+    if (taken_.empty()) return;
+    found_.assign(taken_.size(), {});
+    decided_.assign(taken_.size(), true);
+    const bool is_told = steps_.is_repeating() && steps_.take(found_);
+    if (is_told)
+      judge_told();
+    else
+      judge_all();
+    if (std::ranges::find(decided_, false) != decided_.end()) steps_.end(is_told);
+    conclude();
+  }
+
+  void take_parts() {
     taken_.clear();
-    std::vector<PathPart> halves;
+    while (!open_.empty() && taken_.size() < kMostBatches * kLanes) {
+      PathPart part = std::move(open_.back());
+      open_.pop_back();
+      if ((part.pieces == 1 && blocked_[part.piece]) || is_skipped(part)) continue;
+      taken_.push_back(std::move(part));
+    }
+    course_.count(taken_.size());
+  }
+
+  void judge_all() {
+    const auto is_judged = [](std::size_t) { return true; };
+    judge(is_judged, threshold_,
+          [this](std::size_t at, const Decision& decision) { found_[at] = step_of(decision); });
     for (std::size_t i = 0; i < round_.size(); ++i) {
-      Decisions& batch = round_.batch(i);
+      const Decisions& batch = round_.batch(i);
       for (std::size_t t = 0; batch.decided && t < batch.budget.trials; ++t)
         threshold_.learn(batch.budget.trial[t]);
-      for (std::size_t lane = 0; lane < batch.count(); ++lane, ++at) {
-        if (batch.decided)
-          settle(taken[at], batch.decision[lane], halves);
-        else
-          halves.push_back(std::move(taken[at]));
-      }
     }
+  }
+
+  /// A part that is not certified again has the step that it needs now. A test that was of use is
+  /// tried, whatever the search had learned when it came to the part.
+  void judge_told() {
+    const AdaptiveThreshold every_test(std::numeric_limits<double>::max());
+    threshold_ = AdaptiveThreshold(steps_.earlier_limit());
+    bool is_same = true;
+    const auto is_judged = [this](std::size_t at) {
+      return found_[at].kind == PathStep::Kind::kCertified;
+    };
+    judge(is_judged, every_test, [&](std::size_t at, const Decision& decision) {
+      const PathStep now = step_of(decision);
+      const bool is_certified = now.kind == PathStep::Kind::kCertified;
+      if (is_certified && (now.rule == Rule::kOutside) == (found_[at].rule == Rule::kOutside))
+        return;
+      found_[at] = now;
+      is_same = false;
+    });
+    if (!is_same) steps_.stop_repeating();
+  }
+
+  /// Judges those of the parts that were taken: note(at, decision).
+  template <class IsJudged, class Note>
+  void judge(const IsJudged& is_judged, const AdaptiveThreshold& threshold, const Note& note) {
+    std::vector<std::size_t> judged;
+    round_.clear();
+    for (std::size_t i = 0; i < taken_.size(); ++i)
+      if (is_judged(i)) judged.push_back(i);
+    for (const std::size_t i : judged) decided_[i] = false;
+    for (std::size_t n = 0; n < judged.size(); ++n) {
+      if (n % kLanes == 0 && round_.append() == nullptr) break;
+      const PathPart& part = taken_[judged[n]];
+      parts_.load_box(part, box_);
+      round_.batch(n / kLanes).add({part.id, part.depth, box_});
+    }
+    if (!judged.empty() && (round_.size() == 0 || !round_.decide(threshold)))
+      course_.note_lack_of_memory();
+    for (std::size_t i = 0, n = 0; i < round_.size(); ++i)
+      for (std::size_t lane = 0; lane < round_.batch(i).count(); ++lane, ++n) {
+        decided_[judged[n]] = round_.batch(i).decided;
+        if (round_.batch(i).decided) note(judged[n], round_.batch(i).decision[lane]);
+      }
+  }
+
+  static PathStep step_of(const Decision& decision) {
+    if (decision.kind == Decision::Kind::kSplit)
+      return {PathStep::Kind::kSplit, Rule::kBlocked, decision.variable};
+    if (decision.rule == Rule::kBlocked) return {};
+    return {PathStep::Kind::kCertified, decision.rule, 0};
+  }
+
+  void conclude() {
+    std::vector<PathPart> halves;
+    for (std::size_t i = 0; i < taken_.size(); ++i) {
+      if (decided_[i])
+        settle(taken_[i], found_[i], halves);
+      else
+        halves.push_back(std::move(taken_[i]));
+    }
+    steps_.add(found_, threshold_.value());
     open_.insert(open_.end(), std::make_move_iterator(halves.rbegin()),
                  std::make_move_iterator(halves.rend()));
     result_.statistics.max_frontier =
         std::max<std::uint64_t>(result_.statistics.max_frontier, open_.size());
     course_.tell_progress(open_.size());
-  }
-
-  void load_round() {
-    round_.clear();
-    while (!open_.empty() && round_.size() < kMostBatches) {
-      Decisions* batch = round_.append();
-      if (batch == nullptr) return;
-      while (!open_.empty() && batch->count() < kLanes) {
-        PathPart part = std::move(open_.back());
-        open_.pop_back();
-        if ((part.pieces == 1 && blocked_[part.piece]) || is_skipped(part)) continue;
-        parts_.load_box(part, box_);
-        batch->add({part.id, part.depth, box_});
-        taken_.push_back(std::move(part));
-        course_.count(1);
-      }
-    }
   }
 
   [[nodiscard]] bool is_skipped(const PathPart& part) const {
@@ -112,12 +179,12 @@ class PathSearch {
                        [](bool skipped) { return skipped; });
   }
 
-  void settle(PathPart& part, const Decision& decision, std::vector<PathPart>& halves) {
-    const bool is_leaf = decision.kind == Decision::Kind::kLeaf;
-    if (is_leaf && decision.rule != Rule::kBlocked) return certify(part, decision.rule);
+  void settle(PathPart& part, const PathStep& step, std::vector<PathPart>& halves) {
+    if (step.kind == PathStep::Kind::kCertified) return certify(part, step.rule);
     if (part.pieces > 1) return parts_.split_group(part, halves);
-    if (is_leaf || ++boxes_[part.piece] > options_.most_boxes) return block(part);
-    if (!parts_.split(part, decision.variable, halves)) block(part);
+    const bool is_lost = step.kind == PathStep::Kind::kLost;
+    if (is_lost || ++boxes_[part.piece] > options_.most_boxes) return block(part);
+    if (!parts_.split(part, step.variable, halves)) block(part);
   }
 
   void certify(const PathPart& part, Rule rule) {
@@ -152,10 +219,13 @@ class PathSearch {
   AdaptiveThreshold threshold_;
   LeafClaims claims_;
   PathParts parts_;
+  PathSteps steps_;
   std::vector<Interval> box_;
   std::vector<std::uint32_t> boxes_;  ///< evaluated in each piece
   std::vector<bool> blocked_;
   std::vector<PathPart> open_, taken_;
+  std::vector<PathStep> found_;  ///< about those that were taken
+  std::vector<bool> decided_;    ///< the same: false: not judged, and not told either
   PathSearchResult result_;
 };
 

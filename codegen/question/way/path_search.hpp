@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "codegen/question/way/path_parts.hpp"
+#include "codegen/question/way/path_steps.hpp"
 #include "runtime/problem/problem.hpp"
 #include "runtime/problem/result.hpp"
 
@@ -47,6 +48,7 @@ struct PathSearchOptions {
   std::uint32_t most_boxes = kMostBoxesOfPiece;  ///< of each piece
   const std::vector<bool>* skipped = nullptr;    ///< by piece; null: none. They count as certified
   Observer* progress = nullptr;  ///< receives what a display needs; null: there is none
+  const SearchCheckpoint* checkpoint = nullptr;  ///< keeps the search; null: nothing does
 };
 
 /// Requires  find_fault finds no fault. `problem`: its motion variables are path.moving() in order,

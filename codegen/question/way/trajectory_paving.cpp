@@ -6,6 +6,8 @@
 
 #include "codegen/answer/report/paving_options.hpp"
 #include "codegen/question/way/path_run.hpp"
+#include "codegen/question/way/trajectory_certificate.hpp"
+#include "runtime/problem/observers.hpp"
 #include "runtime/search/leaf_claims.hpp"
 
 namespace regulus {
@@ -46,8 +48,12 @@ class PieceParts final : public Observer {
 
 class PathPaver {
  public:
-  PathPaver(PathPaving& paving, const SearchOptions& search, const PathWatch& watch)
-      : paving_(paving), check_(paving.check), run_(paving.check, search, false, watch) {}
+  PathPaver(PathPaving& paving, const SearchOptions& search, bool wants_trees,
+            const PathWatch& watch)
+      : paving_(paving),
+        check_(paving.check),
+        wants_trees_(wants_trees),
+        run_(paving.check, search, wants_trees, watch) {}
 
   void run() {
     run_.search_all();
@@ -57,7 +63,10 @@ class PathPaver {
       if (const auto claim = claim_about(k)) {
         append({*claim, {}, {k, 0}, {k, 1}});
       } else {
-        if (must_stop()) return add_rest(k);
+        if (must_stop()) {
+          check_.can_continue = true;
+          return add_rest(k);
+        }
         divide(k);
       }
     }
@@ -79,17 +88,23 @@ class PathPaver {
 
   void divide(std::size_t k) {
     ++check_.searched_alone;
-    const auto preparation = run_.prepare_piece(k);
+    auto preparation = run_.prepare_piece(k);
     const Problem problem = preparation->problem();
     Settings settings = run_.settings_of_piece(*preparation);
     PavingOptions options;
     options.resolution = paving_.resolution;
     require_paving(options, settings);
     PieceParts parts(problem, preparation->labels.reach, k);
-    const Result result = run_.search_piece(*preparation, settings, &parts);
+    TreeKept* const tree = wants_trees_ ? &check_.path.trees[k] : nullptr;
+    if (tree != nullptr) tree->clear();
+    Observers observers(present({&parts, tree}));
+    Result result = run_.search_piece(k, *preparation, settings, &observers);
     std::vector<PathStretch> found = parts.take();
     if (found.empty()) found = {{Claim::kUndecided, result.reason, {k, 0}, {k, 1}}};
     for (const PathStretch& part : found) append(part);
+    if (result.verdict != Verdict::kSingularity || paving_.singular) return;
+    run_.close_in(*preparation, settings, result);
+    paving_.singular = DecidingPiece{k, std::move(preparation), std::move(result)};
   }
 
   /// The pieces that were not reached keep what the common search has shown about them.
@@ -116,6 +131,7 @@ class PathPaver {
 
   PathPaving& paving_;
   TrajectoryCheck& check_;
+  const bool wants_trees_;
   PathRun run_;
 };
 
@@ -146,24 +162,22 @@ void set_verdict(PathPaving& paving) {
   }
 }
 
-double approx_time(const TrajectoryPiece& piece, double s) {
+}  // namespace
+
+double approx_time_at(const Trajectory& trajectory, const PathPlace& place) {
+  const TrajectoryPiece& piece = trajectory.pieces[place.piece];
   const double begin = GiNaC::ex_to<GiNaC::numeric>(piece.begin).to_double();
   const double end = GiNaC::ex_to<GiNaC::numeric>(piece.end).to_double();
-  return begin + s * (end - begin);
+  return begin + place.s * (end - begin);
 }
-
-}  // namespace
 
 double approx_share_of(const Trajectory& trajectory, const std::vector<PathStretch>& stretches,
                        Claim claim) {
-  const auto& pieces = trajectory.pieces;
-  const auto time = [&pieces](const PathPlace& place) {
-    return approx_time(pieces[place.piece], place.s);
-  };
+  const auto time = [&](const PathPlace& place) { return approx_time_at(trajectory, place); };
   double sum = 0;
   for (const PathStretch& stretch : stretches)
     if (stretch.claim == claim) sum += time(stretch.end) - time(stretch.begin);
-  return sum / (approx_time(pieces.back(), 1) - approx_time(pieces.front(), 0));
+  return sum / (time({trajectory.pieces.size() - 1, 1}) - time({0, 0}));
 }
 
 double PathPaving::approx_share(Claim claim) const {
@@ -171,13 +185,21 @@ double PathPaving::approx_share(Claim claim) const {
 }
 
 PathPaving pave_trajectory(Request request, double model_seconds, SearchOptions search,
-                           double resolution, const PathWatch& watch) {
+                           double resolution, bool wants_trees, const PathWatch& watch) {
   PathPaving paving;
   paving.resolution = resolution;
   paving.check = begin_check(std::move(request), model_seconds, search);
-  PathPaver(paving, search, watch).run();
+  PathPaver(paving, search, wants_trees, watch).run();
   set_verdict(paving);
   return paving;
+}
+
+ProofStatus certify_path_paving(const std::string& path, PathPaving& paving) {
+  TrajectoryCheck& check = paving.check;
+  std::swap(check.deciding, paving.singular);
+  ProofStatus status = certify_trajectory(path, check);
+  std::swap(check.deciding, paving.singular);
+  return status;
 }
 
 }  // namespace regulus

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "codegen/answer/certificate/proof_status.hpp"
 #include "codegen/answer/facts.hpp"
 #include "codegen/question/way/trajectory_run.hpp"
 #include "runtime/search/paving.hpp"
@@ -36,14 +37,18 @@ struct PathStretch {
 using ClaimWord = const char* (*)(Claim) noexcept;
 
 struct PathPaving {
-  TrajectoryCheck check;  ///< without deciding piece; its verdict is that of the paving
-  double resolution = 1;  ///< part of a segment
-  std::vector<PathStretch> stretches;  ///< in order, without gaps
+  /// Without deciding piece, and with trees if they are wanted; its verdict is that of the paving.
+  TrajectoryCheck check;
+  std::optional<DecidingPiece> singular;  ///< the first piece that was shown to be singular
+  double resolution = 1;                  ///< part of a segment
+  std::vector<PathStretch> stretches;     ///< in order, without gaps
 
   /// Returns the part of the claim in the time of the trajectory, approximately, in [0, 1].
   [[nodiscard]] double approx_share(Claim claim) const;
 };
 
+/// Returns the time at a place, to nearest: for people.
+[[nodiscard]] double approx_time_at(const Trajectory& trajectory, const PathPlace& place);
 /// Returns the part of a claim in the time of a trajectory, approximately, in [0, 1].
 [[nodiscard]] double approx_share_of(const Trajectory& trajectory,
                                      const std::vector<PathStretch>& stretches, Claim claim);
@@ -58,8 +63,11 @@ void tell_stretches(const Trajectory& trajectory, const std::vector<PathStretch>
 /// that is neither certified nor singular is not divided further at `resolution`.
 /// Throws as check_trajectory.
 [[nodiscard]] PathPaving pave_trajectory(Request request, double model_seconds,
-                                         SearchOptions search, double resolution,
+                                         SearchOptions search, double resolution, bool wants_trees,
                                          const PathWatch& watch);
+
+/// Writes a proof of the verdict, as certify_trajectory: of the whole motion, or of one pose.
+[[nodiscard]] ProofStatus certify_path_paving(const std::string& path, PathPaving& paving);
 
 /// Tells the question, the stretches and the share of each claim.
 void tell_path_paving(const PathPaving& paving, const SearchOptions& search, Facts& facts);

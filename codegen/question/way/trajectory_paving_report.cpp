@@ -26,14 +26,6 @@ const Trajectory& trajectory_of(const PathPaving& paving) {
   return *paving.check.request.motion.trajectory;
 }
 
-/// Approximate: for people.
-double time_at(const Trajectory& t, const PathPlace& place) {
-  const TrajectoryPiece& piece = t.pieces[place.piece];
-  const double begin = GiNaC::ex_to<GiNaC::numeric>(piece.begin).to_double();
-  const double end = GiNaC::ex_to<GiNaC::numeric>(piece.end).to_double();
-  return begin + place.s * (end - begin);
-}
-
 bool has_reason(const PathStretch& stretch) {
   return stretch.claim == Claim::kUndecided && stretch.reason != Reason::kAllBoxesCertified;
 }
@@ -44,8 +36,8 @@ std::string describe_stretch(const Trajectory& t, const PathStretch& stretch) {
   std::string text = first == last ? fmt::format("segment {}", first + 1)
                                    : fmt::format("segments {} to {}", first + 1, last + 1);
   if (t.has_time)
-    text += fmt::format(", t from {:.6g} to {:.6g}{}", time_at(t, stretch.begin),
-                        time_at(t, stretch.end), unit_suffix(t.time_unit));
+    text += fmt::format(", t from {:.6g} to {:.6g}{}", approx_time_at(t, stretch.begin),
+                        approx_time_at(t, stretch.end), unit_suffix(t.time_unit));
   else if (stretch.begin.s > 0 || stretch.end.s < 1)
     text += fmt::format(", from {:.4g} of its way to {:.4g} of its way", stretch.begin.s,
                         stretch.end.s);
@@ -112,7 +104,7 @@ Json json_stretch_of(const Trajectory& t, const PathStretch& stretch, ClaimWord 
       {"segments", {stretch.begin.piece + 1, stretch.end.piece + 1}},
       {"s", {stretch.begin.s, stretch.end.s}},
       {"lines", {t.pieces[stretch.begin.piece].first_line, t.pieces[stretch.end.piece].last_line}}};
-  if (t.has_time) line["time"] = {time_at(t, stretch.begin), time_at(t, stretch.end)};
+  if (t.has_time) line["time"] = {approx_time_at(t, stretch.begin), approx_time_at(t, stretch.end)};
   if (has_reason(stretch)) line["reason"] = describe(stretch.reason);
   return line;
 }

@@ -32,7 +32,7 @@ class TrajectoryRun {
     auto preparation = run_.prepare_piece(k);
     TreeKept* const tree = wants_trees_ ? &check_.path.trees[k] : nullptr;
     if (tree != nullptr) tree->clear();
-    Result result = run_.search_piece(*preparation, run_.settings_of_piece(*preparation), tree);
+    Result result = run_.search_piece(k, *preparation, run_.settings_of_piece(*preparation), tree);
     if (result.verdict == Verdict::kNoSingularity || result.reason == Reason::kEmptyVariety) {
       note_certified(k, result);
       return PieceAnswer::kProved;

@@ -24,15 +24,26 @@ struct DecidingPiece {
   Result result;
 };
 
-/// The program around a search, for an interrupt and a display of progress. Both may be null.
+/// The program around a search: an interrupt, a display of progress, a file. All may be null.
 struct PathWatch {
   const std::atomic<bool>* interrupt = nullptr;
   Observer* display = nullptr;
+  const SearchCheckpoint* checkpoint = nullptr;
+
+  [[nodiscard]] JsonCheckpoint* file() const {
+    return checkpoint != nullptr ? checkpoint->file() : nullptr;
+  }
+  [[nodiscard]] double interval() const {
+    return checkpoint != nullptr ? checkpoint->interval() : 0;
+  }
 
   [[nodiscard]] bool is_interrupted() const {
     return interrupt != nullptr && interrupt->load(std::memory_order_relaxed);
   }
 };
+
+/// Returns the key of the search of a piece in the file.
+[[nodiscard]] std::string place_of_piece(std::size_t piece);
 
 struct TrajectoryCheck {
   Request request;  ///< with the trajectory
@@ -43,6 +54,7 @@ struct TrajectoryCheck {
   std::optional<DecidingPiece> deciding;  ///< none for NO SINGULARITY
   PathSearchResult path;                  ///< with the trees of all pieces, if they are wanted
   std::size_t searched_alone = 0;         ///< pieces with a search of their own
+  bool can_continue = false;              ///< a limit or an interrupt ended a search
   StageSeconds seconds;
 };
 

@@ -37,9 +37,9 @@ struct LocateCommand {
   std::string resolution;  ///< part of each range, an expression; empty: by the number of ranges
   std::string lines;       ///< file of the JSON lines, "-" = standard output; empty: see --json
   PictureRequest pictures;
-  std::string certificate;        ///< file; empty: none
-  std::uint64_t shard_size = 0;   ///< of its shards, in bytes; 0: it is one file
-  CheckpointOptions checkpoint;   ///< about a load only
+  std::string certificate;       ///< file; empty: none
+  std::uint64_t shard_size = 0;  ///< of its shards, in bytes; 0: it is one file
+  CheckpointOptions checkpoint;
   bool boxes_unless_json = true;  ///< print the boxes by default
 };
 

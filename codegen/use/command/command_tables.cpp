@@ -68,13 +68,12 @@ constexpr const char* kReportFooter =
     "error.";
 
 constexpr const char* kCheckCertificate = "Write a proof of the verdict";
-constexpr const char* kLocateCheckpoint =
-    "With --load, save the search to FILE regularly and when it stops; if FILE exists, continue "
-    "from it";
 constexpr const char* kLocateCertificate =
     "Write a proof of the verdict, not of each box: the proof shows that the whole variety is "
     "free, "
-    "or that it contains the singular pose of the report. With --load a proof of each box";
+    "or that it contains the singular pose of the report. With --load a proof of each box, but "
+    "along "
+    "way-points of the verdict";
 constexpr const char* kMarginCertificate =
     "Write a proof for each end of the bracket: FILE.safe proves that there is no singularity at "
     "a, "
@@ -258,7 +257,6 @@ void CommandTables::add_locate() {
   add_certificate_option(*locate_command, locate.certificate, kLocateCertificate);
   add_shard_option(*locate_command, locate.shard_size);
   add_checkpoint_options(*locate_command, locate.checkpoint);
-  locate_command->get_option("--checkpoint")->description(kLocateCheckpoint);
   add_output_options(*locate_command, locate.output);
   add_page_option(*locate_command, locate.output);
   add_load_option(*locate_command, locate.load);

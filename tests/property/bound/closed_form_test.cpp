@@ -67,7 +67,7 @@ class KnownBound : public testing::TestWithParam<Known> {};
 TEST_P(KnownBound, IsBracketedToItsLastDigits) {
   const Known& known = GetParam();
   const std::string& word = known.options.quantity;
-  const Request request = request_of(kShear, kind_of(word) ? "" : word);
+  const Request request = request_of(kShear, is_quantity(word) ? "" : word);
   const Bound bound = bound_of(request, known.options, known.gap);
   const ComponentBound *attained = bound.decisive_attained(), *proved = bound.decisive_proved();
   ASSERT_TRUE(attained && proved);

@@ -11,7 +11,6 @@
 #include <sstream>
 
 #include "codegen/use/api/regulus.hpp"
-#include "tests/support/temporary_directory.hpp"
 
 namespace {
 
@@ -114,22 +113,6 @@ TEST(WhatWorks, GivesEachReasonOnceAndNoneTwiceForOneCell) {
                                     }),
               1)
         << name(row.kind) << ", " << name(row.service);
-}
-
-TEST(Refusals, OfAPathKeepTheEarlierCertificate) {
-  const regulus::test::TemporaryDirectory folder;
-  const std::string way = folder.path() / "way.csv", proof = folder.path() / "proof";
-  std::ofstream(way) << "t,x\n0,-0.5\n1,0.5\n";
-  std::ofstream(proof) << "earlier\n";
-  regulus::LocateOptions paving;
-  paving.certificate = proof;
-  EXPECT_THAT(
-      message_of([&] { static_cast<void>(regulus::locate(bead().waypoints(way), paving)); }),
-      HasSubstr("certificate: there is no proof of the stretches"));
-  std::string line;
-  std::ifstream kept(proof);
-  std::getline(kept, line);
-  EXPECT_EQ(line, "earlier");
 }
 
 }  // namespace

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/answer/report/search_checkpoint.hpp"
+
+namespace regulus {
+
+SearchCheckpoint::SearchCheckpoint(const CheckpointOptions& options,
+                                   const std::function<nlohmann::ordered_json()>& question)
+    : interval_(options.interval) {
+  if (options.path.empty()) return;
+  file_ = std::make_unique<JsonCheckpoint>(options.path, question(), "the search");
+  was_there_ = !file_->known().empty();
+}
+
+void SearchCheckpoint::finish(bool can_continue) {
+  if (!file_) return;
+  is_kept_ = can_continue;
+  if (!is_kept_) file_->remove();
+}
+
+std::string SearchCheckpoint::line() const {
+  if (!file_) return "";
+  std::string text = file_->line();
+  if (is_kept_ && text.empty())
+    text = "checkpoint " + file_->path() + ": repeat the command to continue from here\n";
+  return was_there_ ? "           continued from " + file_->path() + '\n' + text : text;
+}
+
+}  // namespace regulus

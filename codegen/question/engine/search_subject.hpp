@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a search is about, as reports and pictures need it: names, units and ranges, and no kernel.
+#pragma once
+
+#include <string>
+
+#include "codegen/kernel/formulation/variety.hpp"
+#include "codegen/question/engine/report_labels.hpp"
+
+namespace regulus {
+
+struct SearchSubject {
+  ReportLabels labels;
+  std::string model_file;  ///< as it was opened
+  Variety variety;
+  bool is_replanned = false;  ///< the ranges or the threshold are not those of the request
+};
+
+}  // namespace regulus

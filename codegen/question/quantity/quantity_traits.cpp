@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/question/quantity/quantity_traits.hpp"
+
+#include <array>
+
+#include "runtime/proof/format.hpp"
+
+namespace regulus {
+namespace {
+
+using enum QuantityKind;
+using enum ComponentsOf;
+using enum NeededData;
+
+constexpr std::array kTraits{
+    QuantityTraits{.kind = kForce,
+                   .word = "force",
+                   .norm = "",
+                   .description = "force",
+                   .certified = format::kForce,
+                   .components = kRows,
+                   .data = kLoad,
+                   .has_signs = true},
+    QuantityTraits{.kind = kError,
+                   .word = "error",
+                   .norm = "",
+                   .description = "error of the pose",
+                   .certified = format::kError,
+                   .components = kNorms,
+                   .data = kMotorErrors},
+    QuantityTraits{.kind = kSpeed,
+                   .word = "speed",
+                   .norm = "",
+                   .description = "speed of the motors",
+                   .certified = format::kSpeed,
+                   .components = kRows,
+                   .data = kTwist,
+                   .has_signs = true,
+                   .needs_inverse = false,
+                   .needs_square = false},
+    QuantityTraits{.kind = kSigmaMin,
+                   .word = "sigma-min",
+                   .norm = "",
+                   .description = "least singular value of J^-1",
+                   .certified = format::kSigmaMin,
+                   .components = kWhole,
+                   .data = kNone,
+                   .may_be_least = true,
+                   .is_always_least = true,
+                   .is_never_negative = true,
+                   .compares_units = true,
+                   .needs_square = false},
+    QuantityTraits{.kind = kSigmaMax,
+                   .word = "sigma-max",
+                   .norm = "",
+                   .description = "largest singular value of J^-1",
+                   .certified = format::kSigmaMax,
+                   .components = kWhole,
+                   .data = kNone,
+                   .is_never_negative = true,
+                   .compares_units = true,
+                   .needs_square = false},
+    QuantityTraits{.kind = kCondition,
+                   .word = "condition",
+                   .norm = "max",
+                   .description = "condition number of J^-1 in the maximum norm",
+                   .certified = format::kCondition,
+                   .components = kPairs,
+                   .data = kNone,
+                   .is_never_negative = true,
+                   .compares_units = true},
+    QuantityTraits{.kind = kCondition2,
+                   .word = "condition",
+                   .norm = "2",
+                   .description = "condition number of J^-1 in the 2-norm",
+                   .certified = format::kCondition2,
+                   .components = kWhole,
+                   .data = kNone,
+                   .is_never_negative = true,
+                   .compares_units = true,
+                   .needs_square = false},
+    QuantityTraits{.kind = kDeflection,
+                   .word = "deflection",
+                   .norm = "",
+                   .description = "deflection",
+                   .certified = format::kDeflection,
+                   .components = kFreedoms,
+                   .data = kLoadAndStiffness,
+                   .has_signs = true},
+    QuantityTraits{.kind = kDeterminant,
+                   .word = "determinant",
+                   .norm = "",
+                   .description = "least |det J^-1|",
+                   .certified = format::kDeterminant,
+                   .components = kWhole,
+                   .data = kNone,
+                   .is_always_least = true,
+                   .is_never_negative = true},
+    QuantityTraits{.kind = kExpression,
+                   .word = "",
+                   .norm = "",
+                   .description = "",
+                   .certified = format::kExpression,
+                   .components = kWhole,
+                   .data = kNone,
+                   .has_signs = true,
+                   .needs_inverse = false,
+                   .needs_square = false},
+};
+
+constexpr bool are_in_order() {
+  for (std::size_t k = 0; k < kTraits.size(); ++k)
+    if (std::size_t(kTraits[k].kind) != k) return false;
+  return kTraits.size() == std::size_t(kExpression) + 1;
+}
+static_assert(are_in_order());
+
+}  // namespace
+
+std::span<const QuantityTraits> quantity_traits() noexcept { return kTraits; }
+
+const QuantityTraits& traits_of(QuantityKind kind) noexcept { return kTraits[std::size_t(kind)]; }
+
+}  // namespace regulus
