@@ -215,7 +215,7 @@ const std::vector<Base>& bases() {
       {"curve", kCurve, {"check", "pole"}},
       {"ball",
        kCurve,
-       {"bound", "work", "speed", "--twist", "drift", "--leg", "1", "--limit", "19"}},
+       {"bound", "work", "speed", "--twist", "drift", "--leg", "1", "--signed", "--limit", "19"}},
       {"unbounded", kUnbounded, {"bound", "across", "force", "--load", "pull", "--limit", "5"}},
       {"feasible", kCart, {"check", "work", "--load", "pull"}},
       {"paving", kCart, {"locate", "work", "--load", "gust"}},
