@@ -191,7 +191,7 @@ class Run {
   void judge(const Genuine& g, const Forgery& forgery, std::uint64_t number, Counts& counts) {
     std::string why;
     if (forgery.is_of_certificate) {
-      why = difference(g.certificate, forgery.change.text, has_tolerances(*g.base));
+      why = difference(forgery.change.text, g.certificate, has_tolerances(*g.base));
     } else {
       const Answer other = answer_about(*g.base, forgery.change.text, folder_.path());
       if (other.is_refused) {

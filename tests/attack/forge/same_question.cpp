@@ -251,11 +251,13 @@ std::optional<bool> is_defined(const std::vector<Line>& lines, int point, bool a
   return all;
 }
 
-/// Returns true unless one claims a value where the other does not.
-bool have_one_domain(const std::vector<Line>& a, const std::vector<Line>& b, bool any_spread) {
+/// Returns true unless `asked` has no value at a point where the other says that there is one.
+bool claims_domain(const std::vector<Line>& verified, const std::vector<Line>& asked,
+                   bool any_spread) {
   for (int point = 0; point < kSpecialPoints; ++point) {
-    const auto first = is_defined(a, point, any_spread), second = is_defined(b, point, any_spread);
-    if (first && second && *first != *second) return false;
+    const auto first = is_defined(verified, point, any_spread),
+               second = is_defined(asked, point, any_spread);
+    if (first && second && *first && !*second) return false;
   }
   return true;
 }
@@ -268,8 +270,8 @@ bool have_one_ratio(const std::vector<std::pair<Value, Value>>& determinants) {
 
 }  // namespace
 
-std::string difference(const std::string& one, const std::string& other, bool any_spread) try {
-  const std::vector<Line> a = question_of(one), b = question_of(other);
+std::string difference(const std::string& verified, const std::string& asked, bool any_spread) try {
+  const std::vector<Line> a = question_of(verified), b = question_of(asked);
   std::vector<std::pair<Value, Value>> determinants;
   bool has_one_matrix = true, is_about_zeros = true;
   for (int point = 0; point < kPoints; ++point) {
@@ -285,7 +287,7 @@ std::string difference(const std::string& one, const std::string& other, bool an
     is_about_zeros = is_about_zeros && left.asks_for_regularity() && first && second;
     if (is_about_zeros) determinants.emplace_back(*first, *second);
   }
-  if (!have_one_domain(a, b, any_spread)) return "other conditions to have a value";
+  if (!claims_domain(a, b, any_spread)) return "it does not say where there is a value";
   if (has_one_matrix || (is_about_zeros && have_one_ratio(determinants))) return "";
   return "another matrix";
 } catch (const std::exception& error) {
