@@ -341,40 +341,6 @@ Change change_certificate(const std::string& certificate, Random& random) {
   return change_line(certificate, random);
 }
 
-std::set<std::string> words_touched(const std::string& before, const std::string& after) {
-  const Lines was = lines_of(before), is = lines_of(after);
-  std::multiset<std::string> only(was.begin(), was.end()), added;
-  for (const std::string& line : is)
-    if (const auto same = only.find(line); same != only.end())
-      only.erase(same);
-    else
-      added.insert(line);
-  only.merge(added);
-  std::set<std::string> words;
-  for (const std::string& line : only) {
-    const std::size_t end = std::min(meaning_of(line), line.size());
-    const std::string word = line.substr(0, line.find(' '));
-    words.insert(word);
-    if (word == "quantity") words.insert(line.substr(end));
-    if (word == "bound" || word == "unbounded") words.insert(word);
-  }
-  return words;
-}
-
-std::set<std::string> words_of_format(const std::string& page) {
-  std::set<std::string> words;
-  for (const std::string& line : lines_of(page)) {
-    if (!line.starts_with("| `")) continue;
-    const std::string cell = line.substr(0, line.find(" | "));
-    for (std::size_t at = 0; (at = cell.find('`', at)) != kNowhere; ++at) {
-      const std::size_t end = cell.find('`', at + 1);
-      words.insert(cell.substr(at + 1, std::min(end, cell.find(' ', at)) - at - 1));
-      at = end;
-    }
-  }
-  return words;
-}
-
 Change change_model(const std::string& model, Random& random) {
   Lines lines = lines_of(model);
   for (;;) {

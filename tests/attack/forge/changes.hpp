@@ -2,7 +2,6 @@
 // One change of a certificate or of a model file, at random.
 #pragma once
 
-#include <set>
 #include <string>
 
 #include "tests/attack/oracle/random.hpp"
@@ -20,12 +19,5 @@ struct Change {
 
 /// Changes a number, a name, a word or a line of a model file.
 [[nodiscard]] Change change_model(const std::string& model, Random& random);
-
-/// Returns the first words of the lines that only one of two certificates has; of `quantity` also the
-/// second.
-[[nodiscard]] std::set<std::string> words_touched(const std::string& before,
-                                                  const std::string& after);
-/// Returns the first words of the lines that FORMAT.md describes in its tables.
-[[nodiscard]] std::set<std::string> words_of_format(const std::string& page);
 
 }  // namespace regulus::attack

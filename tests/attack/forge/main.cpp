@@ -16,6 +16,7 @@
 #include "tests/attack/forge/changes.hpp"
 #include "tests/attack/forge/genuine.hpp"
 #include "tests/attack/forge/same_question.hpp"
+#include "tests/attack/forge/touched.hpp"
 
 namespace regulus::attack {
 namespace {
