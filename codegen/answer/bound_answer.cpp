@@ -72,7 +72,7 @@ class AnswerOfBound final : public BoundAnswer {
  private:
   void run(Quantity quantity, const Services& services) {
     HeldFiles held;
-    settings_.held = &held;
+    settings_.placing = {&held, services.shard_size};
     std::optional<BracketCheckpoint> checkpoint;
     if (!services.checkpoint.path.empty())
       settings_.checkpoint = &checkpoint.emplace(
@@ -84,7 +84,7 @@ class AnswerOfBound final : public BoundAnswer {
     std::vector<EndProofs*> ends;
     for (ComponentBound& c : found_.components) ends.push_back(&c.proofs);
     settle_files(held, ends, *this);
-    settings_.held = nullptr;
+    settings_.placing.held = nullptr;
     settings_.checkpoint = nullptr;
     if (checkpoint) checkpoint_line_ = checkpoint->line();
   }
@@ -160,7 +160,7 @@ class Sheet final : public DatasheetAnswer {
 
   void run(const Services& services) {
     HeldFiles held;
-    settings_.held = &held;
+    settings_.placing = {&held, services.shard_size};
     std::optional<BracketCheckpoint> checkpoint;
     if (!services.checkpoint.path.empty())
       settings_.checkpoint = &checkpoint.emplace(
@@ -170,7 +170,7 @@ class Sheet final : public DatasheetAnswer {
     for (Bound& bound : found_.bounds)
       for (ComponentBound& c : bound.components) ends.push_back(&c.proofs);
     settle_files(held, ends, *this);
-    settings_.held = nullptr;
+    settings_.placing.held = nullptr;
     settings_.checkpoint = nullptr;
     if (checkpoint) checkpoint_line_ = checkpoint->line();
     for (const Bound& bound : found_.bounds)

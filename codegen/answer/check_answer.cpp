@@ -88,7 +88,8 @@ class VarietyCheck final : public CheckAnswer {
         search_sides(sides, prepared_, result, search_, services.interrupt, display);
     if (!decision) return;
     result = decision->result;
-    proof = certify_sides(services.certificate, sides, prepared_, *decision);
+    proof = certify_sides(services.certificate, sides, prepared_, *decision,
+                          {nullptr, services.shard_size});
     prepared_.labels.matrix_notes.push_back(sides.note());
   }
 
@@ -109,7 +110,7 @@ class WayCheck final : public CheckAnswer {
     check_ =
         check_trajectory(std::move(request), model_seconds, search_, !services.certificate.empty(),
                          {services.interrupt, display.observer(), &checkpoint});
-    proof = certify_trajectory(services.certificate, check_);
+    proof = certify_trajectory(services.certificate, check_, {nullptr, services.shard_size});
     if (proof.is_lost()) lost.push_back(proof.obstacle());
     write_beside([&] {
       checkpoint.finish(check_.can_continue && check_.verdict == Verdict::kPossibleProblem);

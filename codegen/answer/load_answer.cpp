@@ -31,7 +31,7 @@ class LoadSearch {
   LoadSearch(const ModelOptions& model, const SearchOptions& search, const std::string& load,
              bool paves, const Services& services)
       : prepared_(prepare_forces(model, load, search, watch_of(services))),
-        certificate_(services.certificate, prepared_, paves) {}
+        certificate_(services.certificate, prepared_, paves, services.shard_size) {}
 
   /// An exception from the listener ends the search.
   void run(const FeasibilitySettings& settings, const ForceListener& listener,
@@ -108,7 +108,7 @@ class WayLoad final : public LoadAnswer {
                                     {services.interrupt, display.observer(), &checkpoint});
     verdict = found_.verdict;
     boxes = found_.boxes;
-    proof = certify_way_forces(services.certificate, found_);
+    proof = certify_way_forces(services.certificate, found_, {nullptr, services.shard_size});
     if (proof.is_lost()) lost.push_back(proof.obstacle());
     write_beside([&] {
       checkpoint.finish(found_.can_continue && verdict == FeasibilityVerdict::kPossibleProblem);
@@ -206,7 +206,7 @@ class WayLoadPaving final : public LoadPavingAnswer {
     boxes = paving_.found.boxes;
     if (verdict == FeasibilityVerdict::kFeasible) claim = describe_claim(paving_.found);
     if (verdict == FeasibilityVerdict::kPossibleProblem) reason = describe_reason(paving_.found);
-    proof = certify_way_forces(services.certificate, paving_.found);
+    proof = certify_way_forces(services.certificate, paving_.found, {nullptr, services.shard_size});
     if (proof.is_lost()) lost.push_back(proof.obstacle());
     write_beside([this] { write(); });
     const Request& asked_about = paving_.found.request;

@@ -51,7 +51,7 @@ class VarietyMargin final : public MarginAnswer {
     HeldFiles held;
     const OutputOptions display = display_of(services);
     VarietyAttempts attempts(margin_, question_, display,
-                             margin_proofs(services.certificate, &held));
+                             margin_proofs(services.certificate, {&held, services.shard_size}));
     found_ = close_bracket(attempts, question_,
                            {limits_of(margin_.settings, gap_), services.interrupt,
                             steps_of(services), checkpoint.searches()});
@@ -103,7 +103,7 @@ class WayMargin final : public MarginAnswer {
     found_ =
         margin_of_trajectory(request_, question_, search_, gap_, display_of(services),
                              {{}, services.interrupt, steps_of(services), checkpoint.searches()},
-                             margin_proofs(services.certificate, &held));
+                             margin_proofs(services.certificate, {&held, services.shard_size}));
     settle_files(held, {&found_.proofs}, *this);
     checkpoint_line_ = checkpoint.line();
     set_ends(*this, found_.margin);
@@ -178,7 +178,7 @@ class MarginOfLimit final : public MarginAnswer {
  private:
   void run(const Json& checkpointed, Quantity quantity, const Services& services) {
     HeldFiles held;
-    settings_.held = &held;
+    settings_.placing = {&held, services.shard_size};
     std::optional<BracketCheckpoint> checkpoint;
     if (!services.checkpoint.path.empty())
       settings_.checkpoint = &checkpoint.emplace(services.checkpoint.path, checkpointed);
@@ -186,7 +186,7 @@ class MarginOfLimit final : public MarginAnswer {
     std::vector<EndProofs*> ends;
     for (ComponentMargin& c : found_.components) ends.push_back(&c.proofs);
     settle_files(held, ends, *this);
-    settings_.held = nullptr;
+    settings_.placing.held = nullptr;
     settings_.checkpoint = nullptr;
     if (checkpoint) checkpoint_line_ = checkpoint->line();
     set_ends(*this, found_.whole);

@@ -14,6 +14,7 @@
 #include "codegen/support/errors.hpp"
 #include "codegen/support/scratch_folder.hpp"
 #include "codegen/support/write_file.hpp"
+#include "runtime/proof/format.hpp"
 
 namespace regulus {
 namespace {
@@ -122,10 +123,14 @@ void PageOfAnswers::add(ShownAnswer answer) {
 
 void PageOfAnswers::take_proof(const std::string& file) {
   data_.certificate = read_start(file, kLongestProof + 1, Readable::kFile);
-  if (data_.certificate.size() <= kLongestProof) return;
+  const bool is_index = data_.certificate.starts_with(format::kIndexMagic);
+  if (!is_index && data_.certificate.size() <= kLongestProof) return;
   data_.certificate.clear();
   data_.certificate_note =
-      "its proof is longer than a page holds; `regulus check --certificate` writes it to a file";
+      is_index
+          ? "its proof is in several files, which a page does not hold; `regulus verify` checks it"
+          : "its proof is longer than a page holds; `regulus check --certificate` writes it to a "
+            "file";
 }
 
 std::size_t PageOfAnswers::write(const std::string& file) const {

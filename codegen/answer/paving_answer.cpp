@@ -161,7 +161,7 @@ class WayPaving final : public PavingAnswer {
     paving_ = pave_trajectory(std::move(request), model_seconds, search_, resolution,
                               !services.certificate.empty(),
                               {services.interrupt, display.observer(), &checkpoint});
-    proof = certify_path_paving(services.certificate, paving_);
+    proof = certify_path_paving(services.certificate, paving_, {nullptr, services.shard_size});
     if (proof.is_lost()) lost.push_back(proof.obstacle());
     result.verdict = paving_.check.verdict;
     result.reason = paving_.check.reason;

@@ -15,7 +15,6 @@
 namespace regulus {
 namespace {
 
-constexpr std::string_view kOneFile = "the proof of an end of a bracket is one file";
 constexpr std::string_view kNoBoxes = "a picture is of the boxes of a paving; ask where, by locate";
 constexpr std::string_view kOneMachine =
     "a motion along way-points is searched on one machine, by all of its threads";
@@ -28,37 +27,21 @@ using enum Kind;
 using enum Service;
 
 constexpr Refusal kRefusals[] = {
-    {kMargin, kShards, kOneFile},
-    {kLimitMargin, kShards, kOneFile},
-    {kBound, kShards, kOneFile},
-    {kCondition2, kShards, kOneFile},
     {kCondition2, kTheorem, kNoTheorem},
-    {kLoad, kShards, "a proof about a load stays in one file"},
     {kLoad, kTheorem, kNoTheorem},
-    {kLoadPaving, kShards, "a proof about a load stays in one file"},
     {kLoadPaving, kTheorem, kNoTheorem},
-    {kDatasheet, kShards, kOneFile},
     {kDatasheet, kRanks, kNoRows},
-    {kWayCheck, kShards, "the proof of a motion along way-points is one file"},
     {kWayCheck, kRanks, kOneMachine},
-    {kWayPaving, kShards, "the proof of a motion along way-points is one file"},
     {kWayPaving, kRanks, kOneMachine},
-    {kWayMargin, kShards, kOneFile},
     {kWayMargin, kRanks, kOneMachine},
-    {kWayLimitMargin, kShards, kOneFile},
     {kWayLimitMargin, kRanks, kOneMachine},
-    {kWayBound, kShards, kOneFile},
     {kWayBound, kRanks, kOneMachine},
-    {kWayCondition2, kShards, kOneFile},
     {kWayCondition2, kTheorem, kNoTheorem},
     {kWayCondition2, kRanks, kOneMachine},
-    {kWayLoad, kShards, "a proof about a load stays in one file"},
     {kWayLoad, kTheorem, kNoTheorem},
     {kWayLoad, kRanks, kOneMachine},
-    {kWayLoadPaving, kShards, "a proof about a load stays in one file"},
     {kWayLoadPaving, kTheorem, kNoTheorem},
     {kWayLoadPaving, kRanks, kOneMachine},
-    {kWayDatasheet, kShards, kOneFile},
     {kWayDatasheet, kRanks, kNoRows},
     // What has no boxes has no picture.
     {kCheck, kPicture, kNoBoxes, false},
@@ -88,7 +71,6 @@ constexpr OptionRefusal kOptionsOfLoads[] = {
     {"precision", kOneMethod},
     {"symbolic-budget", kOneMethod},
     {"without", kOneMethod},
-    {"shard-size", "a proof about a load stays in one file"},
 };
 
 /// Returns the options that differ from their defaults, as the command calls them.

@@ -111,6 +111,13 @@ std::string regular_theorem(const Question& question, bool has_pieces) {
       check + " pieces");
 }
 
+void refuse_quantity(const Question& question) {
+  if (question.quantity)
+    throw Unfinished(
+        "a claim about the bound of a quantity is no theorem about a matrix; --force writes the "
+        "theorem about a force");
+}
+
 /// The question has the constants of a piece as an argument; the theorem is about all pieces.
 std::string trajectory(Lines& lines) {
   const Pieces pieces = read_pieces(lines);
@@ -119,6 +126,7 @@ std::string trajectory(Lines& lines) {
   Question question;
   read_question(first, question);
   if (question.singular) throw Rejection("a singular pose lies on one piece: there are several");
+  refuse_quantity(question);
   const CoqQuestion coq = coq_question(lines_of(pieces.question_of(0)), question, pieces.names);
   std::vector<CoqItem> values;
   for (std::size_t k = 0; k < pieces.values.size(); ++k) {
@@ -163,10 +171,7 @@ std::string read_and_write(Lines& lines, CoqStatement statement) {
     throw Unfinished("a claim about forces within limits cannot be written as a theorem");
   if (statement == CoqStatement::kForce) return force(question, lines.take_kept());
   if (question.is_piecewise) return trajectory(lines);
-  if (question.quantity)
-    throw Unfinished(
-        "a claim about the bound of a quantity is no theorem about a matrix; --force writes the "
-        "theorem about a force");
+  refuse_quantity(question);
   const CoqQuestion coq = coq_question(lines.take_kept(), question);
   if (question.singular) return heading(question) + coq.text + singular_theorem(lines, question);
   return heading(question) + coq.text + method(coq) + regular_theorem(question, false);

@@ -110,10 +110,7 @@ void ProofFile::begin(std::string_view head) noexcept {
   if (!continues_) put(head);
 }
 
-void ProofFile::begin_tree() noexcept {
-  has_one_tree_ = false;
-  put("tree\n");
-}
+void ProofFile::begin_tree() noexcept { put("tree\n"); }
 
 void ProofFile::split(const Split& split) noexcept {
   note_written(std::fprintf(file_.get(), "s %" PRIu64 " %" PRIu32 " %a\n", split.parent,
@@ -153,11 +150,11 @@ void ProofFile::complete_with(std::string_view head, std::string_view witness) {
   put(head);
   put(witness);
   make_safe();
-  has_one_tree_ = false;
+  has_trees_ = false;
 }
 
 bool ProofFile::must_be_cut() const {
-  if (!has_one_tree_ || shard_size_ == 0) return false;
+  if (!has_trees_ || shard_size_ == 0) return false;
   struct stat status {};
   check(::fstat(fileno(file_.get()), &status) == 0, "be put in its place");
   return static_cast<std::uint64_t>(status.st_size) > shard_size_;

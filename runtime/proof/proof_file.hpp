@@ -38,7 +38,7 @@ class ProofFile {
   ProofFile& operator=(const ProofFile&) = delete;
   ProofFile& operator=(ProofFile&&) = delete;
 
-  /// A proof with one tree that has more bytes is cut into shards of about this size; 0: it is not.
+  /// A proof with trees that has more bytes is cut into shards of about this size; 0: it is not.
   void set_shard_size(std::uint64_t bytes) noexcept { shard_size_ = bytes; }
 
   // A failure to write is noted; finish() and sync() report it.
@@ -89,7 +89,7 @@ class ProofFile {
   std::unique_ptr<std::FILE, Close> file_;
   std::uint64_t leaves_ = 0;
   std::uint64_t shard_size_ = 0;
-  bool has_one_tree_ = true;
+  bool has_trees_ = true;  ///< and no witness
   bool in_place_ = false;
   bool stays_ = false;      ///< after the destructor
   bool continues_ = false;  ///< a file that already has its head

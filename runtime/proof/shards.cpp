@@ -18,6 +18,8 @@
 namespace regulus {
 namespace {
 
+constexpr const char* kBeginsTree = "tree";
+
 /// A box that waits.
 struct Waiting {
   struct Ends {
@@ -71,14 +73,14 @@ class ShardOutput {
 class ShardCutter {
  public:
   ShardCutter(const std::string& certificate, std::string folder, std::uint64_t size)
-      : folder_(std::move(folder)), size_(size) {
-    read(certificate);
-    waiting_.push_back({0, 0, {}});
+      : folder_(std::move(folder)), size_(size), file_(certificate, std::ios::binary) {
+    read_head();
+    read_tree();
   }
 
   /// Returns the index.
   [[nodiscard]] std::string write() {
-    for (std::size_t shard = 1; !waiting_.empty(); ++shard) {
+    for (std::size_t shard = 1; !is_done(); ++shard) {
       if (shard > format::kMostShards)
         throw std::runtime_error("be cut into more than " + std::to_string(format::kMostShards) +
                                  " shards; use a larger --shard-size");
@@ -88,38 +90,57 @@ class ShardCutter {
   }
 
  private:
-  void read(const std::string& certificate);
+  void read_head();
+  void read_tree();
+  [[nodiscard]] bool is_done() const { return waiting_.empty() && !has_more_trees_; }
   void write_shard(std::size_t shard);
   [[nodiscard]] std::string head(std::size_t shard) const;
   [[nodiscard]] std::string take_next();
 
   const std::string folder_;
   const std::uint64_t size_;
+  std::ifstream file_;
   std::string index_, question_;
+  bool has_more_trees_ = false;  ///< after the current one
+  std::size_t piece_ = 0;        ///< whose tree is the current one; 0: the motion has no pieces
   ProofTree tree_;
   std::vector<Waiting> waiting_;  ///< the next box is the last one
   std::uint64_t next_ = 1, leaves_ = 0;
 };
 
-void ShardCutter::read(const std::string& certificate) {
-  std::ifstream file(certificate, std::ios::binary);
+void ShardCutter::read_head() {
   Sha256 question;
   std::string line;
-  std::getline(file, line);
+  std::getline(file_, line);
   index_ = std::string(format::kIndexMagic) + '\n';
-  for (bool more = true; more && std::getline(file, line); more = line != "proof") {
+  for (bool more = true; more && std::getline(file_, line); more = line != "proof") {
     index_ += line + '\n';
     question.add(line + '\n');
   }
   question_ = question.text();
-  while (std::getline(file, line))
-    if (!tree_.add(line)) return;
+  if (file_.peek() != kBeginsTree[0]) return;
+  std::getline(file_, line);
+  piece_ = 1;
+}
+
+/// Reads the next tree, whose box 0 waits then.
+void ShardCutter::read_tree() {
+  tree_ = {};
+  next_ = 1;
+  waiting_.push_back({0, 0, {}});
+  std::string line;
+  while (std::getline(file_, line)) {
+    has_more_trees_ = line == kBeginsTree;
+    if (has_more_trees_ || !tree_.add(line)) return;
+  }
   throw std::runtime_error("be read again");
 }
 
 std::string ShardCutter::head(std::size_t shard) const {
   std::string text = std::string(format::kShardMagic) + "\nquestion " + question_ + "\nshard " +
-                     std::to_string(shard) + "\nnext " + std::to_string(next_) + '\n';
+                     std::to_string(shard) + '\n';
+  if (piece_ > 0) text += "piece " + std::to_string(piece_) + '\n';
+  text += "next " + std::to_string(next_) + '\n';
   for (std::size_t i = waiting_.size(); i-- > 0;) {
     text += "open " + std::to_string(waiting_[i].id);
     for (const auto& [variable, ends] : waiting_[i].ranges) {
@@ -132,8 +153,14 @@ std::string ShardCutter::head(std::size_t shard) const {
   return text + "proof\n";
 }
 
-/// Returns the line of the next box, whose halves wait then.
+/// Returns the line of the next box, whose halves wait then; after the last box of a tree the line
+/// that begins the next one.
 std::string ShardCutter::take_next() {
+  if (waiting_.empty()) {
+    read_tree();
+    ++piece_;
+    return kBeginsTree + std::string("\n");
+  }
   Waiting box = std::move(waiting_.back());
   waiting_.pop_back();
   const ProofTree::Node& node = tree_.node(box.searched);
@@ -159,7 +186,7 @@ void ShardCutter::write_shard(std::size_t shard) {
   file.put(head(shard));
   do {
     file.put(take_next());
-  } while (!waiting_.empty() && file.size() < size_);
+  } while (!is_done() && file.size() < size_);
   const std::string leaves = std::to_string(leaves_ - leaves_before);
   file.put("end " + leaves + '\n');
   index_ += "shard " + std::to_string(shard) + ' ' + leaves + ' ' + file.close() + '\n';

@@ -9,11 +9,13 @@
 #include <optional>
 #include <sstream>
 
+#include "runtime/files/sha256.hpp"
 #include "runtime/verifier/bordered_matrix.hpp"
 #include "runtime/verifier/model/model_comparison.hpp"
 #include "runtime/verifier/model/waypoints.hpp"
 #include "runtime/verifier/proof.hpp"
 #include "runtime/verifier/quantity_lines.hpp"
+#include "runtime/verifier/shards.hpp"
 #include "runtime/verifier/single_values.hpp"
 #include "runtime/verifier/tree_reader.hpp"
 
@@ -51,11 +53,30 @@ class PieceChecker {
     if (lines_.next()) throw Rejection("there is text after the line 'end'");
   }
 
+  /// The same for trees in shards. A shard may begin at any piece, so all are compared before.
+  void check_index() {
+    for (std::size_t k = 0; k == 0 || (is_compared() && k < pieces_.values.size()); ++k) {
+      read(k);
+      if (is_compared()) compare(*question_, k);
+    }
+    check_shards(lines_,
+                 {pieces_.sha256, true, pieces_.values.size(),
+                  [this](std::size_t k) {
+                    read(k);
+                    enclose();
+                    return TreeQuestion{*question_, *variety_};
+                  }},
+                 options_, result_);
+  }
+
  private:
-  void check_piece(std::size_t k) {
+  [[nodiscard]] bool is_compared() const { return !options_.model_text.empty(); }
+
+  /// Reads the question of a piece.
+  void read(std::size_t k) {
     std::istringstream text(pieces_.question_of(k));
     Lines head(text);
-    Question question;
+    Question& question = question_.emplace();
     try {
       read_question(head, question);
     } catch (const Rejection& why) {
@@ -65,17 +86,26 @@ class PieceChecker {
     if (question.singular) throw Rejection("a singular pose lies on one piece: there are several");
     if (k == 0) describe(question);
     question.graph.end_of_file();
-    if (!options_.model_text.empty()) compare(question, k);
-    if (question.quantity) border(question);
-    const Variety variety = enclose_variety(question);
-    put_in_single_values(question);
+  }
+
+  /// Prepares it for the proof of leaves.
+  void enclose() {
+    if (question_->quantity) border(*question_);
+    variety_.emplace(enclose_variety(*question_));
+    put_in_single_values(*question_);
+  }
+
+  void check_piece(std::size_t k) {
+    read(k);
+    if (is_compared()) compare(*question_, k);
+    enclose();
     if (options_.time_limit > 0) rest_.time_limit = options_.time_limit - seconds();
     if (rest_.time_limit < 0) throw Unfinished("the time limit was reached");
-    const Shown shown = check_tree_of_piece(lines_, question, variety, rest_, result_);
+    const Shown shown = check_tree_of_piece(lines_, *question_, *variety_, rest_, result_);
     shown_.has_met_variety |= shown.has_met_variety;
     shown_.has_met_point |= shown.has_met_point;
     // The constraints may exclude some pieces, but not all.
-    if (k + 1 == pieces_.values.size()) require_poses(question, shown_, result_);
+    if (k + 1 == pieces_.values.size()) require_poses(*question_, shown_, result_);
   }
 
   void describe(const Question& question) {
@@ -145,6 +175,8 @@ class PieceChecker {
   Verification& result_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   const Pieces pieces_;
+  std::optional<Question> question_;  ///< of the current piece
+  std::optional<Variety> variety_;
   WrittenValues model_;
   std::optional<WaypointComparison> waypoints_;
   Shown shown_;  ///< by all pieces
@@ -154,8 +186,10 @@ class PieceChecker {
 
 Pieces read_pieces(Lines& lines) {
   Pieces pieces;
+  Sha256 question;
   std::vector<std::string> before = lines.take_kept();
   for (std::size_t i = 0; i + 1 < before.size(); ++i) pieces.before += before[i] + '\n';
+  for (std::size_t i = 1; i < before.size(); ++i) question.add(before[i] + '\n');
   for (const std::string_view word : words_of(before.back())) pieces.names.emplace_back(word);
   pieces.names.erase(pieces.names.begin());
   if (pieces.names.empty() || pieces.names.size() > format::kMostPieceNames)
@@ -163,6 +197,7 @@ Pieces read_pieces(Lines& lines) {
   for (advance(lines); lines.text().starts_with("piece "); advance(lines)) {
     if (pieces.values.size() == format::kMostPieces) throw Rejection("there are too many pieces");
     pieces.values.push_back(lines.text().substr(6));
+    question.add(lines.text() + '\n');
   }
   if (pieces.values.empty()) throw Rejection("there is no piece");
   for (std::size_t count = 0; lines.text() != "proof"; advance(lines)) {
@@ -170,6 +205,8 @@ Pieces read_pieces(Lines& lines) {
     pieces.after += lines.text() + '\n';
   }
   pieces.after += "proof\n";
+  question.add(pieces.after);
+  pieces.sha256 = question.text();
   return pieces;
 }
 
@@ -195,8 +232,9 @@ std::string Pieces::question_of(std::size_t k) const {
   return text + after;
 }
 
-void check_pieces(Lines& lines, const Options& options, Verification& result) {
-  PieceChecker(lines, options, result).check();
+void check_pieces(Lines& lines, bool is_index, const Options& options, Verification& result) {
+  PieceChecker checker(lines, options, result);
+  is_index ? checker.check_index() : checker.check();
 }
 
 }  // namespace regulus::verifier

@@ -47,6 +47,15 @@ void ShardFile::require(const std::string& line, const std::string& otherwise) {
                     "', but should be '" + line + "'");
 }
 
+std::size_t ShardFile::read_piece(std::size_t most) {
+  advance();
+  const auto words = words_of(lines_.text());
+  if (words.size() != 2 || words[0] != "piece") throw Rejection("expected 'piece NUMBER'");
+  const std::size_t number = read_count(words[1], most);
+  if (number == 0) throw Rejection("pieces are numbered from 1");
+  return number - 1;
+}
+
 OpenBoxes ShardFile::read_open(const Box& root) {
   OpenBoxes open;
   advance();

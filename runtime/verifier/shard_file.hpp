@@ -23,6 +23,9 @@ class ShardFile {
   /// index says. `question`: SHA-256 of the question.
   ShardFile(const std::string& path, const ListedShard& listed, const std::string& question);
 
+  /// Reads the line `piece`: returns the number, from 0, of the piece in or behind whose tree the
+  /// shard begins. Throws Rejection. `most`: the number of pieces.
+  [[nodiscard]] std::size_t read_piece(std::size_t most);
   /// Reads up to the line `proof`: the boxes that wait before the shard. Throws Rejection.
   [[nodiscard]] OpenBoxes read_open(const Box& root);
   [[nodiscard]] Lines& lines() noexcept { return lines_; }

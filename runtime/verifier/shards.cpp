@@ -4,9 +4,13 @@
 // after its last line: they must be the boxes with which the next shard begins. The first shard
 // begins with box 0, and after the last one no box waits. So the leaves of all shards tile box 0,
 // in whatever order and by whomever the shards are read. The hashes only tell which file is wrong.
+//
+// The state between two lines also has the number of the tree. It begins with the first, ends with
+// the last, and grows by one at each line `tree`, where no box waits. So every tree tiles its box 0.
 #include "runtime/verifier/shards.hpp"
 
-#include "runtime/files/sha256.hpp"
+#include <optional>
+
 #include "runtime/verifier/shard_file.hpp"
 
 namespace regulus::verifier {
@@ -14,16 +18,13 @@ namespace {
 
 class ShardsChecker {
  public:
-  ShardsChecker(Lines& lines, const std::vector<std::string>& head, Question& question,
-                const Variety& variety, const Options& options, Verification& result)
+  ShardsChecker(Lines& lines, const ShardedTrees& trees, const Options& options,
+                Verification& result)
       : lines_(lines),
-        question_(question),
-        variety_(variety),
+        trees_(trees),
         options_(with_total_progress(options)),
         result_(result),
-        clock_(options_, of_shard_),
-        proofs_(question, variety, options_, clock_, of_shard_),
-        sha256_(digest_of(head)) {}
+        clock_(options_, of_shard_) {}
 
   void check() {
     if (options_.path.empty()) throw Unfinished("the shards of an index need its path");
@@ -35,10 +36,37 @@ class ShardsChecker {
   }
 
  private:
-  static std::string digest_of(const std::vector<std::string>& head) {
-    Sha256 digest;
-    for (std::size_t i = 1; i < head.size(); ++i) digest.add(head[i] + '\n');
-    return digest.text();
+  /// The tree whose lines are read.
+  struct Tree {
+    Tree(std::size_t at, const TreeQuestion& question, const Options& options, WorkClock& clock,
+         Verification& counts)
+        : number(at),
+          about(question),
+          proofs(about.question, about.variety, options, clock, counts) {}
+
+    std::size_t number;
+    TreeQuestion about;
+    LeafProofs proofs;
+  };
+
+  Tree& tree_at(std::size_t number) {
+    if (tree_ && tree_->number == number) return *tree_;
+    tree_.reset();  // before its question goes
+    return tree_.emplace(number, trees_.about(number), options_, clock_, of_shard_);
+  }
+
+  OpenBoxes root_of(std::size_t tree) {
+    OpenBoxes root;
+    root.boxes.emplace(0, tree_at(tree).about.variety.outer);
+    return root;
+  }
+
+  /// Begins the text of a state between two lines.
+  static std::string place(std::size_t tree, std::size_t open) {
+    return "tree " + std::to_string(tree + 1) + ", " + std::to_string(open) + " open, ";
+  }
+  static std::string state_text(std::size_t tree, const OpenBoxes& open) {
+    return place(tree, open.boxes.size()) + open.text();
   }
 
   void read_list() {
@@ -97,23 +125,17 @@ class ShardsChecker {
   }
 
   void prove(const ListedShard& listed, ShardProof& proof) {
-    ShardFile file(format::shard_file(options_.path, listed.number), listed, sha256_);
+    ShardFile file(format::shard_file(options_.path, listed.number), listed, trees_.sha256);
     try {
-      OpenBoxes open = file.read_open(variety_.outer);
-      proof.before = open.text();
-      TreeReader reader(file.lines(), question_, open, proofs_, clock_);
-      const Shown shown = reader.read();
-      reader.require_end_word();
-      reader.require_end(shown.leaves);
-      if (shown.leaves != listed.leaves)
+      std::size_t tree = trees_.is_piecewise ? file.read_piece(trees_.count) : 0;
+      OpenBoxes open = file.read_open(tree_at(tree).about.variety.outer);
+      proof.before = state_text(tree, open);
+      while (read_tree(file.lines(), tree, open, proof)) open = root_of(++tree);
+      if (proof.leaves != listed.leaves)
         throw Rejection("the index gives another number of leaves");
-      proof.after = open.text();
-      proof.question = sha256_;
-      proof.leaves = shown.leaves;
-      proof.boxes = shown.boxes;
-      proof.has_met_variety = shown.has_met_variety;
-      proof.has_met_point = shown.has_met_point;
-      proof.sign = shown.sign;
+      proof.after = state_text(tree, open);
+      proof.question = trees_.sha256;
+      proof.paved = of_shard_.paved;
     } catch (const Rejection& why) {
       throw Rejection("line " + std::to_string(file.lines().number()) + ": " + why.what());
     } catch (const Unfinished& why) {
@@ -121,12 +143,32 @@ class ShardsChecker {
     }
   }
 
+  /// Reads the lines of one tree, up to the end of the shard or to the line `tree`; returns true if
+  /// another tree follows.
+  bool read_tree(Lines& lines, std::size_t number, OpenBoxes& open, ShardProof& proof) {
+    Tree& tree = tree_at(number);
+    TreeReader reader(lines, tree.about.question, open, tree.proofs, clock_);
+    const Shown shown = reader.read();
+    proof.leaves += shown.leaves;
+    proof.boxes += shown.boxes;
+    proof.has_met_variety |= shown.has_met_variety;
+    proof.has_met_point |= shown.has_met_point;
+    // The determinants of two pieces may have different signs.
+    if (!trees_.is_piecewise) proof.sign = shown.sign;
+    if (trees_.is_piecewise && lines.text() == "tree") {
+      reader.require_tiling();
+      if (number + 1 == trees_.count) throw Rejection("there are more trees than pieces");
+      return true;
+    }
+    reader.require_end_word();
+    reader.require_end(proof.leaves);
+    return false;
+  }
+
   /// Puts the parts together, in their order.
   void join() {
     Shown shown;
-    OpenBoxes root;
-    root.boxes.emplace(0, variety_.outer);
-    std::string expected = root.text();
+    std::string expected = state_text(0, root_of(0));
     result_.leaves = result_.boxes = 0;
     for (std::size_t i = 0; i < listed_.size(); ++i) {
       const ShardProof& proof = proofs_of_shards_[i];
@@ -134,21 +176,24 @@ class ShardsChecker {
       const std::string here = "shard " + std::to_string(listed_[i].number) + ": ";
       if (!proof.is_proved && proof.is_rejected) throw Rejection(here + proof.reason);
       if (!proof.is_proved) throw Unfinished(here + proof.reason);
-      if (proof.question != sha256_) throw Rejection(here + "it was proved for another question");
+      if (proof.question != trees_.sha256)
+        throw Rejection(here + "it was proved for another question");
       if (proof.before != expected)
         throw Rejection(here + "it does not begin where the shard before it ends");
       expected = proof.after;
       add(proof, here, shown);
     }
-    if (!expected.ends_with('\n') || expected.find('\n') + 1 != expected.size())
-      throw Rejection("after the last shard there are boxes without a leaf");
+    if (!expected.starts_with(place(trees_.count - 1, 0)))
+      throw Rejection("after the last shard there are boxes without a leaf" +
+                      std::string(trees_.is_piecewise ? ", or pieces without a tree" : ""));
     lines_.name_line(0);
-    require_poses(question_, shown, result_);
+    require_poses(tree_at(trees_.count - 1).about.question, shown, result_);
   }
 
   void add(const ShardProof& proof, const std::string& here, Shown& shown) {
     result_.leaves += proof.leaves;
     result_.boxes += proof.boxes;
+    for (std::size_t i = 0; i < proof.paved.size(); ++i) result_.paved[i] += proof.paved[i];
     if (result_.boxes > options_.max_boxes)
       throw Unfinished(here + "the shards up to this one need more than " +
                        std::to_string(options_.max_boxes) + " boxes");
@@ -162,14 +207,12 @@ class ShardsChecker {
   }
 
   Lines& lines_;
-  Question& question_;
-  const Variety& variety_;
+  const ShardedTrees& trees_;
   Verification of_shard_;  ///< counts of the current shard
   const Options options_;
   Verification& result_;
   WorkClock clock_;
-  LeafProofs proofs_;
-  const std::string sha256_;  ///< of the question
+  std::optional<Tree> tree_;
   std::vector<ListedShard> listed_;
   std::vector<ShardProof> proofs_of_shards_;
   std::uint64_t leaves_ = 0;
@@ -177,9 +220,9 @@ class ShardsChecker {
 
 }  // namespace
 
-void check_shards(Lines& lines, const std::vector<std::string>& head, Question& question,
-                  const Variety& variety, const Options& options, Verification& result) {
-  ShardsChecker(lines, head, question, variety, options, result).check();
+void check_shards(Lines& lines, const ShardedTrees& trees, const Options& options,
+                  Verification& result) {
+  ShardsChecker(lines, trees, options, result).check();
 }
 
 }  // namespace regulus::verifier

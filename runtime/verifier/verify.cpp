@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/verifier/verify.hpp"
 
+#include "runtime/files/sha256.hpp"
 #include "runtime/verifier/bordered_matrix.hpp"
 #include "runtime/verifier/model/model_comparison.hpp"
 #include "runtime/verifier/model/waypoints.hpp"
@@ -27,13 +28,19 @@ void compare(Question& question, const Options& options, Verification& result) {
   compare_with_model(question, model, options, result, waypoints.compared_keys(question));
 }
 
+/// Returns the SHA-256 of the lines of an index from its second line to `proof`.
+std::string digest_of(const std::vector<std::string>& head) {
+  Sha256 digest;
+  for (std::size_t i = 1; i < head.size(); ++i) digest.add(head[i] + '\n');
+  return digest.text();
+}
+
 void check(Lines& lines, Question& question, const Options& options, Verification& result) {
   lines.keep();
   read_question(lines, question);
-  if (question.is_index &&
-      (question.is_piecewise || question.singular || question.load || question.quantity))
-    throw Rejection("an index is for a proof of NO SINGULARITY about one piece");
-  if (question.is_piecewise) return check_pieces(lines, options, result);
+  if (question.is_index && question.singular)
+    throw Rejection("an index is for the proof of a claim about all poses");
+  if (question.is_piecewise) return check_pieces(lines, question.is_index, options, result);
   const std::vector<std::string> head = lines.take_kept();
   result.claim = question.claim();
   result.model = question.model;
@@ -46,7 +53,13 @@ void check(Lines& lines, Question& question, const Options& options, Verificatio
   const Variety variety = enclose_variety(question);
   put_in_single_values(question);
   if (question.is_index)
-    check_shards(lines, head, question, variety, options, result);
+    check_shards(lines,
+                 {.sha256 = digest_of(head),
+                  .about =
+                      [&](std::size_t) {
+                        return TreeQuestion{question, variety};
+                      }},
+                 options, result);
   else if (question.singular)
     check_witness(lines, question, variety, options, result);
   else

@@ -83,6 +83,7 @@ struct ShardProof {
   bool has_met_variety = false;  ///< some leaf was not outside the constraints
   bool has_met_point = false;    ///< a point of the set was shown to exist
   int sign = 0;                  ///< of det A at a point of the set, if one is known
+  std::array<std::uint64_t, kPavedWords.size()> paved{};  ///< as Verification::paved
 };
 
 /// Ensures   kVerified only if the claim of the file is true (PROOF.md). Uses the usual

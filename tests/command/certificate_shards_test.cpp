@@ -14,6 +14,7 @@ namespace regulus::test {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 namespace fs = std::filesystem;
 
 class InShards : public testing::Test {
@@ -118,6 +119,25 @@ TEST_F(InShards, FilesOfTheUserAreNotRemoved) {
   EXPECT_EQ(result.exit_code, 74);
   EXPECT_THAT(result.errors, HasSubstr("has the file notes.txt"));
   EXPECT_EQ(contents(file("proof.shards/notes.txt")), "mine");
+}
+
+TEST_F(InShards, APageDoesNotContainThem) {
+  const CommandResult result =
+      check({"--certificate", file("proof"), "--shard-size", "4kiB", "--page", file("page.html")});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const std::string page = contents(file("page.html"));
+  EXPECT_THAT(page, HasSubstr("its proof is in several files"));
+  EXPECT_THAT(page, Not(HasSubstr(format::kIndexMagic)));
+}
+
+TEST_F(InShards, ABoundHasThemForEachEnd) {
+  const CommandResult result =
+      run_command({kCommand, "bound", kRobot1, "table6_15_15", "force", "--load", "payload",
+                   "--leg", "3", "--certificate", file("ends"), "--shard-size", "8kB", "--quiet"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_GT(shards_of("ends.leg_3.safe"), 1U);
+  for (const char* name : {"ends.leg_3.safe", "ends.leg_3.singular"})
+    EXPECT_EQ(verify(file(name)).output, "VERIFIED\n") << name;
 }
 
 TEST_F(InShards, SizesAreRefusedThatMakeNoSense) {

@@ -192,7 +192,6 @@ TEST_F(ForcesCommandTest, RefusesWhatHasNoMeaning) {
     EXPECT_THAT(r.errors, HasSubstr(why));
     EXPECT_EQ(r.output, "");
   };
-  refused({"--certificate", "proof", "--shard-size", "64kB"}, "stays in one file");
   refused({"--alpha", "0.1"}, "forces have no threshold");
   refused({"--method", "kj"}, "there is one method");
   const CommandResult unknown = regulus({"check", model_, "--load", "pull"});

@@ -93,6 +93,20 @@ TEST_F(Ranks, VerifyTheShardsOfAnIndex) {
   EXPECT_EQ(lacking.exit_code, 1);
 }
 
+TEST_F(Ranks, VerifyTheShardsOfAPavingOfALoad) {
+  const Words pave = {"locate",  model("cable_8"), "hall",        "--load",       "weight",
+                      "--range", "z=4:7.5",        "--output",    file("boxes"),  "--resolution",
+                      "1/32",    "--certificate",  file("proof"), "--shard-size", "16kiB"};
+  ASSERT_EQ(run_command(one_thread(pave)).exit_code, 1);
+  const CommandResult one =
+      run_command({REGULUS_BINARY_DIR "/bin/regulus", "verify", file("proof")});
+  EXPECT_EQ(one.output, "VERIFIED\n") << one.errors;
+  EXPECT_THAT(one.errors, HasSubstr("undecided\n"));
+  const CommandResult many = run_command(ranks(3, {"verify", file("proof")}));
+  EXPECT_EQ(many.output, one.output);
+  EXPECT_THAT(many.errors, HasSubstr(one.errors));
+}
+
 TEST_F(Ranks, VerifyAProofInOneFileByTheFirst) {
   ASSERT_EQ(run_command(
                 one_thread({"check", model("robot_1"), "wide_15", "--certificate", file("proof")}))

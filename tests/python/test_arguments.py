@@ -2,6 +2,7 @@
 """Wrong arguments are errors of one family, in Python's words; arrays of NumPy are ranges."""
 
 import math
+import pathlib
 import re
 
 import numpy
@@ -36,6 +37,9 @@ WRONG = {
     "filters that are a text": lambda: PLANAR.check("regular", filters="f.so"),
     "a cache that is a number": lambda: PLANAR.check("regular", use_cache=1),
     "a certificate that is a number": lambda: PLANAR.check("regular", certificate=3),
+    "shards without a certificate": lambda: PLANAR.check("regular", shard_size=4096),
+    "shards of 100 bytes": lambda: PLANAR.check("regular", certificate="x", shard_size=100),
+    "shards of half a byte": lambda: PLANAR.bound("regular", "x", certificate="x", shard_size=0.5),
     "way-points that are a number": lambda: PLANAR.check("regular", waypoints=3),
     "a file that is a number": lambda: rg.load(3.5),
     "a robot of bytes": lambda: rg.Robot(b"regulus = 1"),
@@ -146,3 +150,27 @@ def test_pavings_margins_and_bounds_write_their_proofs(tmp_path):
     bound = PLANAR.bound("regular", "x*y", gap="0.5", certificate=proof)
     assert bound.certificates == [f"{proof}.safe", f"{proof}.singular"]
     assert all(rg.verify(file) for file in margin.certificates + bound.certificates)
+
+
+TURN = """regulus = 1
+name = "turn"
+[pose]
+x = "m"
+y = "m"
+[matrix]
+rows = [["cos(x*y)", "sin(x*y)"], ["-sin(x*y)", "cos(x*y)"]]
+[motion.box]
+x = [0, 1]
+y = [0, 1]
+"""
+
+
+def test_a_proof_may_be_in_shards(tmp_path):
+    proof = tmp_path / "proof"
+    bound = rg.Robot(TURN).bound(
+        "box", "condition", norm="2", gap="0.05", certificate=proof, shard_size=4096
+    )
+    safe = pathlib.Path(bound.certificates[0])
+    assert len(list((tmp_path / f"{safe.name}.shards").iterdir())) > 2 and rg.verify(safe)
+    (tmp_path / f"{safe.name}.shards" / "2").unlink()
+    assert "shard 2: it is missing" in rg.verify(safe).reason

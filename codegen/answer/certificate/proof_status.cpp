@@ -5,6 +5,8 @@
 #include <system_error>
 #include <utility>
 
+#include "runtime/proof/format.hpp"
+
 namespace regulus {
 namespace {
 
@@ -30,17 +32,18 @@ std::string line_of(const EndProof& end, const std::string& name) {
 
 }  // namespace
 
-void put_in_place(std::shared_ptr<ProofFile> proof, HeldFiles* held) {
+void put_in_place(std::shared_ptr<ProofFile> proof, const ProofPlacing& placing) {
   const std::string path = proof->path();
-  hold_or_put(held, path,
+  proof->set_shard_size(placing.shard_size);
+  hold_or_put(placing.held, path,
               [proof = std::move(proof)] { with_file_errors([&] { proof->put_in_place(); }); });
 }
 
 void write_witness(const std::string& path, const std::string& head, const std::string& witness,
-                   HeldFiles* held) {
+                   const ProofPlacing& placing) {
   const auto file = with_file_errors([&] { return std::make_shared<ProofFile>(path); });
   with_file_errors([&] { file->complete_with(head, witness); });
-  put_in_place(file, held);
+  put_in_place(file, placing);
 }
 
 void ProofStatus::set_written(std::string note) {
@@ -63,10 +66,10 @@ void ProofStatus::tell(Facts& facts) const {
   facts.add("proof", Json::array({proof_entry(is_written_ ? path_ : "", obstacle_)}));
 }
 
-EndProofs::EndProofs(std::string path, HeldFiles* held, std::string no_safe,
+EndProofs::EndProofs(std::string path, const ProofPlacing& placing, std::string no_safe,
                      std::string no_singular, const char* safe_name, const char* singular_name)
     : path_(std::move(path)),
-      held_(held),
+      placing_(placing),
       safe_{{}, std::move(no_safe)},
       singular_{{}, std::move(no_singular)},
       safe_name_(safe_name),
@@ -78,13 +81,14 @@ EndProofs::EndProofs(std::string path, HeldFiles* held, std::string no_safe,
 
 std::vector<OutputFile> EndProofs::files(const std::string& path) {
   if (path.empty()) return {};
-  return {{"--certificate", path + kSafe, true}, {"--certificate", path + kSingular, true}};
+  return {{"--certificate", path + kSafe, true, format::kShardsEnding},
+          {"--certificate", path + kSingular, true, format::kShardsEnding}};
 }
 
 void EndProofs::write_safe(const std::function<std::shared_ptr<ProofFile>()>& complete,
                            std::string words) {
   try {
-    put_in_place(complete(), held_);
+    put_in_place(complete(), placing_);
     set_safe(std::move(words));
   } catch (const FileError& why) {
     lose_safe(why.what());
@@ -94,7 +98,7 @@ void EndProofs::write_safe(const std::function<std::shared_ptr<ProofFile>()>& co
 void EndProofs::write_singular(const std::string& head, const std::string& witness,
                                std::string words) {
   try {
-    write_witness(singular_file(), head, witness, held_);
+    write_witness(singular_file(), head, witness, placing_);
     set_singular(std::move(words));
   } catch (const FileError& why) {
     lose_singular(why.what());

@@ -33,13 +33,18 @@ auto with_file_errors(const Action& action) {
   }
 }
 
-/// Puts a complete proof in its place; `held`: at the end of the run that it belongs to. Throws
-/// FileError.
-void put_in_place(std::shared_ptr<ProofFile> proof, HeldFiles* held);
+/// How a complete proof is put in its place.
+struct ProofPlacing {
+  HeldFiles* held = nullptr;     ///< it waits there for the end of its run; null: it does not wait
+  std::uint64_t shard_size = 0;  ///< as ProofFile::set_shard_size
+};
+
+/// Throws FileError.
+void put_in_place(std::shared_ptr<ProofFile> proof, const ProofPlacing& placing);
 
 /// Writes the proof of a verdict that has a witness, and puts it in its place. Throws FileError.
 void write_witness(const std::string& path, const std::string& head, const std::string& witness,
-                   HeldFiles* held);
+                   const ProofPlacing& placing);
 
 /// The proof of a verdict.
 class ProofStatus {
@@ -94,9 +99,10 @@ class EndProofs {
   EndProofs() = default;
   /// An empty `path` means that none are wanted. `no_safe`, `no_singular`: why an end has no proof, as
   /// long as none is written. Throws FileError if a file cannot be created there: a search may take
-  /// long. `held`: where the files wait for the end of the run.
-  EndProofs(std::string path, HeldFiles* held, std::string no_safe, std::string no_singular,
-            const char* safe_name = "safe", const char* singular_name = "singular");
+  /// long.
+  EndProofs(std::string path, const ProofPlacing& placing, std::string no_safe,
+            std::string no_singular, const char* safe_name = "safe",
+            const char* singular_name = "singular");
 
   /// Returns the files of `path`; none if it is empty.
   [[nodiscard]] static std::vector<OutputFile> files(const std::string& path);
@@ -107,7 +113,7 @@ class EndProofs {
   [[nodiscard]] std::string safe_file() const;
   [[nodiscard]] std::string singular_file() const;
 
-  [[nodiscard]] HeldFiles* held() const noexcept { return held_; }
+  [[nodiscard]] const ProofPlacing& placing() const noexcept { return placing_; }
 
   /// The file of an end has been written.
   void set_safe(std::string words) { safe_ = {safe_file(), std::move(words)}; }
@@ -145,7 +151,7 @@ class EndProofs {
   static void lose(EndProof& end, std::string why);
 
   std::string path_;
-  HeldFiles* held_ = nullptr;
+  ProofPlacing placing_;
   EndProof safe_, singular_;
   const char* safe_name_ = "safe";  ///< for people
   const char* singular_name_ = "singular";

@@ -43,8 +43,8 @@ struct BoundSettings {
   double forming_limit = 0;  ///< seconds to form matrices; 0: the time limit. Without its matrix a
                              ///< component has no end at all, so this may be more than its share
   OutputOptions output;
-  std::string certificate;    ///< files, without their endings; empty: none
-  HeldFiles* held = nullptr;  ///< where they wait for the end of the run; null: nowhere
+  std::string certificate;  ///< files, without their endings; empty: none
+  ProofPlacing placing{};
   BracketCheckpoint* checkpoint = nullptr;
   std::string part;  ///< of the checkpoint, if it has several quantities; otherwise empty
   const std::atomic<bool>* interrupt = nullptr;

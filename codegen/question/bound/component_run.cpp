@@ -121,7 +121,7 @@ void ComponentRun::set_ends(const Ends& ends) {
 EndProofs ComponentRun::proofs(const char* no_safe, const char* no_singular) const {
   const std::string path =
       are_proofs_wanted() ? settings_.certificate + certificate_suffix(component()) : "";
-  return EndProofs(path, settings_.held, no_safe, no_singular);
+  return EndProofs(path, settings_.placing, no_safe, no_singular);
 }
 
 CertifiedMotion ComponentRun::certified(const Request& grown, Bordered bordered) const {

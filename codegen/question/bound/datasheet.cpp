@@ -192,7 +192,7 @@ class DatasheetRun {
     part.forming_limit = forming;
     part.certificate = certificate_of(settings_.certificate, asked.name);
     part.part = asked.name + ' ';
-    part.held = &held;
+    part.placing.held = &held;
     return bound_quantity(request_, asked.quantity, part, listener_);
   }
 
@@ -215,11 +215,11 @@ class DatasheetRun {
 
   /// Proofs are put in place at the end of the whole run.
   void put_in_place() {
-    if (settings_.held == nullptr) return held_.put_in_place();
+    if (settings_.placing.held == nullptr) return held_.put_in_place();
     for (const Bound& bound : bounds_)
       for (const ComponentBound& c : bound.components)
         for (const std::string& file : {c.proofs.safe_file(), c.proofs.singular_file()})
-          settings_.held->take(held_, file);
+          settings_.placing.held->take(held_, file);
   }
 
   /// The condition number is below the largest singular value of all poses by the least.

@@ -123,7 +123,7 @@ class LimitMarginRun {
   [[nodiscard]] EndProofs proofs_of(const Component& component) const {
     const std::string& path = settings_.certificate;
     return margin_proofs(path.empty() ? path : path + certificate_suffix(component),
-                         settings_.held);
+                         settings_.placing);
   }
 
   /// Joins the brackets: what is certified holds for every component.

@@ -22,8 +22,8 @@ struct LimitMarginSettings {
   GiNaC::ex limit;
   SearchOptions search;  ///< its time limit is that of all components
   OutputOptions output;
-  std::string certificate;    ///< files, without their endings; empty: none
-  HeldFiles* held = nullptr;  ///< where they wait for the end of the run; null: nowhere
+  std::string certificate;  ///< files, without their endings; empty: none
+  ProofPlacing placing{};
   BracketCheckpoint* checkpoint = nullptr;
   const std::atomic<bool>* interrupt = nullptr;
 };

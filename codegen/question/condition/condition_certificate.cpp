@@ -13,8 +13,9 @@ namespace regulus {
 
 ConditionCertificate::ConditionCertificate(const std::string& path, const Request& request,
                                            const Component& component,
-                                           const std::set<std::string>& uncertain, HeldFiles* held)
-    : proofs_(path, held, "no bound was proved", "no pose shows it", "upper", "attained"),
+                                           const std::set<std::string>& uncertain,
+                                           const ProofPlacing& placing)
+    : proofs_(path, placing, "no bound was proved", "no pose shows it", "upper", "attained"),
       request_(request),
       component_(component),
       uncertain_(uncertain) {

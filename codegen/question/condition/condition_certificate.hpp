@@ -27,11 +27,10 @@ struct ConditionPlace {
 /// search is kept until the upper end is known.
 class ConditionCertificate {
  public:
-  /// `path` empty: none are wanted. `held`: where they wait for the end of the run. `uncertain`: as
-  /// for certified_question, of the search. The others must outlive this object. Throws FileError if
-  /// a file cannot be created there.
+  /// `path` empty: none are wanted. `uncertain`: as for certified_question, of the search. `request`
+  /// and `component` must outlive this object. Throws FileError if a file cannot be created there.
   ConditionCertificate(const std::string& path, const Request& request, const Component& component,
-                       const std::set<std::string>& uncertain, HeldFiles* held);
+                       const std::set<std::string>& uncertain, const ProofPlacing& placing);
 
   /// Returns the observer of the search; nullptr if none is wanted.
   [[nodiscard]] Observer* observer() noexcept;

@@ -74,7 +74,7 @@ class ConditionRun {
 
   ComponentBound run() {
     certificate_.emplace(certificate_path(), request_, result_.component,
-                         uncertain_names(prepared_.labels), settings_.held);
+                         uncertain_names(prepared_.labels), settings_.placing);
     if (prepared_.stopped) return stopped();
     SearchDisplay display(settings_.output);
     std::vector<Observer*> watching;

@@ -37,36 +37,38 @@ std::set<std::string> uncertain_of(const PreparedForces& prepared) {
 }
 
 /// Returns the reason why there is no proof; empty if it was written.
-std::string write_feasible(const std::string& path, const WayForces& found) {
+std::string write_feasible(const std::string& path, const WayForces& found,
+                           const ProofPlacing& placing) {
   const PreparedForces& hull = found.hull;
   const VectorSet& load = choose_load(found.request.model, hull.load);
   std::string obstacle = certificate_obstacle(
       certified_load(piece_request(found.request, 0), uncertain_of(hull), load));
   if (!obstacle.empty()) return obstacle;
   const CertifiedLoad question = certified_load(found.request, uncertain_of(hull), load);
-  write_pieces(path, question.head(format::kFeasible), found.trees, word_of);
+  write_pieces(path, question.head(format::kFeasible), found.trees, word_of, placing);
   return "";
 }
 
 std::string write_infeasible(const std::string& path, const PreparedForces& piece,
-                             const ForceWitness& witness) {
+                             const ForceWitness& witness, const ProofPlacing& placing) {
   const CertifiedLoad question = certified_load(piece.request, uncertain_of(piece), piece.set());
   std::string obstacle = certificate_obstacle(question);
   if (!obstacle.empty()) return obstacle;
-  write_witness(path, question.head(format::kInfeasible), shortage_lines(witness), nullptr);
+  write_witness(path, question.head(format::kInfeasible), shortage_lines(witness), placing);
   return "";
 }
 
 }  // namespace
 
 ForceCertificate::ForceCertificate(const std::string& path, const PreparedForces& prepared,
-                                   bool paves)
+                                   bool paves, std::uint64_t shard_size)
     : paves_(paves), status_(path) {
   if (!status_.is_wanted()) return;
   question_ = certified_load(prepared.request, uncertain_of(prepared), prepared.set());
   status_.set_obstacle(certificate_obstacle(question_));
   if (!status_.obstacle().empty()) return;
   with_file_errors([&] { file_.emplace(path); });
+  file_->set_shard_size(shard_size);
   file_->begin(question_.head(paves ? format::kPaving : format::kFeasible));
 }
 
@@ -96,17 +98,18 @@ void ForceCertificate::write(const FeasibilityResult& result) {
   status_.set_written();
 }
 
-ProofStatus certify_way_forces(const std::string& path, const WayForces& found) {
+ProofStatus certify_way_forces(const std::string& path, const WayForces& found,
+                               const ProofPlacing& placing) {
   ProofStatus status(path);
   if (!status.is_wanted()) return status;
   if (found.verdict == FeasibilityVerdict::kPossibleProblem)
     status.set_obstacle(kNothingClaimed);
   else
     status.attempt([&] {
-      status.set_obstacle(
-          found.verdict == FeasibilityVerdict::kFeasible
-              ? write_feasible(path, found)
-              : write_infeasible(path, *found.deciding->prepared, *found.deciding->result.witness));
+      status.set_obstacle(found.verdict == FeasibilityVerdict::kFeasible
+                              ? write_feasible(path, found, placing)
+                              : write_infeasible(path, *found.deciding->prepared,
+                                                 *found.deciding->result.witness, placing));
     });
   if (status.obstacle().empty()) status.set_written();
   return status;

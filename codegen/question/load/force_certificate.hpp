@@ -17,8 +17,10 @@ namespace regulus {
 /// witness takes its place.
 class ForceCertificate final : public Observer {
  public:
-  /// An empty `path` means no certificate. Throws FileError if the file cannot be made.
-  ForceCertificate(const std::string& path, const PreparedForces& prepared, bool paves);
+  /// An empty `path` means no certificate. `shard_size`: as ProofFile::set_shard_size. Throws
+  /// FileError if the file cannot be made.
+  ForceCertificate(const std::string& path, const PreparedForces& prepared, bool paves,
+                   std::uint64_t shard_size);
 
   /// Returns the observer of the search; nullptr if no certificate is wanted, or none can be made.
   [[nodiscard]] Observer* observer() noexcept { return file_ ? this : nullptr; }
@@ -42,6 +44,7 @@ class ForceCertificate final : public Observer {
 
 /// Writes the proof of a verdict along way-points: of all pieces, or of the pose on one of them. An
 /// empty `path` means no certificate.
-[[nodiscard]] ProofStatus certify_way_forces(const std::string& path, const WayForces& found);
+[[nodiscard]] ProofStatus certify_way_forces(const std::string& path, const WayForces& found,
+                                             const ProofPlacing& placing);
 
 }  // namespace regulus

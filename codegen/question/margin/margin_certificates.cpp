@@ -5,8 +5,8 @@
 
 namespace regulus {
 
-EndProofs margin_proofs(const std::string& path, HeldFiles* held) {
-  return EndProofs(path, held, kNoSafeProof, kNoSingularProof);
+EndProofs margin_proofs(const std::string& path, const ProofPlacing& placing) {
+  return EndProofs(path, placing, kNoSafeProof, kNoSingularProof);
 }
 
 MarginCertificates::MarginCertificates(EndProofs proofs, const MarginRequest& request,

@@ -13,9 +13,8 @@
 namespace regulus {
 
 /// Returns the proofs FILE.safe and FILE.singular of the ends at which a run stops, without the
-/// endings. `path` empty: none are wanted. `held`: where they wait for the end of the run; null: each
-/// is put in place at once. Throws FileError if a file cannot be created there.
-[[nodiscard]] EndProofs margin_proofs(const std::string& path, HeldFiles* held);
+/// endings. `path` empty: none are wanted. Throws FileError if a file cannot be created there.
+[[nodiscard]] EndProofs margin_proofs(const std::string& path, const ProofPlacing& placing);
 
 /// Writes them.
 class MarginCertificates {

@@ -61,7 +61,7 @@ void PathAttempts::certify(const MarginValue& value, const TrajectoryCheck& chec
   const bool is_singular = check.verdict == Verdict::kSingularity;
   const ProofStatus written =
       certify_trajectory(is_singular ? proofs_.singular_file() : proofs_.safe_file(), check,
-                         request_.certified_at(value), proofs_.held());
+                         request_.certified_at(value), proofs_.placing());
   if (written.is_lost()) {
     is_singular ? proofs_.lose_singular(written.obstacle()) : proofs_.lose_safe(written.obstacle());
   } else if (!written.is_written()) {

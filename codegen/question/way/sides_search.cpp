@@ -108,7 +108,8 @@ std::optional<SidesDecision> search_sides(const CutSides& sides, PreparedSearch&
 }
 
 ProofStatus certify_sides(const std::string& path, const CutSides& sides,
-                          const PreparedSearch& whole, const SidesDecision& decision) {
+                          const PreparedSearch& whole, const SidesDecision& decision,
+                          const ProofPlacing& placing) {
   ProofStatus status(path);
   if (!status.is_wanted()) return status;
   const bool is_singular = decision.result.verdict == Verdict::kSingularity;
@@ -118,9 +119,9 @@ ProofStatus certify_sides(const std::string& path, const CutSides& sides,
   if (!status.obstacle().empty()) return status;
   status.attempt([&] {
     if (is_singular)
-      write_witness(path, question.head(true), witness_lines(decision.result), nullptr);
+      write_witness(path, question.head(true), witness_lines(decision.result), placing);
     else
-      write_pieces(path, question.head(false), decision.trees, certificate_word);
+      write_pieces(path, question.head(false), decision.trees, certificate_word, placing);
     status.set_written();
   });
   return status;

@@ -33,6 +33,7 @@ struct SidesDecision {
 
 /// Writes the proof of a decision. An empty `path` means none.
 [[nodiscard]] ProofStatus certify_sides(const std::string& path, const CutSides& sides,
-                                        const PreparedSearch& whole, const SidesDecision& decision);
+                                        const PreparedSearch& whole, const SidesDecision& decision,
+                                        const ProofPlacing& placing);
 
 }  // namespace regulus

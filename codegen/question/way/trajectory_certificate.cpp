@@ -8,24 +8,24 @@ namespace {
 
 /// Returns the reason why there is no proof; empty if it was written.
 std::string write_safe(const std::string& path, const TrajectoryCheck& check,
-                       const CertifiedMotion& motion, HeldFiles* held) {
+                       const CertifiedMotion& motion, const ProofPlacing& placing) {
   const auto uncertain = uncertain_names(check.hull.labels);
   std::string obstacle =
       certificate_obstacle(motion.about(piece_request(motion.request, 0), uncertain));
   if (!obstacle.empty()) return obstacle;
   const CertifiedQuestion question = trajectory_question(motion.request, uncertain, motion.about);
-  write_pieces(path, question.head(false), check.path.trees, certificate_word, held);
+  write_pieces(path, question.head(false), check.path.trees, certificate_word, placing);
   return "";
 }
 
 std::string write_singular(const std::string& path, const TrajectoryCheck& check,
-                           const CertifiedMotion& motion, HeldFiles* held) {
+                           const CertifiedMotion& motion, const ProofPlacing& placing) {
   const DecidingPiece& piece = *check.deciding;
   const CertifiedQuestion question = motion.about(piece_request(motion.request, piece.index),
                                                   uncertain_names(piece.preparation->labels));
   std::string obstacle = certificate_obstacle(question, true);
   if (!obstacle.empty()) return obstacle;
-  write_witness(path, question.head(true), witness_lines(piece.result), held);
+  write_witness(path, question.head(true), witness_lines(piece.result), placing);
   return "";
 }
 
@@ -46,16 +46,17 @@ std::shared_ptr<ProofFile> proof_of_pieces(const std::string& path, const std::s
 }
 
 void write_pieces(const std::string& path, const std::string& head,
-                  const std::vector<TreeKept>& trees, LeafWord word, HeldFiles* held) {
-  put_in_place(proof_of_pieces(path, head, trees, word), held);
-}
-
-ProofStatus certify_trajectory(const std::string& path, const TrajectoryCheck& check) {
-  return certify_trajectory(path, check, {check.request, is_regular()}, nullptr);
+                  const std::vector<TreeKept>& trees, LeafWord word, const ProofPlacing& placing) {
+  put_in_place(proof_of_pieces(path, head, trees, word), placing);
 }
 
 ProofStatus certify_trajectory(const std::string& path, const TrajectoryCheck& check,
-                               const CertifiedMotion& motion, HeldFiles* held) {
+                               const ProofPlacing& placing) {
+  return certify_trajectory(path, check, {check.request, is_regular()}, placing);
+}
+
+ProofStatus certify_trajectory(const std::string& path, const TrajectoryCheck& check,
+                               const CertifiedMotion& motion, const ProofPlacing& placing) {
   ProofStatus status(path);
   if (!status.is_wanted()) return status;
   if (check.verdict == Verdict::kPossibleProblem)
@@ -63,8 +64,8 @@ ProofStatus certify_trajectory(const std::string& path, const TrajectoryCheck& c
   else
     status.attempt([&] {
       status.set_obstacle(check.verdict == Verdict::kNoSingularity
-                              ? write_safe(path, check, motion, held)
-                              : write_singular(path, check, motion, held));
+                              ? write_safe(path, check, motion, placing)
+                              : write_singular(path, check, motion, placing));
     });
   if (status.obstacle().empty()) status.set_written();
   return status;

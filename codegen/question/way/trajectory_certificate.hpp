@@ -17,15 +17,17 @@ namespace regulus {
                                                          const std::string& head,
                                                          const std::vector<TreeKept>& trees,
                                                          LeafWord word);
-/// The same, and puts it in its place. `held`: where the file waits for the end of the run.
+/// The same, and puts it in its place.
 void write_pieces(const std::string& path, const std::string& head,
-                  const std::vector<TreeKept>& trees, LeafWord word, HeldFiles* held = nullptr);
+                  const std::vector<TreeKept>& trees, LeafWord word, const ProofPlacing& placing);
 
 /// Writes the proof of the verdict: of all pieces, or the singular pose on one of them. An empty
 /// `path` means no certificate. `motion`: what it is about, if this is not the check's own question.
 /// The status says if a file could not be written.
-[[nodiscard]] ProofStatus certify_trajectory(const std::string& path, const TrajectoryCheck& check);
 [[nodiscard]] ProofStatus certify_trajectory(const std::string& path, const TrajectoryCheck& check,
-                                             const CertifiedMotion& motion, HeldFiles* held);
+                                             const ProofPlacing& placing);
+[[nodiscard]] ProofStatus certify_trajectory(const std::string& path, const TrajectoryCheck& check,
+                                             const CertifiedMotion& motion,
+                                             const ProofPlacing& placing);
 
 }  // namespace regulus

@@ -194,10 +194,11 @@ PathPaving pave_trajectory(Request request, double model_seconds, SearchOptions 
   return paving;
 }
 
-ProofStatus certify_path_paving(const std::string& path, PathPaving& paving) {
+ProofStatus certify_path_paving(const std::string& path, PathPaving& paving,
+                                const ProofPlacing& placing) {
   TrajectoryCheck& check = paving.check;
   std::swap(check.deciding, paving.singular);
-  ProofStatus status = certify_trajectory(path, check);
+  ProofStatus status = certify_trajectory(path, check, placing);
   std::swap(check.deciding, paving.singular);
   return status;
 }

@@ -67,7 +67,8 @@ void tell_stretches(const Trajectory& trajectory, const std::vector<PathStretch>
                                          const PathWatch& watch);
 
 /// Writes a proof of the verdict, as certify_trajectory: of the whole motion, or of one pose.
-[[nodiscard]] ProofStatus certify_path_paving(const std::string& path, PathPaving& paving);
+[[nodiscard]] ProofStatus certify_path_paving(const std::string& path, PathPaving& paving,
+                                              const ProofPlacing& placing);
 
 /// Tells the question, the stretches and the share of each claim.
 void tell_path_paving(const PathPaving& paving, const SearchOptions& search, Facts& facts);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -10,15 +11,24 @@
 #include "codegen/answer/kinds.hpp"
 #include "codegen/answer/report/report_text.hpp"
 #include "codegen/answer/services.hpp"
+#include "codegen/support/errors.hpp"
 #include "codegen/use/api/margin.hpp"
+#include "runtime/proof/format.hpp"
 
 namespace regulus {
 
-/// Returns the services of a program: no terminal, names without dashes.
-[[nodiscard]] inline Services services_of(const std::string& certificate,
+/// Returns the services of a program: no terminal, names without dashes. Throws UsageError for a
+/// shard size that has no meaning.
+[[nodiscard]] inline Services services_of(const std::string& certificate, std::uint64_t shard_size,
                                           const std::atomic<bool>* interrupt) {
+  if (shard_size > 0 && certificate.empty())
+    throw UsageError("shard_size: there is no proof to cut; name a file for the certificate, too");
+  if (shard_size > 0 && shard_size < format::kLeastShardSize)
+    throw UsageError("shard_size: found " + std::to_string(shard_size) + ", expected " +
+                     std::to_string(format::kLeastShardSize) + " bytes at least");
   Services services;
   services.certificate = certificate;
+  services.shard_size = shard_size;
   services.interrupt = interrupt;
   return services;
 }

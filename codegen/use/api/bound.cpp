@@ -28,7 +28,7 @@ BoundFinding bound(const Question& question, const BoundOptions& options,
                    const std::atomic<bool>* interrupt) {
   const AlgebraLock lock;
   std::string told;
-  Services services = services_of(options.certificate, interrupt);
+  Services services = services_of(options.certificate, options.shard_size, interrupt);
   services.on_line = [&told](const std::string& line) { told += line; };
   const auto answer = ask(
       AskBound{question.options(), options.search, options.quantity, options.limit, options.gap},

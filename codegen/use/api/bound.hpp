@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@ struct BoundOptions {
   std::string gap =
       "0.01";  ///< the bracket is closed when it is at most this part of its larger end
   std::string certificate{};  ///< FILE of the proofs FILE.COMPONENT.safe and .singular; empty: none
+  std::uint64_t shard_size = 0;  ///< of each proof, as for check()
 };
 
 enum class BoundVerdict { kBracket, kWithin, kExceeded, kUndecided };

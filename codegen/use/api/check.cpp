@@ -9,11 +9,12 @@
 namespace regulus {
 
 Finding check(const Question& question, const SearchOptions& options,
-              const std::atomic<bool>* interrupt, const std::string& certificate) {
+              const std::atomic<bool>* interrupt, const std::string& certificate,
+              std::uint64_t shard_size) {
   const AlgebraLock lock;
   Stopwatch watch;
   const auto answer =
-      ask(AskCheck{question.options(), options}, services_of(certificate, interrupt));
+      ask(AskCheck{question.options(), options}, services_of(certificate, shard_size, interrupt));
   Finding finding;
   finding.verdict = answer->result.verdict;
   finding.claim = answer->claim();

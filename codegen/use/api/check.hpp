@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -29,7 +30,8 @@ struct Finding {
 ///
 /// With Engine::kAuto the search is interpreted unless the cache has the kernel, and the kernel is
 /// compiled during a long search. The search ends soon after `interrupt` becomes true.
-/// `certificate`: a file for the proof, as with --certificate; empty: none.
+/// `certificate`: a file for the proof, as with --certificate; empty: none. `shard_size`: as with
+/// --shard-size, in bytes; 0: the proof is one file.
 ///
 /// Threads   Calls of the functions of regulus.hpp and of the constructors of its classes
 ///           wait for each other, so several threads may call them, if no thread makes, changes or
@@ -38,6 +40,6 @@ struct Finding {
 ///           CompileError and InternalError.
 [[nodiscard]] Finding check(const Question& question, const SearchOptions& options = {},
                             const std::atomic<bool>* interrupt = nullptr,
-                            const std::string& certificate = {});
+                            const std::string& certificate = {}, std::uint64_t shard_size = 0);
 
 }  // namespace regulus

@@ -26,11 +26,11 @@ LoadFinding finding_of(const LoadAnswer& answer, double seconds) {
 
 LoadFinding check_load(const Question& question, const std::string& load,
                        const SearchOptions& options, const std::atomic<bool>* interrupt,
-                       const std::string& certificate) {
+                       const std::string& certificate, std::uint64_t shard_size) {
   const AlgebraLock lock;
   Stopwatch watch;
-  const auto answer =
-      ask(AskLoad{question.options(), options, load}, services_of(certificate, interrupt));
+  const auto answer = ask(AskLoad{question.options(), options, load},
+                          services_of(certificate, shard_size, interrupt));
   return finding_of(*answer, watch.lap());
 }
 
@@ -38,7 +38,7 @@ LoadPaving locate_load(const Question& question, const LocateLoadOptions& option
                        const std::atomic<bool>* interrupt) {
   const AlgebraLock lock;
   Stopwatch watch;
-  Services services = services_of(options.certificate, interrupt);
+  Services services = services_of(options.certificate, options.shard_size, interrupt);
   services.on_force_box = options.on_box;
   const auto answer =
       ask(AskLoadPaving{question.options(), options.search, options.load, options.resolution},

@@ -32,11 +32,12 @@ struct LoadFinding {
 
 /// Proves that at every pose of the motion forces within the limits of the model hold every wrench
 /// of a load, or shows a pose and a wrench that none hold. `load`: empty if the model has only one.
-/// Threads, errors and `certificate` as for check().
+/// Threads, errors, `certificate` and `shard_size` as for check().
 [[nodiscard]] LoadFinding check_load(const Question& question, const std::string& load,
                                      const SearchOptions& options = {},
                                      const std::atomic<bool>* interrupt = nullptr,
-                                     const std::string& certificate = {});
+                                     const std::string& certificate = {},
+                                     std::uint64_t shard_size = 0);
 
 struct LocateLoadOptions {
   SearchOptions search{};
@@ -46,6 +47,7 @@ struct LocateLoadOptions {
   /// Called for each box of the paving, in an order that depends on the question alone, with a
   /// range for each variable; the span is valid during the call. An exception ends the search.
   std::function<void(ForceClaim, std::span<const Interval>)> on_box{};
+  std::uint64_t shard_size = 0;  ///< of the proof, as for check()
 };
 
 struct LoadPaving {

@@ -10,7 +10,7 @@ namespace regulus {
 Paving locate(const Question& question, const LocateOptions& options,
               const std::atomic<bool>* interrupt) {
   const AlgebraLock lock;
-  Services services = services_of(options.certificate, interrupt);
+  Services services = services_of(options.certificate, options.shard_size, interrupt);
   services.on_box = options.on_box;
   const auto answer =
       ask(AskPaving{question.options(), options.search, options.resolution}, services);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
@@ -22,7 +23,8 @@ struct LocateOptions {
   /// range for each variable; the span is valid during the call. A motion along way-points has
   /// `stretches` and no boxes.
   std::function<void(Claim, std::span<const Interval>)> on_box{};
-  std::string certificate{};  ///< a file for the proof of the verdict; empty: none
+  std::string certificate{};     ///< a file for the proof of the verdict; empty: none
+  std::uint64_t shard_size = 0;  ///< of the proof, as for check()
 };
 
 /// A part of a motion along way-points, from one place to another.

@@ -14,7 +14,7 @@ MarginFinding margin(const Question& question, const MarginOptions& options,
                   options.quantity,   options.limit,  options.gap};
   if (!options.tolerance.empty()) asked.model.tolerances.push_back(options.tolerance);
   if (!options.alpha.empty()) asked.model.alpha = options.alpha;
-  const auto answer = ask(asked, services_of(options.certificate, interrupt));
+  const auto answer = ask(asked, services_of(options.certificate, options.shard_size, interrupt));
   MarginFinding finding;
   finding.safe = answer->safe;
   (answer->is_of_limit ? finding.exceeded : finding.singular) = answer->refuted;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,12 +22,13 @@ struct MarginOptions {
   SearchOptions search = for_a_minute();
   std::string tolerance;  ///< "base,platform=0:0.2"
   std::string alpha;
-  std::string scale;           ///< of the ranges of a box variety about their middles
-  std::string parameter;       ///< "p=0:10": p is in [its declared low end, v]
-  std::string gap = "0.01";    ///< the bracket is closed when (b - a)/b is at most this
-  QuantityOptions quantity{};  ///< what must keep `limit`; empty: no singularity
-  std::string limit{};         ///< every value is below it (a least value: above); empty: none
-  std::string certificate{};   ///< FILE of the proofs FILE.safe and FILE.singular; empty: none
+  std::string scale;             ///< of the ranges of a box variety about their middles
+  std::string parameter;         ///< "p=0:10": p is in [its declared low end, v]
+  std::string gap = "0.01";      ///< the bracket is closed when (b - a)/b is at most this
+  QuantityOptions quantity{};    ///< what must keep `limit`; empty: no singularity
+  std::string limit{};           ///< every value is below it (a least value: above); empty: none
+  std::string certificate{};     ///< FILE of the proofs FILE.safe and FILE.singular; empty: none
+  std::uint64_t shard_size = 0;  ///< of each proof, as for check()
 
   [[nodiscard]] static SearchOptions for_a_minute() {
     SearchOptions options;

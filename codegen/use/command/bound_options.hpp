@@ -22,8 +22,9 @@ struct BoundCommand {
   OutputOptions output;
   std::string limit;  ///< empty: find the bracket
   std::string gap = "0.01";
-  std::string certificate;  ///< files, without their endings; empty: none
-  std::string checkpoint;   ///< file; empty: none
+  std::string certificate;       ///< files, without their endings; empty: none
+  std::uint64_t shard_size = 0;  ///< of their shards, in bytes; 0: each is one file
+  std::string checkpoint;        ///< file; empty: none
 };
 
 /// With two words, MODEL and QUANTITY, the motion is the only one of the model.
@@ -35,8 +36,9 @@ struct DatasheetCommand {
   OutputOptions output;
   std::string gap = "0.01";
   bool markdown = false;
-  std::string certificate;  ///< files, without their endings; empty: none
-  std::string checkpoint;   ///< file; empty: none
+  std::string certificate;       ///< files, without their endings; empty: none
+  std::uint64_t shard_size = 0;  ///< of their shards, in bytes; 0: each is one file
+  std::string checkpoint;        ///< file; empty: none
 };
 
 /// Adds the options that say which components of a quantity are meant.

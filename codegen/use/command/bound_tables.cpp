@@ -49,7 +49,7 @@ void CommandTables::add_bound() {
   add_search_options(*bound_command, bound.search);
   bound_command->get_option("--time-limit")->default_str("60");
   add_certificate_option(*bound_command, bound.certificate, kBoundCertificate);
-  refuse_shard_option(*bound_command);
+  add_shard_option(*bound_command, bound.shard_size);
   add_bracket_checkpoint(*bound_command, bound.checkpoint);
   bound_command->get_option("--checkpoint")->description(kBoundCheckpoint);
   add_output_options(*bound_command, bound.output);
@@ -74,7 +74,7 @@ void CommandTables::add_datasheet() {
   add_search_options(*datasheet_command, datasheet.search);
   datasheet_command->get_option("--time-limit")->default_str("600");
   add_certificate_option(*datasheet_command, datasheet.certificate, kDatasheetCertificate);
-  refuse_shard_option(*datasheet_command);
+  add_shard_option(*datasheet_command, datasheet.shard_size);
   add_bracket_checkpoint(*datasheet_command, datasheet.checkpoint);
   datasheet_command->get_option("--checkpoint")->description(kBoundCheckpoint);
   add_output_options(*datasheet_command, datasheet.output);

@@ -15,22 +15,13 @@ void add_certificate_option(CLI::App& app, std::string& path, const std::string&
 }
 
 void add_shard_option(CLI::App& app, std::uint64_t& size) {
-  app.add_option("--shard-size", size,
-                 "Cut a proof of NO SINGULARITY that is larger than SIZE into files of about SIZE, "
-                 "such as 64MB, in the folder FILE.shards; FILE is then their index")
+  app.add_option(
+         "--shard-size", size,
+         "Cut a proof that is larger than SIZE into files of about SIZE, such as 64MB, in the "
+         "folder FILE.shards; FILE is then their index")
       ->type_name("SIZE")
       ->transform(size_in_bytes(format::kLeastShardSize, format::kMaxBytes))
       ->needs("--certificate");
-}
-
-void refuse_shard_option(CLI::App& app) {
-  app.add_option_function<std::string>("--shard-size",
-                                       [](const std::string&) {
-                                         throw CLI::ValidationError(
-                                             "--shard-size",
-                                             "the proof of an end of the bracket is one file");
-                                       })
-      ->group("");
 }
 
 void add_verify_options(CLI::App& app, VerifyCommand& command) {

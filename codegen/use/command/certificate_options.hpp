@@ -16,8 +16,6 @@ namespace regulus {
 /// `what` names the subject of the proof.
 void add_certificate_option(CLI::App& app, std::string& path, const std::string& what);
 void add_shard_option(CLI::App& app, std::uint64_t& size);
-/// Adds the option, which is refused with a reason, and not as an unknown one.
-void refuse_shard_option(CLI::App& app);
 void add_verify_options(CLI::App& app, VerifyCommand& command);
 
 }  // namespace regulus

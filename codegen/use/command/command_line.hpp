@@ -52,8 +52,9 @@ struct MarginCommand {
   GrowingSize size;
   std::string limit;  ///< empty without a quantity
   std::string gap = "0.01";
-  std::string certificate;  ///< files, without their endings; empty: none
-  std::string checkpoint;   ///< file; empty: none
+  std::string certificate;       ///< files, without their endings; empty: none
+  std::uint64_t shard_size = 0;  ///< of their shards, in bytes; 0: each is one file
+  std::string checkpoint;        ///< file; empty: none
 };
 
 struct VerifyCommand {

@@ -272,7 +272,7 @@ void CommandTables::add_margin() {
   add_filter_option(*margin_command, margin.search);
   add_margin_options(*margin_command, margin);
   add_certificate_option(*margin_command, margin.certificate, kMarginCertificate);
-  refuse_shard_option(*margin_command);
+  add_shard_option(*margin_command, margin.shard_size);
   add_bracket_checkpoint(*margin_command, margin.checkpoint);
   add_output_options(*margin_command, margin.output);
   add_page_option(*margin_command, margin.output);

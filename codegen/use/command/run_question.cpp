@@ -17,9 +17,12 @@ namespace regulus {
 namespace {
 
 /// What every command wants.
-Services services_of(const OutputOptions& output, const std::string& certificate) {
+template <class Command>
+Services services_of(const Command& command) {
+  const OutputOptions& output = command.output;
   Services services;
-  services.certificate = certificate;
+  services.certificate = command.certificate;
+  services.shard_size = command.shard_size;
   services.dashes = "--";
   services.shows_progress = !output.quiet;
   services.page = output.page;
@@ -50,8 +53,7 @@ void print(const Answer& answer, const CommandQuestion& question) {
 CommandQuestion question_of(const CheckCommand& command) {
   CommandQuestion question{AskCheck{command.model, command.search}, command.output};
   if (command.load) question.asked = AskLoad{command.model, command.search, *command.load};
-  question.services = services_of(command.output, command.certificate);
-  question.services.shard_size = command.shard_size;
+  question.services = services_of(command);
   question.services.checkpoint = command.checkpoint;
   return question;
 }
@@ -62,8 +64,7 @@ CommandQuestion question_of(const LocateCommand& command) {
   if (command.load)
     question.asked =
         AskLoadPaving{command.model, command.search, *command.load, command.resolution};
-  Services& services = question.services = services_of(command.output, command.certificate);
-  services.shard_size = command.shard_size;
+  Services& services = question.services = services_of(command);
   services.pictures = command.pictures;
   services.checkpoint = command.checkpoint;
   const bool prints_boxes = command.boxes_unless_json && !command.output.json;
@@ -79,7 +80,7 @@ CommandQuestion question_of(const LocateCommand& command) {
 CommandQuestion question_of(const MarginCommand& command) {
   CommandQuestion question{AskMargin{command.model, command.search, command.size, command.quantity,
                                      command.limit, command.gap},
-                           command.output, services_of(command.output, command.certificate)};
+                           command.output, services_of(command)};
   question.services.checkpoint.path = command.checkpoint;
   return question;
 }
@@ -88,7 +89,7 @@ CommandQuestion question_of(const BoundCommand& given) {
   const BoundCommand command = with_quantity(given);
   CommandQuestion question{
       AskBound{command.model, command.search, command.quantity, command.limit, command.gap},
-      command.output, services_of(command.output, command.certificate)};
+      command.output, services_of(command)};
   question.services.checkpoint.path = command.checkpoint;
   return question;
 }
@@ -96,7 +97,7 @@ CommandQuestion question_of(const BoundCommand& given) {
 CommandQuestion question_of(const DatasheetCommand& command) {
   CommandQuestion question{
       AskDatasheet{command.model, command.search, command.gap, command.markdown}, command.output,
-      services_of(command.output, command.certificate)};
+      services_of(command)};
   question.services.checkpoint.path = command.checkpoint;
   return question;
 }

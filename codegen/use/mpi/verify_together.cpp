@@ -27,6 +27,7 @@ void put(ByteWriter& to, const ShardProof& proof) {
   to.put_count(proof.leaves);
   to.put_count(proof.boxes);
   to.put(proof.sign);
+  for (const std::uint64_t leaves : proof.paved) to.put_count(leaves);
 }
 
 ShardProof take_proof(ByteReader& from) {
@@ -39,6 +40,7 @@ ShardProof take_proof(ByteReader& from) {
   proof.leaves = from.take_count();
   proof.boxes = from.take_count();
   proof.sign = from.take<int>();
+  for (std::uint64_t& leaves : proof.paved) leaves = from.take_count();
   return proof;
 }
 

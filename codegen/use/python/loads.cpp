@@ -101,23 +101,25 @@ void bind_loads(py::module_& module) {
   module.def(
       "check_load",
       [](const Question& question, const std::string& load, const SearchOptions& options,
-         const std::string& path) {
+         const std::string& path, std::uint64_t shard_size) {
         return run_there([=](const std::atomic<bool>& interrupt) {
-          return check_load(question, load, options, &interrupt, path);
+          return check_load(question, load, options, &interrupt, path, shard_size);
         });
       },
-      py::arg("question"), py::arg("load"), py::arg("options"), py::arg("certificate") = "");
+      py::arg("question"), py::arg("load"), py::arg("options"), py::arg("certificate") = "",
+      py::arg("shard_size") = 0);
   module.def(
       "locate_load",
       [](const Question& question, const std::string& load, const SearchOptions& search,
-         const std::string& resolution, const std::string& path) {
-        const LocateLoadOptions options{search, load, resolution, path};
+         const std::string& resolution, const std::string& path, std::uint64_t shard_size) {
+        LocateLoadOptions options{search, load, resolution, path};
+        options.shard_size = shard_size;
         return run_there([=](const std::atomic<bool>& interrupt) {
           return locate_load_boxes(question, options, interrupt);
         });
       },
       py::arg("question"), py::arg("load"), py::arg("options"), py::arg("resolution") = "",
-      py::arg("certificate") = "");
+      py::arg("certificate") = "", py::arg("shard_size") = 0);
 }
 
 }  // namespace regulus

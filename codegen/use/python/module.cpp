@@ -205,38 +205,41 @@ void bind_prepared(py::module_& module) {
 void bind_searches(py::module_& module) {
   module.def(
       "check",
-      [](const Question& question, const SearchOptions& options, const std::string& path) {
+      [](const Question& question, const SearchOptions& options, const std::string& path,
+         std::uint64_t shard_size) {
         return run_there([=](const std::atomic<bool>& interrupt) {
-          return check(question, options, &interrupt, path);
+          return check(question, options, &interrupt, path, shard_size);
         });
       },
-      py::arg("question"), py::arg("options"), py::arg("certificate") = "");
+      py::arg("question"), py::arg("options"), py::arg("certificate") = "",
+      py::arg("shard_size") = 0);
   module.def(
       "margin",
       [](const Question& question, const SearchOptions& search, const std::string& tolerance,
          const std::string& alpha, const std::string& scale, const std::string& parameter,
          const std::string& gap, const QuantityOptions& quantity, const std::string& limit,
-         const std::string& path) {
+         const std::string& path, std::uint64_t shard_size) {
         const MarginOptions options{search, tolerance, alpha, scale, parameter,
-                                    gap,    quantity,  limit, path};
+                                    gap,    quantity,  limit, path,  shard_size};
         return run_there([=](const std::atomic<bool>& interrupt) {
           return margin(question, options, &interrupt);
         });
       },
       py::arg("question"), py::arg("options"), py::arg("tolerance"), py::arg("alpha"),
       py::arg("scale"), py::arg("parameter"), py::arg("gap"), py::arg("quantity"), py::arg("limit"),
-      py::arg("certificate") = "");
+      py::arg("certificate") = "", py::arg("shard_size") = 0);
   module.def(
       "bound",
       [](const Question& question, const SearchOptions& search, const QuantityOptions& quantity,
-         const std::string& limit, const std::string& gap, const std::string& path) {
-        const BoundOptions options{search, quantity, limit, gap, path};
+         const std::string& limit, const std::string& gap, const std::string& path,
+         std::uint64_t shard_size) {
+        const BoundOptions options{search, quantity, limit, gap, path, shard_size};
         return run_there([=](const std::atomic<bool>& interrupt) {
           return bound(question, options, &interrupt);
         });
       },
       py::arg("question"), py::arg("options"), py::arg("quantity"), py::arg("limit"),
-      py::arg("gap"), py::arg("certificate") = "");
+      py::arg("gap"), py::arg("certificate") = "", py::arg("shard_size") = 0);
 }
 
 void bind_files(py::module_& module) {

@@ -21,10 +21,11 @@ struct PavingWithBoxes {
 
 PavingWithBoxes locate_boxes(const Question& question, const SearchOptions& search,
                              const std::string& resolution, const std::string& certificate,
-                             const std::atomic<bool>& interrupt) {
+                             std::uint64_t shard_size, const std::atomic<bool>& interrupt) {
   PavingWithBoxes found;
   LocateOptions options{.search = search, .resolution = resolution};
   options.certificate = certificate;
+  options.shard_size = shard_size;
   options.on_box = [&found](Claim claim, std::span<const Interval> box) {
     found.claims.push_back(static_cast<std::uint8_t>(claim));
     for (const Interval& range : box) {
@@ -91,13 +92,13 @@ void bind_pavings(py::module_& module) {
   module.def(
       "locate",
       [](const Question& question, const SearchOptions& options, const std::string& resolution,
-         const std::string& path) {
+         const std::string& path, std::uint64_t shard_size) {
         return run_there([=](const std::atomic<bool>& interrupt) {
-          return locate_boxes(question, options, resolution, path, interrupt);
+          return locate_boxes(question, options, resolution, path, shard_size, interrupt);
         });
       },
       py::arg("question"), py::arg("options"), py::arg("resolution") = "",
-      py::arg("certificate") = "");
+      py::arg("certificate") = "", py::arg("shard_size") = 0);
 }
 
 }  // namespace regulus

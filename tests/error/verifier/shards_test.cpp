@@ -176,6 +176,134 @@ TEST_F(Shards, OfAnIndexThatIsDamagedAreRejected) {
     EXPECT_EQ(verify_text(index + more, options).outcome, Outcome::kRejected) << more;
 }
 
+TEST_F(Shards, OfOneTreeHaveNoPiecesAndNoOtherTree) {
+  const HandmadeShards whole = proof_;
+  proof_.shards[0].open = "piece 1\nnext 1\nopen 0\n";
+  expect_rejected("expected 'next BOX'");
+  proof_ = whole;
+  proof_.shards[2].lines += "tree\nl 0 mean-value\n";
+  proof_.shards[2].leaves = 3;
+  expect_rejected("expected 's BOX VARIABLE AT', 'l BOX RULE' or 'end LEAVES'");
+}
+
+/// Returns a question about the entry x along s, x = a + s, for each value of a.
+std::string piecewise_question(const std::string& pieces) {
+  return "regulus-certificate 1\n" + std::string(kFullRank1) +
+         "model by hand\nsha256 -\nmotion way\nalpha 0\nparameter s in 0 : 1\npiecewise a\n" +
+         pieces + "pose x = a + s\nmatrix 1 1\nentry x\n";
+}
+
+/// Three trees: the first is cut at 1/2, and in two shards, of which the second has another tree.
+HandmadeShards three_trees(const std::string& pieces = "piece 1\npiece 2\npiece 3\n") {
+  HandmadeShards proof(piecewise_question(pieces));
+  proof.shards = {
+      {"piece 1\nnext 1\nopen 0\n", "s 0 0 0x1p-1\nl 1 mean-value\n", 1},
+      {"piece 1\nnext 3\nopen 2 0 0x1p-1 -\n", "l 2 mean-value\ntree\nl 0 mean-value\n", 2},
+      {"piece 2\nnext 1\n", "tree\nl 0 mean-value\n", 1},
+  };
+  return proof;
+}
+
+TEST_F(Shards, OfTheTreesOfAllPiecesAreVerified) {
+  proof_ = three_trees();
+  for (const unsigned threads : {1U, 3U}) {
+    verifier::Options options;
+    options.threads = threads;
+    const Verification v = verify(options);
+    EXPECT_EQ(v.outcome, Outcome::kVerified) << v.reason;
+    EXPECT_EQ(v.pieces, 3U);
+    EXPECT_EQ(v.shards, 3U);
+    EXPECT_EQ(v.leaves, 4U);
+  }
+  proof_.shards[1].lines += "tree\n";  // it belongs to the one shard or to the other
+  proof_.shards[2] = {"piece 3\nnext 1\nopen 0\n", "l 0 mean-value\n", 1};
+  EXPECT_EQ(verify().outcome, Outcome::kVerified) << verify().reason;
+}
+
+TEST_F(Shards, OfPiecesWhoseDeterminantsHaveOtherSignsAreVerified) {
+  proof_ = three_trees("piece -4\npiece 2\npiece -3\n");
+  EXPECT_EQ(verify().outcome, Outcome::kVerified) << verify().reason;
+}
+
+TEST_F(Shards, OfAPieceThatIsSingularAreRejected) {
+  for (const char* pieces : {"piece -1/4\npiece 2\npiece 3\n", "piece -3/4\npiece 2\npiece 3\n",
+                             "piece 1\npiece -1/2\npiece 3\n", "piece 1\npiece 2\npiece -1\n"}) {
+    proof_ = three_trees(pieces);
+    EXPECT_NE(verify().outcome, Outcome::kVerified) << pieces;
+  }
+}
+
+/// A change of shards of trees, with the right hashes.
+struct Forgery {
+  const char* name;
+  void (*change)(std::vector<HandmadeShard>&);
+  const char* why;
+};
+
+constexpr const char* kNotWhereItEnds = "it does not begin where the shard before it ends";
+constexpr Forgery kForgeries[] = {
+    {"LackTheLast", [](auto& s) { s.pop_back(); },
+     "after the last shard there are boxes without a leaf, or pieces without a tree"},
+    {"LackTheFirst", [](auto& s) { s.erase(s.begin()); }, kNotWhereItEnds},
+    {"LackOne", [](auto& s) { s.erase(s.begin() + 1); }, kNotWhereItEnds},
+    {"Doubled", [](auto& s) { s.push_back(s.back()); }, kNotWhereItEnds},
+    {"Swapped", [](auto& s) { std::swap(s[1], s[2]); }, kNotWhereItEnds},
+    {"SkipAPiece",
+     [](auto& s) {
+       s[1] = {"piece 2\nnext 1\nopen 0\n", "l 0 mean-value\n", 1};
+     },
+     kNotWhereItEnds},
+    {"ProveAPieceTwice",
+     [](auto& s) {
+       s[2] = {"piece 2\nnext 1\nopen 0\n", "l 0 mean-value\n", 1};
+     },
+     kNotWhereItEnds},
+    {"EndBehindAnEarlierPiece",
+     [](auto& s) {
+       s[2] = {"piece 2\nnext 1\n", "", 0};
+     },
+     "boxes without a leaf, or pieces without a tree"},
+    {"ClaimTheLastPiece",
+     [](auto& s) {
+       s[2] = {"piece 3\nnext 1\n", "", 0};
+     },
+     kNotWhereItEnds},
+    {"LeaveABoxOfATree",
+     [](auto& s) {
+       s[1] = {s[1].open, "tree\nl 0 mean-value\n", 1};
+     },
+     "1 boxes have no leaf, for example box 2"},
+    {"BeginTheNextTreeWithABoxOfThis",
+     [](auto& s) {
+       s[1] = {"piece 1\nnext 3\n", "tree\nl 0 mean-value\n", 1};
+     },
+     kNotWhereItEnds},
+    {"HaveATreeTooMany", [](auto& s) { s[2].lines += "tree\nl 0 mean-value\n", ++s[2].leaves; },
+     "there are more trees than pieces"},
+    {"HaveNoPiece", [](auto& s) { s[0].open = "next 1\nopen 0\n"; }, "expected 'piece NUMBER'"},
+    {"HaveThePiece0", [](auto& s) { s[0].open = "piece 0\nnext 1\nopen 0\n"; },
+     "pieces are numbered from 1"},
+    {"HaveThePiece4", [](auto& s) { s[0].open = "piece 4\nnext 1\nopen 0\n"; },
+     "expected a number up to 3"},
+    {"BeginWithATreeTooMany", [](auto& s) { s[0].lines = "tree\n" + s[0].lines; },
+     "1 boxes have no leaf, for example box 0"},
+};
+
+TEST_F(Shards, OfTreesThatAreForgedAreRejected) {
+  for (const Forgery& forgery : kForgeries) {
+    proof_ = three_trees();
+    forgery.change(proof_.shards);
+    SCOPED_TRACE(forgery.name);
+    expect_rejected(forgery.why);
+  }
+}
+
+TEST_F(Shards, OfAWitnessAreRejected) {
+  proof_ = HandmadeShards(scalar_question("x - 3/2", "1 : 2", kSingular1));
+  proof_.shards = {{"next 1\nopen 0\n", "l 0 mean-value\n", 1}};
+  expect_rejected("an index is for the proof of a claim about all poses");
+}
+
 TEST_F(Shards, ProvedElsewhereCountOnlyForTheSameQuestion) {
   for (const char* question : {"", "this"}) {
     verifier::Options options;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 
 #include "codegen/use/api/regulus.hpp"
@@ -120,6 +121,47 @@ TEST_F(Proofs, ABoundNamesTheProofOfEachEndOrTheReasonWhyThereIsNone) {
   EXPECT_TRUE(is_verified(within.certificates[0].certificate));
   EXPECT_EQ(within.certificates[1].certificate, "");
   EXPECT_EQ(within.certificates[1].no_certificate, "no pose exceeds the limit");
+}
+
+TEST_F(Proofs, MayBeInShards) {
+  const Question turn = Question::of_text(R"toml(regulus = 1
+name = "turn"
+[pose]
+x = "m"
+y = "m"
+[matrix]
+rows = [["cos(x*y)", "sin(x*y)"], ["-sin(x*y)", "cos(x*y)"]]
+[motion.box]
+x = [0, 1]
+y = [0, 1]
+)toml",
+                                          "turn");
+  regulus::BoundOptions options;
+  options.search = interpreted();
+  options.quantity = {.quantity = "condition", .norm = "2"};
+  options.gap = "0.05";
+  options.certificate = proof_;
+  options.shard_size = 4096;
+  const regulus::BoundFinding found = regulus::bound(turn, options);
+  EXPECT_EQ(found.certificates.at(0).certificate, proof_ + ".safe");
+  EXPECT_TRUE(is_verified(proof_ + ".safe"));
+  ASSERT_TRUE(std::filesystem::remove(proof_ + ".safe.shards/2"));
+  EXPECT_FALSE(is_verified(proof_ + ".safe"));
+}
+
+TEST_F(Proofs, AreNotInShardsOfASizeThatHasNoMeaning) {
+  const auto message = [](const std::string& certificate, std::uint64_t size) -> std::string {
+    try {
+      static_cast<void>(
+          regulus::check(circle("outside"), interpreted(), nullptr, certificate, size));
+    } catch (const regulus::UsageError& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  EXPECT_THAT(message("", 4096), HasSubstr("shard_size: there is no proof to cut"));
+  EXPECT_THAT(message(proof_, 4095), HasSubstr("shard_size: found 4095, expected 4096"));
+  EXPECT_EQ(message(proof_, 4096), "no error");
 }
 
 }  // namespace

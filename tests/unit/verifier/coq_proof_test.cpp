@@ -177,6 +177,19 @@ TEST(ATheorem, IsRefusedWhereTheLibraryHasNone) {
   EXPECT_THROW((void)written("no certificate\n"), verifier::Rejection);
 }
 
+TEST(ATheorem, AboutABoundIsRefusedWithAndWithoutPieces) {
+  for (const char* pieces : {"", "piecewise start\npiece 1\npiece 2\n"})
+    EXPECT_THROW(
+        (void)written("regulus-certificate 1\nverdict NO SINGULARITY\nclaim |det J^-1| > 1/2 "
+                      "at every pose of the variety\nmodel m\nsha256 -\nmotion way\nalpha 0\n"
+                      "parameter T in 1 : 2\n" +
+                      std::string(pieces) +
+                      "pose x = T\nmatrix 1 1\nentry x\nscale 1\nquantity determinant\n"
+                      "side least\nreference 0\nbound 1/2\nproof\n"),
+        verifier::Unfinished)
+        << pieces;
+}
+
 /// The theorem of the force of row 1, if the certificate is that of a bound of a force.
 std::string force_theorem(const std::string& range, const std::string& first_entry,
                           const std::string& more = "") {

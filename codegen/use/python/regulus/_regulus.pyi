@@ -195,12 +195,22 @@ class PreparedQuestion:
     ) -> Finding: ...
 
 def prepare(question: Question, options: SearchOptions) -> PreparedQuestion: ...
-def check(question: Question, options: SearchOptions, certificate: str = "") -> Finding: ...
+def check(
+    question: Question, options: SearchOptions, certificate: str = "", shard_size: int = 0
+) -> Finding: ...
 def locate(
-    question: Question, options: SearchOptions, resolution: str = "", certificate: str = ""
+    question: Question,
+    options: SearchOptions,
+    resolution: str = "",
+    certificate: str = "",
+    shard_size: int = 0,
 ) -> PavingFinding: ...
 def check_load(
-    question: Question, load: str, options: SearchOptions, certificate: str = ""
+    question: Question,
+    load: str,
+    options: SearchOptions,
+    certificate: str = "",
+    shard_size: int = 0,
 ) -> LoadFinding: ...
 def locate_load(
     question: Question,
@@ -208,6 +218,7 @@ def locate_load(
     options: SearchOptions,
     resolution: str = "",
     certificate: str = "",
+    shard_size: int = 0,
 ) -> LoadPavingFinding: ...
 def margin(
     question: Question,
@@ -220,6 +231,7 @@ def margin(
     quantity: QuantityOptions,
     limit: str,
     certificate: str = "",
+    shard_size: int = 0,
 ) -> MarginFinding: ...
 def bound(
     question: Question,
@@ -228,6 +240,7 @@ def bound(
     limit: str,
     gap: str,
     certificate: str = "",
+    shard_size: int = 0,
 ) -> BoundFinding: ...
 def verify(
     path: str,

@@ -43,6 +43,11 @@ def optional_path(name: str, path: Any) -> str:
     return "" if path is None else path_of(name, path)
 
 
+def proof_of(certificate: Any, shard_size: Any) -> tuple[str, int]:
+    """Returns the file of a proof, "" for None, and the size of its shards."""
+    return optional_path("certificate", certificate), count_of("shard_size", shard_size)
+
+
 def mapping_of(name: str, value: Any) -> Mapping[str, Any]:
     """Returns the entries of a dict whose keys are names; {} for None."""
     if value is None:

@@ -15,6 +15,7 @@ from .arguments import (
     option_of,
     optional_path,
     path_of,
+    proof_of,
     seconds_of,
     text_of,
     words_of,
@@ -207,6 +208,7 @@ class Robot:
         tube: Union[None, Number, Mapping[str, Number]] = None,
         waypoints: Optional[Path] = None,
         certificate: Optional[Path] = None,
+        shard_size: int = 0,
         **options: Any,
     ) -> Check:
         """Proves that a motion has no singular pose, or shows one.
@@ -219,6 +221,7 @@ class Robot:
             tube: control errors, of all pose parameters or of those named: {"x,y": "0.01"}.
             waypoints: a file of way-points to follow instead of the motion's own poses.
             certificate: a file for the proof.
+            shard_size: a larger proof is cut into files of about so many bytes; 0: it is one file.
             options: those of the command: threads, time_limit (seconds), max_boxes, method, engine,
                 determinant, bisect, uncertainty, entries, isa, precision, use_cache, filters,
                 without, symbolic_budget, beyond_limits (the joints may leave their limits).
@@ -233,9 +236,9 @@ class Robot:
         def result(finding: Any) -> Check:
             return Check(question, finding, question.texts.notes)
 
-        path = optional_path("certificate", certificate)
+        proof = proof_of(certificate, shard_size)
         try:
-            return result(_regulus.check(question.question, question.options, path))
+            return result(_regulus.check(question.question, question.options, *proof))
         except KeyboardInterrupt as stop:
             _with_partial(stop, result)
             raise
@@ -251,6 +254,7 @@ class Robot:
         tube: Union[None, Number, Mapping[str, Number]] = None,
         waypoints: Optional[Path] = None,
         certificate: Optional[Path] = None,
+        shard_size: int = 0,
         **options: Any,
     ) -> Paving:
         """Paves a motion with boxes that are proved free, proved singular, or undecided.
@@ -270,9 +274,9 @@ class Robot:
             return Paving(finding, question.texts.notes)
 
         text = question.texts.of(resolution, "resolution")
-        path = optional_path("certificate", certificate)
+        proof = proof_of(certificate, shard_size)
         try:
-            return result(_regulus.locate(question.question, question.options, text, path))
+            return result(_regulus.locate(question.question, question.options, text, *proof))
         except KeyboardInterrupt as stop:
             _with_partial(stop, result)
             raise
@@ -287,6 +291,7 @@ class Robot:
         tube: Union[None, Number, Mapping[str, Number]] = None,
         waypoints: Optional[Path] = None,
         certificate: Optional[Path] = None,
+        shard_size: int = 0,
         **options: Any,
     ) -> LoadCheck:
         """Proves that at every pose forces within the limits of the model hold a load.
@@ -303,11 +308,11 @@ class Robot:
         def result(finding: Any) -> LoadCheck:
             return LoadCheck(question, finding, question.texts.notes)
 
-        path = optional_path("certificate", certificate)
+        proof = proof_of(certificate, shard_size)
         try:
             return result(
                 _regulus.check_load(
-                    question.question, text_of("load", load), question.options, path
+                    question.question, text_of("load", load), question.options, *proof
                 )
             )
         except KeyboardInterrupt as stop:
@@ -323,6 +328,7 @@ class Robot:
         range: Optional[Mapping[str, Range]] = None,
         tolerance: Optional[Mapping[str, Number]] = None,
         certificate: Optional[Path] = None,
+        shard_size: int = 0,
         **options: Any,
     ) -> LoadPaving:
         """Paves a motion with boxes in which a load is held everywhere, nowhere, or undecided.
@@ -338,10 +344,10 @@ class Robot:
 
         text_of("load", load)
         text = question.texts.of(resolution, "resolution")
-        path = optional_path("certificate", certificate)
+        proof = proof_of(certificate, shard_size)
         try:
             return result(
-                _regulus.locate_load(question.question, load, question.options, text, path)
+                _regulus.locate_load(question.question, load, question.options, text, *proof)
             )
         except KeyboardInterrupt as stop:
             _with_partial(stop, result)
@@ -368,6 +374,7 @@ class Robot:
         tube: Union[None, Number, Mapping[str, Number]] = None,
         waypoints: Optional[Path] = None,
         certificate: Optional[Path] = None,
+        shard_size: int = 0,
         **options: Any,
     ) -> Margin:
         """Brackets the largest safe tolerance, threshold or size of a motion.
@@ -387,6 +394,7 @@ class Robot:
                 least and signed.
             limit: every value is below it; with `least`, and of sigma-min and determinant, above.
             certificate: FILE; the proofs are FILE.safe and FILE.singular, of a leg FILE.leg_3.safe.
+            shard_size: of each proof, as for check().
 
         An upper end of None is looked for. The default of `time_limit` is 60 seconds. The others
         and the errors are as for check(); the `result` of an interrupt is a Margin.
@@ -429,7 +437,7 @@ class Robot:
                     of(gap, "gap"),
                     _quantity(quantity, load, twist, leg, freedom, least, signed),
                     "" if limit is None else of(limit, "limit"),
-                    optional_path("certificate", certificate),
+                    *proof_of(certificate, shard_size),
                 )
             )
         except KeyboardInterrupt as stop:
@@ -455,6 +463,7 @@ class Robot:
         tube: Union[None, Number, Mapping[str, Number]] = None,
         waypoints: Optional[Path] = None,
         certificate: Optional[Path] = None,
+        shard_size: int = 0,
         **options: Any,
     ) -> Bound:
         """Brackets the largest value of a quantity over a motion, or compares it with a limit.
@@ -472,6 +481,7 @@ class Robot:
             limit: compare with this value.
             gap: the bracket is closed when it is at most this part of its larger end.
             certificate: FILE; the proofs are FILE.safe and FILE.singular, of a leg FILE.leg_3.safe.
+            shard_size: of each proof, as for check().
 
         The default of `time_limit` is 60 seconds. The others and the errors are as for check(); the
         `result` of an interrupt is a Bound.
@@ -491,7 +501,7 @@ class Robot:
                     _quantity(quantity, load, twist, leg, freedom, least, signed, norm),
                     "" if limit is None else of(limit, "limit"),
                     of(gap, "gap"),
-                    optional_path("certificate", certificate),
+                    *proof_of(certificate, shard_size),
                 )
             )
         except KeyboardInterrupt as stop:
