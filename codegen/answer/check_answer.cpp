@@ -105,8 +105,8 @@ class WayCheck final : public CheckAnswer {
   WayCheck(Request request, double model_seconds, const AskCheck& asked, const Services& services)
       : search_(asked.search) {
     SearchDisplay display(display_of(services));
-    SearchCheckpoint checkpoint(services.checkpoint,
-                                [&] { return checkpointed_question(request, search_); });
+    SearchCheckpoint checkpoint(
+        services.checkpoint, [&] { return checkpointed_question(request, search_); }, true);
     check_ =
         check_trajectory(std::move(request), model_seconds, search_, !services.certificate.empty(),
                          {services.interrupt, display.observer(), &checkpoint});

@@ -100,9 +100,9 @@ class WayLoad final : public LoadAnswer {
  public:
   WayLoad(Request request, double model_seconds, const AskLoad& asked, const Services& services) {
     SearchDisplay display(display_of(services));
-    SearchCheckpoint checkpoint(services.checkpoint, [&] {
-      return checkpointed_question(request, asked.search, asked.load);
-    });
+    SearchCheckpoint checkpoint(
+        services.checkpoint,
+        [&] { return checkpointed_question(request, asked.search, asked.load); }, true);
     found_ = check_forces_along_way(std::move(request), model_seconds, asked.load, asked.search,
                                     !services.certificate.empty(),
                                     {services.interrupt, display.observer(), &checkpoint});
@@ -193,12 +193,15 @@ class WayLoadPaving final : public LoadPavingAnswer {
     SearchDisplay display(display_of(services));
     const double resolution =
         asked.resolution.empty() ? kPathResolution : read_resolution(asked.resolution);
-    SearchCheckpoint checkpoint(services.checkpoint, [&] {
-      Json question = checkpointed_question(request, asked.search, asked.load);
-      question["paves"] = true;
-      question["resolution"] = resolution;
-      return question;
-    });
+    SearchCheckpoint checkpoint(
+        services.checkpoint,
+        [&] {
+          Json question = checkpointed_question(request, asked.search, asked.load);
+          question["paves"] = true;
+          question["resolution"] = resolution;
+          return question;
+        },
+        true);
     paving_ = pave_forces_along_way(std::move(request), model_seconds, asked.load, asked.search,
                                     resolution, !services.certificate.empty(),
                                     {services.interrupt, display.observer(), &checkpoint});

@@ -152,12 +152,15 @@ class WayPaving final : public PavingAnswer {
     SearchDisplay display(display_of(services));
     const double resolution =
         asked.resolution.empty() ? kPathResolution : read_resolution(asked.resolution);
-    SearchCheckpoint checkpoint(services.checkpoint, [&] {
-      Json question = checkpointed_question(request, search_);
-      question["paves"] = true;
-      question["resolution"] = resolution;
-      return question;
-    });
+    SearchCheckpoint checkpoint(
+        services.checkpoint,
+        [&] {
+          Json question = checkpointed_question(request, search_);
+          question["paves"] = true;
+          question["resolution"] = resolution;
+          return question;
+        },
+        true);
     paving_ = pave_trajectory(std::move(request), model_seconds, search_, resolution,
                               !services.certificate.empty(),
                               {services.interrupt, display.observer(), &checkpoint});

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "codegen/answer/outputs.hpp"
-#include "codegen/question/margin/margin_question.hpp"
 #include "codegen/question/way/read_trajectory.hpp"
 #include "codegen/support/errors.hpp"
 
@@ -16,9 +15,6 @@ namespace regulus {
 namespace {
 
 constexpr std::string_view kNoBoxes = "a picture is of the boxes of a paving; ask where, by locate";
-constexpr std::string_view kOneMachine =
-    "a motion along way-points is searched on one machine, by all of its threads";
-constexpr std::string_view kNoRows = "a datasheet brackets many quantities; bound one of them";
 constexpr std::string_view kOneMethod = "for a load there is one method; leave the option out";
 constexpr std::string_view kNoTheorem =
     "Coq proves what the regularity of a matrix says; regulus-verify proves this";
@@ -30,19 +26,9 @@ constexpr Refusal kRefusals[] = {
     {kCondition2, kTheorem, kNoTheorem},
     {kLoad, kTheorem, kNoTheorem},
     {kLoadPaving, kTheorem, kNoTheorem},
-    {kDatasheet, kRanks, kNoRows},
-    {kWayCheck, kRanks, kOneMachine},
-    {kWayPaving, kRanks, kOneMachine},
-    {kWayMargin, kRanks, kOneMachine},
-    {kWayLimitMargin, kRanks, kOneMachine},
-    {kWayBound, kRanks, kOneMachine},
     {kWayCondition2, kTheorem, kNoTheorem},
-    {kWayCondition2, kRanks, kOneMachine},
     {kWayLoad, kTheorem, kNoTheorem},
-    {kWayLoad, kRanks, kOneMachine},
     {kWayLoadPaving, kTheorem, kNoTheorem},
-    {kWayLoadPaving, kRanks, kOneMachine},
-    {kWayDatasheet, kRanks, kNoRows},
     // What has no boxes has no picture.
     {kCheck, kPicture, kNoBoxes, false},
     {kMargin, kPicture, kNoBoxes, false},
@@ -116,25 +102,6 @@ bool has_refused_service(Kind kind, const SearchOptions& search, const Services&
     return refusal(kind, request.service).has_value();
   });
 }
-
-/// Returns the kind of a question about a variety and about a motion along way-points.
-struct KindsOf {
-  std::array<Kind, 2> operator()(const AskCheck&) const { return {kCheck, kWayCheck}; }
-  std::array<Kind, 2> operator()(const AskPaving&) const { return {kPaving, kWayPaving}; }
-  std::array<Kind, 2> operator()(const AskMargin& asked) const {
-    if (asked.limit.empty()) return {kMargin, kWayMargin};
-    return {kLimitMargin, kWayLimitMargin};
-  }
-  std::array<Kind, 2> operator()(const AskBound& asked) const {
-    if (asked.quantity.norm != "2") return {kBound, kWayBound};
-    return {kCondition2, kWayCondition2};
-  }
-  std::array<Kind, 2> operator()(const AskLoad&) const { return {kLoad, kWayLoad}; }
-  std::array<Kind, 2> operator()(const AskLoadPaving&) const {
-    return {kLoadPaving, kWayLoadPaving};
-  }
-  std::array<Kind, 2> operator()(const AskDatasheet&) const { return {kDatasheet, kWayDatasheet}; }
-};
 
 constexpr std::string_view kIntroduction =
     "# What works with what\n\n"
@@ -217,18 +184,6 @@ void refuse_changed_options(const ModelOptions& model, const SearchOptions& sear
   for (const std::string_view option : changed_options(model, search))
     for (const OptionRefusal& row : kOptionsOfLoads)
       if (row.option == option) throw UsageError(fmt::format("{}: {}", row.option, row.why));
-}
-
-std::optional<std::string_view> refusal_of_ranks(const Asked& asked) {
-  const auto [plain, along] = std::visit(KindsOf{}, asked);
-  if (const auto why = refusal(plain, kRanks)) return why;
-  const auto why = refusal(along, kRanks);
-  if (!why) return std::nullopt;
-  ModelOptions model = std::visit([](const auto& one) { return one.model; }, asked);
-  // A range LO:HI is no value that a model could be read with.
-  if (const auto* margin = std::get_if<AskMargin>(&asked))
-    static_cast<void>(take_question(model, margin->size));
-  return read_trajectory(model) ? why : std::nullopt;
 }
 
 std::string what_works() {

@@ -71,10 +71,6 @@ void refuse_services_along_way(Kind along, const ModelOptions& model, const Sear
 /// Throws    UsageError for an option that a program has changed and that has no meaning for loads.
 void refuse_changed_options(const ModelOptions& model, const SearchOptions& search);
 
-/// Returns why other ranks cannot share the question; nullopt if they can. Reads the model.
-/// Throws as ask().
-[[nodiscard]] std::optional<std::string_view> refusal_of_ranks(const Asked& asked);
-
 /// Returns the page "What works with what" of the manual, in Markdown.
 [[nodiscard]] std::string what_works();
 

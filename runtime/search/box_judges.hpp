@@ -5,8 +5,11 @@
 // question has one, on the horizon alone: a number ≥ 0 that says what is of no use any more. So a
 // search has the same boxes whoever judges them. A type of judges has
 //
-//     Question      what judges need; its parts outlive them; `.problem`: with the kernel
+//     Question      what judges need; its parts outlive them; `.problem`: with the kernel;
+//                   `.settings`: if judges have any
 //     Finding       what a judge says; one that is new says nothing
+//     static size_t intervals(const Question&)
+//                   of a box, if they are not the variables of the problem alone
 //     Judge(const Question&)
 //     void judge(span<const Box>, span<Finding>, double horizon)
 //                   about at most kLanes boxes; MXCSR is at nearest
@@ -35,10 +38,10 @@ template <class Judge>
 class UnitJudge final : public cluster::UnitDecider {
  public:
   explicit UnitJudge(const typename Judge::Question& question)
-      : variables_(question.problem.outer.size()), judge_(question) {}
+      : intervals_(intervals_of(question)), judge_(question) {}
 
   [[nodiscard]] std::optional<std::string> decide(const cluster::Unit& unit) override {
-    const auto boxes = boxes_of(unit, variables_);
+    const auto boxes = boxes_of(unit, intervals_);
     cluster::Outcome outcome;
     outcome.boxes = unit.size();
     try {
@@ -59,7 +62,14 @@ class UnitJudge final : public cluster::UnitDecider {
     return bytes.take();
   }
 
-  const std::size_t variables_;
+  [[nodiscard]] static std::size_t intervals_of(const typename Judge::Question& question) {
+    if constexpr (requires { Judge::intervals(question); })
+      return Judge::intervals(question);
+    else
+      return question.problem.outer.size();
+  }
+
+  const std::size_t intervals_;
   Judge judge_;
 };
 
@@ -88,10 +98,11 @@ class BoxJudges {
   /// `threads`: at least 1. `most`: the number of boxes that are usually judged at once.
   BoxJudges(const Question& question, unsigned threads, std::size_t most,
             const BoxSharing& sharing = {})
-      : question_(question), shared_(question.problem, unit_judges<Judge>(question), sharing) {
+      : question_(question),
+        shared_(question.problem, settings_of(question), unit_judges<Judge>(question), sharing) {
     const auto needed = unsigned(std::max<std::size_t>(most / kLanes, 1));
-    for (unsigned t = 0; t < std::clamp(threads, 1U, needed); ++t)
-      judges_.push_back(std::make_unique<Judge>(question));
+    threads_ = std::clamp(threads, 1U, needed);
+    judges_.push_back(std::make_unique<Judge>(question));
   }
 
   /// Requires  as many findings as boxes.
@@ -110,6 +121,13 @@ class BoxJudges {
   }
 
  private:
+  [[nodiscard]] static Settings settings_of(const Question& question) {
+    if constexpr (requires { question.settings; })
+      return question.settings;
+    else
+      return {};
+  }
+
   [[nodiscard]] bool judge_here(std::span<const Box> boxes, std::span<Finding> findings,
                                 double horizon) {
     std::atomic<std::size_t> next = 0;
@@ -126,10 +144,13 @@ class BoxJudges {
       }
     };
     const std::size_t batches = (boxes.size() + kLanes - 1) / kLanes;
+    const std::size_t threads = std::min<std::size_t>(threads_, batches);
+    // Most searches end before their rounds need many.
+    while (judges_.size() < threads) judges_.push_back(std::make_unique<Judge>(question_));
     {
       std::vector<std::jthread> others;
       try {
-        for (std::size_t t = 1; t < std::min(judges_.size(), batches); ++t)
+        for (std::size_t t = 1; t < threads; ++t)
           others.emplace_back([&work, this, t] { work(*judges_[t]); });
       } catch (const std::system_error&) {  // fewer threads are to be had
       }
@@ -139,7 +160,8 @@ class BoxJudges {
   }
 
   const Question question_;
-  std::vector<std::unique_ptr<Judge>> judges_;
+  std::size_t threads_ = 1;
+  std::vector<std::unique_ptr<Judge>> judges_;  ///< one a thread, made when first needed
   SharedBoxes shared_;
 };
 

@@ -34,11 +34,11 @@ cluster::Unit unit_of(std::span<const std::vector<Interval>> boxes, double horiz
   return unit;
 }
 
-std::vector<std::vector<Interval>> boxes_of(const cluster::Unit& unit, std::size_t variables) {
-  if (unit.size() > kLanes || unit.ranges.size() != unit.size() * variables)
+std::vector<std::vector<Interval>> boxes_of(const cluster::Unit& unit, std::size_t intervals) {
+  if (unit.size() > kLanes || unit.ranges.size() != unit.size() * intervals)
     throw cluster::MalformedMessage();
   std::vector<std::vector<Interval>> boxes;
-  const auto width = static_cast<std::ptrdiff_t>(variables);
+  const auto width = static_cast<std::ptrdiff_t>(intervals);
   for (auto at = unit.ranges.begin(); at != unit.ranges.end(); at += width)
     boxes.emplace_back(at, at + width);
   return boxes;

@@ -31,7 +31,7 @@ struct BoxSharing {
 [[nodiscard]] cluster::Unit unit_of(std::span<const std::vector<Interval>> boxes, double horizon);
 /// Returns the boxes of a unit. Throws MalformedMessage.
 [[nodiscard]] std::vector<std::vector<Interval>> boxes_of(const cluster::Unit& unit,
-                                                          std::size_t variables);
+                                                          std::size_t intervals);
 
 /// The workers begin with the first boxes that are given to them and end with this object.
 class SharedBoxes {
@@ -40,9 +40,11 @@ class SharedBoxes {
   /// Reads the findings about `count` boxes, from the one with the number `at` on.
   using Take = std::function<void(std::size_t at, std::size_t count, std::string_view findings)>;
 
-  /// `make`: makes judges of such units. The problem must outlive this object.
-  SharedBoxes(const Problem& problem, cluster::MakeDecider make, const BoxSharing& sharing)
-      : problem_(problem), make_(std::move(make)), sharing_(sharing) {}
+  /// `make`: makes judges of such units. `settings`: of the judges, for other processes. The problem
+  /// must outlive this object.
+  SharedBoxes(const Problem& problem, const Settings& settings, cluster::MakeDecider make,
+              const BoxSharing& sharing)
+      : problem_(problem), make_(std::move(make)), sharing_(sharing), settings_(settings) {}
   ~SharedBoxes() { end(); }
   SharedBoxes(const SharedBoxes&) = delete;
   SharedBoxes& operator=(const SharedBoxes&) = delete;

@@ -151,6 +151,18 @@ TEST_F(ForcesCommandTest, PavesWayPointsThatHoldTheLoad) {
   EXPECT_EQ(regulus({"verify", proof, "--quiet"}).output, "VERIFIED\n");
 }
 
+/// At x = 3/5 the load is at its limit: nothing moves, so nothing can be divided.
+TEST_F(ForcesCommandTest, LeavesAPathThatStandsStillOpen) {
+  const std::string way = folder_.path() / "way.csv", saved = folder_.path() / "saved";
+  std::ofstream(way) << "x\n0.6\n0.6\n0.6\n";
+  for (const char* command : {"check", "locate"}) {
+    const CommandResult r = regulus(
+        {command, model_, "--waypoints", way, "--load", "push", "--checkpoint", saved, "--json"});
+    EXPECT_EQ(r.exit_code, 2) << r.errors;
+    EXPECT_EQ(json::parse(r.output)["verdict"], "possible-problem");
+  }
+}
+
 TEST_F(ForcesCommandTest, WritesProofsThatBothVerifiersAccept) {
   const std::string proof = folder_.path() / "proof";
   const auto verdicts = [&](std::vector<std::string> words, const std::string& range) {

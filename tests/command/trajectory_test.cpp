@@ -242,7 +242,6 @@ TEST_F(Trajectories, AreNamedWhereAnotherQuestionHasNone) {
         {{"locate", "--picture", "way.svg", "--axes", "x,y"}, "--axes: a motion along way-points"},
         {{"locate", "--picture", "way.svg", "--slices", "x=3"}, "has no ranges"},
         {{"locate", "--picture", "way.svg", "--shade", "share"}, "a row for each segment"},
-        {{"locate", "--certificate", "way.txt", "--shard-size", "1MB"}, "is one file"},
         {{"margin", "--scale", "0:1"}, "has no ranges; use --tube"},
         {{"margin", "--grow", "x=0:1"}, "has no ranges; use --tube"}}) {
     std::vector<std::string> line = {words[0], model, "way"};
@@ -251,11 +250,6 @@ TEST_F(Trajectories, AreNamedWhereAnotherQuestionHasNone) {
     EXPECT_EQ(run.exit_code, 64);
     EXPECT_THAT(run.errors, HasSubstr(why));
   }
-  const std::string earlier = file("proof", "earlier");
-  EXPECT_EQ(
-      regulus({"locate", model, "way", "--certificate", earlier, "--shard-size", "1MB"}).exit_code,
-      64);
-  EXPECT_EQ(contents_of(earlier), "earlier");
   std::filesystem::remove(path("way.csv"));
   EXPECT_EQ(regulus({"check", model, "way"}).exit_code, 74);
   EXPECT_EQ(regulus({"check", model, "hold", "--quiet"}).output, "NO SINGULARITY\n");

@@ -224,6 +224,26 @@ std::string name_of(const testing::TestParamInfo<Asked>& asked) { return asked.p
 
 INSTANTIATE_TEST_SUITE_P(Of, KeptSearchTest, testing::ValuesIn(kKept), name_of);
 
+class KeptPaving : public KeptSearchTest {};
+
+/// After 16 384 boxes a search is cut into units.
+TEST_F(KeptPaving, OfManyBoxesIsTheSame) {
+  const auto run = [this](const std::string& name, std::vector<std::string> more) {
+    more.insert(more.begin(), {kCommand, "locate", kPlanar, "crossing", "--resolution", "1/128",
+                               "--engine", "interpreted", "--json", "--output",
+                               path(name + ".lines"), "--certificate", path(name + ".proof")});
+    return run_command(more);
+  };
+  const CommandResult whole = run("whole", {});
+  ASSERT_EQ(whole.exit_code, 1) << whole.errors;
+  ASSERT_GT(json::parse(whole.output).at("boxes"), 25'000U);
+  for (const char* most : {"15000", "20000"})
+    ASSERT_EQ(run("stopped", {"--max-boxes", most, "--checkpoint", path("saved")}).exit_code, 1);
+  ASSERT_TRUE(is_saved());
+  const CommandResult continued = run("continued", {"--checkpoint", path("saved")});
+  EXPECT_EQ(answer_of(continued, "continued"), answer_of(whole, "whole"));
+}
+
 /// Gives the search of one question the question of another. What it claims is false there.
 class ForgedSearch : public KeptSearchTest {
  protected:

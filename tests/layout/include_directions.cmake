@@ -51,7 +51,6 @@ set(lent
     bound/bound_certificate.hpp
     bound/bound_number.hpp
     bound/bound_run.hpp
-    bound/bracket_topic.hpp
     bound/way_place.hpp
     condition/condition_run.hpp)
 

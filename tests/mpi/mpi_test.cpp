@@ -9,6 +9,7 @@ namespace regulus::test {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 class Ranks : public testing::Test {
  protected:
@@ -45,6 +46,20 @@ TEST_F(Ranks, WithSeveralThreadsGiveThePavingOfOneThread) {
   const std::string expected = boxes_of(text_of(file("one")));
   EXPECT_GT(expected.size(), 1'000'000U);
   EXPECT_TRUE(boxes_of(text_of(file("many"))) == expected);
+}
+
+/// Where the robot reaches is a constraint that only a paving without a proof has.
+TEST_F(Ranks, PaveWhatTheRobotReachesAsOneThreadDoes) {
+  const Words locate = {"locate",  model("delta"),  "far",         "--resolution", "1/800",
+                        "--range", "y=-1300:-1000", "--max-boxes", "30000",        "--output"};
+  const auto boxes_of = [this](const std::string& name) {
+    const std::string text = text_of(file(name));
+    return text.substr(0, text.rfind("{\"summary\""));
+  };
+  static_cast<void>(run_command(one_thread(joined(locate, {file("one")}))));
+  EXPECT_GT(boxes_of("one").size(), 1'000'000U);
+  static_cast<void>(run_command(ranks(2, joined(locate, {file("many")}))));
+  EXPECT_TRUE(boxes_of("many") == boxes_of("one"));
 }
 
 TEST_F(Ranks, OnFourHostsGiveTheCertificateOfOneThread) {
@@ -120,7 +135,7 @@ TEST_F(Ranks, VerifyAProofInOneFileByTheFirst) {
 TEST(ManualPage, NamesTheCommandsThatRunOnRanks) {
   const std::string page = text_of(REGULUS_BINARY_DIR "/codegen/use/mpi/regulus-mpi.1");
   for (const char* words :
-       {"check", "locate", "margin", "bound", "verify", "\\-\\-filter", "EXIT STATUS"})
+       {"check", "locate", "margin", "bound", "datasheet", "verify", "\\-\\-filter", "EXIT STATUS"})
     EXPECT_THAT(page, HasSubstr(words));
 }
 
@@ -243,7 +258,7 @@ TEST_F(Ranks, ReportAMistakeOnce) {
 TEST_F(Ranks, NameTheCommandsThatTheyRun) {
   const CommandResult result = run_command(ranks(2, {"explain", model("robot_1")}));
   EXPECT_THAT(result.errors,
-              HasSubstr("check, locate, margin, bound and verify run on several ranks"));
+              HasSubstr("check, locate, margin, bound, datasheet and verify run on several ranks"));
   EXPECT_EQ(result.exit_code, 64);
 }
 
@@ -262,19 +277,67 @@ TEST_F(Ranks, RefuseAFilter) {
   EXPECT_EQ(result.exit_code, 64);
 }
 
-/// Rank 0 would do all the work, while the others wait.
-TEST_F(Ranks, RefuseWayPoints) {
-  std::ofstream(file("path.nc")) << "G21 G0 X80 Y0 Z550\nG1 X-80\n";
-  for (const Words& command : {Words{"check"}, Words{"locate", "--output", file("boxes")},
-                               Words{"margin", "--tube", "x=0:1"}}) {
-    const CommandResult result = run_command(
-        ranks(2, joined({command[0], model("robot_1"), "T1", "--waypoints", file("path.nc")},
-                        Words(command.begin() + 1, command.end()))));
-    EXPECT_EQ(result.exit_code, 64) << result.errors;
-    EXPECT_EQ(result.output, "");
-    EXPECT_THAT(result.errors, HasSubstr("a motion along way-points is searched on one machine"));
+/// Along way-points all ranks search the boxes of all pieces, and those of pieces that need more.
+class RanksOnAWay : public Ranks {
+ protected:
+  RanksOnAWay() { write_ring(directory_.path()); }
+
+  /// Returns the answer, and the bytes of the proofs.
+  [[nodiscard]] std::string answer(const Words& launched, const Words& question) const {
+    for (const char* end : {"", ".safe", ".singular"}) std::filesystem::remove(file("proof") + end);
+    const CommandResult result =
+        run_command(joined(launched, joined(question, {"--certificate", file("proof")})));
+    std::string text = result.output + std::to_string(result.exit_code) + '\n';
+    for (const char* end : {"", ".safe", ".singular"}) text += text_of(file("proof") + end);
+    EXPECT_GT(text.size(), 100U) << result.errors;
+    EXPECT_THAT(result.errors, Not(HasSubstr("does not answer")));
+    return text;
   }
-  EXPECT_FALSE(std::filesystem::exists(file("boxes")));
+
+  void expect_same(const Words& question, std::initializer_list<int> counts) const {
+    const Words by_one_thread = joined(question, {"--threads", "1"});
+    const std::string one = answer({REGULUS_BINARY_DIR "/bin/regulus"}, by_one_thread);
+    for (const int count : counts)
+      EXPECT_TRUE(answer(ranks(count, {}), by_one_thread) == one) << count << " ranks";
+  }
+};
+
+TEST_F(RanksOnAWay, ProveAsOneThreadDoes) {
+  expect_same({"check", file("ring.toml"), "way"}, {1, 2, 4});
+}
+
+TEST_F(RanksOnAWay, FindTheSingularPieceAsOneThreadDoes) {
+  expect_same({"check", file("ring.toml"), "dip"}, {1, 2, 4});
+}
+
+TEST_F(RanksOnAWay, CheckALoadAsOneThreadDoes) {
+  expect_same({"check", file("ring.toml"), "way", "--load", "push"}, {3});
+}
+
+TEST_F(RanksOnAWay, CompareWithALimitAsOneThreadDoes) {
+  expect_same({"bound", file("ring.toml"), "way", "sigma-min", "--limit", "0.0002"}, {2});
+}
+
+/// Each rank reads the file of way-points by itself.
+TEST_F(RanksOnAWay, NameOneThatReadsOtherWayPoints) {
+  std::filesystem::create_directory(file("other"));
+  std::ofstream(file("other/way.csv")) << "x,y\n1.1,0\n1.2,0\n";
+  const std::string program = REGULUS_BINARY_DIR "/bin/regulus-mpi";
+  const CommandResult result =
+      run_command({MPIEXEC, "--oversubscribe", "--allow-run-as-root", "-n", "1", "-wdir",
+                   directory_.path().string(), program, "check", "ring.toml", "way", ":", "-n", "1",
+                   "-wdir", file("other"), program, "check"});
+  EXPECT_EQ(result.exit_code, 70) << result.errors;
+  EXPECT_THAT(result.errors, HasSubstr("rank 1 on "));
+  EXPECT_THAT(result.errors, HasSubstr("way.csv: the first rank has read other way-points"));
+}
+
+/// How long each row is searched depends on the time.
+TEST_F(Ranks, MakeADatasheet) {
+  const CommandResult sheet =
+      run_command(ranks(2, {"datasheet", model("planar_3rpr"), "regular", "--time-limit", "600"}));
+  EXPECT_EQ(sheet.exit_code, 0) << sheet.errors;
+  EXPECT_THAT(sheet.output, HasSubstr("least |det J^-1|"));
 }
 
 /// Rank 0 refuses some words only when the others have begun. That it dismisses them may arrive while

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -57,5 +58,38 @@ inline Words long_condition(const std::string& file, const std::string& gap) {
 
 /// A proof of 110 665 boxes.
 inline Words long_check() { return {"check", model("robot_1"), "table4_5", "--method", "jk"}; }
+
+/// Writes ring.toml with the motions "way" and "dip", around and across the circle where
+/// det J⁻¹ = x² + y² − 1 vanishes. A check has more than 16 384 boxes.
+inline void write_ring(const std::filesystem::path& folder) {
+  std::ofstream(folder / "ring.toml") << R"toml(regulus = 1
+name = "ring"
+[pose]
+x = "m"
+y = "m"
+[matrix]
+twist = ["v_x", "v_y"]
+rows = [["x^2 + y^2 - 1", 0], [0, 1]]
+[load.push]
+wrench = [1, 0]
+[actuators]
+force = [-3000, 3000]
+[motion.way]
+waypoints = "way.csv"
+[motion.dip]
+waypoints = "dip.csv"
+)toml";
+  constexpr int kPoints = 8000, kDip = 6000;
+  for (const char* name : {"way.csv", "dip.csv"}) {
+    std::ofstream way(folder / name);
+    way.precision(12);
+    way << "x,y\n";
+    for (int i = 0; i <= kPoints; ++i) {
+      const double angle = 6.2 * i / kPoints;
+      const double radius = name[0] == 'd' && i == kDip ? 0.9999 : 1.0003;
+      way << radius * std::cos(angle) << ',' << radius * std::sin(angle) << '\n';
+    }
+  }
+}
 
 }  // namespace regulus::test

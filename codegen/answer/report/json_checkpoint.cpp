@@ -79,7 +79,13 @@ void JsonCheckpoint::keep(const SavedTree& tree, const std::string& place) {
   saved["open"] = tree.open;
   saved["shown"] = tree.shown;
   saved["own"] = tree.own;
-  save();
+  is_written_ = false;
+  if (!pace_) return save();
+  if (pace_->is_due()) pace_->pass([this] { save(); });
+}
+
+void JsonCheckpoint::flush() {
+  if (!is_written_) save();
 }
 
 void JsonCheckpoint::refuse_tree(const SavedTreeError& error) const {
@@ -95,6 +101,7 @@ void JsonCheckpoint::write() const {
 void JsonCheckpoint::save() try {
   write();
   failure_.clear();
+  is_written_ = true;
 } catch (const std::exception& error) {
   failure_ = error.what();
 }

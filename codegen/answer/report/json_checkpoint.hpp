@@ -3,6 +3,8 @@
 // about it, as JSON.
 #pragma once
 
+#include <algorithm>
+#include <chrono>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -11,6 +13,34 @@
 #include "runtime/search/saved_tree.hpp"
 
 namespace regulus {
+
+/// When a search is saved: so often that little is lost, so seldom that it costs little.
+class SavePace {
+ public:
+  /// `interval`: seconds between two saves, at most, unless saving takes long.
+  explicit SavePace(double interval) : interval_(interval) {}
+
+  [[nodiscard]] bool is_due() const {
+    return Seconds(Clock::now() - saved_) >= std::max(interval_, kPartForSaving * cost_);
+  }
+  /// Calls save(), and measures it.
+  template <class Save>
+  void pass(const Save& save) {
+    const Clock::time_point start = Clock::now();
+    save();
+    saved_ = Clock::now();
+    cost_ = saved_ - start;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  using Seconds = std::chrono::duration<double>;
+  static constexpr double kPartForSaving = 20;
+
+  const Seconds interval_;
+  Clock::time_point saved_ = Clock::now();
+  Seconds cost_{0};
+};
 
 class JsonCheckpoint {
  public:
@@ -27,6 +57,10 @@ class JsonCheckpoint {
   /// A file that cannot be written is noted. The run goes on without it: a file must not cost what
   /// was proved.
   void save();
+  /// From now on keep() writes the file now and then, for searches that are short. flush() writes
+  /// the rest.
+  void write_seldom(double interval) { pace_.emplace(interval); }
+  void flush();
   /// The search is over: there is nothing to continue.
   void remove() noexcept;
 
@@ -47,7 +81,7 @@ class JsonCheckpoint {
   }
   /// Returns the tree at a place; nullopt if there is none. Throws as refuse().
   [[nodiscard]] std::optional<SavedTree> tree(const std::string& place) const;
-  /// Puts it there, and saves the file.
+  /// Puts it there, and saves the file, unless write_seldom() was called.
   void keep(const SavedTree& tree, const std::string& place);
   [[noreturn]] void refuse_tree(const SavedTreeError& error) const;
 
@@ -69,7 +103,8 @@ class JsonCheckpoint {
   const std::string path_, subject_;
   std::optional<FileLock> lock_;
   nlohmann::ordered_json content_;
-  bool had_tree_ = false;
+  std::optional<SavePace> pace_;
+  bool had_tree_ = false, is_written_ = true;
   std::string failure_;  ///< of the last attempt to save
 };
 

@@ -4,17 +4,19 @@
 namespace regulus {
 
 SearchCheckpoint::SearchCheckpoint(const CheckpointOptions& options,
-                                   const std::function<nlohmann::ordered_json()>& question)
+                                   const std::function<nlohmann::ordered_json()>& question,
+                                   bool has_several)
     : interval_(options.interval) {
   if (options.path.empty()) return;
   file_ = std::make_unique<JsonCheckpoint>(options.path, question(), "the search");
   was_there_ = !file_->known().empty();
+  if (has_several) file_->write_seldom(interval_);
 }
 
 void SearchCheckpoint::finish(bool can_continue) {
   if (!file_) return;
   is_kept_ = can_continue;
-  if (!is_kept_) file_->remove();
+  is_kept_ ? file_->flush() : file_->remove();
 }
 
 std::string SearchCheckpoint::line() const {

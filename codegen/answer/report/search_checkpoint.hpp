@@ -3,8 +3,6 @@
 // again when it continues.
 #pragma once
 
-#include <algorithm>
-#include <chrono>
 #include <functional>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
@@ -15,40 +13,13 @@
 
 namespace regulus {
 
-/// When a search is saved: so often that little is lost, so seldom that it costs little.
-class SavePace {
- public:
-  /// `interval`: seconds between two saves, at most, unless saving takes long.
-  explicit SavePace(double interval) : interval_(interval) {}
-
-  [[nodiscard]] bool is_due() const {
-    return Seconds(Clock::now() - saved_) >= std::max(interval_, kPartForSaving * cost_);
-  }
-  /// Calls save(), and measures it.
-  template <class Save>
-  void pass(const Save& save) {
-    const Clock::time_point start = Clock::now();
-    save();
-    saved_ = Clock::now();
-    cost_ = saved_ - start;
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  using Seconds = std::chrono::duration<double>;
-  static constexpr double kPartForSaving = 20;
-
-  const Seconds interval_;
-  Clock::time_point saved_ = Clock::now();
-  Seconds cost_{0};
-};
-
 class SearchCheckpoint {
  public:
-  /// An empty path means no file. `question()`: everything that the boxes depend on. Throws as
-  /// JsonCheckpoint.
+  /// An empty path means no file. `question()`: everything that the boxes depend on.
+  /// `has_several`: searches, which may be short. Throws as JsonCheckpoint.
   SearchCheckpoint(const CheckpointOptions& options,
-                   const std::function<nlohmann::ordered_json()>& question);
+                   const std::function<nlohmann::ordered_json()>& question,
+                   bool has_several = false);
 
   /// Returns nullptr if there is none.
   [[nodiscard]] JsonCheckpoint* file() const noexcept { return file_.get(); }

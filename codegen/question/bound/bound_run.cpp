@@ -27,16 +27,15 @@ std::string certificate_of(const Component& c, const std::string& certificate) {
 }
 
 ComponentBound bound_component(const Request& request, const Component& component,
-                               std::size_t number, const BoundSettings& settings,
-                               const TimeBudget& budget) {
+                               const BoundSettings& settings, const TimeBudget& budget) {
   if (component.kind == QuantityKind::kCondition2) {
     const auto other = [&](const Component& c, const BoundSettings& of, double seconds) {
-      return bound_component(request, c, 0, of, TimeBudget(seconds));
+      return bound_component(request, c, of, TimeBudget(seconds));
     };
     return bound_condition_number(request, component, settings, budget.left(), budget.all(), other);
   }
   if (request.motion.trajectory) return bound_along_way(request, component, settings, budget);
-  return bound_over_variety(request, component, number, settings, budget);
+  return bound_over_variety(request, component, settings, budget);
 }
 
 /// Compares exact numbers; approximately only if their difference has no certain sign.
@@ -107,7 +106,7 @@ Bound bound_quantity(const Request& request, Quantity quantity, const BoundSetti
   const std::vector<Component>& components = bound.quantity.components;
   for (std::size_t i = 0; i < components.size(); ++i) {
     const TimeBudget budget = all.share(components.size() - i);
-    bound.components.push_back(bound_component(request, components[i], i, settings, budget));
+    bound.components.push_back(bound_component(request, components[i], settings, budget));
     // A certificate is of the end that the component's own search found.
     if (!settings.limit && settings.certificate.empty())
       use_freedoms(bound.components.back(), bound, request.model, settings.gap);

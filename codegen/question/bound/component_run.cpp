@@ -6,7 +6,7 @@
 
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/question/bound/bound_certificate.hpp"
-#include "codegen/question/bound/bracket_topic.hpp"
+#include "codegen/question/bound/bracket_question.hpp"
 #include "codegen/question/bound/reference.hpp"
 
 namespace regulus {
@@ -116,6 +116,12 @@ void ComponentRun::set_ends(const Ends& ends) {
   result_.is_unbounded = is_zero(*ends.refuted);
   if (!result_.is_unbounded)
     result_.attained = end_at(bound_at(bordered_, component(), *ends.refuted));
+}
+
+SearchTopic ComponentRun::topic_of(const MarginQuestion& question) const {
+  SearchTopic topic{settings_.part, component().label, reference_, question.low.approx};
+  if (question.high) topic.high = question.high->approx;
+  return topic;
 }
 
 EndProofs ComponentRun::proofs(const char* no_safe, const char* no_singular) const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "codegen/question/bound/bound_run.hpp"
+#include "codegen/question/engine/search_topic.hpp"
 #include "codegen/question/margin/attempts.hpp"
 #include "codegen/support/time_budget.hpp"
 
@@ -56,6 +57,8 @@ class ComponentRun {
     return settings_.interrupt != nullptr && *settings_.interrupt;
   }
   [[nodiscard]] const Component& component() const { return result_.component; }
+  /// Names the matrix of a bracket for other processes.
+  [[nodiscard]] SearchTopic topic_of(const MarginQuestion& question) const;
 
   const Request& request_;
   const BoundSettings& settings_;

@@ -11,6 +11,7 @@
 #include "codegen/question/way/margin_checkpoint.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/time_budget.hpp"
+#include "runtime/cluster/bytes.hpp"
 
 namespace regulus {
 namespace {
@@ -129,6 +130,8 @@ std::string name_of(const QuantityOptions& asked) {
   return name;
 }
 
+std::string part_of(const AskedQuantity& asked) { return asked.name + ' '; }
+
 /// Returns the quantities that the model has data for; `left_out`: why it has none for the others.
 std::vector<AskedQuantity> quantities_of(const Request& request,
                                          std::vector<std::string>& left_out) {
@@ -191,7 +194,7 @@ class DatasheetRun {
     part.search.time_limit = TimeBudget::option(seconds);
     part.forming_limit = forming;
     part.certificate = certificate_of(settings_.certificate, asked.name);
-    part.part = asked.name + ' ';
+    part.part = part_of(asked);
     part.placing.held = &held;
     return bound_quantity(request_, asked.quantity, part, listener_);
   }
@@ -289,6 +292,13 @@ Datasheet make_datasheet(const Request& request, const BoundSettings& settings,
   sheet.bounds = run.run(std::move(quantities));
   sheet.is_interrupted = run.is_interrupted();
   return sheet;
+}
+
+Quantity quantity_of_part(const Request& request, const std::string& part) {
+  std::vector<std::string> left_out;
+  for (AskedQuantity& asked : quantities_of(request, left_out))
+    if (part_of(asked) == part) return std::move(asked.quantity);
+  throw cluster::MalformedMessage();
 }
 
 std::vector<OutputFile> datasheet_files(const Request& request, const std::string& certificate) {

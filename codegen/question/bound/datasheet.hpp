@@ -27,6 +27,10 @@ struct Datasheet {
 [[nodiscard]] Datasheet make_datasheet(const Request& request, const BoundSettings& settings,
                                        const BoundListener& listener);
 
+/// Returns the quantity with which BoundSettings::part is `part`. Throws cluster::MalformedMessage if
+/// there is none.
+[[nodiscard]] Quantity quantity_of_part(const Request& request, const std::string& part);
+
 /// Returns the files of proofs that make_datasheet() writes.
 [[nodiscard]] std::vector<OutputFile> datasheet_files(const Request& request,
                                                       const std::string& certificate);

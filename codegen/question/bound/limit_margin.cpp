@@ -7,8 +7,7 @@
 #include "codegen/model/exact/certain_sign.hpp"
 #include "codegen/model/way/trajectory.hpp"
 #include "codegen/question/bound/bound_run.hpp"
-#include "codegen/question/bound/bracket_topic.hpp"
-#include "codegen/question/bound/way_bound.hpp"
+#include "codegen/question/bound/bracket_question.hpp"
 #include "codegen/question/bound/way_place.hpp"
 #include "codegen/question/margin/variety_attempts.hpp"
 #include "codegen/question/way/path_attempts.hpp"
@@ -41,7 +40,7 @@ class LimitMarginRun {
     const std::vector<Component>& components = found_.quantity.components;
     const TimeBudget all = TimeBudget::of_option(settings_.search.time_limit);
     for (std::size_t i = 0; i < components.size() && !ends(); ++i)
-      found_.components.push_back(bracket(i, all.share(components.size() - i)));
+      found_.components.push_back(bracket(components[i], all.share(components.size() - i)));
     join(components.size());
     return std::move(found_);
   }
@@ -54,8 +53,7 @@ class LimitMarginRun {
            (settings_.interrupt != nullptr && *settings_.interrupt);
   }
 
-  ComponentMargin bracket(std::size_t number, const TimeBudget& budget) {
-    const Component& component = found_.quantity.components[number];
+  ComponentMargin bracket(const Component& component, const TimeBudget& budget) {
     const MarginQuestion question = question_within_limit(question_, component, settings_.limit);
     std::unique_ptr<EarlierSearches> earlier;
     if (settings_.checkpoint != nullptr)
@@ -63,22 +61,17 @@ class LimitMarginRun {
     const BracketSettings bracket{{}, settings_.interrupt, listener_, earlier.get()};
     ComponentMargin result = request_.motion.trajectory
                                  ? bracket_way(component, question, bracket, budget)
-                                 : bracket_variety(number, question, bracket, budget);
+                                 : bracket_variety(component, question, bracket, budget);
     if (result.margin.refuted) question_.high = result.margin.refuted->value;
     keep_lower(found_.whole.refuted, result.margin.refuted);
     return result;
   }
 
-  ComponentMargin bracket_variety(std::size_t number, const MarginQuestion& question,
+  ComponentMargin bracket_variety(const Component& component, const MarginQuestion& question,
                                   BracketSettings bracket, const TimeBudget& budget) {
-    const Component& component = found_.quantity.components[number];
     SearchOptions search = settings_.search;
     search.time_limit = TimeBudget::option(budget.left());
-    if (search.workers != nullptr) {
-      BracketTopic topic{number, 0, question.low.approx, {}};
-      if (question.high) topic.high = question.high->approx;
-      search.workers->turn_to(write_topic(topic));
-    }
+    turn_to(search.workers, topic_of(component, question), request_.motion);
     PreparedMargin margin(question, request_, 0, search,
                           forming_watch(settings_.output, settings_.interrupt));
     margin.settings.interrupt = settings_.interrupt;
@@ -98,11 +91,10 @@ class LimitMarginRun {
   ComponentMargin bracket_way(const Component& component, const MarginQuestion& question,
                               BracketSettings bracket, const TimeBudget& budget) {
     SearchOptions search = settings_.search;
-    refuse_workers(search);
     search.time_limit = TimeBudget::option(budget.left());
     const MarginRequest request(request_, question);
     PathAttempts attempts(request, search, settings_.output, settings_.interrupt,
-                          proofs_of(component));
+                          proofs_of(component), topic_of(component, question));
     bracket.limits = limits_of(search, settings_.gap);
     ComponentMargin result{component, close_bracket(attempts, question, bracket), {}, {}, {}};
     if (const std::optional<TrajectoryCheck> refuted = attempts.take_refuted()) {
@@ -113,6 +105,13 @@ class LimitMarginRun {
     result.seconds = attempts.seconds();
     result.proofs = attempts.proofs();
     return result;
+  }
+
+  [[nodiscard]] static SearchTopic topic_of(const Component& component,
+                                            const MarginQuestion& question) {
+    SearchTopic topic{"", component.label, 0, question.low.approx};
+    if (question.high) topic.high = question.high->approx;
+    return topic;
   }
 
   /// Returns the name of r.

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "codegen/model/exact/decimal.hpp"
-#include "codegen/question/bound/bracket_topic.hpp"
+#include "codegen/question/bound/bracket_question.hpp"
 #include "codegen/question/quantity/quantity_traits.hpp"
 #include "runtime/search/bracket.hpp"
 

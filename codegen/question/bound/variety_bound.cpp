@@ -4,7 +4,6 @@
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/progress.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
-#include "codegen/question/bound/bracket_topic.hpp"
 #include "codegen/question/bound/component_run.hpp"
 #include "codegen/question/bound/fastest_twist.hpp"
 #include "codegen/question/margin/variety_attempts.hpp"
@@ -17,10 +16,9 @@ constexpr int kPlaces = 8;  ///< where the quantity is evaluated beforehand
 
 class VarietyBound final : public ComponentRun {
  public:
-  VarietyBound(const Request& request, const Component& component, std::size_t number,
-               const BoundSettings& settings, const TimeBudget& budget)
+  VarietyBound(const Request& request, const Component& component, const BoundSettings& settings,
+               const TimeBudget& budget)
       : ComponentRun(request, component, settings, budget),
-        number_(number),
         proofs_(proofs(kNoSafeProof, kNoSingularProof)) {}
 
  private:
@@ -69,7 +67,7 @@ class VarietyBound final : public ComponentRun {
   /// Forms the matrix in all of the time that is left: the component's part is for the search.
   [[nodiscard]] PreparedMargin prepared(const MarginQuestion& question) {
     SearchOptions forming = settings_.search;
-    tell_workers(question);
+    turn_to(forming.workers, topic_of(question), request_.motion);
     forming.time_limit = TimeBudget::option(budget_.all());
     PreparedMargin margin(question, bordered_.request, 0, forming,
                           forming_watch(settings_.output, settings_.interrupt));
@@ -77,13 +75,6 @@ class VarietyBound final : public ComponentRun {
     margin.settings.interrupt = settings_.interrupt;
     margin.settings.time_limit = margin.prepared.stopped ? 0 : budget_.left();
     return margin;
-  }
-
-  void tell_workers(const MarginQuestion& question) const {
-    if (settings_.search.workers == nullptr) return;
-    BracketTopic topic{number_, reference_, question.low.approx, {}};
-    if (question.high) topic.high = question.high->approx;
-    settings_.search.workers->turn_to(write_topic(topic));
   }
 
   [[nodiscard]] AttainedPlace place_of(PreparedMargin& margin, const MarginStep& step) const {
@@ -98,16 +89,14 @@ class VarietyBound final : public ComponentRun {
     result_.seconds += p.seconds_spent();
   }
 
-  const std::size_t number_;
   EndProofs proofs_;  ///< of the bracket
 };
 
 }  // namespace
 
 ComponentBound bound_over_variety(const Request& request, const Component& component,
-                                  std::size_t number, const BoundSettings& settings,
-                                  const TimeBudget& budget) {
-  VarietyBound run(request, component, number, settings, budget);
+                                  const BoundSettings& settings, const TimeBudget& budget) {
+  VarietyBound run(request, component, settings, budget);
   return settings.limit ? run.compare() : run.bracket();
 }
 

@@ -8,11 +8,11 @@
 namespace regulus {
 
 /// Brackets the component, or compares it with the limit, by searches of the matrix B(r) of
-/// question/quantity/bordered.hpp. `number`: of the component in its quantity.
+/// question/quantity/bordered.hpp.
 ///
 /// Throws    as bound_quantity().
 [[nodiscard]] ComponentBound bound_over_variety(const Request& request, const Component& component,
-                                                std::size_t number, const BoundSettings& settings,
+                                                const BoundSettings& settings,
                                                 const TimeBudget& budget);
 
 }  // namespace regulus

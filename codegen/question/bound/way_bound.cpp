@@ -12,6 +12,7 @@
 #include "codegen/answer/report/report.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/model/way/trajectory.hpp"
+#include "codegen/question/bound/bracket_question.hpp"
 #include "codegen/question/bound/component_run.hpp"
 #include "codegen/question/bound/fastest_twist.hpp"
 #include "codegen/question/bound/way_place.hpp"
@@ -19,7 +20,6 @@
 #include "codegen/question/way/path_attempts.hpp"
 #include "codegen/question/way/path_bracket.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
-#include "codegen/support/errors.hpp"
 
 namespace regulus {
 namespace {
@@ -31,9 +31,7 @@ class WayBound final : public ComponentRun {
  public:
   WayBound(const Request& request, const Component& component, const BoundSettings& settings,
            const TimeBudget& budget)
-      : ComponentRun(request, component, settings, budget), proof_seconds_(budget.left()) {
-    refuse_workers(settings.search);
-  }
+      : ComponentRun(request, component, settings, budget), proof_seconds_(budget.left()) {}
 
  private:
   [[nodiscard]] const Trajectory& trajectory() const { return *request_.motion.trajectory; }
@@ -83,9 +81,7 @@ class WayBound final : public ComponentRun {
 
   void form(const MarginQuestion& question) {
     question_ = question;
-    // Numbers of the way-points make each entry of combined columns long.
-    alone_ = bordered_.request;
-    if (!bordered_.parameter.empty()) alone_.model.matrix = bordered_.plain;
+    alone_ = request_of_pieces(bordered_);
     pieces_.emplace(
         bordered_.request, alone_, question_,
         PathBracketSettings{
@@ -93,6 +89,7 @@ class WayBound final : public ComponentRun {
             .budget = budget_,
             .output = settings_.output,
             .interrupt = settings_.interrupt,
+            .topic = topic_of(question_),
             .guess = [this](std::size_t piece) { return guess(piece); },
             .earlier = [this](std::size_t piece, const MarginQuestion& of) -> Earlier {
               if (settings_.checkpoint == nullptr) return nullptr;
@@ -114,8 +111,7 @@ class WayBound final : public ComponentRun {
 
   /// Checks all pieces again, for their trees.
   void certify(const MarginValue& value) {
-    const Checked checked =
-        check(MarginRequest(bordered_.request, question_), value, proof_seconds_);
+    const Checked checked = check(question_, value, proof_seconds_);
     if (checked.step.result.verdict != Verdict::kNoSingularity)
       result_.proofs.set_no_safe(kNothingClaimed);
   }
@@ -138,7 +134,7 @@ class WayBound final : public ComponentRun {
 
   MarginStep search_at(const MarginQuestion& question, const MarginValue& value) override {
     result_.proofs = proofs("the limit is exceeded", "no pose exceeds the limit");
-    Checked checked = check(MarginRequest(bordered_.request, question), value, budget_.left());
+    Checked checked = check(question, value, budget_.left());
     const TrajectoryCheck& of = checked.check;
     if (of.verdict == Verdict::kSingularity)
       result_.place =
@@ -153,9 +149,10 @@ class WayBound final : public ComponentRun {
   };
 
   /// Checks all pieces at a value, and proves the result.
-  Checked check(const MarginRequest& request, const MarginValue& value, double seconds) {
+  Checked check(const MarginQuestion& question, const MarginValue& value, double seconds) {
+    const MarginRequest request(bordered_.request, question);
     PathAttempts attempts(request, settings_.search, settings_.output, settings_.interrupt,
-                          result_.proofs);
+                          result_.proofs, topic_of(question));
     MarginStep step = attempts.at(value, {value.approx, kAnyBoxes, seconds});
     result_.proofs = attempts.proofs();
     result_.boxes += step.result.statistics.boxes;
@@ -187,12 +184,6 @@ class WayBound final : public ComponentRun {
 };
 
 }  // namespace
-
-void refuse_workers(const SearchOptions& search) {
-  if (search.workers != nullptr)
-    throw UsageError(
-        "a motion along way-points is searched on one machine; use regulus, with --threads");
-}
 
 ComponentBound bound_along_way(const Request& request, const Component& component,
                                const BoundSettings& settings, const TimeBudget& budget) {

@@ -18,7 +18,4 @@ namespace regulus {
                                              const BoundSettings& settings,
                                              const TimeBudget& budget);
 
-/// Throws    UsageError if other ranks are asked to help: they do not search along way-points.
-void refuse_workers(const SearchOptions& search);
-
 }  // namespace regulus

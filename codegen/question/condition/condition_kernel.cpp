@@ -66,15 +66,15 @@ ConditionKernel form_condition_kernel(const Request& request, const SearchOption
   return {std::move(prepared), expands};
 }
 
-BracketTopic topic_of(const ConditionKernel& kernel) {
-  BracketTopic topic;
+SearchTopic topic_of(const ConditionKernel& kernel) {
+  SearchTopic topic;
   topic.kind = kernel.is_expanded ? TopicKind::kExpandedMatrix : TopicKind::kMatrixWithSlopes;
   return topic;
 }
 
-bool is_about_condition(const BracketTopic& topic) { return topic.kind != TopicKind::kBracket; }
+bool is_about_condition(const SearchTopic& topic) { return topic.kind != TopicKind::kQuestion; }
 
-PreparedSearch prepare_condition(const BracketTopic& topic, const Request& request,
+PreparedSearch prepare_condition(const SearchTopic& topic, const Request& request,
                                  const SearchOptions& search) {
   const bool expands = topic.kind == TopicKind::kExpandedMatrix;
   SearchOptions forming = search;

@@ -2,8 +2,8 @@
 // Forms the kernel with which condition numbers are bounded.
 #pragma once
 
-#include "codegen/question/bound/bracket_topic.hpp"
 #include "codegen/question/engine/pipeline.hpp"
+#include "codegen/question/engine/search_topic.hpp"
 
 namespace regulus {
 
@@ -21,14 +21,14 @@ struct ConditionKernel {
                                                     const FormingWatch& watch);
 
 /// Names the kernel for other processes.
-[[nodiscard]] BracketTopic topic_of(const ConditionKernel& kernel);
-[[nodiscard]] bool is_about_condition(const BracketTopic& topic);
+[[nodiscard]] SearchTopic topic_of(const ConditionKernel& kernel);
+[[nodiscard]] bool is_about_condition(const SearchTopic& topic);
 
 /// Forms the same kernel as the process that named it, in any time.
 ///
 /// Requires  is_about_condition(topic).
 /// Throws    InternalError if it has another form here; the exceptions of prepare().
-[[nodiscard]] PreparedSearch prepare_condition(const BracketTopic& topic, const Request& request,
+[[nodiscard]] PreparedSearch prepare_condition(const SearchTopic& topic, const Request& request,
                                                const SearchOptions& search);
 
 }  // namespace regulus

@@ -182,7 +182,7 @@ class ConditionRun {
     settings.interrupt = settings_.interrupt;
     settings.ask = [this](double seconds) { return hint(seconds); };
     settings.workers = settings_.search.workers;
-    if (settings.workers != nullptr) settings.workers->turn_to(write_topic(topic_of(kernel_)));
+    turn_to(settings.workers, topic_of(kernel_), request_.motion);
     return settings;
   }
 

@@ -91,13 +91,19 @@ Result continue_search(PreparedSearch& preparation, const SearchOptions& search,
                   });
 }
 
+Problem problem_of_another(const Problem& own, const cluster::SearchDescription& description) {
+  Problem problem = description.problem;
+  if (problem.outer.size() != own.outer.size() || problem.inner.size() != own.inner.size())
+    throw InternalError("the ranks have prepared different questions");
+  problem.kernel = own.kernel;
+  problem.faster_kernel = own.faster_kernel;
+  return problem;
+}
+
 void decide_for_another(PreparedSearch& preparation, const SearchOptions& search,
                         const cluster::SearchDescription& description,
                         const std::function<void(const Problem&, const Settings&)>& decide) {
-  const Problem own = preparation.problem();
-  Problem problem = description.problem;
-  problem.kernel = own.kernel;
-  problem.faster_kernel = own.faster_kernel;
+  const Problem problem = problem_of_another(preparation.problem(), description);
   Settings settings = description.settings;
   if (const auto fault = find_fault(problem, settings))
     throw InternalError("the ranks have prepared different questions: " + *fault);

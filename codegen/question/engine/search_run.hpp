@@ -30,6 +30,11 @@ using Restore = std::function<Checkpoint(const Problem&, Settings&, Observer&)>;
 [[nodiscard]] Result continue_search(PreparedSearch& preparation, const SearchOptions& search,
                                      Settings settings, Observer* observer, const Restore& restore);
 
+/// Returns the problem of a search that another process runs, with the kernel of the own one. Throws
+/// InternalError if it has other variables.
+[[nodiscard]] Problem problem_of_another(const Problem& own,
+                                         const cluster::SearchDescription& description);
+
 /// Calls `decide` with the problem and the settings of a search that another process runs: with the
 /// kernel, the digits and the closed form of this one. Throws InternalError if the other process
 /// has another kernel.

@@ -40,8 +40,6 @@ PreparedForces prepare_forces(const ModelOptions& model, const std::string& load
                               const SearchOptions& search, FormingWatch watch) {
   Stopwatch stopwatch;
   Request request = read_request(model, &watch);
-  if (request.motion.trajectory)
-    throw UsageError("--load: a motion along way-points is searched on one machine");
   return prepare_forces(std::move(request), stopwatch.lap(), load, search, std::move(watch));
 }
 

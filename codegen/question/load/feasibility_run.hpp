@@ -30,8 +30,9 @@ struct PreparedForces {
 
 /// Reads the model and forms its matrix.
 ///
-/// Throws    UsageError if there is no such load or no limits, for a motion along way-points, and
-///           for a threshold, which would be ignored; the exceptions of prepare().
+/// Requires  the motion is not along way-points.
+/// Throws    UsageError if there is no such load or no limits, and for a threshold, which would be
+///           ignored; the exceptions of prepare().
 [[nodiscard]] PreparedForces prepare_forces(const ModelOptions& model, const std::string& load,
                                             const SearchOptions& search, FormingWatch watch);
 /// Overload for a request that has been read in `model_seconds`.

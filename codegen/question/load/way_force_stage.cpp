@@ -5,6 +5,7 @@
 
 #include "codegen/answer/certificate/certificate_question.hpp"
 #include "codegen/answer/certificate/piece_question.hpp"
+#include "codegen/question/engine/settings.hpp"
 #include "codegen/question/way/path_parts.hpp"
 #include "codegen/question/way/trajectory_request.hpp"
 #include "runtime/problem/observers.hpp"
@@ -14,6 +15,8 @@ namespace {
 
 /// A piece that needs more is searched alone.
 constexpr std::uint32_t kMostForceBoxesOfPiece = 256;
+/// The boxes of a round, in a search that is long enough for workers.
+constexpr std::size_t kBoxesOfLongRound = 512;
 
 /// The goal of the search of all pieces: runtime/search/box_search.hpp.
 class WayForceGoal {
@@ -62,7 +65,8 @@ class WayForceGoal {
  private:
   void take_parts() {
     taken_.clear();
-    while (!open_.empty() && taken_.size() < kLanes) {
+    const bool is_long = course_.boxes() >= course_.settings().boxes_before_workers;
+    while (!open_.empty() && taken_.size() < (is_long ? kBoxesOfLongRound : kLanes)) {
       PathPart part = std::move(open_.back());
       open_.pop_back();
       if (part.pieces == 1 && !pieces_[part.piece].is_held) continue;
@@ -183,12 +187,15 @@ void WayForceStage::search_together() {
   settings.interrupt = watch_.interrupt;
   settings.time_limit = seconds_left();
   if (search_.max_boxes != 0) settings.max_boxes = search_.max_boxes;
+  settings.threads = settings_from(search_).threads;
+  settings.workers = search_.workers;
+  turn_to_piece(search_.workers, watch_.topic, found_.request.motion, std::nullopt);
   BoxCourse course(found_.hull.problem, settings, watch_.display);
   PathParts parts(path_, found_.hull.problem,
                   {0, uncertain_names(found_.hull.preparation.labels).size()}, wants_trees_);
   PathSteps steps(watch_.checkpoint, path_.moving().size());
   WayForceGoal goal(course, parts, path_, steps, pieces_);
-  BoxSearch<BoxForces, WayForceGoal>(found_.hull.question(), kLanes, course, goal).run();
+  BoxSearch<BoxForces, WayForceGoal>(found_.hull.question(), kBoxesOfLongRound, course, goal).run();
   steps.save();
   course.tell_end();
   found_.boxes += course.boxes();
@@ -208,6 +215,7 @@ WayForceStage::Alone WayForceStage::search_piece(std::size_t piece, double resol
   settings.paves = resolution > 0;
   if (settings.paves) settings.min_relative_width = resolution;
   Observers observers(present({tree, watch_.display}));
+  turn_to_piece(search_.workers, watch_.topic, found_.request.motion, piece);
   const auto run = [&](const FeasibilitySettings& chosen) {
     return run_forces(alone.prepared, chosen, listener, &observers);
   };

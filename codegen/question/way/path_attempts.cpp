@@ -34,12 +34,13 @@ MarginStep step_of(const MarginValue& value, const TrajectoryCheck& check, doubl
 
 PathAttempts::PathAttempts(const MarginRequest& request, SearchOptions search,
                            const OutputOptions& output, const std::atomic<bool>* interrupt,
-                           EndProofs proofs)
+                           EndProofs proofs, SearchTopic topic)
     : request_(request),
       search_(std::move(search)),
       output_(output),
       interrupt_(interrupt),
-      proofs_(std::move(proofs)) {}
+      proofs_(std::move(proofs)),
+      topic_(std::move(topic)) {}
 
 MarginStep PathAttempts::at(const MarginValue& value, const PlannedAttempt& planned) {
   SearchOptions options = search_;
@@ -47,8 +48,9 @@ MarginStep PathAttempts::at(const MarginValue& value, const PlannedAttempt& plan
   if (planned.boxes < kAnyBoxes) options.max_boxes = planned.boxes;
   SearchDisplay display(output_);
   Stopwatch watch;
+  topic_.value = value.approx;
   TrajectoryCheck check = check_trajectory(request_.at(value), 0, options, proofs_.are_wanted(),
-                                           {interrupt_, display.observer()});
+                                           {interrupt_, display.observer(), nullptr, topic_});
   MarginStep step = step_of(value, check, watch.lap());
   seconds_ += check.seconds;
   certify(value, check);

@@ -15,9 +15,9 @@ namespace regulus {
 class PathAttempts final : public Attempts {
  public:
   /// `request`: its motion has a trajectory; it lives as long as this. `proofs`: of the ends at
-  /// which the run stops.
+  /// which the run stops. `topic`: of the question at all values.
   PathAttempts(const MarginRequest& request, SearchOptions search, const OutputOptions& output,
-               const std::atomic<bool>* interrupt, EndProofs proofs = {});
+               const std::atomic<bool>* interrupt, EndProofs proofs = {}, SearchTopic topic = {});
 
   /// Throws    as check_trajectory(); FileError.
   [[nodiscard]] MarginStep at(const MarginValue& value, const PlannedAttempt& planned) override;
@@ -38,6 +38,7 @@ class PathAttempts final : public Attempts {
   const OutputOptions output_;
   const std::atomic<bool>* const interrupt_;
   EndProofs proofs_;
+  SearchTopic topic_;
   std::optional<TrajectoryCheck> refuted_, last_;
   StageSeconds seconds_;
 };

@@ -158,6 +158,7 @@ void PathBracket::search_together(const MarginValue& value, std::uint32_t most_b
                                   most_boxes,
                                   &done,
                                   display.observer()};
+  turn_to_piece(settings_.search.workers, settings_.topic, request_.motion, std::nullopt);
   const PathSearchResult found = search_path(path_, hull_->prepared.problem(), settings, options);
   boxes_ += found.statistics.boxes;
   seconds_.search += found.statistics.seconds;
@@ -176,6 +177,9 @@ void PathBracket::bracket_piece(std::size_t piece, std::optional<MarginValue> hi
   margin.settings.time_limit = margin.prepared.stopped ? 0 : settings_.budget.left() / 2;
   VarietyAttempts attempts(margin, question, settings_.output);
   const std::unique_ptr<EarlierSearches> earlier = settings_.earlier(piece, question);
+  SearchTopic topic = settings_.topic;
+  if (question.high) topic.high = question.high->approx;
+  turn_to_piece(settings_.search.workers, std::move(topic), request_.motion, piece);
   Margin found = close_bracket(attempts, question,
                                {.limits = limits_of(margin.settings, kPartOfPiece * gap),
                                 .interrupt = settings_.interrupt,

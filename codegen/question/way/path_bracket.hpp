@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "codegen/answer/report/output_options.hpp"
+#include "codegen/question/engine/search_topic.hpp"
 #include "codegen/question/margin/margin_run.hpp"
 #include "codegen/question/margin/prepared_margin.hpp"
 #include "codegen/question/way/path_bounds.hpp"
@@ -34,6 +35,7 @@ struct PathBracketSettings {
   TimeBudget budget;  ///< of all searches
   OutputOptions output;
   const std::atomic<bool>* interrupt = nullptr;
+  SearchTopic topic{};  ///< of the question
   /// Returns roughly the value at which a piece becomes singular; nullopt if it cannot.
   std::function<std::optional<double>(std::size_t piece)> guess;
   /// Returns the searches of a piece by an earlier run, or null.

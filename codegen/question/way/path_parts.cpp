@@ -68,6 +68,7 @@ void PathParts::split_group(const PathPart& part, std::vector<PathPart>& halves)
 }
 
 bool PathParts::split(PathPart& part, std::size_t variable, std::vector<PathPart>& halves) {
+  if (variable >= ranges_.size()) return false;  // the path stands still
   const Interval path = commanded(part, variable), error = error_of(part, variable);
   const bool in_error = error.hi - error.lo > path.hi - path.lo;
   const auto parts = in_error ? bisect(error) : bisect(Interval(part.begin, part.end));

@@ -47,7 +47,7 @@ class PathParts {
   /// Appends the halves of a part of one piece, split in what makes that variable wide: the part of
   /// the path, or its control error. An added parameter is split itself.
   ///
-  /// Returns   false if the part is too small; then it is as it was.
+  /// Returns   false if the part is too small, or if nothing moves; then it is as it was.
   [[nodiscard]] bool split(PathPart& part, std::size_t variable, std::vector<PathPart>& halves);
   /// Notes a leaf in the tree of each of its pieces.
   void leaf(const PathPart& part, Rule rule);

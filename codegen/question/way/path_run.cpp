@@ -44,6 +44,7 @@ void PathRun::search_all() {
                             check_.hull.labels.reach};
   options.progress = watch_.display;
   options.checkpoint = watch_.checkpoint;
+  turn_to_piece(search_.workers, watch_.topic, check_.request.motion, std::nullopt);
   check_.path = search_path(path, check_.hull.problem(), settings_, options);
   check_.seconds.search = check_.path.statistics.seconds;
   if (check_.path.stopped_by) end(check_.path.stopped_at, *check_.path.stopped_by);
@@ -63,6 +64,7 @@ Settings PathRun::settings_of_piece(const PreparedSearch& preparation) const {
 
 Result PathRun::search_piece(std::size_t piece, PreparedSearch& preparation,
                              const Settings& settings, Observer* observer) {
+  turn_to_piece(search_.workers, watch_.topic, check_.request.motion, piece);
   Observers observers(present({observer, watch_.display}));
   KeptSearch kept(watch_.file(), place_of_piece(piece), watch_.interval());
   Result result = kept.run(preparation, search_, settings, observers);

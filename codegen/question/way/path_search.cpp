@@ -4,15 +4,14 @@
 #include <algorithm>
 #include <limits>
 
-#include "runtime/problem/row_structure.hpp"
+#include "codegen/question/way/regularity_judge.hpp"
 #include "runtime/search/box_search.hpp"
 #include "runtime/search/leaf_claims.hpp"
-#include "runtime/search/round.hpp"
 
 namespace regulus {
 namespace {
 
-constexpr std::size_t kMostBatches = 64;
+constexpr std::size_t kBoxesOfRound = 64 * kLanes;
 
 class PathSearch {
  public:
@@ -21,8 +20,9 @@ class PathSearch {
       : options_(options),
         course_settings_(limits_of(settings)),
         course_(problem, course_settings_, options.progress),
-        structure_(find_row_structure(problem, settings)),
-        round_(problem, settings, structure_),
+        judges_({problem, settings}, settings.threads, kBoxesOfRound,
+                {settings.workers, options.boxes_before_workers, settings.time_limit,
+                 settings.interrupt}),
         claims_(problem, options.reach),
         parts_(path, problem, {options.added, options.uncertain}, options.wants_trees),
         steps_(options.checkpoint, problem.kernel->motion_variables),
@@ -35,7 +35,6 @@ class PathSearch {
 
   PathSearchResult run() {
     course_.announce();
-    round_.begin(course_.deadline());
     open_.push_back(parts_.whole());
     while (!open_.empty() && !must_stop()) decide_round();
     steps_.save();
@@ -85,7 +84,7 @@ class PathSearch {
 
   void take_parts() {
     taken_.clear();
-    while (!open_.empty() && taken_.size() < kMostBatches * kLanes) {
+    while (!open_.empty() && taken_.size() < kBoxesOfRound) {
       PathPart part = std::move(open_.back());
       open_.pop_back();
       if ((part.pieces == 1 && blocked_[part.piece]) || is_skipped(part)) continue;
@@ -96,26 +95,22 @@ class PathSearch {
 
   void judge_all() {
     const auto is_judged = [](std::size_t) { return true; };
-    judge(is_judged, threshold_,
-          [this](std::size_t at, const Decision& decision) { found_[at] = step_of(decision); });
-    for (std::size_t i = 0; i < round_.size(); ++i) {
-      const Decisions& batch = round_.batch(i);
-      for (std::size_t t = 0; batch.decided && t < batch.budget.trials; ++t)
-        threshold_.learn(batch.budget.trial[t]);
-    }
+    judge(is_judged, threshold_.value(),
+          [this](std::size_t at, const PathStep& step) { found_[at] = step; });
+    for (const RegularityFinding& finding : findings_)
+      for (const TrialOutcome& trial : finding.trials) threshold_.learn(trial);
   }
 
   /// A part that is not certified again has the step that it needs now. A test that was of use is
   /// tried, whatever the search had learned when it came to the part.
   void judge_told() {
-    const AdaptiveThreshold every_test(std::numeric_limits<double>::max());
+    constexpr double kEveryTest = std::numeric_limits<double>::max();
     threshold_ = AdaptiveThreshold(steps_.earlier_limit());
     bool is_same = true;
     const auto is_judged = [this](std::size_t at) {
       return found_[at].kind == PathStep::Kind::kCertified;
     };
-    judge(is_judged, every_test, [&](std::size_t at, const Decision& decision) {
-      const PathStep now = step_of(decision);
+    judge(is_judged, kEveryTest, [&](std::size_t at, const PathStep& now) {
       const bool is_certified = now.kind == PathStep::Kind::kCertified;
       if (is_certified && (now.rule == Rule::kOutside) == (found_[at].rule == Rule::kOutside))
         return;
@@ -125,34 +120,26 @@ class PathSearch {
     if (!is_same) steps_.stop_repeating();
   }
 
-  /// Judges those of the parts that were taken: note(at, decision).
+  /// Judges those of the parts that were taken: note(at, step).
   template <class IsJudged, class Note>
-  void judge(const IsJudged& is_judged, const AdaptiveThreshold& threshold, const Note& note) {
-    std::vector<std::size_t> judged;
-    round_.clear();
-    for (std::size_t i = 0; i < taken_.size(); ++i)
-      if (is_judged(i)) judged.push_back(i);
-    for (const std::size_t i : judged) decided_[i] = false;
-    for (std::size_t n = 0; n < judged.size(); ++n) {
-      if (n % kLanes == 0 && round_.append() == nullptr) break;
-      const PathPart& part = taken_[judged[n]];
-      parts_.load_box(part, box_);
-      round_.batch(n / kLanes).add({part.id, part.depth, box_});
+  void judge(const IsJudged& is_judged, double threshold, const Note& note) {
+    judged_.clear();
+    for (std::size_t i = 0; i < taken_.size(); ++i) {
+      decided_[i] = !is_judged(i);
+      if (decided_[i]) continue;
+      parts_.load_box(taken_[i], box_);
+      judged_.push_back(box_);
+      judged_.back().emplace_back(taken_[i].depth);
     }
-    if (!judged.empty() && (round_.size() == 0 || !round_.decide(threshold)))
+    findings_.assign(judged_.size(), {});
+    if (!judged_.empty() && !judges_.judge(judged_, findings_, threshold))
       course_.note_lack_of_memory();
-    for (std::size_t i = 0, n = 0; i < round_.size(); ++i)
-      for (std::size_t lane = 0; lane < round_.batch(i).count(); ++lane, ++n) {
-        decided_[judged[n]] = round_.batch(i).decided;
-        if (round_.batch(i).decided) note(judged[n], round_.batch(i).decision[lane]);
-      }
-  }
-
-  static PathStep step_of(const Decision& decision) {
-    if (decision.kind == Decision::Kind::kSplit)
-      return {PathStep::Kind::kSplit, Rule::kBlocked, decision.variable};
-    if (decision.rule == Rule::kBlocked) return {};
-    return {PathStep::Kind::kCertified, decision.rule, 0};
+    for (std::size_t i = 0, n = 0; i < taken_.size(); ++i) {
+      if (decided_[i]) continue;
+      const RegularityFinding& finding = findings_[n++];
+      decided_[i] = finding.is_decided;
+      if (finding.is_decided) note(i, finding.step);
+    }
   }
 
   void conclude() {
@@ -214,8 +201,7 @@ class PathSearch {
   const PathSearchOptions& options_;
   const BoxSearchSettings course_settings_;
   BoxCourse course_;
-  const RowStructure structure_;
-  Round round_;
+  BoxJudges<RegularityJudge> judges_;
   AdaptiveThreshold threshold_;
   LeafClaims claims_;
   PathParts parts_;
@@ -224,8 +210,10 @@ class PathSearch {
   std::vector<std::uint32_t> boxes_;  ///< evaluated in each piece
   std::vector<bool> blocked_;
   std::vector<PathPart> open_, taken_;
-  std::vector<PathStep> found_;  ///< about those that were taken
-  std::vector<bool> decided_;    ///< the same: false: not judged, and not told either
+  std::vector<std::vector<Interval>> judged_;  ///< boxes of a round
+  std::vector<RegularityFinding> findings_;    ///< about them
+  std::vector<PathStep> found_;                ///< about those that were taken
+  std::vector<bool> decided_;                  ///< the same: false: not judged, and not told either
   PathSearchResult result_;
 };
 

@@ -15,6 +15,7 @@
 #include "codegen/question/way/path_steps.hpp"
 #include "runtime/problem/problem.hpp"
 #include "runtime/problem/result.hpp"
+#include "runtime/search/shared_boxes.hpp"
 
 namespace regulus {
 
@@ -49,13 +50,15 @@ struct PathSearchOptions {
   const std::vector<bool>* skipped = nullptr;    ///< by piece; null: none. They count as certified
   Observer* progress = nullptr;  ///< receives what a display needs; null: there is none
   const SearchCheckpoint* checkpoint = nullptr;  ///< keeps the search; null: nothing does
+  std::uint64_t boxes_before_workers = BoxSharing{}.boxes_before;
 };
 
 /// Requires  find_fault finds no fault. `problem`: its motion variables are path.moving() in order,
 ///           then `added` ones, and its ranges contain the whole path with its errors.
 ///
 /// Ensures   a piece is certified only if the claim holds at all of its poses with all errors, for
-///           all values of the added parameters and of the uncertain quantities. The result does not depend on the threads.
+///           all values of the added parameters and of the uncertain quantities. The result does not
+///           depend on the threads, nor on the workers.
 [[nodiscard]] PathSearchResult search_path(const PathBounds& path, const Problem& problem,
                                            const Settings& settings,
                                            const PathSearchOptions& options);

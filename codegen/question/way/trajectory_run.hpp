@@ -12,6 +12,7 @@
 
 #include "codegen/question/engine/options.hpp"
 #include "codegen/question/engine/pipeline.hpp"
+#include "codegen/question/engine/search_topic.hpp"
 #include "codegen/question/way/path_search.hpp"
 #include "codegen/question/way/pieces_alone.hpp"
 
@@ -29,6 +30,7 @@ struct PathWatch {
   const std::atomic<bool>* interrupt = nullptr;
   Observer* display = nullptr;
   const SearchCheckpoint* checkpoint = nullptr;
+  SearchTopic topic{};  ///< of all searches, without their pieces
 
   [[nodiscard]] JsonCheckpoint* file() const {
     return checkpoint != nullptr ? checkpoint->file() : nullptr;

@@ -11,14 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "codegen/answer/refusals.hpp"
-#include "codegen/question/bound/bound_question.hpp"
-#include "codegen/question/bound/bracket_topic.hpp"
-#include "codegen/question/condition/box_judge.hpp"
-#include "codegen/question/condition/condition_kernel.hpp"
 #include "codegen/question/engine/settings.hpp"
-#include "codegen/question/load/feasibility_run.hpp"
-#include "codegen/question/margin/prepared_margin.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/exit_code.hpp"
 #include "codegen/use/command/commands.hpp"
@@ -28,7 +21,6 @@
 #include "codegen/use/mpi/mpi_workers.hpp"
 #include "codegen/use/mpi/rank_service.hpp"
 #include "codegen/use/mpi/verify_together.hpp"
-#include "runtime/search/box_judges.hpp"
 
 namespace {
 
@@ -59,69 +51,10 @@ auto with_search(CommandLine& line, const Use& use) {
   if (line.locate) return use(*line.locate);
   if (line.margin) return use(*line.margin);
   if (line.bound) return use(*line.bound);
+  if (line.datasheet) return use(*line.datasheet);
   throw UsageError(
-      "check, locate, margin, bound and verify run on several ranks; use regulus for other "
-      "commands");
-}
-
-/// True if the searches are about matrices that rank 0 names one after the other.
-bool has_topics(const CommandLine& line) {
-  return line.bound || (line.margin && !line.margin->limit.empty());
-}
-
-RankQuestion condition_question(const BracketTopic& topic, const Request& request,
-                                const SearchOptions& search) {
-  RankQuestion question{prepare_condition(topic, request, search)};
-  question.judges = [scaling =
-                         question.prepared.stages->formulation().scaling](const Problem& problem) {
-    return unit_judges<BoxJudge>({problem, scaling});
-  };
-  return question;
-}
-
-RankQuestion force_question(const ModelOptions& model, const std::string& load,
-                            const SearchOptions& search) {
-  PreparedForces forces = prepare_forces(model, load, search, {});
-  RankQuestion question{std::move(forces.preparation)};
-  question.judges = [problem_of_forces = std::move(forces.forces),
-                     scaling = std::move(forces.scaling)](const Problem& problem) {
-    return unit_judges<BoxForces>({problem_of_forces, problem, scaling});
-  };
-  return question;
-}
-
-RankQuestion prepare_topic_of(const CommandLine& line, const BracketTopic& topic) {
-  if (line.bound) {
-    const BoundCommand bound = with_quantity(*line.bound);
-    const BoundQuestion question = read_bound_question(bound.model, bound.quantity, bound.limit);
-    if (is_about_condition(topic)) return condition_question(topic, question.request, bound.search);
-    return {std::move(
-        prepare_topic(topic, question.request, question.quantity, question.limit, bound.search)
-            .prepared)};
-  }
-  MarginCommand margin = *line.margin;
-  const MarginQuestion question = take_question(margin.model, margin.size);
-  const Request request = read_asked(margin.model, margin.quantity);
-  const Quantity quantity = quantity_of(request.model, margin.quantity);
-  const GiNaC::ex limit = read_limit(margin.limit, quantity);
-  return {
-      std::move(prepare_topic(topic, request, question, quantity, limit, margin.search).prepared)};
-}
-
-RankQuestion prepare_question(const CommandLine& line, std::optional<std::string_view> topic) {
-  if (topic) return prepare_topic_of(line, read_topic(*topic));
-  const auto prepared = [](const auto& command) {
-    return command.load ? force_question(command.model, *command.load, command.search)
-                        : RankQuestion{prepare(command.model, command.search)};
-  };
-  if (line.check) return prepared(*line.check);
-  if (line.locate) return prepared(*line.locate);
-  const MarginCommand& margin = *line.margin;
-  ModelOptions model = margin.model;
-  const MarginQuestion question = take_question(model, margin.size);
-  return {
-      std::move(PreparedMargin(question, read_request(model), 0, compiled_first(margin.search), {})
-                    .prepared)};
+      "check, locate, margin, bound, datasheet and verify run on several ranks; use regulus for "
+      "other commands");
 }
 
 /// The work of rank 0. Other ranks have been told to begin.
@@ -142,16 +75,6 @@ int lead(Communicator& communicator, CommandLine& line, const std::vector<RankId
   return code;
 }
 
-/// Before the other ranks form the matrix.
-void refuse_what_ranks_cannot_share(CommandLine& line, const std::string& text) {
-  const auto refuse = [&text](auto& command) {
-    auto question = question_of(command);
-    std::visit([&text](auto& asked) { asked.model.text = text; }, question.asked);
-    if (const auto why = refusal_of_ranks(question.asked)) throw UsageError(std::string(*why));
-  };
-  with_search(line, refuse);
-}
-
 /// Reads the model once for all ranks, so that all have the same. Mistakes in the words are reported
 /// before the other ranks begin. Returns the start of all ranks.
 Start read_start(CommandLine& line) {
@@ -164,9 +87,9 @@ Start read_start(CommandLine& line) {
           if (!command.search.filters.empty())
             throw UsageError("--filter: a filter runs in one process only; use regulus");
           static_cast<void>(settings_from(command.search));
+          static_cast<void>(question_of(command));
           start.model = model_text(command.model);
         });
-        refuse_what_ranks_cannot_share(line, start.model);
         return 0;
       },
       kName);
@@ -222,9 +145,8 @@ int run_together(Communicator& communicator, const Start& start) {
   if (!is_agreed(communicator, agreed)) return first ? kUsageError : 0;
   if (first) return lead(communicator, line, ranks, typed(start.words));
   with_search(line, [&](auto& command) {
-    serve_first_rank(
-        communicator, command.search, has_topics(line),
-        [&line](std::optional<std::string_view> topic) { return prepare_question(line, topic); });
+    const CommandQuestion question = question_of(command);
+    serve_first_rank(communicator, question.asked, question.services);
   });
   return 0;
 }

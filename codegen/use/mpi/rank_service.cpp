@@ -2,10 +2,11 @@
 #include "codegen/use/mpi/rank_service.hpp"
 
 #include <exception>
+#include <memory>
 #include <optional>
 #include <utility>
 
-#include "codegen/question/engine/search_run.hpp"
+#include "codegen/answer/rank_question.hpp"
 #include "codegen/question/engine/settings.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/use/mpi/rank_messages.hpp"
@@ -16,20 +17,17 @@ namespace {
 
 class Service {
  public:
-  Service(Communicator& communicator, const PrepareQuestion& prepare_question,
-          const SearchOptions& search)
+  Service(Communicator& communicator, const Asked& asked, const Services& services)
       : communicator_(communicator),
-        prepare_question_(prepare_question),
-        search_(search),
-        threads_(settings_from(search).threads) {}
+        asked_(asked),
+        services_(services),
+        threads_(
+            std::visit([](const auto& one) { return settings_from(one.search); }, asked).threads) {}
 
   void prepare(std::optional<std::string_view> topic) {
     question_.reset();
-    question_.emplace(prepare_question_(topic));
-    // Rank 0 may have prepared it in time, and this kernel is for reports only.
-    if (question_->prepared.stopped)
-      throw InternalError("the time limit was reached before the question was prepared");
-    communicator_.send(0, Tag::kReady, write_ready(threads_));
+    question_ = prepare_for_rank(asked_, services_, topic);
+    if (question_) communicator_.send(0, Tag::kReady, write_ready(threads_));
   }
 
   /// Returns when rank 0 dismisses this rank.
@@ -49,22 +47,12 @@ class Service {
     const cluster::SearchDescription description = cluster::read_search(begin.bytes);
     number_ = begin.search;
     if (!question_) throw InternalError("a search begins before its question is known");
-    if (question_->judges) return judge_boxes(description);
-    decide_for_another(question_->prepared, search_, description,
-                       [&](const Problem& problem, const Settings& settings) {
-                         ThreadWorkers threads(threads_);
-                         threads.begin(problem, settings, description.learned, nullptr);
-                         decide_units(threads);
-                       });
-  }
-
-  void judge_boxes(const cluster::SearchDescription& description) {
-    const Problem problem = question_->prepared.problem();
-    if (problem.outer != description.problem.outer || problem.inner != description.problem.inner)
-      throw InternalError("the ranks have prepared different questions");
-    ThreadWorkers threads(threads_);
-    threads.begin(problem, description.settings, description.learned, question_->judges(problem));
-    decide_units(threads);
+    question_->decide_for_another(description, [&](const Problem& problem, const Settings& settings,
+                                                   const cluster::MakeDecider& make) {
+      ThreadWorkers threads(threads_);
+      threads.begin(problem, settings, description.learned, make);
+      decide_units(threads);
+    });
   }
 
   void decide_units(ThreadWorkers& threads) {
@@ -98,9 +86,9 @@ class Service {
   }
 
   Communicator& communicator_;
-  const PrepareQuestion& prepare_question_;
-  std::optional<RankQuestion> question_;
-  const SearchOptions& search_;
+  const Asked& asked_;
+  const Services& services_;
+  std::unique_ptr<RankQuestion> question_;
   const unsigned threads_;
   std::uint32_t number_ = 0;
   bool dismissed_ = false;
@@ -113,11 +101,10 @@ void await_dismissal(Communicator& communicator) {
 
 }  // namespace
 
-void serve_first_rank(Communicator& communicator, const SearchOptions& search, bool has_topics,
-                      const PrepareQuestion& prepare_question) {
+void serve_first_rank(Communicator& communicator, const Asked& asked, const Services& services) {
   try {
-    Service service(communicator, prepare_question, search);
-    if (!has_topics) service.prepare(std::nullopt);
+    Service service(communicator, asked, services);
+    service.prepare(std::nullopt);
     service.run();
   } catch (const std::exception& error) {
     communicator.send(0, Tag::kError, error.what());

@@ -5,7 +5,7 @@
 #include <atomic>
 
 #include "codegen/question/bound/bound_run.hpp"
-#include "codegen/question/bound/bracket_topic.hpp"
+#include "codegen/question/engine/search_topic.hpp"
 #include "codegen/question/margin/prepared_margin.hpp"
 #include "codegen/question/margin/variety_attempts.hpp"
 #include "codegen/support/errors.hpp"
@@ -173,39 +173,40 @@ TEST(EarlierSearches, ThatClaimASingularRobotSafeAreRefused) {
 }
 
 TEST(ATopic, ReadsAsItWasWritten) {
-  for (const std::optional<double> high : {std::optional(0.25), std::optional<double>()}) {
-    const BracketTopic topic = read_topic(write_topic({3, -2.5, 0.125, high}));
-    EXPECT_EQ(topic.component, 3U);
+  for (const std::optional<double> number : {std::optional(0.25), std::optional<double>()}) {
+    SearchTopic of{"error ", "leg 3", -2.5, 0.125, number};
+    of.value = number;
+    of.waypoints = "digest";
+    if (number) of.piece = 7;
+    const SearchTopic topic = read_topic(write_topic(of));
+    EXPECT_EQ(topic.part, "error ");
+    EXPECT_EQ(topic.component, "leg 3");
     EXPECT_EQ(topic.reference, -2.5);
     EXPECT_EQ(topic.low, 0.125);
-    EXPECT_EQ(topic.high, high);
+    EXPECT_EQ(topic.high, number);
+    EXPECT_EQ(topic.waypoints, "digest");
+    EXPECT_EQ(topic.value, number);
+    EXPECT_EQ(topic.piece, of.piece);
   }
 }
 
 TEST(ATopic, NamesItsKind) {
   for (const TopicKind kind :
-       {TopicKind::kBracket, TopicKind::kExpandedMatrix, TopicKind::kMatrixWithSlopes}) {
-    BracketTopic topic;
+       {TopicKind::kQuestion, TopicKind::kExpandedMatrix, TopicKind::kMatrixWithSlopes}) {
+    SearchTopic topic;
     topic.kind = kind;
     EXPECT_EQ(read_topic(write_topic(topic)).kind, kind);
   }
-  BracketTopic unknown;
+  SearchTopic unknown;
   unknown.kind = TopicKind(3);
   EXPECT_THROW(static_cast<void>(read_topic(write_topic(unknown))), cluster::MalformedMessage);
 }
 
-TEST(ATopic, ThatIsDamagedOrOfAnotherQuantityIsRefused) {
-  const std::string bytes = write_topic({7, 0, 0, {}});
+TEST(ATopic, ThatIsDamagedIsRefused) {
+  const std::string bytes = write_topic({"", "leg 7"});
   for (std::size_t size = 0; size < bytes.size(); ++size)
     EXPECT_THROW(static_cast<void>(read_topic(bytes.substr(0, size))), cluster::MalformedMessage);
   EXPECT_THROW(static_cast<void>(read_topic(bytes + "x")), cluster::MalformedMessage);
-  ModelOptions options;
-  options.path = REGULUS_SOURCE_DIR "/models/robot_1.toml";
-  options.motion = "table4_5";
-  const Request request = read_request(options);
-  const Quantity forces = quantity_of(request.model, {.quantity = "force"});
-  EXPECT_THROW(static_cast<void>(prepare_topic(read_topic(bytes), request, forces, {}, {})),
-               cluster::MalformedMessage);
 }
 
 TEST(ABracket, IsTheSameByAnyWorkers) {

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/answer/rank_question.hpp"
+
+#include <algorithm>
+#include <memory>
+
+#include "codegen/answer/certificate/piece_question.hpp"
+#include "codegen/model/exact/decimal.hpp"
+#include "codegen/question/bound/bound_question.hpp"
+#include "codegen/question/bound/bracket_question.hpp"
+#include "codegen/question/bound/datasheet.hpp"
+#include "codegen/question/condition/box_judge.hpp"
+#include "codegen/question/condition/condition_kernel.hpp"
+#include "codegen/question/condition/path_judge.hpp"
+#include "codegen/question/engine/search_run.hpp"
+#include "codegen/question/engine/search_topic.hpp"
+#include "codegen/question/load/feasibility_run.hpp"
+#include "codegen/question/margin/prepared_margin.hpp"
+#include "codegen/question/way/path_run.hpp"
+#include "codegen/question/way/read_trajectory.hpp"
+#include "codegen/question/way/regularity_judge.hpp"
+#include "codegen/question/way/trajectory_request.hpp"
+#include "codegen/support/errors.hpp"
+#include "runtime/search/box_judges.hpp"
+
+namespace regulus {
+namespace {
+
+using GiNaC::ex;
+
+/// A kernel, and how boxes are decided with it.
+struct Formed {
+  PreparedSearch prepared;
+  /// The problem of the searches, if it has other variables than the kernel.
+  std::optional<Problem> searched{};
+  /// Makes judges of boxes (runtime/search/box_judges.hpp) for a problem and settings, which outlive
+  /// them; empty: the searches are those of Algorithm 1.
+  std::function<cluster::MakeDecider(const Problem&, const Settings&)> judges{};
+};
+
+std::optional<MarginValue> value_of(std::optional<double> end) {
+  return end ? std::optional(decimal_value(*end)) : std::nullopt;
+}
+
+/// An end of the bracket as it was written, unless a search has moved it.
+void set_ends(MarginQuestion& question, const SearchTopic& topic) {
+  const bool same_high = question.high && topic.high && question.high->approx == *topic.high;
+  if (question.low.approx != topic.low) question.low = decimal_value(topic.low);
+  if (!same_high) question.high = value_of(topic.high);
+}
+
+Formed about_forces(PreparedForces forces) {
+  Formed question{std::move(forces.preparation)};
+  question.judges = [problem_of_forces = std::move(forces.forces),
+                     scaling = std::move(forces.scaling)](const Problem& problem, const Settings&) {
+    return unit_judges<BoxForces>({problem_of_forces, problem, scaling});
+  };
+  return question;
+}
+
+/// A trajectory as the variety of a search, for all judges.
+struct Path {
+  Path(const Motion& motion, const Problem& kernel)
+      : bounds(*motion.trajectory, motion.error),
+        variety(bounds, kernel, motion.parameters.size()) {}
+
+  const PathBounds bounds;
+  const PathVariety variety;
+};
+
+Formed about_condition(const Motion& motion, PreparedSearch prepared) {
+  Formed question{std::move(prepared)};
+  const MatrixScaling scaling = question.prepared.stages->formulation().scaling;
+  if (!motion.trajectory) {
+    question.judges = [scaling](const Problem& problem, const Settings&) {
+      return unit_judges<BoxJudge>({problem, scaling});
+    };
+    return question;
+  }
+  const auto path = std::make_shared<const Path>(motion, question.prepared.problem());
+  question.searched = path->variety.problem();
+  question.judges = [path, scaling](const Problem& problem, const Settings&) {
+    return unit_judges<PathJudge>({problem, path->variety, scaling});
+  };
+  return question;
+}
+
+/// Forms what a topic names. What is not about a topic is formed within the limit of time, as by the
+/// process that asks; a topic in any time, because that process ends the search.
+class Topics {
+ public:
+  using Found = std::optional<Formed>;
+
+  Topics(const Services& services, std::optional<std::string_view> topic)
+      : certifies_(!services.certificate.empty()), is_told_(topic.has_value()) {
+    if (topic) topic_ = read_topic(*topic);
+  }
+
+  Found operator()(const AskCheck& asked) const {
+    if (const auto along = read_trajectory(asked.model)) return on_way(*along, asked.search);
+    return Formed{prepare(asked.model, asked.search)};
+  }
+
+  Found operator()(const AskPaving& asked) const {
+    ModelOptions model = asked.model;
+    model.separates_reach = !certifies_;
+    if (const auto along = read_trajectory(model)) return on_way(*along, asked.search);
+    return Formed{prepare(model, asked.search)};
+  }
+
+  Found operator()(const AskLoad& asked) const { return loaded(asked); }
+  Found operator()(const AskLoadPaving& asked) const { return loaded(asked); }
+
+  Found operator()(const AskMargin& asked) const {
+    ModelOptions model = asked.model;
+    MarginQuestion question = take_question(model, asked.size);
+    if (asked.limit.empty()) return grown(question, read_request(model), asked.search);
+    if (!is_told_) return std::nullopt;
+    Request request = read_asked(model, asked.quantity);
+    const Quantity quantity = quantity_of(request.model, asked.quantity);
+    question = question_within_limit(std::move(question), component_of(quantity),
+                                     read_limit(asked.limit, quantity));
+    set_ends(question, topic_);
+    return grown(question, std::move(request), asked.search);
+  }
+
+  Found operator()(const AskBound& asked) const {
+    if (!is_told_) return std::nullopt;
+    const BoundQuestion question = read_bound_question(asked.model, asked.quantity, asked.limit);
+    if (is_about_condition(topic_)) return condition(question.request, asked.search);
+    return bounded(question.request, question.quantity, question.limit, asked.search);
+  }
+
+  Found operator()(const AskDatasheet& asked) const {
+    if (!is_told_) return std::nullopt;
+    const Request request = read_request(asked.model);
+    if (is_about_condition(topic_)) return condition(request, asked.search);
+    return bounded(request, quantity_of_part(request, topic_.part), std::nullopt, asked.search);
+  }
+
+ private:
+  [[nodiscard]] SearchOptions forming(SearchOptions search) const {
+    if (is_told_) search.time_limit = 0;
+    return search;
+  }
+
+  [[nodiscard]] const Component& component_of(const Quantity& quantity) const {
+    const auto found = std::ranges::find(quantity.components, topic_.component, &Component::label);
+    if (found == quantity.components.end()) throw cluster::MalformedMessage();
+    return *found;
+  }
+
+  /// Throws    InputError for other way-points than those of the process that asks.
+  void require_same_way(const Motion& motion) const {
+    if (motion.trajectory && motion.trajectory->sha256 != topic_.waypoints)
+      throw InputError::statement(motion.trajectory->file, 0,
+                                  "the first rank has read other way-points from it",
+                                  "put it where all ranks see the same");
+  }
+
+  /// Returns the request about one piece, or about the hull of all.
+  [[nodiscard]] Request of_pieces(const Request& request, const Request& alone) const {
+    require_same_way(request.motion);
+    const Trajectory& trajectory = *request.motion.trajectory;
+    if (!topic_.piece) return hull_request(request, PathBounds(trajectory, request.motion.error));
+    if (*topic_.piece >= trajectory.pieces.size()) throw cluster::MalformedMessage();
+    return piece_request(alone, *topic_.piece);
+  }
+
+  /// A piece alone is searched by Algorithm 1.
+  [[nodiscard]] Found on_way(PreparedSearch prepared) const {
+    Formed question{std::move(prepared)};
+    if (!topic_.piece)
+      question.judges = [](const Problem& problem, const Settings& settings) {
+        return unit_judges<RegularityJudge>({problem, settings});
+      };
+    return question;
+  }
+
+  [[nodiscard]] Found on_way(const Request& request, SearchOptions search) const {
+    if (!is_told_) return std::nullopt;
+    settle_options(search);
+    return on_way(prepare(of_pieces(request, request), 0, forming(search)));
+  }
+
+  template <class AskOfLoad>
+  [[nodiscard]] Found loaded(const AskOfLoad& asked) const {
+    std::optional<Request> along = read_trajectory(asked.model);
+    if (!along) return about_forces(prepare_forces(asked.model, asked.load, asked.search, {}));
+    if (!is_told_) return std::nullopt;
+    SearchOptions search = asked.search;
+    settle_options(search);
+    along->motion.alpha = 0;
+    return about_forces(
+        prepare_forces(of_pieces(*along, *along), 0, asked.load, forming(search), {}));
+  }
+
+  /// Along way-points the searches are about one value of the bracket after the other.
+  [[nodiscard]] Found grown(const MarginQuestion& question, Request request,
+                            const SearchOptions& search) const {
+    if (request.motion.trajectory) {
+      if (!is_told_) return std::nullopt;
+      if (!topic_.value) throw cluster::MalformedMessage();
+      const MarginValue value = value_at(question, *topic_.value);
+      return on_way(MarginRequest(std::move(request), question).at(value), search);
+    }
+    return Formed{std::move(
+        PreparedMargin(question, std::move(request), 0, compiled_first(forming(search)), {})
+            .prepared)};
+  }
+
+  [[nodiscard]] Found bounded(const Request& request, const Quantity& quantity,
+                              const std::optional<ex>& limit, SearchOptions search) const {
+    const Component& component = component_of(quantity);
+    const Bordered bordered = limit
+                                  ? border_at_limit(request, component, *limit)
+                                  : border(request, component, shortest_decimal(topic_.reference));
+    const MarginQuestion question =
+        limit ? question_at_limit(bordered)
+              : question_of(bordered, decimal_value(topic_.low), value_of(topic_.high));
+    if (!request.motion.trajectory || topic_.value)
+      return grown(question, bordered.request, search);
+    // One kernel serves all values of a bracket.
+    settle_options(search);
+    const Request pieces = of_pieces(bordered.request, request_of_pieces(bordered));
+    return on_way(std::move(PreparedMargin(question, pieces, 0, forming(search), {}).prepared));
+  }
+
+  [[nodiscard]] Formed condition(const Request& request, const SearchOptions& search) const {
+    require_same_way(request.motion);
+    return about_condition(request.motion, prepare_condition(topic_, request, search));
+  }
+
+  const bool certifies_, is_told_;
+  SearchTopic topic_;
+};
+
+class FormedQuestion final : public RankQuestion {
+ public:
+  FormedQuestion(Formed formed, const SearchOptions& options)
+      : formed_(std::move(formed)), options_(options) {}
+
+  void decide_for_another(const cluster::SearchDescription& search, const Decide& decide) override {
+    if (!formed_.judges)
+      return regulus::decide_for_another(
+          formed_.prepared, options_, search,
+          [&](const Problem& problem, const Settings& settings) { decide(problem, settings, {}); });
+    const Problem problem =
+        problem_of_another(formed_.searched.value_or(formed_.prepared.problem()), search);
+    decide(problem, search.settings, formed_.judges(problem, search.settings));
+  }
+
+ private:
+  Formed formed_;
+  const SearchOptions options_;
+};
+
+}  // namespace
+
+std::unique_ptr<RankQuestion> prepare_for_rank(const Asked& asked, const Services& services,
+                                               std::optional<std::string_view> topic) {
+  std::optional<Formed> formed = std::visit(Topics(services, topic), asked);
+  if (!formed) return nullptr;
+  // The other process may have formed it in time, and this kernel is for reports only.
+  if (formed->prepared.stopped)
+    throw InternalError("the time limit was reached before the question was prepared");
+  return std::make_unique<FormedQuestion>(
+      std::move(*formed), std::visit([](const auto& one) { return one.search; }, asked));
+}
+
+}  // namespace regulus
