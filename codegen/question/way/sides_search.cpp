@@ -43,7 +43,9 @@ class SidesSearch {
         interrupt_(interrupt),
         display_(display),
         definedness_(whole.stages->natural_formulation()),
-        decision_{open, std::vector<TreeKept>(sides.count())} {}
+        decision_{open, std::vector<TreeKept>(sides.count())} {
+    search_.workers = nullptr;  // They have prepared the question itself.
+  }
 
   std::optional<SidesDecision> run() {
     bool has_pose = false;
