@@ -18,6 +18,7 @@ constexpr std::string_view kNoBoxes = "a picture is of the boxes of a paving; as
 constexpr std::string_view kOneMethod = "for a load there is one method; leave the option out";
 constexpr std::string_view kNoTheorem =
     "Coq proves what the regularity of a matrix says; regulus-verify proves this";
+constexpr std::string_view kNoWayTheorem = "Coq has the theorem about a force over ranges alone";
 
 using enum Kind;
 using enum Service;
@@ -26,9 +27,12 @@ constexpr Refusal kRefusals[] = {
     {kCondition2, kTheorem, kNoTheorem},
     {kLoad, kTheorem, kNoTheorem},
     {kLoadPaving, kTheorem, kNoTheorem},
+    {kWayLimitMargin, kTheorem, kNoWayTheorem},
+    {kWayBound, kTheorem, kNoWayTheorem},
     {kWayCondition2, kTheorem, kNoTheorem},
     {kWayLoad, kTheorem, kNoTheorem},
     {kWayLoadPaving, kTheorem, kNoTheorem},
+    {kWayDatasheet, kTheorem, kNoWayTheorem},
     // What has no boxes has no picture.
     {kCheck, kPicture, kNoBoxes, false},
     {kMargin, kPicture, kNoBoxes, false},
@@ -111,7 +115,7 @@ constexpr std::string_view kIntroduction =
     "Python "
     "ask the same questions as the\ncommand. Every search takes limits, threads and an interrupt, "
     "and "
-    "shows its progress on a terminal.\n\n";
+    "shows its progress on a terminal. Of bounds over\nranges Coq proves those of forces.\n\n";
 
 /// Returns the number of a reason, from 1.
 std::size_t number_of(std::string_view reason, std::vector<std::string_view>& reasons) {

@@ -48,7 +48,7 @@ std::string certificate_of(const std::string& text, unsigned threads) {
   FeasibilitySettings settings = settings_of(forces, nullptr);
   settings.threads = threads;
   settings.max_boxes = 3000;
-  ForceCertificate certificate(path, forces, false);
+  ForceCertificate certificate(path, forces, false, 0);
   certificate.finish(run_forces(
       forces, settings, [](auto, auto) {}, certificate.observer()));
   std::ifstream file(path);

@@ -84,7 +84,7 @@ Proof proof_of(const std::string& text, const std::string& motion, const std::st
   settings.paves = paves;
   if (paves) settings.min_relative_width = 1.0 / 32;
   const std::string path = folder.path() / "proof";
-  ForceCertificate certificate(path, prepared, paves);
+  ForceCertificate certificate(path, prepared, paves, 0);
   const auto ignore = [](std::span<const Interval>, ForceClaim) {};
   Proof proof{run_forces(prepared, settings, ignore, certificate.observer()), ""};
   certificate.finish(proof.result);
