@@ -236,7 +236,8 @@ TEST_F(FileTrouble, AnOutputThatIsRemovedMeanwhileIsSaid) {
         if (entry.path().string().starts_with(path + '.')) return entry.path();
       return std::filesystem::path();
     };
-    RunningCommand run({kCommand, "locate", kRobot1, "wide_40", "--quiet", "--max-boxes", "1500",
+    // It still runs when the file is removed, however late that is.
+    RunningCommand run({kCommand, "locate", kRobot1, "wide_40", "--quiet", "--time-limit", "2",
                         "--engine", "interpreted", option, path});
     for (int i = 0; i < 10000 && temporary().empty(); ++i)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
