@@ -8,7 +8,7 @@
 namespace regulus::attack {
 namespace {
 
-std::vector<std::string> lines_of(const std::string& text) {
+std::vector<std::string> split_lines(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream stream(text);
   for (std::string line; std::getline(stream, line);) lines.push_back(line);
@@ -18,7 +18,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 }  // namespace
 
 std::set<std::string> words_touched(const std::string& before, const std::string& after) {
-  const std::vector<std::string> was = lines_of(before), is = lines_of(after);
+  const std::vector<std::string> was = split_lines(before), is = split_lines(after);
   std::multiset<std::string> only(was.begin(), was.end()), added;
   for (const std::string& line : is)
     if (const auto same = only.find(line); same != only.end())
@@ -37,7 +37,7 @@ std::set<std::string> words_touched(const std::string& before, const std::string
 
 std::set<std::string> words_of_format(const std::string& page) {
   std::set<std::string> words;
-  for (const std::string& line : lines_of(page)) {
+  for (const std::string& line : split_lines(page)) {
     if (!line.starts_with("| `")) continue;
     const std::string cell = line.substr(0, line.find(" | "));
     for (std::size_t at = 0; (at = cell.find('`', at)) != std::string::npos; ++at) {
