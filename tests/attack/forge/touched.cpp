@@ -30,7 +30,7 @@ std::set<std::string> words_touched(const std::string& before, const std::string
   for (const std::string& line : only) {
     const std::string word = line.substr(0, line.find(' '));
     words.insert(word);
-    if (word == "quantity") words.insert(line.substr(word.size() + 1));
+    if (word == "quantity" && word != line) words.insert(line.substr(word.size() + 1));
   }
   return words;
 }
