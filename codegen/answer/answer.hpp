@@ -4,8 +4,10 @@
 
 #include <atomic>
 #include <string>
+#include <vector>
 
 #include "codegen/answer/facts.hpp"
+#include "codegen/support/errors.hpp"
 #include "codegen/support/exit_code.hpp"
 
 namespace regulus {
@@ -49,6 +51,20 @@ class Answer {
   }
   /// Returns lines that people must see with any other output; usually empty.
   [[nodiscard]] virtual std::string warning() const { return ""; }
+
+  /// Why files that were wanted are missing, as sentences. The answer holds without them.
+  std::vector<std::string> lost;
+  /// Runs what writes a file after the search. Returns false if it threw FileError.
+  template <class Write>
+  bool write_beside(const Write& write) {
+    try {
+      write();
+      return true;
+    } catch (const FileError& why) {
+      lost.emplace_back(why.what());
+      return false;
+    }
+  }
 
   /// The work that outlives the answer.
   struct Rest {

@@ -28,8 +28,10 @@ std::unique_ptr<Answer> ask_and_show(const Asked& asked, const Services& service
     static_cast<void>(take_question(model, margin->size));
   PageOfAnswers page(PageTemplate::installed(), model, services.typed);
   std::unique_ptr<Answer> answer = ask_for_page(asked, services, page);
-  const std::size_t size = page.write(services.page);
-  services.tell(fmt::format("page       {}, {:.0f} kB\n", services.page, double(size) / 1000));
+  answer->write_beside([&] {
+    const std::size_t size = page.write(services.page);
+    services.tell(fmt::format("page       {}, {:.0f} kB\n", services.page, double(size) / 1000));
+  });
   return answer;
 }
 

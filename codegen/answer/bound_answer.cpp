@@ -81,7 +81,9 @@ class AnswerOfBound final : public BoundAnswer {
         request_, std::move(quantity), settings_, [&](const ComponentBound& component) {
           services.tell(format_component(component, settings_.limit.has_value()));
         });
-    held.put_in_place();
+    std::vector<EndProofs*> ends;
+    for (ComponentBound& c : found_.components) ends.push_back(&c.proofs);
+    settle_files(held, ends, *this);
     settings_.placing.held = nullptr;
     settings_.checkpoint = nullptr;
     if (checkpoint) checkpoint_line_ = checkpoint->line();
@@ -113,7 +115,7 @@ class AnswerOfBound final : public BoundAnswer {
 class Sheet final : public DatasheetAnswer {
  public:
   Sheet(const AskDatasheet& asked, const Services& services)
-      : request_(read_request(asked.model)), is_markdown_(asked.markdown) {
+      : request_(read(asked, services)), is_markdown_(asked.markdown) {
     settings_.gap = read_gap(asked.gap);
     settings_.search = asked.search;
     settings_.output = display_of(services);
@@ -151,6 +153,11 @@ class Sheet final : public DatasheetAnswer {
   [[nodiscard]] std::string warning() const override { return checkpoint_line_; }
 
  private:
+  static Request read(const AskDatasheet& asked, const Services& services) {
+    const FormingWatch watch = watch_of(services, asked.search);
+    return read_request(asked.model, &watch);
+  }
+
   void run(const Services& services) {
     HeldFiles held;
     settings_.placing = {&held, services.shard_size};
@@ -159,7 +166,10 @@ class Sheet final : public DatasheetAnswer {
       settings_.checkpoint = &checkpoint.emplace(
           services.checkpoint.path, checkpointed_datasheet(request_, settings_.search));
     found_ = make_datasheet(request_, settings_, [](const ComponentBound&) {});
-    held.put_in_place();
+    std::vector<EndProofs*> ends;
+    for (Bound& bound : found_.bounds)
+      for (ComponentBound& c : bound.components) ends.push_back(&c.proofs);
+    settle_files(held, ends, *this);
     settings_.placing.held = nullptr;
     settings_.checkpoint = nullptr;
     if (checkpoint) checkpoint_line_ = checkpoint->line();
@@ -179,7 +189,8 @@ class Sheet final : public DatasheetAnswer {
 }  // namespace
 
 std::unique_ptr<BoundAnswer> ask(const AskBound& asked, const Services& services) {
-  BoundQuestion question = read_bound_question(asked.model, asked.quantity, asked.limit);
+  BoundQuestion question = read_bound_question(asked.model, asked.quantity, asked.limit,
+                                               watch_of(services, asked.search));
   if (question.limit && !services.checkpoint.path.empty() &&
       question.quantity.kind != QuantityKind::kCondition2)
     throw UsageError(services.dashes +

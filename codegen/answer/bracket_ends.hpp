@@ -12,4 +12,7 @@ namespace regulus {
 [[nodiscard]] std::vector<ProofOfEnd> proofs_of_ends(const EndProofs& ends,
                                                      const std::string& component);
 
+/// Puts the files of a run in their places. What is missing is noted in `ends` and in the answer.
+void settle_files(HeldFiles& held, const std::vector<EndProofs*>& ends, Answer& answer);
+
 }  // namespace regulus

@@ -13,6 +13,7 @@
 #include "codegen/question/engine/settings.hpp"
 #include "codegen/question/way/margin_checkpoint.hpp"
 #include "codegen/question/way/read_trajectory.hpp"
+#include "codegen/question/way/sides_search.hpp"
 #include "codegen/question/way/trajectory_certificate.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 #include "codegen/support/stopwatch.hpp"
@@ -26,6 +27,13 @@ bool is_worth_waiting(const PreparedSearch& preparation, const Result& result) {
   return preparation.cache != name(CacheUse::kOff) &&
          (!result.stopped_by || *result.stopped_by == Reason::kBoxBudget ||
           *result.stopped_by == Reason::kStalled);
+}
+
+/// True if the search has ended by itself, and more of it would not help.
+bool is_undecided(const Result& result) {
+  return result.reason == Reason::kUndefined || result.reason == Reason::kWidth ||
+         result.reason == Reason::kStalled || result.reason == Reason::kUncertainty ||
+         result.reason == Reason::kSeemsSingular;
 }
 
 /// The answer for a motion whose poses are a box or follow a formula.
@@ -44,9 +52,11 @@ class VarietyCheck final : public CheckAnswer {
         {certificate.observer(), checkpoint.observer(certificate.file()), display.observer()}));
     result = run_search(prepared_, search_, settings, &observers, checkpoint.found());
     certificate.finish(result);
-    checkpoint.finish(result, certificate.file());
-    nearest_ = nearest_singular(prepared_, result);
+    write_beside([&] { checkpoint.finish(result, certificate.file()); });
     proof = certificate.status();
+    if (is_undecided(result)) decide_by_sides(services, display.observer());
+    if (proof.is_lost()) lost.push_back(proof.obstacle());
+    nearest_ = nearest_singular(prepared_, result);
     checkpoint_line_ = checkpoint.line();
     for (const VariableLabel& variable : prepared_.labels.variables)
       variables.push_back(variable.name);
@@ -70,6 +80,19 @@ class VarietyCheck final : public CheckAnswer {
   }
 
  private:
+  /// Where atan2 jumps on the motion, the matrix is followed on both sides.
+  void decide_by_sides(const Services& services, Observer* display) {
+    const CutSides sides(prepared_.stages->request());
+    if (sides.is_empty()) return;
+    const auto decision =
+        search_sides(sides, prepared_, result, search_, services.interrupt, display);
+    if (!decision) return;
+    result = decision->result;
+    proof = certify_sides(services.certificate, sides, prepared_, *decision,
+                          {nullptr, services.shard_size});
+    prepared_.labels.matrix_notes.push_back(sides.note());
+  }
+
   SearchOptions search_;
   PreparedSearch prepared_;
   std::optional<LeastSingular> nearest_;
@@ -88,7 +111,10 @@ class WayCheck final : public CheckAnswer {
         check_trajectory(std::move(request), model_seconds, search_, !services.certificate.empty(),
                          {services.interrupt, display.observer(), &checkpoint});
     proof = certify_trajectory(services.certificate, check_, {nullptr, services.shard_size});
-    checkpoint.finish(check_.can_continue && check_.verdict == Verdict::kPossibleProblem);
+    if (proof.is_lost()) lost.push_back(proof.obstacle());
+    write_beside([&] {
+      checkpoint.finish(check_.can_continue && check_.verdict == Verdict::kPossibleProblem);
+    });
     checkpoint_line_ = checkpoint.line();
     if (check_.deciding) result = check_.deciding->result;
     result.verdict = check_.verdict;
@@ -116,7 +142,7 @@ std::unique_ptr<CheckAnswer> ask(const AskCheck& asked, const Services& services
   refuse_services_along_way(Kind::kWayCheck, asked.model, asked.search, services);
   set_outputs_aside(asked.model, asked.search, services);
   Stopwatch watch;
-  std::optional<Request> along = read_trajectory(asked.model);
+  std::optional<Request> along = read_trajectory(asked.model, watch_of(services, asked.search));
   if (!along) return std::make_unique<VarietyCheck>(asked, services);
   services.begin_search();
   return std::make_unique<WayCheck>(std::move(*along), watch.lap(), asked, services);

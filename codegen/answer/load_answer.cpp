@@ -51,6 +51,7 @@ class LoadSearch {
     answer.verdict = result_.verdict;
     answer.boxes = result_.boxes;
     answer.proof = certificate_.status();
+    if (answer.proof.is_lost()) answer.lost.push_back(answer.proof.obstacle());
     for (const VariableLabel& variable : prepared_.preparation.labels.variables)
       answer.variables.push_back(variable.name);
     if (answer.verdict == FeasibilityVerdict::kFeasible) answer.claim = describe_claim(prepared_);
@@ -108,7 +109,10 @@ class WayLoad final : public LoadAnswer {
     verdict = found_.verdict;
     boxes = found_.boxes;
     proof = certify_way_forces(services.certificate, found_, {nullptr, services.shard_size});
-    checkpoint.finish(found_.can_continue && verdict == FeasibilityVerdict::kPossibleProblem);
+    if (proof.is_lost()) lost.push_back(proof.obstacle());
+    write_beside([&] {
+      checkpoint.finish(found_.can_continue && verdict == FeasibilityVerdict::kPossibleProblem);
+    });
     checkpoint_line_ = checkpoint.line();
     if (verdict == FeasibilityVerdict::kFeasible) claim = describe_claim(found_);
     if (verdict == FeasibilityVerdict::kPossibleProblem) reason = describe_reason(found_);
@@ -149,9 +153,11 @@ class VarietyLoadPaving final : public LoadPavingAnswer {
       if (services.on_force_box) services.on_force_box(held, box);
     };
     pave(services, listen, pictures.observers());
-    write(json());
-    lines.finish();
-    pictures.draw(volumes_.by_stand_in());
+    write_beside([&] {
+      write(json());
+      lines.finish();
+    });
+    write_beside([&] { pictures.draw(volumes_.by_stand_in()); });
   }
 
   void tell(Facts& facts) const override { search_.tell(&volumes_, facts); }
@@ -204,12 +210,15 @@ class WayLoadPaving final : public LoadPavingAnswer {
     if (verdict == FeasibilityVerdict::kFeasible) claim = describe_claim(paving_.found);
     if (verdict == FeasibilityVerdict::kPossibleProblem) reason = describe_reason(paving_.found);
     proof = certify_way_forces(services.certificate, paving_.found, {nullptr, services.shard_size});
-    write();
+    if (proof.is_lost()) lost.push_back(proof.obstacle());
+    write_beside([this] { write(); });
     const Request& asked_about = paving_.found.request;
-    pictures.draw({fmt::format("{}, {}, load {}", asked_about.model.name, asked_about.motion.name,
-                               asked.load),
-                   *asked_about.motion.trajectory, as_path_stretches(paving_), word_of_stand_in});
-    checkpoint.finish(paving_.found.can_continue);
+    write_beside([&] {
+      pictures.draw({fmt::format("{}, {}, load {}", asked_about.model.name, asked_about.motion.name,
+                                 asked.load),
+                     *asked_about.motion.trajectory, as_path_stretches(paving_), word_of_stand_in});
+    });
+    write_beside([&] { checkpoint.finish(paving_.found.can_continue); });
     checkpoint_line_ = checkpoint.line();
   }
 
@@ -241,7 +250,7 @@ std::unique_ptr<LoadAnswer> ask(const AskLoad& asked, const Services& services) 
   refuse_services_along_way(Kind::kWayLoad, asked.model, asked.search, services);
   set_outputs_aside(asked.model, asked.search, services);
   Stopwatch watch;
-  std::optional<Request> along = read_trajectory(asked.model);
+  std::optional<Request> along = read_trajectory(asked.model, watch_of(services, asked.search));
   if (!along) return std::make_unique<VarietyLoad>(asked, services);
   services.begin_search();
   return std::make_unique<WayLoad>(std::move(*along), watch.lap(), asked, services);
@@ -254,7 +263,7 @@ std::unique_ptr<LoadPavingAnswer> ask(const AskLoadPaving& asked, const Services
   refuse_services_along_way(Kind::kWayLoadPaving, asked.model, asked.search, services);
   set_outputs_aside(asked.model, asked.search, services);
   Stopwatch watch;
-  std::optional<Request> along = read_trajectory(asked.model);
+  std::optional<Request> along = read_trajectory(asked.model, watch_of(services, asked.search));
   if (!along) return std::make_unique<VarietyLoadPaving>(asked, services);
   services.begin_search();
   return std::make_unique<WayLoadPaving>(std::move(*along), watch.lap(), asked, services);

@@ -55,9 +55,9 @@ class VarietyMargin final : public MarginAnswer {
     found_ = close_bracket(attempts, question_,
                            {limits_of(margin_.settings, gap_), services.interrupt,
                             steps_of(services), checkpoint.searches()});
-    held.put_in_place();
     margin_.prepared.seconds.search = found_.seconds;
     ends_ = attempts.proofs();
+    settle_files(held, {&ends_}, *this);
     checkpoint_line_ = checkpoint.line();
     set_ends(*this, found_);
     proofs = proofs_of_ends(ends_, "");
@@ -104,7 +104,7 @@ class WayMargin final : public MarginAnswer {
         margin_of_trajectory(request_, question_, search_, gap_, display_of(services),
                              {{}, services.interrupt, steps_of(services), checkpoint.searches()},
                              margin_proofs(services.certificate, {&held, services.shard_size}));
-    held.put_in_place();
+    settle_files(held, {&found_.proofs}, *this);
     checkpoint_line_ = checkpoint.line();
     set_ends(*this, found_.margin);
     proofs = proofs_of_ends(found_.proofs, "");
@@ -146,7 +146,8 @@ class MarginOfLimit final : public MarginAnswer {
  public:
   MarginOfLimit(const MarginQuestion& question, const ModelOptions& model, const AskMargin& asked,
                 const Services& services)
-      : question_(question), request_(read_asked(model, asked.quantity)) {
+      : question_(question),
+        request_(read_asked(model, asked.quantity, watch_of(services, asked.search))) {
     is_of_limit = true;
     Quantity quantity = quantity_of(request_.model, asked.quantity);
     settings_.gap = read_gap(asked.gap);
@@ -182,7 +183,9 @@ class MarginOfLimit final : public MarginAnswer {
     if (!services.checkpoint.path.empty())
       settings_.checkpoint = &checkpoint.emplace(services.checkpoint.path, checkpointed);
     found_ = limit_margin(request_, question_, std::move(quantity), settings_, steps_of(services));
-    held.put_in_place();
+    std::vector<EndProofs*> ends;
+    for (ComponentMargin& c : found_.components) ends.push_back(&c.proofs);
+    settle_files(held, ends, *this);
     settings_.placing.held = nullptr;
     settings_.checkpoint = nullptr;
     if (checkpoint) checkpoint_line_ = checkpoint->line();
@@ -214,7 +217,8 @@ std::unique_ptr<MarginAnswer> ask(const AskMargin& asked, const Services& servic
                             asked.search, services);
   if (has_limit) return std::make_unique<MarginOfLimit>(question, model, asked, services);
   set_outputs_aside(model, asked.search, services, EndProofs::files(services.certificate));
-  Request request = read_request(model);
+  const FormingWatch watch = watch_of(services, asked.search);
+  Request request = read_request(model, &watch);
   if (!request.motion.trajectory)
     return std::make_unique<VarietyMargin>(question, std::move(request), asked, services);
   return std::make_unique<WayMargin>(question, std::move(request), asked, services);

@@ -2,6 +2,7 @@
 #include "codegen/answer/outputs.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <iterator>
 
 #include "codegen/answer/report/progress.hpp"
@@ -45,6 +46,16 @@ OutputOptions display_of(const Services& services) {
 
 FormingWatch watch_of(const Services& services) {
   return forming_watch(display_of(services), services.interrupt);
+}
+
+FormingWatch watch_of(const Services& services, const SearchOptions& search) {
+  using Clock = FormingWatch::Clock;
+  FormingWatch watch{.interrupt = services.interrupt};
+  const std::chrono::duration<double> limit(search.time_limit);
+  // A limit that no clock reaches is no limit.
+  if (search.time_limit > 0 && limit < std::chrono::hours(24 * 365 * 100))
+    watch.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(limit);
+  return watch;
 }
 
 }  // namespace regulus

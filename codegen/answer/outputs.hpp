@@ -24,6 +24,8 @@ void set_outputs_aside(const ModelOptions& model, const SearchOptions& search,
 
 /// Returns the watch of the stages before a search.
 [[nodiscard]] FormingWatch watch_of(const Services& services);
+/// Returns the watch of the reading of a model, which ends at the time limit, too.
+[[nodiscard]] FormingWatch watch_of(const Services& services, const SearchOptions& search);
 /// Returns what says whether a terminal shows the progress.
 [[nodiscard]] OutputOptions display_of(const Services& services);
 

@@ -109,11 +109,14 @@ class VarietyPaving final : public PavingAnswer {
     conclude(settings, listener.stop());
     certificate.finish(result);
     proof = certificate.status();
+    if (proof.is_lost()) lost.push_back(proof.obstacle());
     if (tree) *services.tree = tree->text();
-    if (writer) writer->finish(json(), lines.name());
-    lines.finish();
-    pictures.draw(volumes_);
-    checkpoint.finish(can_continue);
+    write_beside([&] {
+      if (writer) writer->finish(json(), lines.name());
+      lines.finish();
+    });
+    write_beside([&] { pictures.draw(volumes_); });
+    write_beside([&] { checkpoint.finish(can_continue); });
     checkpoint_line_ = checkpoint.line();
   }
 
@@ -162,6 +165,7 @@ class WayPaving final : public PavingAnswer {
                               !services.certificate.empty(),
                               {services.interrupt, display.observer(), &checkpoint});
     proof = certify_path_paving(services.certificate, paving_, {nullptr, services.shard_size});
+    if (proof.is_lost()) lost.push_back(proof.obstacle());
     result.verdict = paving_.check.verdict;
     result.reason = paving_.check.reason;
     result.statistics = paving_.check.path.statistics;
@@ -169,11 +173,13 @@ class WayPaving final : public PavingAnswer {
       stretches.push_back({stretch.claim, stretch.begin.piece + 1, stretch.end.piece + 1,
                            stretch.begin.s, stretch.end.s,
                            report_text(json_stretch(paving_, stretch))});
-    write();
+    write_beside([this] { write(); });
     const Request& asked_about = paving_.check.request;
-    pictures.draw({fmt::format("{}, {}", asked_about.model.name, asked_about.motion.name),
-                   *asked_about.motion.trajectory, paving_.stretches, name});
-    checkpoint.finish(paving_.check.can_continue);
+    write_beside([&] {
+      pictures.draw({fmt::format("{}, {}", asked_about.model.name, asked_about.motion.name),
+                     *asked_about.motion.trajectory, paving_.stretches, name});
+    });
+    write_beside([&] { checkpoint.finish(paving_.check.can_continue); });
     checkpoint_line_ = checkpoint.line();
   }
 
@@ -206,7 +212,8 @@ std::unique_ptr<PavingAnswer> ask(const AskPaving& asked, const Services& servic
   refuse_services_along_way(Kind::kWayPaving, asked.model, asked.search, services);
   set_outputs_aside(asked.model, asked.search, services);
   Stopwatch watch;
-  std::optional<Request> along = read_trajectory(model_of(asked, services));
+  std::optional<Request> along =
+      read_trajectory(model_of(asked, services), watch_of(services, asked.search));
   if (!along) return std::make_unique<VarietyPaving>(asked, services);
   services.begin_search();
   return std::make_unique<WayPaving>(std::move(*along), watch.lap(), asked, services);

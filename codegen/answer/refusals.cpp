@@ -7,6 +7,7 @@
 #include <array>
 #include <vector>
 
+#include "codegen/answer/outputs.hpp"
 #include "codegen/question/way/read_trajectory.hpp"
 #include "codegen/support/errors.hpp"
 
@@ -180,7 +181,7 @@ void refuse_services(Kind kind, const SearchOptions& search, const Services& ser
 void refuse_services_along_way(Kind along, const ModelOptions& model, const SearchOptions& search,
                                const Services& services) {
   if (!refusal(along, kAnswer) && !has_refused_service(along, search, services)) return;
-  if (read_trajectory(model)) refuse_services(along, search, services);
+  if (read_trajectory(model, watch_of(services, search))) refuse_services(along, search, services);
 }
 
 void refuse_changed_options(const ModelOptions& model, const SearchOptions& search) {

@@ -72,7 +72,11 @@ Request read_request(const ModelOptions& options, const FormingWatch* watch) {
 Request read_request(std::string_view text, const ModelOptions& options,
                      const FormingWatch* watch) {
   Request request;
-  request.model = parse_model(text, options.path, options.asked, watch);
+  try {
+    request.model = parse_model(text, options.path, options.asked, watch);
+  } catch (const FormingStopped& stopped) {
+    throw ReadingStopped(stopped.interrupted);
+  }
   request.model.path = options.path;
   from_option("MOTION", [&] { request.motion = find_motion(request.model, options.motion); });
   apply_changes(request, options);

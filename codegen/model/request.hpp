@@ -24,7 +24,7 @@ struct Request {
 /// Returns the text of the model. Throws FileError.
 [[nodiscard]] std::string model_text(const ModelOptions& options);
 
-/// Throws InputError or FileError for the file, UsageError for the options, FormingStopped if `watch`
+/// Throws InputError or FileError for the file, UsageError for the options, ReadingStopped if `watch`
 /// stops the reading.
 [[nodiscard]] Request read_request(const ModelOptions& options,
                                    const FormingWatch* watch = nullptr);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <exception>
 #include <functional>
 #include <map>
 #include <string>
@@ -22,10 +23,18 @@ class HeldFiles {
     if (auto file = part.files_.extract(path)) files_[path] = std::move(file.mapped());
   }
 
-  /// Throws    what the steps throw.
+  /// Throws    what the first step that fails throws, after the others.
   void put_in_place() {
-    for (const auto& [path, step] : files_) step();
+    std::exception_ptr failure;
+    for (const auto& [path, step] : files_) {
+      try {
+        step();
+      } catch (...) {
+        if (!failure) failure = std::current_exception();
+      }
+    }
     files_.clear();
+    if (failure) std::rethrow_exception(failure);
   }
 
  private:

@@ -41,6 +41,7 @@ class PieceChecker {
 
   void check() {
     advance(lines_);
+    result_.are_sides = has_all_sides();
     for (std::size_t k = 0; k < pieces_.values.size(); ++k) {
       if (lines_.text() != "tree") throw Rejection("expected the line 'tree' of " + piece(k));
       check_piece(k);
@@ -118,12 +119,26 @@ class PieceChecker {
   /// Every piece is compared in full: a value of its own may stand in any line.
   void compare(Question& question, std::size_t k) {
     if (k == 0) begin_comparison(question);
+    if (!waypoints_->is_named()) return compare_sides(question, k);
     const std::size_t poses = waypoints_->compare(question, k);
     std::vector<std::string> compared = waypoints_->compared_keys(question);
     for (const std::string& name : pieces_.names) compared.push_back("value " + name);
+    compare_rest(question, k, compared, nullptr);
+    result_.numbers += poses;
+  }
+
+  void compare_sides(Question& question, std::size_t k) {
+    CutSides sides(question, pieces_.values_of(k));
+    std::vector<std::string> compared = sides.constraints();
+    for (const std::string& name : pieces_.names) compared.push_back("value " + name);
+    compare_rest(question, k, compared, &sides);
+  }
+
+  void compare_rest(Question& question, std::size_t k, const std::vector<std::string>& compared,
+                    CutSides* sides) {
     Verification of_piece;
-    compare_with_model(question, model_, options_, of_piece, compared);
-    result_.numbers += poses + (k == 0 ? of_piece.numbers : 0);
+    compare_with_model(question, model_, options_, of_piece, compared, sides);
+    if (k == 0) result_.numbers += of_piece.numbers;
     for (const std::string& difference : of_piece.differences)
       if (std::ranges::find(result_.differences, difference) == result_.differences.end())
         result_.differences.push_back(difference);
@@ -133,6 +148,7 @@ class PieceChecker {
     model_ = read_model_values(options_.model_text);
     waypoints_.emplace(model_, question.motion, options_.model_name, options_.waypoints);
     const std::size_t count = pieces_.values.size();
+    if (!waypoints_->is_named() && result_.are_sides) return;
     if (!waypoints_->is_named())
       throw Unfinished("the certificate has " + std::to_string(count) +
                        " pieces, and the motion names no file of way-points; name it by "
@@ -141,6 +157,12 @@ class PieceChecker {
       throw OtherModel("the certificate is not about " + waypoints_->file() + ": it has " +
                        std::to_string(count) + " pieces, the file " +
                        std::to_string(waypoints_->pieces()));
+  }
+
+  [[nodiscard]] bool has_all_sides() const {
+    std::vector<std::vector<std::string>> values;
+    for (std::size_t k = 0; k < pieces_.values.size(); ++k) values.push_back(pieces_.values_of(k));
+    return are_all_signs(values) && end_in_sides(pieces_.after, pieces_.names);
   }
 
   [[nodiscard]] double seconds() const {

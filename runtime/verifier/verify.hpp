@@ -60,7 +60,8 @@ struct Verification {
   std::string claim;   ///< empty if it could not be read
   std::string bound;   ///< the number of a bound as a decimal, or that the claim has none
   std::string model, sha256, motion;
-  std::size_t pieces = 0;  ///< of a trajectory; 0: the motion is not one
+  std::size_t pieces = 0;  ///< of a trajectory, or sides of cuts of atan2; 0: there are none
+  bool are_sides = false;
   std::size_t shards = 0;  ///< of an index; 0: the proof is in one file
   std::uint64_t leaves = 0;
   std::uint64_t boxes = 0;                                ///< into which the leaves were cut

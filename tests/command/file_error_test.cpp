@@ -46,6 +46,30 @@ class FileTrouble : public testing::Test {
 
 constexpr const char* kNowhere = "/proc/self/nothing/can/be/made/here";
 
+/// A full disk takes the proof, and not the answer.
+TEST_F(FileTrouble, AnAnswerIsToldWithoutItsProof) {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> questions = {
+      {{"check", kRobot1, "table4_5"}, "NO SINGULARITY\n"},
+      {{"check", kRobot1, "wide_40"}, "SINGULARITY\n"},
+      {{"check", kRobot1, "T1"}, "NO SINGULARITY\n"},
+      {{"margin", kRobot1, "table4_5", "--tolerance", "base=0.01:", "--gap", "0.9"}, "\n"},
+      {{"bound", kRobot1, "table4_5", "sigma-min", "--gap", "0.9"}, "\n"},
+  };
+  for (auto [words, headline] : questions) {
+    words.insert(words.end(), {"--certificate", file("proof"), "--no-cache"});
+    const CommandResult told = with_small_files(1, words);
+    expect_trouble(told, "cannot be written");
+    EXPECT_THAT(told.errors, HasSubstr("certificate none"));
+    EXPECT_THAT(told.output, testing::EndsWith(headline)) << words[0] << ' ' << words[2];
+    words.emplace_back("--json");
+    const CommandResult report = with_small_files(1, words);
+    expect_trouble(report, "cannot be written");
+    EXPECT_THAT(report.output, HasSubstr("\"verdict\":")) << report.output;
+    EXPECT_THAT(report.output, HasSubstr("cannot be written")) << report.output;
+    EXPECT_FALSE(exists("proof"));
+  }
+}
+
 TEST_F(FileTrouble, AFolderInWhichNothingCanBeMadeIsSaid) {
   const std::vector<std::string> check = {"check", kPlanar, "regular"},
                                  locate = {"locate", kPlanar, "regular", "--quiet"};
@@ -68,7 +92,7 @@ TEST_F(FileTrouble, ACertificateThatDoesNotFitLeavesNoneOfAnEarlierRun) {
                                           file("certificate")};
   const CommandResult full = with_small_files(1, words);
   expect_trouble(full, "cannot be written: File too large");
-  EXPECT_EQ(full.output, "");
+  EXPECT_EQ(full.output, "NO SINGULARITY\n");
   EXPECT_FALSE(exists("certificate"));
   EXPECT_EQ(file_contents(file("certificate.old")), "the one before");
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(directory_.path()), {}), 1);

@@ -46,6 +46,33 @@ TEST_P(InstructionSet, GivesTheSameBitsWithEachEngineAndATrueEnclosure) {
   }
 }
 
+/// What is printed of a point depends on the point alone.
+TEST(AWitness, IsPrintedAlikeForEveryInstructionSetAndEngine) {
+  const TemporaryDirectory folder;
+  const std::string model = folder.path() / "model.toml";
+  std::ofstream(model) << "regulus = 1\nname = \"three\"\n[pose]\nx = \"1\"\n[matrix]\n"
+                          "rows = [[\"x^3/3 - 0.1\"]]\nrow_scale = [\"1/sqrt(3 + x)\"]\n"
+                          "[motion.crossing]\nx = [-1, 1]\n"
+                          "[motion.small]\nx = [\"0.2\", \"0.6\"]\nalpha = \"0.05\"\n";
+  const std::vector<std::vector<std::string>> questions = {
+      {model, "crossing"}, {model, "small"}, {kRobot1, "wide_40"}};
+  for (const auto& question : questions) {
+    json first;
+    for (const Isa isa : kAllIsas) {
+      if (!supported(isa)) continue;
+      for (const char* engine : {"interpreted", "jit"}) {
+        const std::vector<std::string> words{
+            "check",    question[0], question[1],  "--isa",   std::string(name(isa)),
+            "--engine", engine,      "--no-cache", "--quiet", "--json"};
+        const json witness = json::parse(regulus(words).output)["witness"];
+        ASSERT_TRUE(witness.is_object()) << question[1];
+        if (first.is_null()) first = witness;
+        EXPECT_EQ(witness, first) << question[1] << ' ' << name(isa) << ' ' << engine;
+      }
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Each, InstructionSet, testing::ValuesIn(kAllIsas),
                          [](const auto& isa) { return std::string(name(isa.param)); });
 

@@ -122,6 +122,10 @@ INSTANTIATE_TEST_SUITE_P(
         StoppedQuestion{"LocateOfALoad", {"locate", "cart.toml", "--load", "push"}},
         StoppedQuestion{"Margin",
                         {"margin", kModels + "robot_1.toml", "wide_15", "--scale", "1:3"}},
+        StoppedQuestion{
+            "MarginOfASerialArm",
+            {"margin", kModels + "puma_560_serial.toml", "dexterous", "--scale", "1:2"}},
+        StoppedQuestion{"DatasheetOfLegs", {"datasheet", kModels + "hexapod_6rus.toml", "work"}},
         StoppedQuestion{"MarginAlongWayPoints",
                         {"margin", "cart.toml", "--waypoints", "way.csv", "--tube", "0:1"}},
         StoppedQuestion{"Bound", {"bound", kModels + "orthoglide.toml", "cube", "sigma-min"}},

@@ -76,6 +76,28 @@ def test_every_wrong_argument_is_a_usage_error_in_words_of_python(name):
     assert "incompatible function arguments" not in message and "_regulus" not in message
 
 
+NUMBERS = {
+    "alpha": lambda: PLANAR.check("regular", alpha=NAN),
+    "range: x": lambda: PLANAR.check("regular", range={"x": (0, NAN)}),
+    "tolerance: base": lambda: PLANAR.check("regular", tolerance={"base": NAN}),
+    "tube: x": lambda: PLANAR.check("regular", tube={"x": NAN}),
+    "tube": lambda: PLANAR.check("regular", tube=NAN),
+    "resolution": lambda: PLANAR.locate("regular", resolution=NAN),
+    "gap": lambda: PLANAR.margin("regular", scale=(0, 1), gap=NAN),
+    "scale": lambda: PLANAR.margin("regular", scale=(0, NAN)),
+    "tolerance: platform": lambda: PLANAR.margin("regular", tolerance={"platform": (0, NAN)}),
+    "limit": lambda: PLANAR.bound("regular", "sigma-min", limit=NAN),
+    "base_tolerance": lambda: rg.gough([[0] * 3] * 6, [[0] * 3] * 6, motions={}, base_tolerance=NAN),
+    "base": lambda: rg.gough([[NAN] * 3] * 6, [[0] * 3] * 6, motions={}),
+}
+
+
+@pytest.mark.parametrize("name", NUMBERS)
+def test_a_number_that_is_none_is_told_with_its_argument(name):
+    with pytest.raises(rg.UsageError, match=f"^{name}: nan is not a finite number"):
+        NUMBERS[name]()
+
+
 def test_a_wrong_type_is_a_type_error_too():
     with pytest.raises(TypeError, match="threads: found 1.5; give a whole number"):
         PLANAR.check("regular", threads=1.5)

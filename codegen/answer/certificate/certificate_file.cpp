@@ -54,8 +54,10 @@ CertificateFile::CertificateFile(const std::string& path, const PreparedSearch& 
 
 void CertificateFile::finish(const Result& result) {
   if (!writer_) return;
-  if (!with_file_errors([&] { return writer_->finish(result); }))
-    return status_.set_obstacle(kNothingClaimed);
+  bool claims = false;
+  status_.attempt([&] { claims = with_file_errors([&] { return writer_->finish(result); }); });
+  if (status_.is_lost()) return;
+  if (!claims) return status_.set_obstacle(kNothingClaimed);
   const bool singular = result.verdict == Verdict::kSingularity;
   std::string note = singular ? doubt_singular_ : doubt_safe_;
   if (note.empty() && !singular) note = doubt_of(result.statistics);

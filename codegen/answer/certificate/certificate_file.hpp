@@ -24,7 +24,7 @@ class CertificateFile {
   /// Returns the observer of the search; nullptr if no certificate is wanted, or none can be made.
   [[nodiscard]] Observer* observer() noexcept { return writer_ ? &*writer_ : nullptr; }
 
-  /// Moves the file to its final name if the verdict claims something. Throws FileError.
+  /// Moves the file to its final name if the verdict claims something. If this fails, status() says so.
   void finish(const Result& result);
 
   /// Returns nullptr if no certificate is wanted, or none can be made.

@@ -12,6 +12,7 @@
 
 #include "codegen/answer/certificate/certificate_expression_writer.hpp"
 #include "codegen/answer/certificate/certificate_question.hpp"
+#include "codegen/answer/certificate/cut_sides.hpp"
 #include "codegen/answer/certificate/load_question.hpp"
 #include "codegen/answer/certificate/piece_question.hpp"
 #include "codegen/model/exact/certain_sign.hpp"
@@ -102,9 +103,13 @@ class CertificateOverrides {
  private:
   [[nodiscard]] std::string question_of(const CertificateHead& certificate,
                                         const std::set<std::string>& uncertain) const {
-    if (!request_.motion.trajectory) return certified_question(request_, uncertain).text;
-    if (!certificate.value("piecewise").empty())
-      return trajectory_question(request_, uncertain).text;
+    const bool is_piecewise = !certificate.value("piecewise").empty();
+    if (!request_.motion.trajectory) {
+      const CutSides sides(request_);
+      return is_piecewise && !sides.is_empty() ? sides.on_all_sides(uncertain).text
+                                               : certified_question(request_, uncertain).text;
+    }
+    if (is_piecewise) return trajectory_question(request_, uncertain).text;
     return question_of_piece(certificate, uncertain);
   }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/answer/certificate/proof_status.hpp"
 
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "runtime/proof/format.hpp"
@@ -83,15 +85,43 @@ std::vector<OutputFile> EndProofs::files(const std::string& path) {
           {"--certificate", path + kSingular, true, format::kShardsEnding}};
 }
 
-void EndProofs::write_safe(std::shared_ptr<ProofFile> complete, std::string words) {
-  put_in_place(std::move(complete), placing_);
-  set_safe(std::move(words));
+void EndProofs::write_safe(const std::function<std::shared_ptr<ProofFile>()>& complete,
+                           std::string words) {
+  try {
+    put_in_place(complete(), placing_);
+    set_safe(std::move(words));
+  } catch (const FileError& why) {
+    lose_safe(why.what());
+  }
 }
 
 void EndProofs::write_singular(const std::string& head, const std::string& witness,
                                std::string words) {
-  write_witness(singular_file(), head, witness, placing_);
-  set_singular(std::move(words));
+  try {
+    write_witness(singular_file(), head, witness, placing_);
+    set_singular(std::move(words));
+  } catch (const FileError& why) {
+    lose_singular(why.what());
+  }
+}
+
+/// An earlier file of this end stays.
+void EndProofs::lose(EndProof& end, std::string why) {
+  if (end.file.empty()) end.words = why;
+  end.lost = std::move(why);
+}
+
+void EndProofs::note_missing_files(const std::string& why) {
+  std::error_code ignored;
+  for (EndProof* end : {&safe_, &singular_})
+    if (!end->file.empty() && !std::filesystem::exists(end->file, ignored)) *end = {{}, why, why};
+}
+
+std::vector<std::string> EndProofs::lost() const {
+  std::vector<std::string> all;
+  for (const EndProof* end : {&safe_, &singular_})
+    if (!end->lost.empty()) all.push_back(end->lost);
+  return all;
 }
 
 std::string EndProofs::safe_file() const { return path_ + kSafe; }

@@ -2,6 +2,7 @@
 // What the option --certificate gave: a file, or the reason why there is none.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -60,6 +61,19 @@ class ProofStatus {
   /// `note`: why the verifier may not finish; empty if no reason is known.
   void set_written(std::string note = "");
   void set_obstacle(std::string obstacle) { obstacle_ = std::move(obstacle); }
+  /// Runs what writes the proof; a FileError becomes the obstacle.
+  template <class Write>
+  void attempt(const Write& write) {
+    try {
+      write();
+    } catch (const FileError& why) {
+      is_lost_ = true;
+      is_written_ = false;
+      obstacle_ = why.what();
+    }
+  }
+  /// True if a file, and not the verdict, is the obstacle.
+  [[nodiscard]] bool is_lost() const noexcept { return is_lost_; }
 
   /// Returns lines of the report; empty if no certificate was wanted.
   [[nodiscard]] std::string line() const;
@@ -69,13 +83,14 @@ class ProofStatus {
 
  private:
   std::string path_, obstacle_, note_;
-  bool is_written_ = false;
+  bool is_written_ = false, is_lost_ = false;
 };
 
 /// The proof of one end of a bracket. `words` say what it proves; without a file, why there is none.
 struct EndProof {
   std::string file;
   std::string words;
+  std::string lost{};  ///< why the last proof of this end could not be written; empty: it was
 };
 
 /// The proofs of both ends of a bracket: FILE.safe and FILE.singular.
@@ -103,12 +118,21 @@ class EndProofs {
   /// The file of an end has been written.
   void set_safe(std::string words) { safe_ = {safe_file(), std::move(words)}; }
   void set_singular(std::string words) { singular_ = {singular_file(), std::move(words)}; }
-  /// Writes the file of an end. Throws FileError.
-  void write_safe(std::shared_ptr<ProofFile> complete, std::string words);
+  /// Completes the file of an end and puts it in its place, or notes why this failed. `complete` may
+  /// throw FileError.
+  void write_safe(const std::function<std::shared_ptr<ProofFile>()>& complete, std::string words);
   void write_singular(const std::string& head, const std::string& witness, std::string words);
+  /// A proof of an end could not be written.
+  void lose_safe(std::string why) { lose(safe_, std::move(why)); }
+  void lose_singular(std::string why) { lose(singular_, std::move(why)); }
+  /// Notes the files that are not in their places, after the run has ended with this failure.
+  void note_missing_files(const std::string& why);
   /// Takes the file of an end, or why there is none, from an earlier run for the same files.
   void keep_safe(const EndProofs& earlier) { safe_ = earlier.safe_; }
   void keep_singular(const EndProofs& earlier) { singular_ = earlier.singular_; }
+  /// Returns why proofs could not be written, as sentences.
+  [[nodiscard]] std::vector<std::string> lost() const;
+
   /// An end has no proof; one that was written before stays.
   void set_no_safe(std::string why);
   void set_no_singular(std::string why);
@@ -124,6 +148,8 @@ class EndProofs {
   void add_to(nlohmann::ordered_json& proofs, const std::string& component = "") const;
 
  private:
+  static void lose(EndProof& end, std::string why);
+
   std::string path_;
   ProofPlacing placing_;
   EndProof safe_, singular_;

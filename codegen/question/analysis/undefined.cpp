@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/analysis/undefined.hpp"
 
+#include <algorithm>
 #include <unordered_set>
 
 #include "codegen/kernel/formulation/substitution.hpp"
@@ -72,6 +73,12 @@ Undefined Definedness::look_at(std::span<const Interval> box) const {
   }
   result.pose = pose_over(result.variables);
   return result;
+}
+
+bool Definedness::certain_on(std::span<const Interval> box) const {
+  return std::ranges::all_of(operations_, [box](const Operation& operation) {
+    return enclose_over(operation.whole, box).has_value();
+  });
 }
 
 Undefined find_undefined(const PreparedSearch& p, std::span<const Interval> box) {

@@ -33,6 +33,8 @@ class Definedness {
 
   /// Encloses them over a box: an expression in the result may still be defined everywhere on it.
   [[nodiscard]] Undefined look_at(std::span<const Interval> box) const;
+  /// Ensures   true only if every expression has a value everywhere on the box.
+  [[nodiscard]] bool certain_on(std::span<const Interval> box) const;
 
  private:
   struct Operation {

@@ -21,11 +21,11 @@ bool is_word(const std::string& text) {
 }  // namespace
 
 /// A text that is neither a quantity nor an expression may be a mistyped word.
-Request read_asked(ModelOptions model, const QuantityOptions& quantity) {
+Request read_asked(ModelOptions model, const QuantityOptions& quantity, const FormingWatch& watch) {
   const std::string& text = quantity.quantity;
   if (!is_quantity(text)) model.asked = text;
   try {
-    return read_request(model);
+    return read_request(model, &watch);
   } catch (const UsageError&) {
     if (model.asked.empty() || !is_word(text)) throw;
   }
@@ -47,12 +47,12 @@ GiNaC::ex read_limit(const std::string& text, const Quantity& quantity) {
 }
 
 BoundQuestion read_bound_question(const ModelOptions& model, const QuantityOptions& words,
-                                  const std::string& limit) {
+                                  const std::string& limit, const FormingWatch& watch) {
   if (words.quantity.empty())
     throw UsageError(fmt::format("bound: no QUANTITY; it is {}, or an expression of the model",
                                  fmt::join(quantity_words(), ", ")));
   refuse_threshold(model);
-  BoundQuestion question{read_asked(model, words), {}, {}};
+  BoundQuestion question{read_asked(model, words, watch), {}, {}};
   question.quantity = quantity_of(question.request.model, words);
   if (!limit.empty()) question.limit = read_limit(limit, question.quantity);
   return question;

@@ -19,7 +19,8 @@ struct BoundQuestion {
 };
 
 /// Reads the model; a quantity that is no word is an expression of it. Throws UsageError.
-[[nodiscard]] Request read_asked(ModelOptions model, const QuantityOptions& quantity);
+[[nodiscard]] Request read_asked(ModelOptions model, const QuantityOptions& quantity,
+                                 const FormingWatch& watch = {});
 
 /// Throws    UsageError for a text that is not a constant, or is not positive where it must be.
 [[nodiscard]] GiNaC::ex read_limit(const std::string& text, const Quantity& quantity);
@@ -30,6 +31,7 @@ struct BoundQuestion {
 ///           threshold, which would be ignored.
 [[nodiscard]] BoundQuestion read_bound_question(const ModelOptions& model,
                                                 const QuantityOptions& words,
-                                                const std::string& limit);
+                                                const std::string& limit,
+                                                const FormingWatch& watch = {});
 
 }  // namespace regulus

@@ -53,12 +53,13 @@ void ConditionCertificate::prove(const BoundEnd& end) {
   const CertifiedAbout about = this->about(end.exact);
   const CertifiedQuestion one = on_piece(0, about, uncertain_);
   if (is_refused(one, false)) return;
-  const auto file =
-      pieces_ ? proof_of_pieces(proofs_.safe_file(),
-                                trajectory_question(request_, uncertain_, about).head(false),
-                                pieces_->trees(), certificate_word)
-              : proof_of_tree(one.head(false));
-  proofs_.write_safe(file, "below " + rounded_text(end, RoundTo::kAbove));
+  const auto complete = [&] {
+    return pieces_ ? proof_of_pieces(proofs_.safe_file(),
+                                     trajectory_question(request_, uncertain_, about).head(false),
+                                     pieces_->trees(), certificate_word)
+                   : proof_of_tree(one.head(false));
+  };
+  proofs_.write_safe(complete, "below " + rounded_text(end, RoundTo::kAbove));
 }
 
 std::shared_ptr<ProofFile> ConditionCertificate::proof_of_tree(const std::string& head) const {

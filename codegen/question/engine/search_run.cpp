@@ -7,6 +7,7 @@
 #include "codegen/question/engine/algebra_oracle.hpp"
 #include "codegen/question/engine/arb_oracle.hpp"
 #include "codegen/question/engine/closed_form_bounds.hpp"
+#include "codegen/question/engine/witness_values.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/stopwatch.hpp"
 #include "runtime/problem/observers.hpp"
@@ -32,6 +33,7 @@ Result with_oracle(PreparedSearch& preparation, const SearchOptions& search, Set
   Result result = run();
   settings.closed_form = nullptr;
   if (oracle) preparation.bits = std::max(preparation.bits, oracle->bits());
+  enclose_determinants(preparation, result);
   return result;
 }
 

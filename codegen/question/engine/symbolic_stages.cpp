@@ -30,13 +30,7 @@ Program matrix_of(const Formulation& outline, const FormingWatch& watch) {
 }  // namespace
 
 const Request& SymbolicStages::request() {
-  return made(request_, model_seconds_, [&] {
-    try {
-      return read_request(text_, options_, &watch_);
-    } catch (const FormingStopped& stopped) {
-      throw ReadingStopped(stopped.interrupted);
-    }
-  });
+  return made(request_, model_seconds_, [&] { return read_request(text_, options_, &watch_); });
 }
 
 const Formulation& SymbolicStages::natural_formulation() {

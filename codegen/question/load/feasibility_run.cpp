@@ -39,7 +39,7 @@ nlohmann::ordered_json checkpointed_question(const PreparedForces& prepared,
 PreparedForces prepare_forces(const ModelOptions& model, const std::string& load,
                               const SearchOptions& search, FormingWatch watch) {
   Stopwatch stopwatch;
-  Request request = read_request(model);
+  Request request = read_request(model, &watch);
   return prepare_forces(std::move(request), stopwatch.lap(), load, search, std::move(watch));
 }
 

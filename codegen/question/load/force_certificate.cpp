@@ -85,6 +85,10 @@ void ForceCertificate::finish(const FeasibilityResult& result) {
   if (paves_ && result.is_empty) return status_.set_obstacle("the constraints exclude every pose");
   if (!paves_ && result.verdict == FeasibilityVerdict::kPossibleProblem)
     return status_.set_obstacle(kNothingClaimed);
+  status_.attempt([&] { write(result); });
+}
+
+void ForceCertificate::write(const FeasibilityResult& result) {
   with_file_errors([&] {
     if (!paves_ && result.verdict == FeasibilityVerdict::kInfeasible)
       file_->finish_with(question_.head(format::kInfeasible), shortage_lines(*result.witness));
@@ -100,11 +104,13 @@ ProofStatus certify_way_forces(const std::string& path, const WayForces& found,
   if (!status.is_wanted()) return status;
   if (found.verdict == FeasibilityVerdict::kPossibleProblem)
     status.set_obstacle(kNothingClaimed);
-  else if (found.verdict == FeasibilityVerdict::kFeasible)
-    status.set_obstacle(write_feasible(path, found, placing));
   else
-    status.set_obstacle(write_infeasible(path, *found.deciding->prepared,
-                                         *found.deciding->result.witness, placing));
+    status.attempt([&] {
+      status.set_obstacle(found.verdict == FeasibilityVerdict::kFeasible
+                              ? write_feasible(path, found, placing)
+                              : write_infeasible(path, *found.deciding->prepared,
+                                                 *found.deciding->result.witness, placing));
+    });
   if (status.obstacle().empty()) status.set_written();
   return status;
 }

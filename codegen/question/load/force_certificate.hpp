@@ -28,12 +28,14 @@ class ForceCertificate final : public Observer {
   void on_split(const OpenBox& box, const Split& split) noexcept override;
   void on_leaf(const OpenBox& box, Rule rule, const Proof& proof) noexcept override;
 
-  /// Puts the file in its place if the result claims something. Throws FileError.
+  /// Puts the file in its place if the result claims something. If this fails, status() says so.
   void finish(const FeasibilityResult& result);
 
   [[nodiscard]] const ProofStatus& status() const noexcept { return status_; }
 
  private:
+  void write(const FeasibilityResult& result);
+
   const bool paves_;
   ProofStatus status_;
   CertifiedLoad question_;
@@ -41,7 +43,7 @@ class ForceCertificate final : public Observer {
 };
 
 /// Writes the proof of a verdict along way-points: of all pieces, or of the pose on one of them. An
-/// empty `path` means no certificate. Throws FileError.
+/// empty `path` means no certificate.
 [[nodiscard]] ProofStatus certify_way_forces(const std::string& path, const WayForces& found,
                                              const ProofPlacing& placing);
 

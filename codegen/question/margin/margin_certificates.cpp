@@ -25,17 +25,24 @@ Observer* MarginCertificates::watch(const MarginValue& value) {
   if (!proofs_.are_wanted()) return nullptr;
   CertifiedQuestion question = question_at(value);
   if (is_refused(question, false)) return nullptr;
-  with_file_errors([&] {
-    search_ = std::make_shared<CertificateWriter>(proofs_.safe_file(), std::move(question));
-  });
+  try {
+    with_file_errors([&] {
+      search_ = std::make_shared<CertificateWriter>(proofs_.safe_file(), std::move(question));
+    });
+  } catch (const FileError& why) {
+    proofs_.lose_safe(why.what());
+  }
   return search_.get();
 }
 
 void MarginCertificates::finish(const MarginValue& value, const Result& result) {
   const bool singular = result.verdict == Verdict::kSingularity;
   if (result.verdict == Verdict::kNoSingularity && search_) {
-    with_file_errors([&] { static_cast<void>(search_->complete(result)); });
-    proofs_.write_safe({search_, &search_->file()}, "safe at " + value.text);
+    const auto complete = [&] {
+      with_file_errors([&] { static_cast<void>(search_->complete(result)); });
+      return std::shared_ptr<ProofFile>(search_, &search_->file());
+    };
+    proofs_.write_safe(complete, "safe at " + value.text);
   }
   search_.reset();
   if (!singular || !proofs_.are_wanted()) return;

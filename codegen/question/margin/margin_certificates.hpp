@@ -22,10 +22,10 @@ class MarginCertificates {
   MarginCertificates(EndProofs proofs, const MarginRequest& request, const ReportLabels& subject);
 
   /// Returns the observer of a search at this value; nullptr if none is wanted. It replaces the
-  /// previous one. Throws FileError.
+  /// previous one. A file that cannot be written is noted.
   [[nodiscard]] Observer* watch(const MarginValue& value);
   /// Writes the certificate of the last observed search, or of a witness that no search has found.
-  /// Throws FileError.
+  /// A file that cannot be written is noted.
   void finish(const MarginValue& value, const Result& result);
 
   [[nodiscard]] const EndProofs& proofs() const noexcept { return proofs_; }

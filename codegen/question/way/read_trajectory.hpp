@@ -9,6 +9,7 @@ namespace regulus {
 
 /// Returns the request of a motion along way-points; nullopt for another motion, whose model need
 /// not have been read. Throws as read_request().
-[[nodiscard]] std::optional<Request> read_trajectory(const ModelOptions& options);
+[[nodiscard]] std::optional<Request> read_trajectory(const ModelOptions& options,
+                                                     const FormingWatch& watch = {});
 
 }  // namespace regulus

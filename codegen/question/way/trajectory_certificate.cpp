@@ -62,9 +62,11 @@ ProofStatus certify_trajectory(const std::string& path, const TrajectoryCheck& c
   if (check.verdict == Verdict::kPossibleProblem)
     status.set_obstacle(kNothingClaimed);
   else
-    status.set_obstacle(check.verdict == Verdict::kNoSingularity
-                            ? write_safe(path, check, motion, placing)
-                            : write_singular(path, check, motion, placing));
+    status.attempt([&] {
+      status.set_obstacle(check.verdict == Verdict::kNoSingularity
+                              ? write_safe(path, check, motion, placing)
+                              : write_singular(path, check, motion, placing));
+    });
   if (status.obstacle().empty()) status.set_written();
   return status;
 }

@@ -23,7 +23,7 @@ void write_pieces(const std::string& path, const std::string& head,
 
 /// Writes the proof of the verdict: of all pieces, or the singular pose on one of them. An empty
 /// `path` means no certificate. `motion`: what it is about, if this is not the check's own question.
-/// Throws FileError.
+/// The status says if a file could not be written.
 [[nodiscard]] ProofStatus certify_trajectory(const std::string& path, const TrajectoryCheck& check,
                                              const ProofPlacing& placing);
 [[nodiscard]] ProofStatus certify_trajectory(const std::string& path, const TrajectoryCheck& check,

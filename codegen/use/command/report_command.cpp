@@ -66,17 +66,20 @@ int run_report(const ReportCommand& command, const std::string& typed) {
   if (!command.output.quiet) print_report(check->text());
   for (const Asked& asked : more_of(command))
     static_cast<void>(ask_for_page(asked, services, page));
-  const std::size_t size = page.write(command.page);
-  if (!command.output.quiet)
-    print_report(fmt::format("page       {}, {:.0f} kB\n", command.page, double(size) / 1000));
+  const bool is_written = check->write_beside([&] {
+    const std::size_t size = page.write(command.page);
+    if (!command.output.quiet)
+      print_report(fmt::format("page       {}, {:.0f} kB\n", command.page, double(size) / 1000));
+  });
   if (command.output.json) {
     nlohmann::ordered_json report = check->json();
-    report["page"] = command.page;
+    if (is_written) report["page"] = command.page;
     std::cout << report_text(report, command.output.json_indent) << '\n';
   } else {
     std::cout << check->headline() << '\n';
   }
   std::cout.flush();
+  print_lost(*check);
   return end_answer(*check, command.output, interrupt.requested());
 }
 

@@ -45,6 +45,7 @@ void print(const Answer& answer, const CommandQuestion& question) {
   else if (!output.quiet)
     std::cerr << answer.headline() << '\n';
   std::cout.flush();
+  print_lost(answer);
 }
 
 }  // namespace
@@ -111,8 +112,12 @@ int run_question(CommandQuestion question, const std::string& typed) {
   return end_answer(*answer, question.output, interrupt.requested());
 }
 
+void print_lost(const Answer& answer) {
+  for (const std::string& why : answer.lost) std::cerr << "regulus: " << why << '\n';
+}
+
 int end_answer(Answer& answer, const OutputOptions& output, const std::atomic<bool>& interrupted) {
-  const int code = exit_code_of(answer.word());
+  const int code = answer.lost.empty() ? int{exit_code_of(answer.word())} : int{kFileError};
   if (!std::cout) return code;
   const Answer::Rest rest = answer.wait_for_rest(interrupted);
   if (rest.is_at_work) {

@@ -30,7 +30,11 @@ struct CommandQuestion {
 /// `typed`: the command line as typed, for a page.
 [[nodiscard]] int run_question(CommandQuestion question, const std::string& typed);
 
-/// Waits for the rest of an answer; returns the exit code, or ends the process with it.
+/// Prints why files are missing, on standard error, with --quiet too.
+void print_lost(const Answer& answer);
+
+/// Waits for the rest of an answer; returns the exit code, or ends the process with it. Where a file is
+/// missing this is kFileError.
 [[nodiscard]] int end_answer(Answer& answer, const OutputOptions& output,
                              const std::atomic<bool>& interrupted);
 

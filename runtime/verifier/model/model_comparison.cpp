@@ -38,11 +38,11 @@ Names names_of_pieces(const std::vector<std::string>& compared) {
 class ModelComparison {
  public:
   ModelComparison(Question& q, const WrittenValues& values, const Options& options,
-                  Verification& result, const std::vector<std::string>& compared)
+                  Verification& result, const std::vector<std::string>& compared, CutSides* sides)
       : q_(q),
         values_(values),
         section_(read_section(values)),
-        comparer_(q, values, section_.get(), names_of_pieces(compared), options, result),
+        comparer_(q, values, section_.get(), names_of_pieces(compared), sides, options, result),
         compared_(compared.begin(), compared.end()) {}
 
   void run() {
@@ -214,8 +214,9 @@ class ModelComparison {
 }  // namespace
 
 void compare_with_model(Question& question, const WrittenValues& values, const Options& options,
-                        Verification& result, const std::vector<std::string>& compared) {
-  ModelComparison(question, values, options, result, compared).run();
+                        Verification& result, const std::vector<std::string>& compared,
+                        CutSides* sides) {
+  ModelComparison(question, values, options, result, compared, sides).run();
 }
 
 }  // namespace regulus::verifier

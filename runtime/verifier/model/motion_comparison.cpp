@@ -130,8 +130,10 @@ class MotionComparison {
       const std::string rest = at->first.substr(table.size());
       names.insert(rest.substr(0, rest.find_first_of(".[")));
     }
+    const bool is_along_waypoints = std::ranges::any_of(
+        compared_, [](const std::string& key) { return key.starts_with("lower "); });
     for (const std::string& name : names) {
-      if (!compared_.empty()) continue;  // Way-points take their place.
+      if (is_along_waypoints) continue;  // They take its place.
       if (!states("lower " + name))
         comparer_.refuse(comparer_.place_of(table + name + "[0]"), "no parameter " + name);
       compare_range(table + name, name, true);

@@ -44,11 +44,12 @@ Names degrees_of(const WrittenValues& values, const SectionReading* section) {
 }  // namespace
 
 QuestionComparer::QuestionComparer(Question& question, const WrittenValues& values,
-                                   SectionReading* section, Names hidden, const Options& options,
-                                   Verification& result)
+                                   SectionReading* section, Names hidden, CutSides* sides,
+                                   const Options& options, Verification& result)
     : q_(question),
       values_(values),
       section_(section),
+      sides_(sides),
       options_(options),
       result_(result),
       degrees_(degrees_of(values, section)),
@@ -78,7 +79,7 @@ NodeId QuestionComparer::compare_at(const std::string& place, const std::string&
   const FilePlace from = place_of(place);
   NodeId node = kNoNode;
   try {
-    node = expressions_.at(place, scope, is_number_of_degrees(stated));
+    node = on_sides(expressions_.at(place, scope, is_number_of_degrees(stated)));
   } catch (const Rejection& why) {
     leave_out(from, why.what());
   } catch (const Unfinished& why) {

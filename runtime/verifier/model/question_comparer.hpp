@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/verifier/model/cut_sides.hpp"
 #include "runtime/verifier/model/definedness.hpp"
 #include "runtime/verifier/model/file_expressions.hpp"
 #include "runtime/verifier/model/section_reading.hpp"
@@ -16,16 +17,17 @@ namespace regulus::verifier {
 class QuestionComparer final : public SectionComparer {
  public:
   /// `section`: may be null. `hidden`: names that the certificate gives the parts of a trajectory; an
-  /// expression of the file cannot mean them. All but `hidden` must outlive this object.
+  /// expression of the file cannot mean them. `sides`: of the cuts of atan2 that the question is about;
+  /// may be null. All but `hidden` must outlive this object.
   QuestionComparer(Question& question, const WrittenValues& values, SectionReading* section,
-                   Names hidden, const Options& options, Verification& result);
+                   Names hidden, CutSides* sides, const Options& options, Verification& result);
 
   [[nodiscard]] Question& question() override { return q_; }
   [[nodiscard]] const WrittenValues& values() const override { return values_; }
   /// Of a place that the file does not have: a value of 0, without a line.
   [[nodiscard]] FilePlace place_of(const std::string& place) const override;
   [[nodiscard]] NodeId expression_at(const std::string& place, const Scope& scope) override {
-    return expressions_.at(place, scope);
+    return on_sides(expressions_.at(place, scope));
   }
 
   using SectionComparer::compare;
@@ -70,6 +72,9 @@ class QuestionComparer final : public SectionComparer {
   void finish(bool has_balls);
 
  private:
+  [[nodiscard]] NodeId on_sides(NodeId expression) {
+    return sides_ == nullptr ? expression : sides_->on_sides(expression);
+  }
   [[nodiscard]] StatedValue stated_or_zero(const FilePlace& from, const std::string& stated);
   void differ(const FilePlace& from, const StatedValue& stated, const std::string& option);
   [[nodiscard]] bool is_number_of_degrees(const std::string& stated) const;
@@ -78,6 +83,7 @@ class QuestionComparer final : public SectionComparer {
   Question& q_;
   const WrittenValues& values_;
   SectionReading* section_;
+  CutSides* const sides_;
   const Options& options_;
   Verification& result_;
   const Names degrees_, hidden_;

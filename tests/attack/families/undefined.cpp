@@ -123,8 +123,14 @@ Attack branch_cut(std::uint64_t seed) {
     case 11:
       b.range("x", Rational(-2), -one);
       b.range("y", -one, one);
-      b.hide(b.random.pick({"atan2(y, x)", "atan2(y, x) - 4", "atan2(y, x) + 0.5"}));
-      b.undefined({{"x", "-3/2"}, {"y", "0"}});
+      // The matrix has either limit on the cut. One of the first two is 0.
+      if (b.coin()) {
+        b.hide(b.random.pick({"atan2(y, x) - pi", "atan2(y, x) + pi"}));
+        b.undefined({{"x", "-3/2"}, {"y", "0"}});
+      } else {
+        b.hide(b.random.pick({"atan2(y, x)", "atan2(y, x) - 4", "atan2(y, x) + 0.5"}));
+        b.regular(Rational(8, 10));  // |atan2(y, x)| is between 3π/4 and π
+      }
       break;
     case 12:
       b.range("x", Rational(-2), -one);

@@ -126,6 +126,62 @@ x = [-1, 1]
 phi = [-0.1, 0.1]
 )toml";
 
+/// Two angles that jump on the motion, at one ordinate and at another.
+constexpr const char* kSides = R"toml(regulus = 1
+name = "sides"
+[pose]
+x = "m"
+y = "m"
+[geometry]
+h = 0.125
+u = { value = 2, tolerance = 0.01, group = "u" }
+[let]
+a = "atan2(y - h, x)"
+[matrix]
+rows = [["a + u*x", "atan2(y + x/4, x - 1)"], ["y", "1/(3 + x)"]]
+[motion.across]
+x = [-2, -1.5]
+y = [0.05, 0.6]
+constraints = ["y - x - 4"]
+)toml";
+
+/// A motion along a curve that has a pole, and a twist in a ball.
+constexpr const char* kCurve = R"toml(regulus = 1
+name = "curve"
+[pose]
+x = "m"
+y = "m"
+phi = "rad"
+[matrix]
+twist = ["v_x", "v_y", "w_z"]
+rows = [["x + 4", "y", "1"], ["y/3", "x + 6", "phi"], ["0", "phi", "3"]]
+[twist.drift]
+velocity = { value = [0.1, 0.2], radius = 1 }
+rotation = [[-0.5, 0.5]]
+[motion.pole]
+parameters = { T = [0, 1] }
+x = "1/(T + 2)"
+y = "sqrt(T + 1)"
+phi = "T - 1/2"
+[motion.work]
+x = [-1, 1]
+y = [-1, 1]
+phi = [-0.1, 0.1]
+)toml";
+
+/// A force that grows without end near a singular pose.
+constexpr const char* kUnbounded = R"toml(regulus = 1
+name = "unbounded"
+[pose]
+x = "m"
+[matrix]
+rows = [["x - 1/3"]]
+[load.pull]
+wrench = [1]
+[motion.across]
+x = [-1, 1]
+)toml";
+
 constexpr const char* kWay = "x,y\n0.1,0.2\n0.3,0.1\n0.2,-0.1\n";
 constexpr const char* kMoves =
     "G21 G90 G17\nG0 X100 Y0 Z1\nG1 X200 Y100 F100\nG2 X300 Y0 I0 J-100\n";
@@ -155,6 +211,12 @@ const std::vector<Base>& bases() {
       {"way", kEverything, {"check", "way"}, kWay, "way.csv"},
       {"moves", kTable, {"check", "way"}, kMoves, "way.ngc"},
       {"removable", kRemovable, {"check", "m"}},
+      {"sides", kSides, {"check", "across"}},
+      {"curve", kCurve, {"check", "pole"}},
+      {"ball",
+       kCurve,
+       {"bound", "work", "speed", "--twist", "drift", "--leg", "1", "--signed", "--limit", "19"}},
+      {"unbounded", kUnbounded, {"bound", "across", "force", "--load", "pull", "--limit", "5"}},
       {"feasible", kCart, {"check", "work", "--load", "pull"}},
       {"paving", kCart, {"locate", "work", "--load", "gust"}},
       {"force", kPair, {"bound", "work", "force", "--load", "gust", "--leg", "1", "--limit", "50"}},

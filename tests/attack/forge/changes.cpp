@@ -2,6 +2,8 @@
 #include "tests/attack/forge/changes.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <optional>
 #include <sstream>
 #include <vector>
 
@@ -160,9 +162,116 @@ std::size_t meaning_of(const std::string& line) {
   return word == kNowhere ? line.size() : word + 1;
 }
 
-}  // namespace
+/// The lines of a certificate up to `proof`.
+std::size_t end_of_question(const Lines& lines) {
+  return std::size_t(std::find(lines.begin(), lines.end(), "proof") - lines.begin());
+}
 
-Change change_certificate(const std::string& certificate, Random& random) {
+/// Changes all lines with a number, or with a name, in the same way.
+Change change_everywhere(const std::string& certificate, bool numbers, Random& random) {
+  Lines lines = lines_of(certificate);
+  const std::size_t end = end_of_question(lines);
+  for (;;) {
+    const std::size_t at = 5 + random.below(end - 5);
+    const std::vector<Token> found = tokens(lines[at], meaning_of(lines[at]), numbers);
+    if (found.empty()) continue;
+    const Token token = random.pick(found);
+    const std::string word = lines[at].substr(token.begin, token.end - token.begin);
+    std::string other = numbers ? other_number(word, random) : "z_z";
+    const bool is_exchange = !numbers && random.one_in(2);
+    if (is_exchange) {
+      const std::string& from = lines[5 + random.below(end - 5)];
+      const std::vector<Token> names = tokens(from, meaning_of(from), false);
+      if (names.empty()) continue;
+      const Token name = random.pick(names);
+      other = from.substr(name.begin, name.end - name.begin);
+    }
+    if (other == word) continue;
+    for (std::size_t i = 5; i < end; ++i) {
+      const std::vector<Token> all = tokens(lines[i], meaning_of(lines[i]), numbers);
+      for (auto t = all.rbegin(); t != all.rend(); ++t) {
+        const std::string was = lines[i].substr(t->begin, t->end - t->begin);
+        if (was == word)
+          lines[i].replace(t->begin, t->end - t->begin, other);
+        else if (is_exchange && was == other)
+          lines[i].replace(t->begin, t->end - t->begin, word);
+      }
+    }
+    return {joined(lines), "everywhere: '" + word + "' -> '" + other + "'"};
+  }
+}
+
+/// Drops, repeats or turns round all lines of a kind.
+Change change_kind(const std::string& certificate, Random& random) {
+  Lines lines = lines_of(certificate);
+  const std::size_t end = end_of_question(lines);
+  const std::string& chosen = lines[5 + random.below(end - 5)];
+  const std::string kind = chosen.substr(0, meaning_of(chosen));
+  Lines of_kind, changed;
+  for (std::size_t i = 0; i < end; ++i)
+    if (lines[i].starts_with(kind)) of_kind.push_back(lines[i]);
+  std::reverse(of_kind.begin(), of_kind.end());
+  const std::size_t how = random.below(3);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (i >= end || !lines[i].starts_with(kind)) {
+      changed.push_back(lines[i]);
+    } else if (how == 1) {
+      changed.insert(changed.end(), 2, lines[i]);
+    } else if (how == 2) {
+      changed.push_back(of_kind.front());
+      of_kind.erase(of_kind.begin());
+    }
+  }
+  const char* const words[] = {"all dropped: ", "each twice: ", "in reverse: "};
+  return {joined(changed), words[how] + kind};
+}
+
+/// Changes what a line claims to have a value, or drops it. Nothing if there is no such line.
+std::optional<Change> change_condition(const std::string& certificate, Random& random) {
+  Lines lines = lines_of(certificate);
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < end_of_question(lines); ++i)
+    if (lines[i].find("defined ") != kNowhere) places.push_back(i);
+  if (places.empty()) return std::nullopt;
+  const std::size_t at = random.pick(places);
+  const std::string before = lines[at], key = before.substr(0, meaning_of(before)),
+                    text = before.substr(meaning_of(before));
+  const std::string others[] = {key + "1", key + "0*(" + text + ")", key + "(" + text + ")^2",
+                                key + "sqrt((" + text + ")^2)", key + "1/(1 + (" + text + ")^2)"};
+  if (random.one_in(3)) {
+    lines.erase(lines.begin() + std::ptrdiff_t(at));
+    return Change{joined(lines), described(at, before, "")};
+  }
+  lines[at] = others[random.below(std::size(others))];
+  return Change{joined(lines), described(at, before, lines[at])};
+}
+
+/// Changes a word of the first lines, or of the proof.
+Change change_frame(const std::string& certificate, Random& random) {
+  Lines lines = lines_of(certificate);
+  const std::size_t end = end_of_question(lines);
+  for (;;) {
+    const std::size_t rest = lines.size() - end;
+    const std::size_t at = random.one_in(2) ? random.below(5) : end + random.below(rest);
+    const std::string before = lines[at];
+    if (before.starts_with("verdict ")) {
+      const char* const verdicts[] = {"NO SINGULARITY", "SINGULARITY", "FEASIBLE", "INFEASIBLE",
+                                      "PAVING"};
+      lines[at] = std::string("verdict ") + verdicts[random.below(std::size(verdicts))];
+    } else if (random.one_in(4)) {
+      lines.erase(lines.begin() + std::ptrdiff_t(at));
+      return {joined(lines), described(at, before, "")};
+    } else if (random.one_in(2)) {
+      change_number(lines[at], 0, random);
+    } else {
+      change_name(lines[at], 0, lines, random);
+    }
+    if (lines[at] != before) return {joined(lines), described(at, before, lines[at])};
+  }
+}
+
+/// Changes one line of the question.
+Change change_line(const std::string& certificate, Random& random) {
   Lines lines = lines_of(certificate);
   const auto proof = std::find(lines.begin(), lines.end(), "proof");
   const std::size_t end = std::size_t(proof - lines.begin());
@@ -201,6 +310,35 @@ Change change_certificate(const std::string& certificate, Random& random) {
     if (changed && lines[at] != before) return {joined(lines), described(at, before, lines[at])};
     lines[at] = before;
   }
+}
+
+}  // namespace
+
+Change change_certificate(const std::string& certificate, Random& random) {
+  switch (random.below(12)) {
+    case 0:
+      return change_everywhere(certificate, true, random);
+    case 1:
+      return change_everywhere(certificate, false, random);
+    case 2:
+      return change_kind(certificate, random);
+    case 3:
+      return change_frame(certificate, random);
+    case 4:
+      if (const auto change = change_condition(certificate, random)) return *change;
+      break;
+    case 5: {
+      Change changes = change_line(certificate, random);
+      for (std::size_t more = 1 + random.below(2); more > 0; --more) {
+        Change next = change_line(changes.text, random);
+        changes = {std::move(next.text), changes.what + "; " + next.what};
+      }
+      return changes;
+    }
+    default:
+      break;
+  }
+  return change_line(certificate, random);
 }
 
 Change change_model(const std::string& model, Random& random) {

@@ -13,7 +13,8 @@ struct Change {
   std::string what;  ///< "line 12: 'entry x' -> 'entry x + 1'"
 };
 
-/// Changes a line of the question of a certificate; its proof stays.
+/// Changes lines of a certificate: one of the question, several in the same way, all of a kind, a
+/// condition to have a value, or the frame around the question.
 [[nodiscard]] Change change_certificate(const std::string& certificate, Random& random);
 
 /// Changes a number, a name, a word or a line of a model file.

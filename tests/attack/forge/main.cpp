@@ -10,19 +10,24 @@
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
 
 #include "tests/attack/forge/changes.hpp"
 #include "tests/attack/forge/genuine.hpp"
 #include "tests/attack/forge/same_question.hpp"
+#include "tests/attack/forge/touched.hpp"
 
 namespace regulus::attack {
 namespace {
 
 struct Options {
   std::uint64_t forgeries = 1000, seed = 1;
-  std::string only, json, show;
+  std::string only, json, show, format;
   std::size_t failures = 20;
 };
+
+constexpr int kChangesEach = 2000;
 
 struct Genuine {
   const Base* base;
@@ -102,6 +107,22 @@ class Run {
     return all.forged + all.broken == 0 && all_verified ? 0 : 1;
   }
 
+  /// Returns 1, and prints the words, if changes leave lines alone that the page has.
+  int find_untouched(const std::string& path) const {
+    std::ostringstream page;
+    page << std::ifstream(path).rdbuf();
+    std::set<std::string> words = words_of_format(page.str());
+    if (words.size() < 40) throw std::runtime_error(path + " has no tables of lines");
+    for (const Genuine& g : genuine_)
+      for (int i = 0; i < kChangesEach; ++i) {
+        Random random(g.base->name, std::uint64_t(i));
+        const Change change = change_certificate(g.certificate, random);
+        for (const std::string& word : words_touched(g.certificate, change.text)) words.erase(word);
+      }
+    for (const std::string& word : words) std::cout << "no forgery changes a line " << word << '\n';
+    return words.empty() ? 0 : 1;
+  }
+
   /// Prints the files of one forgery into the working folder.
   void show(std::uint64_t number) const {
     const Genuine& g = of(number);
@@ -171,7 +192,7 @@ class Run {
   void judge(const Genuine& g, const Forgery& forgery, std::uint64_t number, Counts& counts) {
     std::string why;
     if (forgery.is_of_certificate) {
-      why = difference(g.certificate, forgery.change.text, has_tolerances(*g.base));
+      why = difference(forgery.change.text, g.certificate, has_tolerances(*g.base));
     } else {
       const Answer other = answer_about(*g.base, forgery.change.text, folder_.path());
       if (other.is_refused) {
@@ -234,6 +255,8 @@ int main(int argc, char** argv) try {
   app.add_option("--base", options.only, "Only this base");
   app.add_option("--json", options.json, "Write the counts to FILE");
   app.add_option("--show", options.show, "NUMBER: write the files of one forgery");
+  app.add_option("--lines-of", options.format,
+                 "FORMAT.md: name the lines that no change of a certificate touches");
   app.add_option("--failures", options.failures, "Most lines about failures");
   CLI11_PARSE(app, argc, argv);
   regulus::attack::Run run(options);
@@ -241,6 +264,7 @@ int main(int argc, char** argv) try {
     run.show(std::stoull(options.show));
     return 0;
   }
+  if (!options.format.empty()) return run.find_untouched(options.format);
   run.run();
   return run.report();
 } catch (const std::exception& error) {

@@ -12,14 +12,16 @@
 namespace regulus::attack {
 namespace {
 
-constexpr int kPoints = 3;
-/// Labels, words that follow from the other lines, lines that change the proof only, definedness.
-const std::set<std::string> kIgnored{"claim", "model",   "sha256",         "combined",
-                                     "norms", "defined", "motion-defined", "expression-defined"};
+constexpr int kPoints = 3, kSpecialPoints = 48;
+/// Labels, and lines that change the proof only.
+const std::set<std::string> kIgnored{"model", "sha256", "combined", "norms"};
+/// Not compared line by line: the claim says that all of them have a value. Of an expression, this is the
+/// claim and not the file's.
+const std::set<std::string> kConditions{"defined", "motion-defined", "expression-defined"};
 /// The values of these are in those of the other lines.
 const std::set<std::string> kShorthand{"let", "constant"};
 /// Their order has no meaning.
-const std::set<std::string> kUnordered{"parameter", "uncertain", "reach", "constraint"};
+const std::set<std::string> kUnordered{"parameter", "uncertain", "pose", "reach", "constraint"};
 
 struct Line {
   std::string key, text;
@@ -49,18 +51,29 @@ std::vector<std::string> parted(const std::string& text, const std::string& mark
   return parts;
 }
 
-/// A fraction of a range, another one for each name and point.
-Rational fraction(const std::string& name, int point) {
+unsigned long hash(const std::string& name, int point) {
   unsigned long sum = 7 + 31 * static_cast<unsigned long>(point);
   for (const char c : name) sum = sum * 31 + static_cast<unsigned char>(c);
-  return {static_cast<long>(sum % 53), 53};
+  return sum;
+}
+
+/// Values at which operations lose theirs, whatever the ranges are; the same for all names, or others.
+Rational special(const std::string& name, int point) {
+  const long values[] = {0, 0, 1, -1, 2, -2, 4, -4, 6, -9, 100, -100};
+  const bool are_alike = point % 3 == 0;
+  return {values[hash(are_alike ? "" : name, point) % std::size(values)], 2};
+}
+
+/// A fraction of a range, another one for each name and point.
+Rational fraction(const std::string& name, int point) {
+  return {static_cast<long>(hash(name, point) % 53), 53};
 }
 
 /// The lines of a question as words and values at a point.
 class Evaluated {
  public:
-  Evaluated(const std::vector<Line>& lines, int point, bool any_spread)
-      : point_(point), any_spread_(any_spread) {
+  Evaluated(const std::vector<Line>& lines, int point, bool any_spread, bool is_special = false)
+      : point_(point), any_spread_(any_spread), is_special_(is_special) {
     for (const Line& line : lines) add(line);
   }
 
@@ -77,7 +90,7 @@ class Evaluated {
     if (line.key == "parameter" || line.key == "uncertain") return add_quantity(line);
     if (line.key == "constant" || line.key == "let") return add_constant(line);
     if (line.key == "pose") return add_pose(line);
-    if (line.key == "piecewise") piecewise_ = parted(line.text, " ");
+    if (line.key == "piecewise") return begin_pieces(line);
     if (line.key == "piece") return add_piece(line);
     if (line.key == "limits") return add_values(line, parted(line.text, " : "));
     if (line.key == "wrench") return add_values(line, parted(line.text, " +- "));
@@ -96,6 +109,12 @@ class Evaluated {
                                                     "expression-defined"};
     if (kExpressions.contains(line.key)) return add_values(line, {line.text});
     entries_.push_back({line.key + ' ' + line.text, {}});
+  }
+
+  /// The names have no meaning beside the lines that use them.
+  void begin_pieces(const Line& line) {
+    piecewise_ = parted(line.text, " ");
+    entries_.push_back({line.key, {}});
   }
 
   /// The names of all pieces have the values of the last one.
@@ -122,6 +141,7 @@ class Evaluated {
     const Value spread = any_spread_ ? Value(Rational(0)) : second;
     at_[names[0]] = is_range ? first + Value(t) * (second - first)
                              : first + Value(t + t - Rational(1)) * spread;
+    if (is_special_) at_[names[0]] = Value(special(names[0], point_));
     entries_.push_back({line.key + ' ' + names[0], {first, is_range ? second : spread}});
   }
 
@@ -140,7 +160,7 @@ class Evaluated {
   }
 
   const int point_;
-  const bool any_spread_;
+  const bool any_spread_, is_special_;
   Point at_;
   std::vector<std::string> piecewise_;
   std::vector<Entry> entries_;
@@ -171,6 +191,7 @@ struct Parts {
   explicit Parts(const Evaluated& question) {
     for (const Evaluated::Entry& entry : question.entries()) {
       const std::string key = key_of(entry);
+      if (kConditions.contains(key)) continue;
       if (key == "entry")
         matrix.push_back(entry.values.front());
       else
@@ -207,6 +228,40 @@ std::string difference_of(const std::vector<Evaluated::Entry>& a,
   return "";
 }
 
+/// True if everything that a claim says to have a value has one; nullopt for a point that is out of
+/// reach.
+std::optional<bool> is_defined(const std::vector<Line>& lines, int point, bool any_spread) {
+  static const std::set<std::string> kNoEntries{"expression", "speed", "sigma-min", "sigma-max"};
+  bool claims_entries = true, has_load = false;
+  for (const Line& line : lines) {
+    if (line.key == "quantity") claims_entries = !kNoEntries.contains(line.text);
+    has_load |= line.key == "load";
+  }
+  bool all = true;
+  const Evaluated evaluated(lines, point, any_spread, true);
+  for (const Evaluated::Entry& entry : evaluated.entries()) {
+    const std::string key = key_of(entry);
+    if (key == "reach" &&
+        (!entry.values[0].defined() || !entry.values[0].certain_at_least(Rational(0))))
+      return std::nullopt;
+    const bool is_claimed = key == "defined" || key == "motion-defined" || key == "pose" ||
+                            (key == "entry" && claims_entries) || (key == "scale" && has_load);
+    for (const Value& value : entry.values) all = all && (!is_claimed || value.defined());
+  }
+  return all;
+}
+
+/// Returns true unless `asked` has no value at a point where the other says that there is one.
+bool claims_domain(const std::vector<Line>& verified, const std::vector<Line>& asked,
+                   bool any_spread) {
+  for (int point = 0; point < kSpecialPoints; ++point) {
+    const auto first = is_defined(verified, point, any_spread),
+               second = is_defined(asked, point, any_spread);
+    if (first && second && *first && !*second) return false;
+  }
+  return true;
+}
+
 bool have_one_ratio(const std::vector<std::pair<Value, Value>>& determinants) {
   const Value &a = determinants.front().first, &b = determinants.front().second;
   return std::all_of(determinants.begin(), determinants.end(),
@@ -215,8 +270,8 @@ bool have_one_ratio(const std::vector<std::pair<Value, Value>>& determinants) {
 
 }  // namespace
 
-std::string difference(const std::string& one, const std::string& other, bool any_spread) try {
-  const std::vector<Line> a = question_of(one), b = question_of(other);
+std::string difference(const std::string& verified, const std::string& asked, bool any_spread) try {
+  const std::vector<Line> a = question_of(verified), b = question_of(asked);
   std::vector<std::pair<Value, Value>> determinants;
   bool has_one_matrix = true, is_about_zeros = true;
   for (int point = 0; point < kPoints; ++point) {
@@ -232,6 +287,7 @@ std::string difference(const std::string& one, const std::string& other, bool an
     is_about_zeros = is_about_zeros && left.asks_for_regularity() && first && second;
     if (is_about_zeros) determinants.emplace_back(*first, *second);
   }
+  if (!claims_domain(a, b, any_spread)) return "it does not say where there is a value";
   if (has_one_matrix || (is_about_zeros && have_one_ratio(determinants))) return "";
   return "another matrix";
 } catch (const std::exception& error) {

@@ -8,11 +8,12 @@
 namespace regulus::attack {
 
 /// Returns the first difference; empty if the lines of both are the same, or have the same values at
-/// some points. What does not count: labels, shorthands, the order of quantities and conditions, lines
-/// that do not change the claim, and conditions of definedness, which have tests of their own. Without
-/// a threshold, a load or a quantity, square matrices may differ if their determinants have one ratio.
+/// some points. What does not count: labels, shorthands, the order of quantities and conditions, and
+/// lines that do not change the claim. Lines about definedness count together, at points within the
+/// ranges and beyond: `verified` must not say that there is a value where `asked` has none. Without a
+/// threshold, a load or a quantity, square matrices may differ if their determinants have one ratio.
 /// `any_spread`: an option has set tolerances.
-[[nodiscard]] std::string difference(const std::string& one, const std::string& other,
+[[nodiscard]] std::string difference(const std::string& verified, const std::string& asked,
                                      bool any_spread);
 
 }  // namespace regulus::attack

@@ -14,7 +14,7 @@ Points = Sequence[Sequence[Number]]
 
 
 def _points(writer: Writer, name: str, points: Points) -> None:
-    lines = [writer.numbers(list(point)) for point in points]
+    lines = [writer.numbers(list(point), name) for point in points]
     writer.line(name, "[\n  " + ",\n  ".join(lines) + ",\n]")
 
 
@@ -55,8 +55,10 @@ def gough(
     writer.text("orientation", orientation)
     _points(writer, "base", base)
     _points(writer, "platform", platform)
-    writer.line("base_tolerance", writer.number(base_tolerance))
-    writer.line("platform_tolerance", writer.number(platform_tolerance))
+    writer.line("base_tolerance", writer.number(base_tolerance, "base_tolerance"))
+    writer.line(
+        "platform_tolerance", writer.number(platform_tolerance, "platform_tolerance")
+    )
     writer.text("tolerance_shape", tolerance_shape)
     motion_tables(writer, motions)
     return Robot(writer.model(), notes=texts.notes)
@@ -109,7 +111,7 @@ def _joint(writer: Writer, number: int, joint: Any) -> str:
     entries = {"name": f"q{number}", **joint}
     words = ("name", "type")
     parts = [
-        f"{key} = {quoted(str(value)) if key in words else writer.number(value)}"
+        f"{key} = {quoted(str(value)) if key in words else writer.number(value, key)}"
         for key, value in entries.items()
     ]
     return "{ " + ", ".join(parts) + " }"

@@ -39,14 +39,25 @@ class Texts:
     def __init__(self) -> None:
         self.notes: list[str] = []
 
-    def of(self, value: Number) -> str:
+    def of(self, value: Number, name: str = "") -> str:
         """Returns the text of a number of a model: an integer, "1/3", "15*deg", a Fraction, a
         Decimal, a constant of SymPy, a float.
+
+        Args:
+            name: of the argument, for errors.
 
         Raises:
             ArgumentTypeError: for what is no number. A bool is none.
             UsageError: for infinities and NaN.
         """
+        try:
+            return self._of(value)
+        except UsageError as wrong:
+            if not name:
+                raise
+            raise type(wrong)(f"{name}: {wrong}") from None
+
+    def _of(self, value: Number) -> str:
         if isinstance(value, str):
             return value
         if getattr(value, "ndim", None) == 0 and hasattr(value, "item"):

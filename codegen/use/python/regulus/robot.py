@@ -57,9 +57,9 @@ class Question:
         for name, ends in mapping_of("range", range).items():
             self.question.range(name, *self._ends(name, ends))
         for groups, value in mapping_of("tolerance", tolerance).items():
-            self.question.tolerance(groups, self.texts.of(value))
+            self.question.tolerance(groups, self.texts.of(value, f"tolerance: {groups}"))
         if alpha is not None:
-            self.question.alpha(self.texts.of(alpha))
+            self.question.alpha(self.texts.of(alpha, "alpha"))
         if waypoints is not None:
             self.question.waypoints(self.waypoints)
         self._set_tube(tube)
@@ -69,8 +69,9 @@ class Question:
         if pair is not None:
             if len(pair) != 2:
                 raise UsageError(f"range: {name!r} has {len(pair)} numbers; give (lower, upper)")
-            return self.texts.of(pair[0]), self.texts.of(pair[1])
-        value = self.texts.of(ends)
+            lower, upper = (self.texts.of(end, f"range: {name}") for end in pair)
+            return lower, upper
+        value = self.texts.of(ends, f"range: {name}")
         return value, value
 
     def _set_tube(self, tube: Union[None, Number, Mapping[str, Number]]) -> None:
@@ -79,7 +80,7 @@ class Question:
         if not isinstance(tube, Mapping):
             tube = {"": tube}
         for names, error in mapping_of("tube", tube).items():
-            self.question.tube(names, self.texts.of(error))
+            self.question.tube(names, self.texts.of(error, f"tube: {names}" if names else "tube"))
 
     def set_options(self, options: Mapping[str, Any]) -> None:
         """Sets options of the search, by their names on the command line with _ for -."""
@@ -272,7 +273,7 @@ class Robot:
         def result(finding: Any) -> Paving:
             return Paving(finding, question.texts.notes)
 
-        text = question.texts.of(resolution)
+        text = question.texts.of(resolution, "resolution")
         proof = proof_of(certificate, shard_size)
         try:
             return result(_regulus.locate(question.question, question.options, text, *proof))
@@ -342,7 +343,7 @@ class Robot:
             return LoadPaving(finding, question.texts.notes)
 
         text_of("load", load)
-        text = question.texts.of(resolution)
+        text = question.texts.of(resolution, "resolution")
         proof = proof_of(certificate, shard_size)
         try:
             return result(
@@ -407,13 +408,13 @@ class Robot:
         question.set_options({"time_limit": 60, **options})
         of = question.texts.of
 
-        def bracket(ends: Any) -> str:
+        def bracket(name: str, ends: Any) -> str:
             if ends is None:
                 return ""
             pair = elements_of(ends)
             if pair is None or len(pair) != 2:
-                raise UsageError(f"margin: found {ends!r}; give (lower, upper)")
-            return f"{of(pair[0])}:{'' if pair[1] is None else of(pair[1])}"
+                raise UsageError(f"{name}: found {ends!r}; give (lower, upper)")
+            return f"{of(pair[0], name)}:{'' if pair[1] is None else of(pair[1], name)}"
 
         def result(finding: Any) -> Margin:
             return Margin(question, finding, question.texts.notes)
@@ -422,20 +423,20 @@ class Robot:
             raise UsageError("margin: several tolerances are asked; join their groups: 'a,b'")
         if grow is not None and len(mapping_of("grow", grow)) != 1:
             raise UsageError("margin: grow names one parameter: {'R': (lower, upper)}")
-        growing = "".join(f"{name}={bracket(ends)}" for name, ends in (grow or {}).items())
-        tolerances = "".join(f"{groups}={bracket(ends)}" for groups, ends in asked.items())
+        growing = "".join(f"{name}={bracket(f'grow: {name}', ends)}" for name, ends in (grow or {}).items())
+        tolerances = "".join(f"{groups}={bracket(f'tolerance: {groups}', ends)}" for groups, ends in asked.items())
         try:
             return result(
                 _regulus.margin(
                     question.question,
                     question.options,
                     tolerances,
-                    bracket(alpha),
-                    bracket(scale),
+                    bracket("alpha", alpha),
+                    bracket("scale", scale),
                     growing,
-                    of(gap),
+                    of(gap, "gap"),
                     _quantity(quantity, load, twist, leg, freedom, least, signed),
-                    "" if limit is None else of(limit),
+                    "" if limit is None else of(limit, "limit"),
                     *proof_of(certificate, shard_size),
                 )
             )
@@ -498,8 +499,8 @@ class Robot:
                     question.question,
                     question.options,
                     _quantity(quantity, load, twist, leg, freedom, least, signed, norm),
-                    "" if limit is None else of(limit),
-                    of(gap),
+                    "" if limit is None else of(limit, "limit"),
+                    of(gap, "gap"),
                     *proof_of(certificate, shard_size),
                 )
             )
@@ -733,6 +734,6 @@ def from_urdf(
         text_of("tip", tip),
         words_of("cuts", cuts),
         words_of("actuated", actuated),
-        Texts().of(snap),
+        Texts().of(snap, "snap"),
     )
     return Robot(model, notes=report.splitlines())

@@ -39,12 +39,12 @@ class Writer:
     def text(self, name: str, value: str) -> None:
         self.line(name, quoted(value))
 
-    def number(self, value: Number) -> str:
-        text = self._texts.of(value)
+    def number(self, value: Number, name: str = "") -> str:
+        text = self._texts.of(value, name)
         return text if _INTEGER.match(text) else quoted(text)
 
-    def numbers(self, values: Sequence[Number]) -> str:
-        return "[" + ", ".join(self.number(value) for value in values) + "]"
+    def numbers(self, values: Sequence[Number], name: str = "") -> str:
+        return "[" + ", ".join(self.number(value, name) for value in values) + "]"
 
     def texts(self, name: str, texts: Sequence[str]) -> None:
         self.line(name, "[" + ", ".join(map(quoted, texts)) + "]")
@@ -56,13 +56,13 @@ class Writer:
     def quantity(self, name: str, value: Union[Number, Tuple[Number, Number]]) -> None:
         """Writes a constant, or (value, tolerance) in a group of its own."""
         if not isinstance(value, (tuple, list)):
-            self.line(name, self.number(value))
+            self.line(name, self.number(value, name))
             return
         if len(value) != 2:
             raise UsageError(f"geometry: {name!r} has {len(value)} numbers; give (value, tolerance)")
         self.line(
             name,
-            f"{{ value = {self.number(value[0])}, tolerance = {self.number(value[1])}, "
+            f"{{ value = {self.number(value[0], name)}, tolerance = {self.number(value[1], name)}, "
             f"group = {quoted(name)} }}",
         )
 
@@ -78,4 +78,5 @@ def motion_tables(writer: Writer, motions: Mapping[str, Mapping[Any, Any]]) -> N
         writer.table(f"motion.{name}")
         for parameter, value in ranges.items():
             is_range = isinstance(value, (tuple, list))
-            writer.line(str(parameter), writer.numbers(value) if is_range else writer.number(value))
+            write = writer.numbers if is_range else writer.number
+            writer.line(str(parameter), write(value, f"{name}: {parameter}"))

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which lines of the format a change touches.
+#pragma once
+
+#include <set>
+#include <string>
+
+namespace regulus::attack {
+
+/// Returns the first words of the lines that only one of two certificates has; of `quantity` also the
+/// second.
+[[nodiscard]] std::set<std::string> words_touched(const std::string& before,
+                                                  const std::string& after);
+/// Returns the first words of the lines that FORMAT.md describes in its tables.
+[[nodiscard]] std::set<std::string> words_of_format(const std::string& page);
+
+}  // namespace regulus::attack
