@@ -115,7 +115,8 @@ std::string describe(const Verification& v) {
   line("bound", v.bound);
   if (v.pieces > 0)
     line("pieces", std::to_string(v.pieces) +
-                       (v.are_sides ? ", the sides of cuts of atan2" : " of a trajectory"));
+                       (v.are_sides ? ", the sides of cuts of atan2, with either limit on them"
+                                    : " of a trajectory"));
   if (v.shards > 0) line("shards", std::to_string(v.shards));
   if (v.leaves > 0)
     line("leaves", std::to_string(v.leaves) + ", in " + std::to_string(v.boxes) + " boxes");
