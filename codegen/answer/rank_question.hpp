@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a process prepares that decides boxes for another one.
+// A process that decides boxes for another one prepares its questions here.
 #pragma once
 
 #include <functional>

@@ -53,7 +53,7 @@ class ConditionCertificate {
   [[nodiscard]] const EndProofs& proofs() const noexcept { return proofs_; }
 
  private:
-  /// What a certificate says of κ and a number; 0: that the matrix is singular.
+  /// Returns the claim of κ and a number; 0 means that the matrix is singular.
   [[nodiscard]] CertifiedAbout about(const GiNaC::ex& number) const;
   [[nodiscard]] CertifiedQuestion on_piece(std::size_t piece, const CertifiedAbout& about,
                                            const std::set<std::string>& uncertain) const;

@@ -52,7 +52,7 @@ std::string describe_end(const ConditionResult& result) {
          describe(result.reason);
 }
 
-/// What does not depend on whether the poses are a variety or a trajectory.
+/// The run has the same steps whether the poses are a variety or a trajectory.
 class ConditionRun {
  public:
   ConditionRun(const Request& request, const Component& component, const BoundSettings& settings,
@@ -326,7 +326,7 @@ class WayCondition final : public ConditionRun {
     return place_on_way(trajectory(), place.piece, piece, result, "");
   }
 
-  /// What is known of a place without the matrix of its piece.
+  /// Returns the segment, which is known without the matrix of its piece.
   [[nodiscard]] AttainedPlace segment_of(const ConditionPlace& place) const {
     AttainedPlace segment;
     segment.pose = describe_segment(trajectory(), place.piece, place.variables.front());

@@ -43,7 +43,7 @@ struct PreparedKernel {
   PartCount parts;          ///< of the kernel, with SearchOptions::parts
 };
 
-/// What the preparation took, and how it ended.
+/// A preparation takes time, and may be stopped.
 struct PreparationCourse {
   /// Without the time of `stages`, which may still increase.
   StageSeconds seconds;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a search is about, as reports and pictures need it: names, units and ranges, and no kernel.
+// Reports and pictures need names, units and ranges of a search, and no kernel.
 #pragma once
 
 #include <string>

@@ -15,13 +15,15 @@ constexpr std::size_t kMostSigns = 16;
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_of_name(char c) { return is_letter(c) || c == '_' || (c >= '0' && c <= '9'); }
 
+using NameSet = std::set<std::string, std::less<>>;
+
 /// Returns true for names and digits that are none of these, in balanced parentheses.
-bool is_free_of(std::string_view text, const std::vector<std::string>& names) {
+bool is_free_of(std::string_view text, const NameSet& names) {
   int open = 0;
   for (std::size_t i = 0; i < text.size();) {
     std::size_t end = i;
     while (end < text.size() && is_of_name(text[end])) ++end;
-    if (std::ranges::find(names, text.substr(i, end - i)) != names.end()) return false;
+    if (names.contains(text.substr(i, end - i))) return false;
     if (end == i) {
       open += text[i] == '(' ? 1 : text[i] == ')' ? -1 : 0;
       ++end;
@@ -32,9 +34,25 @@ bool is_free_of(std::string_view text, const std::vector<std::string>& names) {
   return open == 0;
 }
 
+/// Returns the names that depend on the signs: these, and those of lines "KEY NAME = …" with one of
+/// them.
+NameSet depending_on(const std::vector<std::string>& signs, std::string_view lines) {
+  NameSet names(signs.begin(), signs.end());
+  while (!lines.empty()) {
+    const std::string_view line = lines.substr(0, lines.find('\n'));
+    lines.remove_prefix(std::min(line.size() + 1, lines.size()));
+    const std::size_t equals = line.find(" = ");
+    if (equals == std::string_view::npos || is_free_of(line.substr(equals), names)) continue;
+    const std::string_view before = line.substr(0, equals);
+    names.emplace(before.substr(before.rfind(' ') + 1));
+  }
+  return names;
+}
+
 }  // namespace
 
 bool end_in_sides(const std::string& lines, const std::vector<std::string>& names) {
+  const NameSet varying = depending_on(names, lines);
   std::string_view rest = lines;
   const auto take_last_line = [&rest] {
     rest.remove_suffix(std::size_t{rest.ends_with('\n')});
@@ -48,7 +66,8 @@ bool end_in_sides(const std::string& lines, const std::vector<std::string>& name
     const std::string start = "constraint -" + names[i] + "*(";
     if (!line.starts_with(start) || !line.ends_with(')') || line.size() < start.size() + 2)
       return false;
-    if (!is_free_of(line.substr(start.size(), line.size() - start.size() - 1), names)) return false;
+    if (!is_free_of(line.substr(start.size(), line.size() - start.size() - 1), varying))
+      return false;
   }
   return true;
 }

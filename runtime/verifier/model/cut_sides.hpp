@@ -18,7 +18,8 @@ namespace regulus::verifier {
 /// Returns true if the values of the pieces, by piece, are all choices of signs, each once.
 [[nodiscard]] bool are_all_signs(const std::vector<std::vector<std::string>>& values);
 /// Returns true if the last lines, up to `proof`, are "constraint -NAME*(Y)" for each name, in their
-/// order, where Y has none of the names: then Y is the same in each piece.
+/// order, where Y has none of the names, nor one that is defined by them: then Y is the same in each
+/// piece.
 [[nodiscard]] bool end_in_sides(const std::string& lines, const std::vector<std::string>& names);
 
 class CutSides {

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "codegen/answer/ask.hpp"
+#include "runtime/verifier/model/cut_sides.hpp"
 #include "runtime/verifier/verify.hpp"
 #include "tests/support/certificates.hpp"
 #include "tests/support/random_source.hpp"
@@ -187,6 +188,17 @@ TEST(ACertificateOfSides, IsNotOfAnotherModel) {
         std::string("atan2(-y - u, x)")})
     EXPECT_NE(compare(proof, replaced(model, "atan2(y + u, x)", other)).outcome, Outcome::kVerified)
         << other;
+}
+
+TEST(SidesOfACut, AreNoneIfTheirOrdinateDependsOnASign) {
+  const auto are_sides = [](const std::string& lines) {
+    return verifier::end_in_sides(lines + "proof\n", {"s"});
+  };
+  EXPECT_TRUE(are_sides("constant c = 5\nlet e1 = s*y\nconstraint -s*(c*y)\n"));
+  EXPECT_FALSE(are_sides("constraint -s*(s*y)\n"));
+  EXPECT_FALSE(are_sides("constant c = 5*s\nconstraint -s*(c*y)\n"));
+  EXPECT_FALSE(are_sides("let a = s\nlet b = y*a\nconstraint -s*(b)\n"));
+  EXPECT_FALSE(are_sides("constraint -s*(y) + (y)\n"));
 }
 
 }  // namespace
