@@ -3,12 +3,14 @@
 // equations in n unknowns p, where x, of m variables, is asked about.
 //
 // A tube over a box X of x is the set of all (x, p) with x ∈ X and p = c + S(x − x₀) + ρ, |ρ| ≤ r.
-// Let Z be a box that contains the tube over the hull of X and x₀, K an n×n matrix, D = K(Φ_x + Φ_p S) and E = KΦ_p − I over Z. If
+// x₀ need not lie in X. Let Z be a box that contains the tube over the hull of X and x₀, Φ be defined
+// and continuously differentiable on Z, K an n×n matrix, D = K(Φ_x + Φ_p S) and E = KΦ_p − I over Z. If
 //
 //     |K Φ(x₀, c)| + |D|·|X − x₀| + |E|·r < r      in every component,
 //
 // then for every x ∈ X exactly one p of the tube solves Φ(x, p) = 0, it is a continuously
-// differentiable function of x, and Φ_p is regular all over the tube. (SOUNDNESS.md derives it.)
+// differentiable function of x, its |ρ| is less than r, and Φ_p is regular all over the tube.
+// (SOUNDNESS.md derives it.)
 #pragma once
 
 #include <optional>
@@ -49,8 +51,9 @@ struct TubeImage {
   std::vector<double> spread;  ///< |E|, n×n, row-major
 };
 
-/// Requires  Z contains the tube over the hull of X and x₀.
-/// Shape     box: m; inverse: K, n×n, row-major, finite.
+/// Requires  Z contains the tube over the hull of X and x₀; Φ is continuously differentiable on Z. An
+///           enclosure of a slope at a kink, as of |a| at 0, is none of a derivative.
+/// Shape     box: m; inverse: K, n×n, row-major, finite; the tube's numbers are finite.
 /// Rounding  outward; MXCSR at nearest.
 [[nodiscard]] TubeImage image_of(const BranchTube& tube, std::span<const Interval> box,
                                  std::span<const double> inverse, const TubeSystem& system);
