@@ -8,6 +8,8 @@
 #include "codegen/answer/report/report.hpp"
 #include "codegen/answer/report/search_checkpoint.hpp"
 #include "codegen/question/analysis/least_singular.hpp"
+#include "codegen/question/closure/closure_certificate.hpp"
+#include "codegen/question/closure/closure_report.hpp"
 #include "codegen/question/engine/checkpoint_file.hpp"
 #include "codegen/question/engine/search_run.hpp"
 #include "codegen/question/engine/settings.hpp"
@@ -135,6 +137,38 @@ class WayCheck final : public CheckAnswer {
   std::string checkpoint_line_;
 };
 
+/// The answer for a mechanism whose configuration is a solution of equations.
+class ClosureCheck final : public CheckAnswer {
+ public:
+  ClosureCheck(Request request, double model_seconds, const AskCheck& asked,
+               const Services& services)
+      : search_(asked.search),
+        prepared_(prepare_closure(std::move(request), model_seconds, search_,
+                                  watch_of(services, search_))) {
+    services.begin_search();
+    SearchDisplay display(display_of(services));
+    found_ = check_closure(prepared_, search_, watch_of(services, search_), display.observer());
+    proof = certify_branch(services.certificate, prepared_, found_.searched,
+                           {nullptr, services.shard_size});
+    if (proof.is_lost()) lost.push_back(proof.obstacle());
+    result = check_result(prepared_, found_);
+    for (const VariableLabel& variable : prepared_.preparation.labels.variables)
+      variables.push_back(variable.name);
+  }
+
+  [[nodiscard]] std::string claim() const override { return describe_claim(prepared_, found_); }
+  void tell(Facts& facts) const override {
+    tell_closure(prepared_, search_, found_, facts);
+    proof.tell(facts);
+  }
+  [[nodiscard]] std::string about_files() const override { return proof.line(); }
+
+ private:
+  SearchOptions search_;
+  PreparedClosure prepared_;
+  ClosureFinding found_;
+};
+
 }  // namespace
 
 std::unique_ptr<CheckAnswer> ask(const AskCheck& asked, const Services& services) {
@@ -143,7 +177,11 @@ std::unique_ptr<CheckAnswer> ask(const AskCheck& asked, const Services& services
   set_outputs_aside(asked.model, asked.search, services);
   Stopwatch watch;
   std::optional<Request> along = read_trajectory(asked.model, watch_of(services, asked.search));
-  if (!along) return std::make_unique<VarietyCheck>(asked, services);
+  if (!along) {
+    std::optional<Request> closed = read_closure(asked.model, watch_of(services, asked.search));
+    if (!closed) return std::make_unique<VarietyCheck>(asked, services);
+    return std::make_unique<ClosureCheck>(std::move(*closed), watch.lap(), asked, services);
+  }
   services.begin_search();
   return std::make_unique<WayCheck>(std::move(*along), watch.lap(), asked, services);
 }

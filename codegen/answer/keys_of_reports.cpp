@@ -64,6 +64,9 @@ constexpr Key kCheck[] = {
     {"filters", "filter[]"},
     {"leaves", "count{}", "certified boxes by the test that certified them"},
     {"nearest_singular?", "nearest_singular", "where the matrix is nearest to losing rank"},
+    {"branch?", "branch", "of a closure: where it starts"},
+    {"fold?", "fold", "of a closure: a singular configuration"},
+    {"links?", "count", "of a closure: pairs of boxes that hold the same configuration"},
 };
 
 constexpr Key kPage[] = {{"page?", "text", "the file that regulus report wrote"}};

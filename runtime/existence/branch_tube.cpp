@@ -6,15 +6,30 @@
 
 namespace regulus {
 
+namespace {
+
+/// Encloses c_i + S_i(X − x₀).
+Interval middle_of(const BranchTube& tube, std::span<const Interval> box, std::size_t i) {
+  Interval sum(tube.center[i]);
+  for (std::size_t k = 0; k < tube.at.size(); ++k)
+    sum += Interval(tube.slopes[i * tube.at.size() + k]) * (box[k] - Interval(tube.at[k]));
+  return sum;
+}
+
+}  // namespace
+
 std::vector<Interval> enclose(const BranchTube& tube, std::span<const Interval> box) {
-  const std::size_t n = tube.center.size(), m = tube.at.size();
-  std::vector<Interval> unknowns(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    unknowns[i] = Interval(tube.center[i]) + Interval(-tube.radius[i], tube.radius[i]);
-    for (std::size_t k = 0; k < m; ++k)
-      unknowns[i] += Interval(tube.slopes[i * m + k]) * (box[k] - Interval(tube.at[k]));
-  }
+  std::vector<Interval> unknowns;
+  for (std::size_t i = 0; i < tube.center.size(); ++i)
+    unknowns.push_back(middle_of(tube, box, i) + Interval(-tube.radius[i], tube.radius[i]));
   return unknowns;
+}
+
+bool certain_holds(const BranchTube& tube, std::span<const Interval> box,
+                   std::span<const Interval> unknowns) {
+  for (std::size_t i = 0; i < tube.center.size(); ++i)
+    if (!(mag(unknowns[i] - middle_of(tube, box, i)) <= tube.radius[i])) return false;
+  return true;
 }
 
 TubeImage image_of(const BranchTube& tube, std::span<const Interval> box,

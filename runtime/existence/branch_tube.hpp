@@ -36,6 +36,13 @@ struct BranchTube {
 /// Rounding  outward; MXCSR at nearest.
 [[nodiscard]] std::vector<Interval> enclose(const BranchTube& tube, std::span<const Interval> box);
 
+/// True if, for every place of the box, all these unknowns are in the tube.
+///
+/// Shape     box: m; unknowns: n.
+/// Rounding  outward; MXCSR at nearest.
+[[nodiscard]] bool certain_holds(const BranchTube& tube, std::span<const Interval> box,
+                                 std::span<const Interval> unknowns);
+
 /// A system over a tube.
 struct TubeSystem {
   std::span<const Interval> value;        ///< encloses Φ(x₀, c); n
