@@ -79,22 +79,17 @@ class Linker {
       links_.obstacle = "the values of 'start' are not shown to be near exactly one configuration";
       return false;
     }
-    std::vector<double> middle;
-    for (const Interval& x : place) middle.push_back(mid(x));
-    const std::size_t leaf = tree_.leaf_at(middle);
-    if (leaf == BranchTree::kNone || !tree_.leaves()[leaf].tube || !holds(leaf, place)) {
-      links_.obstacle = "the start is not within a box that has a tube";
-      return false;
+    const std::vector<std::size_t> leaves = tree_.leaves_at(start_.place);
+    for (const std::size_t leaf : leaves) {
+      if (!tree_.leaves()[leaf].tube) {
+        links_.obstacle = "the start is not within boxes that have a tube";
+        return false;
+      }
+      waiting_.push_back({leaf, BranchTree::kNone, place});
+      meet();
+      if (!links_.obstacle.empty()) return false;
     }
-    waiting_.push_back({leaf, BranchTree::kNone, place});
-    meet();
-    start_leaf_ = leaf;
-    return links_.obstacle.empty();
-  }
-
-  [[nodiscard]] bool holds(std::size_t leaf, const std::vector<Interval>& place) const {
-    for (std::size_t k = 0; k < place.size(); ++k)
-      if (!certain_subset(place[k], tree_.leaves()[leaf].at.box[k])) return false;
+    start_leaf_ = leaves.front();
     return true;
   }
 

@@ -9,8 +9,9 @@ namespace {
 
 constexpr std::size_t kBoxesOfRound = 256;
 constexpr double kSlackOfWidth = 1 + 0x1p-30;
-/// A box after so many splits, for each parameter that is split, is small.
-constexpr std::uint32_t kSplitsBeforeDoubt = 10;
+/// If no branch leads to a box after so many splits, there may be a singular configuration on the way;
+/// it is looked for again where there are so many for each parameter.
+constexpr std::uint32_t kSplitsBeforeDoubt = 6, kSplitsBeforeAsking = 10;
 
 /// The goal of the search: box_search.hpp. The last box that was made is judged first.
 class BranchGoal {
@@ -70,7 +71,7 @@ class BranchGoal {
     const auto variable = choose_variable(box.box, ranges_, finding.impact,
                                           settings_.min_relative_width * kSlackOfWidth);
     if (!variable) return block(box, finding);
-    if (finding.is_lost && box.depth >= kSplitsBeforeDoubt * ranges_.size()) ask(box);
+    if (finding.is_lost) ask(box);
     const BoxId parent = box.id;
     auto [lower, upper] = course_.split(std::move(box), *variable);
     result_.tree.split(parent, *variable, lower.box[*variable].hi, lower.id);
@@ -79,8 +80,10 @@ class BranchGoal {
   }
 
   void ask(const TreeBox& box) {
-    if (has_asked_ || !settings_.ask) return;
-    has_asked_ = true;
+    const bool is_small = box.depth >= kSplitsBeforeAsking * ranges_.size();
+    const int asks = is_small ? 2 : box.depth >= kSplitsBeforeDoubt ? 1 : 0;
+    if (asked_ >= asks || !settings_.ask) return;
+    asked_ = asks;
     std::vector<double> place;
     for (std::size_t k = 0; k < ranges_.size(); ++k) place.push_back(mid(box.box[k]));
     result_.is_refuted = settings_.ask(place);
@@ -105,7 +108,8 @@ class BranchGoal {
   const BranchSettings& settings_;
   std::vector<double> ranges_;
   std::vector<TreeBox> open_, round_;
-  bool is_blocked_ = false, all_outside_ = true, has_asked_ = false;
+  bool is_blocked_ = false, all_outside_ = true;
+  int asked_ = 0;
   BranchResult result_;
 };
 
@@ -194,11 +198,20 @@ void BranchTree::for_neighbours(
   Neighbours(*this, with_tubes).within(0, root);
 }
 
-std::size_t BranchTree::leaf_at(const std::vector<double>& place) const {
-  BoxId box = 0;
-  while (node(box).variable != kNone)
-    box = node(box).lower + (place[node(box).variable] > node(box).at ? 1 : 0);
-  return node(box).leaf;
+std::vector<std::size_t> BranchTree::leaves_at(std::span<const Interval> place) const {
+  std::vector<std::size_t> found;
+  std::vector<BoxId> boxes{0};
+  while (!boxes.empty()) {
+    const Node& box = node(boxes.back());
+    boxes.pop_back();
+    if (box.variable == kNone) {
+      if (box.leaf != kNone) found.push_back(box.leaf);
+      continue;
+    }
+    if (place[box.variable].hi >= box.at) boxes.push_back(box.lower + 1);
+    if (place[box.variable].lo <= box.at) boxes.push_back(box.lower);
+  }
+  return found;
 }
 
 BranchResult search_branch(const ClosureQuestion& question, const BranchSettings& settings,

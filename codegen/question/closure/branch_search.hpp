@@ -15,8 +15,8 @@ struct BranchSettings : BoxSearchSettings {
   /// Boxes are not split in a parameter narrower than this part of its range.
   double min_relative_width = 0x1p-40;
   bool paves = false;  ///< decide every box, also after one that cannot be
-  /// Asked once, about the middle of a small box to which no branch was followed. True: the search
-  /// ends.
+  /// Asked at most twice, about the middle of a small box to which no branch was followed. True: the
+  /// search ends.
   std::function<bool(const std::vector<double>& place)> ask{};
 };
 
@@ -49,8 +49,8 @@ class BranchTree {
   void for_neighbours(const std::vector<Interval>& root,
                       const std::function<void(std::size_t a, std::size_t b,
                                                const std::vector<Interval>& face)>& visit) const;
-  /// Returns the leaf with that place; kNone if it was not reached.
-  [[nodiscard]] std::size_t leaf_at(const std::vector<double>& place) const;
+  /// Returns the leaves in which a place may lie. Shape: an interval for each parameter.
+  [[nodiscard]] std::vector<std::size_t> leaves_at(std::span<const Interval> place) const;
 
  private:
   std::vector<Node> nodes_ = std::vector<Node>(1);

@@ -12,7 +12,7 @@ namespace {
 constexpr double kLeastStep = 0x1p-24;
 constexpr int kMostEvaluations = 4000, kMostCorrections = 12;
 /// The first correction is at most this part of the step, and each is this part of the one before.
-constexpr double kPartOfStep = 0.25, kPartOfCorrection = 0.5;
+constexpr double kPartOfStep = 0x1p-4, kPartOfCorrection = 0x1p-2;
 /// Newton's method has ended, relative to 1 or to the unknown.
 constexpr double kSmall = 0x1p-42;
 

@@ -124,19 +124,34 @@ ClosedSystem close(const Request& request) {
   return SystemBuilder(request).build();
 }
 
+/// Appends the derivatives by unknowns and by variables.
+void SystemBoxes::take(std::span<const Interval> entries, std::vector<Interval>& by_unknown,
+                       std::vector<Interval>& by_variable) const {
+  const std::size_t n = shape_.unknowns, m = shape_.variables;
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t k = 0; k < n; ++k) by_unknown.push_back(entries[(1 + k) * n + j]);
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t k = 0; k < m; ++k) by_variable.push_back(entries[(1 + n + k) * n + j]);
+}
+
 std::optional<SystemBoxes::System> SystemBoxes::at(std::size_t lane) const {
   if (!boxes_.is_defined(lane)) return std::nullopt;
-  const std::vector<Interval> entries = boxes_.matrix(lane).center;
   const std::size_t n = shape_.unknowns, m = shape_.variables;
+  const BoxMatrices::Entries entries = boxes_.matrix(lane).center;
   System system;
   system.value.assign(entries.begin(), entries.begin() + std::ptrdiff_t(n));
-  system.by_unknown.resize(n * n), system.by_variable.resize(n * m);
-  for (std::size_t j = 0; j < n; ++j) {
-    for (std::size_t k = 0; k < n; ++k) system.by_unknown[j * n + k] = entries[(1 + k) * n + j];
-    for (std::size_t k = 0; k < m; ++k)
-      system.by_variable[j * m + k] = entries[(1 + n + k) * n + j];
-  }
+  take(entries, system.by_unknown, system.by_variable);
+  for (std::size_t by = 0; has_rates_ && by < m + n; ++by)
+    take(boxes_.slope(lane, by), system.rates_by_unknown, system.rates_by_variable);
   return system;
+}
+
+std::vector<char> SystemBoxes::are_outside(std::span<const Box> boxes) {
+  std::vector<char> outside(boxes.size(), 0);
+  if (!boxes_.has_constraints()) return outside;
+  boxes_.evaluate(boxes);
+  for (std::size_t lane = 0; lane < boxes.size(); ++lane) outside[lane] = boxes_.is_outside(lane);
+  return outside;
 }
 
 }  // namespace regulus

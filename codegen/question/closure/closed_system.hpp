@@ -41,23 +41,35 @@ class SystemBoxes {
     std::vector<Interval> value;        ///< n
     std::vector<Interval> by_unknown;   ///< n×n, row-major
     std::vector<Interval> by_variable;  ///< n×m, row-major
+    /// Their derivatives by each variable and then by each unknown, as in TubeSystem.
+    std::vector<Interval> rates_by_unknown{}, rates_by_variable{};
   };
 
   /// The objects must outlive this one.
   SystemBoxes(const Problem& problem, const MatrixScaling& scaling, const ClosedShape& shape)
       : shape_(shape), boxes_(problem, scaling, 0) {}
 
+  /// `has_rates`: with the derivatives of the derivatives.
+  ///
   /// Shape     1…8 boxes, each with an interval for every variable and then every unknown.
   /// Rounding  outward; MXCSR at nearest.
-  void evaluate(std::span<const Box> boxes) { boxes_.evaluate(boxes); }
-  /// True if some constraint excludes the box of that lane.
-  [[nodiscard]] bool is_outside(std::size_t lane) const { return boxes_.is_outside(lane); }
-  /// Returns nullopt if an expression is not certainly defined all over the box.
+  void evaluate(std::span<const Box> boxes, bool has_rates = false) {
+    boxes_.evaluate_entries(boxes, has_rates);
+    has_rates_ = has_rates;
+  }
+  /// Returns nullopt if an expression is not certainly defined all over the box of that lane.
   [[nodiscard]] std::optional<System> at(std::size_t lane) const;
 
+  /// Returns for each of 1…8 boxes if some constraint excludes it. Forgets the boxes.
+  [[nodiscard]] std::vector<char> are_outside(std::span<const Box> boxes);
+
  private:
+  void take(std::span<const Interval> entries, std::vector<Interval>& by_unknown,
+            std::vector<Interval>& by_variable) const;
+
   const ClosedShape shape_;
   BoxMatrices boxes_;
+  bool has_rates_ = false;
 };
 
 }  // namespace regulus

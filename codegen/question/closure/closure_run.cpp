@@ -11,10 +11,10 @@
 namespace regulus {
 namespace {
 
-/// The kernel needs the entries of the matrix alone.
+/// The kernel needs the entries of the matrix and their derivatives, and no product.
 SearchOptions options_of_kernel(SearchOptions search) {
   search.method = Method::kReg;
-  search.entries = Entries::kNatural;
+  search.entries = Entries::kDerivatives;
   search.uncertainty = Uncertainty::kElements;
   for (const char* ingredient : {"columns", "rows"})
     if (std::ranges::find(search.without, ingredient) == search.without.end())

@@ -249,10 +249,11 @@ class FoldSearch {
   }
 
   static const BranchLeaf* leaf_with(const ClosureResult& result, const Interval& place) {
-    const std::size_t leaf = result.branch.tree.leaf_at({mid(place)});
-    if (leaf == BranchTree::kNone) return nullptr;
-    const BranchLeaf& found = result.branch.tree.leaves()[leaf];
-    return found.tube && certain_subset(place, found.at.box[0]) ? &found : nullptr;
+    for (const std::size_t leaf : result.branch.tree.leaves_at({&place, 1})) {
+      const BranchLeaf& found = result.branch.tree.leaves()[leaf];
+      if (found.tube && certain_subset(place, found.at.box[0])) return &found;
+    }
+    return nullptr;
   }
 
   bool holds_fold(const ClosureResult& second, std::size_t k) const {

@@ -22,7 +22,7 @@ constexpr double kLeastRadius = 0x1p-44;  ///< relative to 1 or to the unknown
 
 bool has_room(const BranchTube& tube, const TubeImage& image) {
   for (std::size_t i = 0; i < tube.radius.size(); ++i)
-    if (!(image.radius[i] <= kRoom * tube.radius[i])) return false;
+    if (!(std::fmax(image.radius[i], image.change[i]) <= kRoom * tube.radius[i])) return false;
   return has_one_solution(tube, image);
 }
 
@@ -70,7 +70,7 @@ void TubeFinder::find(std::span<const TubeTrial> trials, std::span<TubeFinding> 
     if (std::ranges::find(is_open, 1) == is_open.end()) return;
     for (std::size_t lane = 0; lane < trials.size(); ++lane)
       boxes[lane] = reach_of(trials[lane], radius[lane]);
-    system_.evaluate(boxes);
+    system_.evaluate(boxes, true);
     for (std::size_t lane = 0; lane < trials.size(); ++lane) {
       if (is_open[lane] == 0) continue;
       const auto over = system_.at(lane);
@@ -85,8 +85,10 @@ void TubeFinder::find(std::span<const TubeTrial> trials, std::span<TubeFinding> 
       if (is_open[lane] == 0) continue;
       BranchTube tube = trials[lane].tube;
       tube.radius = radius[lane];
-      const TubeImage image = image_of(tube, trials[lane].box, trials[lane].inverse,
-                                       {centers[lane]->value, over->by_unknown, over->by_variable});
+      const TubeImage image = image_of(
+          tube, trials[lane].box, trials[lane].inverse,
+          {centers[lane]->value, over->by_unknown, over->by_variable, centers[lane]->by_unknown,
+           centers[lane]->by_variable, over->rates_by_unknown, over->rates_by_variable});
       if (trial == 0) finding.impact = impact_of(image, shape_);
       if (trial > 0 && has_room(tube, image)) {
         finding.tube = std::move(tube);
@@ -104,11 +106,11 @@ void TubeFinder::find(std::span<const TubeTrial> trials, std::span<TubeFinding> 
 
 void TubeJudge::judge(std::span<const Box> boxes, std::span<TubeFinding> findings, double) {
   const ClosedShape& shape = question_.shape;
-  system_.evaluate(boxes);
+  const std::vector<char> outside = system_.are_outside(boxes);
   std::vector<std::vector<double>> places;
   std::vector<std::size_t> of;
   for (std::size_t lane = 0; lane < boxes.size(); ++lane) {
-    findings[lane].is_outside = system_.is_outside(lane);
+    findings[lane].is_outside = outside[lane] != 0;
     if (findings[lane].is_outside) continue;
     std::vector<double>& place = places.emplace_back();
     for (std::size_t k = 0; k < shape.variables; ++k) place.push_back(mid(boxes[lane][k]));

@@ -120,7 +120,8 @@ TEST(FourBar, KeepsItsBranchForAllLengthsWithinTolerances) {
     const double da = error(random), db = error(random), theta = places(random);
     other.a += da, other.b += db;
     const BranchTree& tree = checked.found.searched.branch.tree;
-    const std::size_t leaf = tree.leaf_at({theta});
+    const Interval at(theta);
+    const std::size_t leaf = tree.leaves_at({&at, 1}).front();
     const std::vector<Interval> place{theta, other.a, other.b};
     const std::vector<Interval> unknowns = enclose(*tree.leaves()[leaf].tube, place);
     EXPECT_NEAR(other.at(theta).phi, mid(unknowns[0]), rad_ru(unknowns[0]) + 1e-9);
