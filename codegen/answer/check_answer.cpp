@@ -2,14 +2,14 @@
 // Has the motion a singular pose?
 #include "codegen/answer/ask.hpp"
 #include "codegen/answer/certificate/certificate_file.hpp"
+#include "codegen/answer/closure_answer.hpp"
 #include "codegen/answer/outputs.hpp"
 #include "codegen/answer/refusals.hpp"
 #include "codegen/answer/report/progress.hpp"
 #include "codegen/answer/report/report.hpp"
 #include "codegen/answer/report/search_checkpoint.hpp"
 #include "codegen/question/analysis/least_singular.hpp"
-#include "codegen/question/closure/closure_certificate.hpp"
-#include "codegen/question/closure/closure_report.hpp"
+#include "codegen/question/closure/closure_run.hpp"
 #include "codegen/question/engine/checkpoint_file.hpp"
 #include "codegen/question/engine/search_run.hpp"
 #include "codegen/question/engine/settings.hpp"
@@ -137,38 +137,6 @@ class WayCheck final : public CheckAnswer {
   std::string checkpoint_line_;
 };
 
-/// The answer for a mechanism whose configuration is a solution of equations.
-class ClosureCheck final : public CheckAnswer {
- public:
-  ClosureCheck(Request request, double model_seconds, const AskCheck& asked,
-               const Services& services)
-      : search_(asked.search),
-        prepared_(prepare_closure(std::move(request), model_seconds, search_,
-                                  watch_of(services, search_))) {
-    services.begin_search();
-    SearchDisplay display(display_of(services));
-    found_ = check_closure(prepared_, search_, watch_of(services, search_), display.observer());
-    proof = certify_branch(services.certificate, prepared_, found_.searched,
-                           {nullptr, services.shard_size});
-    if (proof.is_lost()) lost.push_back(proof.obstacle());
-    result = check_result(prepared_, found_);
-    for (const VariableLabel& variable : prepared_.preparation.labels.variables)
-      variables.push_back(variable.name);
-  }
-
-  [[nodiscard]] std::string claim() const override { return describe_claim(prepared_, found_); }
-  void tell(Facts& facts) const override {
-    tell_closure(prepared_, search_, found_, facts);
-    proof.tell(facts);
-  }
-  [[nodiscard]] std::string about_files() const override { return proof.line(); }
-
- private:
-  SearchOptions search_;
-  PreparedClosure prepared_;
-  ClosureFinding found_;
-};
-
 }  // namespace
 
 std::unique_ptr<CheckAnswer> ask(const AskCheck& asked, const Services& services) {
@@ -180,7 +148,7 @@ std::unique_ptr<CheckAnswer> ask(const AskCheck& asked, const Services& services
   if (!along) {
     std::optional<Request> closed = read_closure(asked.model, watch_of(services, asked.search));
     if (!closed) return std::make_unique<VarietyCheck>(asked, services);
-    return std::make_unique<ClosureCheck>(std::move(*closed), watch.lap(), asked, services);
+    return answer_closure(std::move(*closed), watch.lap(), asked, services);
   }
   services.begin_search();
   return std::make_unique<WayCheck>(std::move(*along), watch.lap(), asked, services);

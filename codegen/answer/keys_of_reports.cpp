@@ -64,9 +64,12 @@ constexpr Key kCheck[] = {
     {"filters", "filter[]"},
     {"leaves", "count{}", "certified boxes by the test that certified them"},
     {"nearest_singular?", "nearest_singular", "where the matrix is nearest to losing rank"},
+};
+
+constexpr Key kClosure[] = {
     {"branch?", "branch", "of a closure: where it starts"},
-    {"fold?", "fold", "of a closure: a singular configuration"},
-    {"links?", "count", "of a closure: pairs of boxes that hold the same configuration"},
+    {"folds?", "fold[]", "singular configurations of a closure"},
+    {"links?", "count", "pairs of boxes of a closure that hold the same configuration"},
 };
 
 constexpr Key kPage[] = {{"page?", "text", "the file that regulus report wrote"}};
@@ -157,7 +160,7 @@ const std::vector<ObjectKind>& report_kinds() {
   static const std::vector<ObjectKind> kinds = {
       {"check",
        "check",
-       {kReason, kSubject, kMethod, kBoxes, kCheck, kNonempty, kWitness, kBlocking, kPage,
+       {kReason, kSubject, kMethod, kBoxes, kCheck, kClosure, kNonempty, kWitness, kBlocking, kPage,
         kCertificate},
        kOfMatrix},
       {"path",
@@ -166,7 +169,7 @@ const std::vector<ObjectKind>& report_kinds() {
        kOfMatrix},
       {"paving",
        "locate",
-       {kReason, kSubject, kMethod, kBoxes, kPaving, kNonempty, kWitness, kCertificate},
+       {kReason, kSubject, kMethod, kBoxes, kPaving, kClosure, kNonempty, kWitness, kCertificate},
        kOfMatrix},
       {"path_paving",
        "locate of a motion along way-points",

@@ -40,20 +40,23 @@ class Linker {
         tree_(tree),
         start_(start),
         system_(question.problem, question.scaling, question.shape),
-        finder_(system_, question.problem, question.shape),
-        groups_(tree.leaves().size()) {}
+        finder_(system_, question.problem, question.shape) {}
 
   BranchLinks link(const std::atomic<bool>* interrupt) {
+    links_.on_branch.assign(tree_.leaves().size(), 0);
     if (!begin()) return std::move(links_);
-    const std::vector<Interval>& root = question_.problem.outer;
-    tree_.for_neighbours(root, [&](std::size_t a, std::size_t b, const auto& face) {
-      if (!links_.obstacle.empty() || (interrupt != nullptr && *interrupt)) return;
-      waiting_.push_back(meeting_of(a, b, face));
-      if (waiting_.size() == kLanes) meet();
-    });
-    if (interrupt != nullptr && *interrupt) links_.obstacle = describe(Reason::kInterrupted);
-    if (links_.obstacle.empty()) meet();
-    if (links_.obstacle.empty()) conclude();
+    const auto must_stop = [interrupt] { return interrupt != nullptr && *interrupt; };
+    tree_.for_neighbours(question_.problem.outer,
+                         [&](std::size_t a, std::size_t b, const std::vector<Interval>& face) {
+                           if (must_stop()) return;
+                           waiting_.push_back(meeting_of(a, b, face));
+                           if (waiting_.size() == kLanes) meet();
+                         });
+    meet();
+    if (must_stop())
+      links_.obstacle = describe(Reason::kInterrupted);
+    else
+      conclude();
     return std::move(links_);
   }
 
@@ -87,9 +90,12 @@ class Linker {
       }
       waiting_.push_back({leaf, BranchTree::kNone, place});
       meet();
-      if (!links_.obstacle.empty()) return false;
+      if (links_.configuration.empty()) {
+        links_.obstacle = "the box at the start holds another configuration";
+        return false;
+      }
     }
-    start_leaf_ = leaves.front();
+    start_leaves_ = leaves;
     return true;
   }
 
@@ -132,28 +138,32 @@ class Linker {
     if (near.empty()) return;
     const auto settled = settle(system_, question_.shape, near);
     std::vector<TubeTrial> trials;
-    std::vector<const Meeting*> of;
+    std::vector<std::size_t> of;
     for (std::size_t i = 0; i < settled.size(); ++i) {
-      if (!settled[i]) return fail(waiting_[i]);
-      TubeTrial trial{waiting_[i].place,
-                      {settled[i]->at.variables, settled[i]->at.unknowns, settled[i]->slopes, {}},
-                      settled[i]->inverse};
-      trials.push_back(std::move(trial));
-      of.push_back(&waiting_[i]);
+      if (!settled[i]) continue;
+      trials.push_back({waiting_[i].place,
+                        {settled[i]->at.variables, settled[i]->at.unknowns, settled[i]->slopes, {}},
+                        settled[i]->inverse});
+      of.push_back(i);
     }
     std::vector<TubeFinding> found(trials.size());
-    finder_.find(trials, found);
+    if (!trials.empty()) finder_.find(trials, found);
+    std::vector<char> is_linked(waiting_.size(), 0);
     for (std::size_t i = 0; i < found.size(); ++i) {
-      if (!found[i].tube) return fail(*of[i]);
-      const std::vector<Interval> solution = enclose(*found[i].tube, of[i]->place);
-      if (!is_held_by_both(*of[i], solution)) return fail(*of[i]);
-      ++links_.links;
-      if (of[i]->b == BranchTree::kNone)
-        links_.configuration = solution;
-      else
-        groups_.join(of[i]->a, of[i]->b);
+      if (!found[i].tube) continue;
+      const Meeting& meeting = waiting_[of[i]];
+      const std::vector<Interval> solution = enclose(*found[i].tube, meeting.place);
+      is_linked[of[i]] = is_held_by_both(meeting, solution) ? 1 : 0;
+      if (is_linked[of[i]] != 0 && meeting.b == BranchTree::kNone) links_.configuration = solution;
     }
+    for (std::size_t i = 0; i < waiting_.size(); ++i) note(waiting_[i], is_linked[i] != 0);
     waiting_.clear();
+  }
+
+  void note(const Meeting& meeting, bool is_linked) {
+    if (is_linked) ++links_.links;
+    if (meeting.b == BranchTree::kNone) return;
+    (is_linked ? linked_ : torn_).emplace_back(meeting.a, meeting.b);
   }
 
   [[nodiscard]] bool is_held_by_both(const Meeting& meeting,
@@ -166,19 +176,30 @@ class Linker {
     return true;
   }
 
-  void fail(const Meeting& meeting) {
-    links_.obstacle = meeting.b == BranchTree::kNone
-                          ? "the box at the start holds another configuration"
-                          : "two neighbouring boxes are not shown to hold one configuration";
-  }
-
+  /// Leaves out neighbours on the branch that are not linked, until there are none.
   void conclude() {
-    for (std::size_t leaf = 0; leaf < tree_.leaves().size(); ++leaf)
-      if (tree_.leaves()[leaf].tube && groups_.of(leaf) != groups_.of(start_leaf_)) {
-        links_.obstacle = "constraints cut the motion in parts, and the start is in one of them";
-        return;
-      }
+    const std::size_t count = tree_.leaves().size();
+    std::vector<char> is_left_out(count, 0);
+    for (bool has_changed = true; has_changed;) {
+      has_changed = false;
+      Groups groups(count);
+      for (const auto& [a, b] : linked_)
+        if (is_left_out[a] == 0 && is_left_out[b] == 0) groups.join(a, b);
+      for (const std::size_t start : start_leaves_) groups.join(start, start_leaves_.front());
+      for (std::size_t leaf = 0; leaf < count; ++leaf)
+        links_.on_branch[leaf] = tree_.leaves()[leaf].tube && is_left_out[leaf] == 0 &&
+                                 groups.of(leaf) == groups.of(start_leaves_.front());
+      for (const auto& [a, b] : torn_)
+        if (links_.on_branch[a] != 0 && links_.on_branch[b] != 0)
+          is_left_out[a] = is_left_out[b] = 1, has_changed = true;
+    }
     links_.is_one_branch = true;
+    for (std::size_t leaf = 0; leaf < count; ++leaf)
+      if (tree_.leaves()[leaf].tube && links_.on_branch[leaf] == 0) links_.is_one_branch = false;
+    if (links_.is_one_branch) return;
+    links_.obstacle = torn_.empty()
+                          ? "constraints cut the motion in parts, and the start is in one of them"
+                          : "two neighbouring boxes are not shown to hold one configuration";
   }
 
   const ClosureQuestion& question_;
@@ -186,9 +207,9 @@ class Linker {
   const BranchStart& start_;
   SystemBoxes system_;
   TubeFinder finder_;
-  Groups groups_;
   std::vector<Meeting> waiting_;
-  std::size_t start_leaf_ = 0;
+  std::vector<std::pair<std::size_t, std::size_t>> linked_, torn_;
+  std::vector<std::size_t> start_leaves_;
   BranchLinks links_;
 };
 

@@ -18,7 +18,8 @@ struct BranchStart {
 };
 
 struct BranchLinks {
-  bool is_one_branch = false;
+  bool is_one_branch = false;             ///< every box with a tube is on it
+  std::vector<char> on_branch{};          ///< by leaf
   std::vector<Interval> configuration{};  ///< encloses the unknowns at the start
   std::size_t links = 0;
   /// Why it is not shown to be one branch; empty if it is.
@@ -26,11 +27,10 @@ struct BranchLinks {
 };
 
 /// Two neighbours have one branch if their tubes hold the same solution at one place of the face that
-/// they share: the branches of both are continuous on it, and each is unique in its tube. The
-/// boxes with tubes must be joined by such links, each pair of neighbours among them, and one of them
-/// holds at the start the solution that is the only one near BranchStart::values.
+/// they share: the branches of both are continuous on it, and each is unique in its tube. Those of
+/// the start hold there the solution that is the only one near BranchStart::values. Boxes are on
+/// the branch if such links join them with those, and each pair of neighbours among them is linked.
 ///
-/// Requires  the search is complete.
 /// Rounding  outward; MXCSR at nearest.
 [[nodiscard]] BranchLinks link_branch(const ClosureQuestion& question, const BranchTree& tree,
                                       const BranchStart& start, const std::atomic<bool>* interrupt);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/place_text.hpp"
@@ -24,7 +25,7 @@ std::string unknown_names(const Closure& closure) {
 }
 
 /// The configuration at the start: certified if it was found, else the values of the file.
-void tell_branch(const PreparedClosure& prepared, const ClosureFinding& found, Facts& facts) {
+void tell_start(const PreparedClosure& prepared, const ClosureFinding& found, Facts& facts) {
   const Closure& closure = *prepared.request.model.closure;
   Json place = Json::object(), unknowns = Json::object();
   std::string at, values;
@@ -57,35 +58,44 @@ std::string reason_of(const ClosureFinding& found) {
                                            : describe(found.searched.branch.reason);
 }
 
-/// Returns "theta = 2.3138 rad", with as many digits as are certain.
+/// Returns "theta = 2.31381557986 rad (132.571867 deg)": the digits are certain.
 std::string certain_words(const std::string& name, const Interval& value, const std::string& unit) {
-  return fmt::format("{} = {:.12g}{}", name, mid(value), unit_suffix(unit));
+  const double degrees = mid(value) * 180 / std::numbers::pi;
+  return fmt::format("{} = {:.12g}{}{}", name, mid(value), unit_suffix(unit),
+                     unit == "rad" ? fmt::format(" ({:.9g} deg)", degrees) : "");
 }
 
-void tell_fold(const PreparedClosure& prepared, const Fold& fold, Facts& facts) {
+Json json_fold(const PreparedClosure& prepared, const Fold& fold) {
   const Closure& closure = *prepared.request.model.closure;
   Json place = Json::object(), unknowns = Json::object(), direction = Json::object();
+  for (std::size_t k = 0; k < fold.place.size(); ++k)
+    place[prepared.request.motion.parameters[k].name] = json_interval(fold.place[k]);
+  for (std::size_t i = 0; i < closure.unknowns.size(); ++i) {
+    unknowns[closure.unknowns[i].name] = json_interval(fold.unknowns[i]);
+    direction[closure.unknowns[i].name] = json_interval(fold.direction[i]);
+  }
+  return {{"parameters", std::move(place)},
+          {"unknowns", std::move(unknowns)},
+          {"direction", std::move(direction)},
+          {"on_branch", fold.is_on_branch}};
+}
+
+void say_fold(const PreparedClosure& prepared, const Fold& fold, Facts& facts) {
+  const Closure& closure = *prepared.request.model.closure;
   std::string at, moved;
   for (std::size_t k = 0; k < fold.place.size(); ++k) {
     const MotionParameter& p = prepared.request.motion.parameters[k];
-    place[p.name] = json_interval(fold.place[k]);
     at += (at.empty() ? "" : ", ") + certain_words(p.name, fold.place[k], p.unit);
   }
   for (std::size_t i = 0; i < closure.unknowns.size(); ++i) {
     const PoseParameter& unknown = closure.unknowns[i];
-    unknowns[unknown.name] = json_interval(fold.unknowns[i]);
-    direction[unknown.name] = json_interval(fold.direction[i]);
     at += ", " + certain_words(unknown.name, fold.unknowns[i], unknown.unit);
-    moved += fmt::format("{}{} by {:.4g}", moved.empty() ? "" : ", ", unknown.name,
+    moved += fmt::format("{}{} : {:.4g}", moved.empty() ? "" : ", ", unknown.name,
                          mid(fold.direction[i]));
   }
-  facts.tell("fold",
-             {{"parameters", std::move(place)},
-              {"unknowns", std::move(unknowns)},
-              {"direction", std::move(direction)},
-              {"on_branch", fold.is_on_branch}},
-             "singular at", at);
-  facts.say("", "with the motors locked, " + moved + " at once: the equations do not resist");
+  facts.say(fold.is_on_branch ? "ends at" : "singular", at);
+  facts.say("", fmt::format("with the motors locked nothing resists a motion in the ratio {}{}",
+                            moved, fold.is_on_branch ? "" : "; not shown to be on the branch"));
 }
 
 }  // namespace
@@ -93,12 +103,58 @@ void tell_fold(const PreparedClosure& prepared, const Fold& fold, Facts& facts) 
 ClosureFinding check_closure(PreparedClosure& prepared, const SearchOptions& search,
                              const FormingWatch& watch, Observer* progress) {
   ClosureFinding found;
-  const auto ask = [&](const std::vector<double>& place) {
-    found.fold = find_fold(prepared, place, search, watch);
+  BranchSettings settings = settings_of(prepared, search, watch.interrupt);
+  settings.ask = [&](const std::vector<double>& place) {
+    if (auto fold = find_fold(prepared, place, search, watch)) found.folds = {std::move(*fold)};
     return found.is_refuted();
   };
-  found.searched = run_closure(prepared, search, watch.interrupt, progress, ask);
+  found.searched = run_closure(prepared, settings, progress);
   return found;
+}
+
+ClosureFinding pave_closure(PreparedClosure& prepared, const SearchOptions& search,
+                            double resolution, const FormingWatch& watch, Observer* progress) {
+  ClosureFinding found;
+  BranchSettings settings = settings_of(prepared, search, watch.interrupt);
+  settings.paves = true;
+  settings.min_relative_width = resolution;
+  found.searched = run_closure(prepared, settings, progress);
+  if (prepared.shape.parameters != 1) return found;
+  const Interval& range = prepared.problem.outer[0];
+  for (const double end : {range.lo, range.hi})
+    if (auto fold = find_fold(prepared, {end}, search, watch))
+      found.folds.push_back(std::move(*fold));
+  return found;
+}
+
+void tell_leaves(const PreparedClosure& prepared, const ClosureFinding& found, Observer& observer) {
+  const std::vector<BranchLeaf>& leaves = found.searched.branch.tree.leaves();
+  const std::vector<char>& on_branch = found.searched.links.on_branch;
+  Proof undecided;
+  undecided.reason = Reason::kWidth;
+  for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf) {
+    const bool is_free = leaf < on_branch.size() && on_branch[leaf] != 0;
+    const std::span<const Interval> box =
+        std::span(leaves[leaf].at.box).first(prepared.shape.variables);
+    observer.on_leaf({leaves[leaf].at.id, leaves[leaf].at.depth, box},
+                     is_free                   ? Rule::kSecondOrder
+                     : leaves[leaf].is_outside ? Rule::kOutside
+                                               : Rule::kBlocked,
+                     undecided);
+  }
+}
+
+void tell_branch(const PreparedClosure& prepared, const ClosureFinding& found, Facts& facts) {
+  facts.say("closure", fmt::format("{} equations in {}", prepared.shape.unknowns,
+                                   unknown_names(*prepared.request.model.closure)));
+  tell_start(prepared, found, facts);
+  facts.add("links", found.searched.links.links);
+  Json folds = Json::array();
+  for (const Fold& fold : found.folds) {
+    folds.push_back(json_fold(prepared, fold));
+    say_fold(prepared, fold, facts);
+  }
+  facts.add("folds", std::move(folds));
 }
 
 Result check_result(const PreparedClosure& prepared, const ClosureFinding& found) {
@@ -160,22 +216,18 @@ void tell_closure(const PreparedClosure& prepared, const SearchOptions& search,
   const bool is_decided = check.verdict != Verdict::kPossibleProblem;
   facts.add("reason", is_decided ? describe(check.reason) : reason_of(found));
   tell_question(p, facts);
-  facts.say("closure", fmt::format("{} equations in {}", prepared.shape.unknowns,
-                                   unknown_names(*prepared.request.model.closure)));
   tell_branch(prepared, found, facts);
   if (facts.are_for_programs()) add_search(search, json_question(prepared.request, search), facts);
   tell_method(p, search, check.method, check.statistics.boxes, facts);
   facts.add("filters", Json::array());
   tell_boxes(check.statistics, facts);
   facts.add("leaves", json_leaves(check.statistics));
-  facts.add("links", found.searched.links.links);
   facts.add("witness", nullptr).add("blocking_box", nullptr);
   if (!check.blocking_box.empty()) {
     Json box = json_parameters(p, check.blocking_box);
     box.update(json_uncertain(p, check.blocking_box));
     facts.tell("blocking_box", std::move(box), "blocked", describe_place(p, check.blocking_box));
   }
-  if (found.fold) tell_fold(prepared, *found.fold, facts);
   tell_occupancy(check, facts);
   tell_time(p.seconds_spent(), facts);
   const std::string claim = describe_claim(prepared, found);

@@ -22,6 +22,20 @@ SearchOptions options_of_kernel(SearchOptions search) {
   return search;
 }
 
+/// A kernel whose unknowns are no motion parameters: what measures boxes must not see them.
+class KernelOfClosure final : public LoadedKernel {
+ public:
+  KernelOfClosure(std::unique_ptr<LoadedKernel> kernel, std::size_t parameters)
+      : kernel_(std::move(kernel)), functions_(kernel_->functions()) {
+    functions_.motion_variables = unsigned(parameters);
+  }
+  [[nodiscard]] const regulus_kernel& functions() const noexcept override { return functions_; }
+
+ private:
+  std::unique_ptr<LoadedKernel> kernel_;
+  regulus_kernel functions_;
+};
+
 /// The report is about the question as it was asked, and not about the kernel.
 void relabel(PreparedSearch& p, const Request& request, const ClosedSystem& system) {
   p.labels.variables = system.labels;
@@ -33,6 +47,9 @@ void relabel(PreparedSearch& p, const Request& request, const ClosedSystem& syst
   p.labels.matrix_notes = request.model.matrix_notes;
   p.labels.notes = request.notes;
   p.labels.where = name(request.motion.where);
+  p.labels.reach = 0;
+  p.labels.constraints = request.motion.constraints.size();
+  p.is_replanned = true;  // the kernel's request is another one
   p.variety.outer.resize(system.shape.variables);
   p.variety.inner.resize(system.shape.variables);
 }
@@ -70,6 +87,8 @@ PreparedClosure prepare_closure(Request request, double model_seconds, const Sea
   ClosedSystem system = close(request);
   prepared.shape = system.shape;
   prepared.preparation = prepare(system.request, model_seconds, options_of_kernel(search), watch);
+  prepared.preparation.kernel = std::make_unique<KernelOfClosure>(
+      std::move(prepared.preparation.kernel), system.shape.parameters);
   prepared.problem = prepared.preparation.problem();
   prepared.problem.idle.clear();
   prepared.scaling = prepared.preparation.stages->formulation().scaling;
@@ -79,9 +98,8 @@ PreparedClosure prepare_closure(Request request, double model_seconds, const Sea
   return prepared;
 }
 
-ClosureResult run_closure(PreparedClosure& prepared, const SearchOptions& search,
-                          const std::atomic<bool>* interrupt, Observer* progress,
-                          const std::function<bool(const std::vector<double>&)>& ask) {
+BranchSettings settings_of(const PreparedClosure& prepared, const SearchOptions& search,
+                           const std::atomic<bool>* interrupt) {
   BranchSettings settings;
   settings.threads = settings_from(search).threads;
   if (search.max_boxes != 0) settings.max_boxes = search.max_boxes;
@@ -90,13 +108,17 @@ ClosureResult run_closure(PreparedClosure& prepared, const SearchOptions& search
   if (prepared.preparation.stopped) settings.time_limit = 0;
   settings.interrupt = interrupt;
   settings.workers = search.workers;
-  settings.ask = ask;
+  return settings;
+}
+
+ClosureResult run_closure(PreparedClosure& prepared, const BranchSettings& settings,
+                          Observer* progress) {
   const ClosureQuestion question = prepared.question();
   ClosureResult result;
   result.branch = search_branch(question, settings, progress);
   Stopwatch watch;
-  if (result.branch.is_complete && !result.branch.is_empty)
-    result.links = link_branch(question, result.branch.tree, prepared.start, interrupt);
+  if (settings.paves || (result.branch.is_complete && !result.branch.is_empty))
+    result.links = link_branch(question, result.branch.tree, prepared.start, settings.interrupt);
   prepared.preparation.seconds.search = result.branch.seconds + watch.lap();
   return result;
 }

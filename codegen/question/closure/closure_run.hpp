@@ -48,9 +48,13 @@ struct ClosureResult {
   }
 };
 
-/// Searches, and links what it finds. `progress` may be null; `ask` as in BranchSettings.
-[[nodiscard]] ClosureResult run_closure(
-    PreparedClosure& prepared, const SearchOptions& search, const std::atomic<bool>* interrupt,
-    Observer* progress, const std::function<bool(const std::vector<double>&)>& ask = {});
+/// Returns the settings of a search with the limits of the options that are left.
+[[nodiscard]] BranchSettings settings_of(const PreparedClosure& prepared,
+                                         const SearchOptions& search,
+                                         const std::atomic<bool>* interrupt);
+
+/// Searches, and links what it finds, if the search is complete or paves. `progress` may be null.
+[[nodiscard]] ClosureResult run_closure(PreparedClosure& prepared, const BranchSettings& settings,
+                                        Observer* progress);
 
 }  // namespace regulus

@@ -198,7 +198,8 @@ class FoldSearch {
   /// over a little before the end, so that the tubes of the line reach beyond that place.
   bool leads_to_fold() {
     PreparedClosure line = prepared(line_request(lost_->part * (1 - kPartOfChange)));
-    const ClosureResult first = run_closure(line, search_, watch_.interrupt, nullptr);
+    const ClosureResult first =
+        run_closure(line, settings_of(line, search_, watch_.interrupt), nullptr);
     if (!first.is_proved()) return false;
     const auto change = place_of_change(line);
     if (!change) return false;
@@ -206,7 +207,8 @@ class FoldSearch {
     for (std::size_t i = 1; i < n_; ++i)
       if (mig(fold_.direction[i]) > mig(fold_.direction[k])) k = i;
     PreparedClosure swapped = prepared(swapped_request(*change, k));
-    const ClosureResult second = run_closure(swapped, search_, watch_.interrupt, nullptr);
+    const ClosureResult second =
+        run_closure(swapped, settings_of(swapped, search_, watch_.interrupt), nullptr);
     return second.is_proved() && meet(first, second, change->unknowns[k], k) &&
            holds_fold(second, k);
   }

@@ -64,7 +64,7 @@ TEST(FourBar, TurnsBetweenItsToggles) {
   EXPECT_EQ(inside.verdict(), Verdict::kNoSingularity);
   const Checked beyond = check(linkage.text(1, -2.4, 2.4));
   ASSERT_EQ(beyond.verdict(), Verdict::kSingularity);
-  const Fold& fold = *beyond.found.fold;
+  const Fold& fold = beyond.found.folds.front();
   EXPECT_NEAR(std::fabs(mid(fold.place[0])), toggle, 1e-10);
   EXPECT_LT(width_ru(fold.place[0]), 1e-10);
   // Coupler and rocker are in line there.
@@ -98,8 +98,8 @@ TEST(FourBar, HasTheVerdictOfItsClosedForm) {
         << linkage.text(start, from, to);
     ++(is_regular ? regular : singular);
     if (is_regular) expect_configurations(linkage, checked, random);
-    if (checked.found.fold) {
-      const double s = linkage.diagonal(mid(checked.found.fold->place[0]));
+    if (!checked.found.folds.empty()) {
+      const double s = linkage.diagonal(mid(checked.found.folds[0].place[0]));
       EXPECT_NEAR(std::fmin(std::fabs(s - std::fabs(linkage.b - linkage.c)),
                             std::fabs(s - linkage.b - linkage.c)),
                   0, 1e-8);
