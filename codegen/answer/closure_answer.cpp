@@ -9,6 +9,7 @@
 #include "codegen/answer/report/paving_report.hpp"
 #include "codegen/answer/report/paving_writer.hpp"
 #include "codegen/answer/report/progress.hpp"
+#include "codegen/model/request.hpp"
 #include "codegen/question/closure/closure_certificate.hpp"
 #include "codegen/question/closure/closure_report.hpp"
 #include "runtime/problem/observers.hpp"

@@ -7,9 +7,10 @@
 #include "codegen/answer/asked.hpp"
 #include "codegen/answer/kinds.hpp"
 #include "codegen/answer/services.hpp"
-#include "codegen/model/request.hpp"
 
 namespace regulus {
+
+struct Request;
 
 /// Requires  request.model.closure.
 /// Throws    as ask().
