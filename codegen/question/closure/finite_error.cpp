@@ -5,86 +5,15 @@
 #include <cmath>
 #include <queue>
 
-#include "codegen/answer/certificate/certificate_question.hpp"
 #include "codegen/question/closure/closure_report.hpp"
+#include "codegen/question/closure/error_request.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus {
 namespace {
 
-using GiNaC::ex;
-
 constexpr std::size_t kMostParents = 32;
 constexpr double kLeastWidth = 0x1p-30;  ///< of a range: boxes are not split further
-
-/// The motion with an own parameter for each error, which are 0 at the start. The parameters of the
-/// motion come first.
-class ErrorRequest {
- public:
-  explicit ErrorRequest(const Request& given) : request_(given) {
-    Motion& motion = request_.motion;
-    Model& model = request_.model;
-    Closure& closure = *model.closure;
-    const std::set<std::string> uncertain = uncertain_names(given);
-    std::vector<PoseParameter> pose;
-    std::vector<ex> start;
-    GiNaC::exmap actual;
-    for (const MotionParameter& p : given.motion.parameters) {
-      pose.push_back({p.symbol, p.name, p.unit});
-      start.push_back(start_of_parameter(given, p));
-    }
-    parameters_ = pose.size();
-    for (std::size_t i = 0; i < given.model.pose.size(); ++i) {
-      const PoseParameter& q = given.model.pose[i];
-      actual[q.symbol] = given.motion.pose[i];
-      if (given.motion.error.empty() || given.motion.error[i].is_zero()) continue;
-      const GiNaC::realsymbol error("error_" + q.name);
-      actual[q.symbol] = given.motion.pose[i] + error;
-      add({error, "error_" + q.name, q.unit}, {-given.motion.error[i], given.motion.error[i]}, 0,
-          pose, start);
-    }
-    for (const GeometryParameter& g : given.model.geometry) {
-      if (!uncertain.contains(g.name)) continue;
-      if (g.ball >= 0)
-        throw UsageError("finite errors take tolerances that are ranges; the point of '" + g.name +
-                         "' lies in a ball");
-      add({g.symbol, g.name, "1"}, {g.value - g.tolerance, g.value + g.tolerance}, g.value, pose,
-          start);
-    }
-    if (pose.size() == parameters_)
-      throw UsageError(
-          "nothing has an error: give the motion an `error`, or the geometry tolerances");
-    std::erase_if(model.geometry,
-                  [&](const GeometryParameter& g) { return uncertain.contains(g.name); });
-    for (ex& equation : closure.equations) equation = equation.subs(actual);
-    for (ex& condition : model.must_be_defined) condition = condition.subs(actual);
-    model.pose = pose;
-    closure.start_pose = start;
-    motion.pose.clear();
-    for (const PoseParameter& q : pose) motion.pose.emplace_back(q.symbol);
-    motion.error.assign(pose.size(), 0);
-  }
-
-  [[nodiscard]] const Request& request() const { return request_; }
-  [[nodiscard]] std::size_t parameters() const { return parameters_; }
-
- private:
-  static ex start_of_parameter(const Request& given, const MotionParameter& p) {
-    for (std::size_t i = 0; i < given.model.pose.size(); ++i)
-      if (given.model.pose[i].symbol.is_equal(p.symbol)) return given.model.closure->start_pose[i];
-    throw UsageError("finite errors take motions whose parameters are those of [pose]");
-  }
-
-  void add(const PoseParameter& error, const Range& range, const ex& middle,
-           std::vector<PoseParameter>& pose, std::vector<ex>& start) {
-    pose.push_back(error);
-    start.push_back(middle);
-    request_.motion.parameters.push_back({error.symbol, error.name, error.unit, range});
-  }
-
-  Request request_;
-  std::size_t parameters_ = 0;
-};
 
 /// Finds the tube over a box, and that over the same parameters without errors.
 struct ErrorFinding {
@@ -353,10 +282,10 @@ std::vector<std::size_t> unknowns_of(const Request& request, const QuantityOptio
 FiniteErrors bound_finite_errors(const Request& request, const std::vector<std::size_t>& unknowns,
                                  double gap, const SearchOptions& search, const FormingWatch& watch,
                                  Observer* progress) {
-  const ErrorRequest errors(request);
-  PreparedClosure prepared = prepare_closure(errors.request(), 0, search, watch);
+  const ErrorRequest errors = with_errors_as_parameters(request);
+  PreparedClosure prepared = prepare_closure(errors.request, 0, search, watch);
   FiniteErrors found;
-  for (const MotionParameter& p : errors.request().motion.parameters)
+  for (const MotionParameter& p : errors.request.motion.parameters)
     found.parameters.push_back(p.name);
   const ClosureFinding checked = check_closure(prepared, search, watch, progress);
   const ClosureResult& branch = checked.searched;
@@ -371,7 +300,7 @@ FiniteErrors bound_finite_errors(const Request& request, const std::vector<std::
     found.folds = checked.folds;
     return found;
   }
-  const ErrorQuestion question{prepared.problem, prepared.question(), errors.parameters()};
+  const ErrorQuestion question{prepared.problem, prepared.question(), errors.parameters};
   const Closure& closure = *request.model.closure;
   for (const std::size_t i : unknowns) {
     FiniteError& error = found.unknowns.emplace_back();

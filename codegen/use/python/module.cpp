@@ -139,6 +139,9 @@ void bind_questions(py::module_& module) {
            py::arg("quantity"), py::arg("load"), py::arg("twist"), py::arg("leg"),
            py::arg("freedom"), py::arg("least"), py::arg("signed"), py::arg("norm"),
            py::arg("finite") = false);
+}
+
+void bind_options(py::module_& module) {
   py::class_<SearchOptions> options(module, "SearchOptions");
   options.def(py::init<>())
       .def_readwrite("use_cache", &SearchOptions::use_cache)
@@ -331,6 +334,7 @@ PYBIND11_MODULE(_regulus, module) {
   module.attr("VERSION") = regulus::kVersion;
   pybind11::register_exception_translator(translate);
   bind_questions(module);
+  bind_options(module);
   bind_findings(module);
   bind_pavings(module);
   bind_prepared(module);
