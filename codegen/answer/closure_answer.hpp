@@ -21,4 +21,7 @@ struct Request;
                                                            const AskPaving& asked,
                                                            const Services& services);
 
+[[nodiscard]] std::unique_ptr<BoundAnswer> answer_closure(Request request, const AskBound& asked,
+                                                          const Services& services);
+
 }  // namespace regulus

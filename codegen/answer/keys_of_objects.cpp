@@ -123,6 +123,15 @@ constexpr Key kFold[] = {
     {"direction", "enclosure{}", "of the unknowns, with the motors locked"},
     {"on_branch", "flag", "configurations of the motion lead to it from the start"},
 };
+constexpr Key kFiniteError[] = {
+    {"unknown", "text"},
+    {"unit", "text"},
+    {"attained", "rounded", "some errors move it so far"},
+    {"proved", "rounded?", "no errors move it farther"},
+    {"at", "enclosure{}", "the parameters and errors of the attained end"},
+    {"closed", "flag"},
+    {"boxes", "count"},
+};
 constexpr Key kNearest[] = {
     {"approximate", "flag"},
     {"hadamard_share?", "approx", "of what the rows allow: almost singular"},
@@ -244,6 +253,7 @@ const std::vector<ObjectKind>& object_kinds() {
       {"nearest_singular", "approximate; proves nothing", {kPlace, kNearest, kDegeneracy}},
       {"branch", "where the branch of a closure starts", {kBranch}},
       {"fold", "a certified singular configuration of a closure", {kFold}},
+      {"finite_error_of_unknown", "how far errors move it", {kFiniteError}},
       {"undefined", "a pose at which expressions have no value", {kPlace, kUndefined}},
       {"undefined_expression", "over that pose", {kExpression}},
       {"share", "of the ranges", {kShare}},

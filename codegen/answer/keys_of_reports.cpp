@@ -131,6 +131,12 @@ constexpr Key kLimitMargin[] = {
     {"components", "component_margin[]"},
 };
 
+constexpr Key kFiniteErrors[] = {
+    {"errors", "finite_error_of_unknown[]"},
+    {"gap_wanted", "approx"},
+    {"obstacle", "text?", "why there is no bound"},
+};
+
 constexpr Key kDatasheet[] = {
     {"interrupted", "flag"},
     {"bounds", "sheet_entry[]"},
@@ -189,6 +195,7 @@ const std::vector<ObjectKind>& report_kinds() {
        {kReason, kNotes, kBracket, kNonempty, kLimitMargin},
        kOfBracket},
       {"bound", "bound", {kNotes, kBound}, kOfBound},
+      {"finite_error", "bound error --finite", {kFiniteErrors}, kOfBracket},
       {"datasheet", "datasheet", {kDatasheet}, kOfBracket},
       {"forces",
        "check --load and locate --load",
