@@ -30,9 +30,10 @@ struct BranchLinks {
 /// they share: the branches of both are continuous on it, and each is unique in its tube. Those of
 /// the start hold there the solution that is the only one near BranchStart::values. Boxes are on
 /// the branch if such links join them with those, and each pair of neighbours among them is linked.
+/// A tube that holds another branch than its neighbour is replaced, if one is found from there.
 ///
 /// Rounding  outward; MXCSR at nearest.
-[[nodiscard]] BranchLinks link_branch(const ClosureQuestion& question, const BranchTree& tree,
+[[nodiscard]] BranchLinks link_branch(const ClosureQuestion& question, BranchTree& tree,
                                       const BranchStart& start, const std::atomic<bool>* interrupt);
 
 }  // namespace regulus
