@@ -6,8 +6,8 @@
 
 #include "codegen/answer/certificate/verification_report.hpp"
 #include "codegen/answer/report/report_text.hpp"
-#include "codegen/use/command/answer.hpp"
 #include "codegen/use/command/commands.hpp"
+#include "codegen/use/command/terminal.hpp"
 
 namespace regulus {
 namespace {
