@@ -18,7 +18,7 @@ void require_pictures(const PictureRequest& pictures, const Motion& motion) {
   for (const MotionParameter& p : motion.parameters) {
     if (certain_sign(p.range.hi - p.range.lo) == CertainSign::kPositive)
       paving.axes.push_back(subject.labels.variables.size());
-    subject.labels.variables.push_back({.name = p.name});
+    subject.labels.variables.push_back({p.name, p.unit});
     subject.variety.outer.push_back(
         {enclose_constant(p.range.lo, p.name).lo, enclose_constant(p.range.hi, p.name).hi});
   }
