@@ -44,15 +44,19 @@ void LegGeometry::require_uses() const {
 }
 
 FormulaPoint LegGeometry::point(const TomlEntry& list, LegGroup kind, const std::string& number) {
+  return point(list, group(kind), group(kind).letter, number);
+}
+
+FormulaPoint LegGeometry::point(const TomlEntry& list, Group& of, const char* letter,
+                                const std::string& number) {
   const auto values = elements(list, coordinates_);
-  Group& of = group(kind);
   FormulaPoint result;
   ToleranceBall ball{.members = {}, .radius = of.tolerance, .group = of.name};
   const int index = balls_ ? static_cast<int>(reading_.model.balls.size()) : -1;
   for (std::size_t i = 0; i < coordinates_; ++i) {
     ball.members.push_back(reading_.model.geometry.size());
     result[i] = quantity(values[i], read_quantity(reading_, values[i]),
-                         of.letter + number + "_" + kCoordinates[i], of, index);
+                         letter + number + "_" + kCoordinates[i], of, index);
   }
   if (balls_) reading_.model.balls.push_back(std::move(ball));
   return result;
@@ -73,6 +77,14 @@ Formula LegGeometry::quantity(const TomlEntry& entry, const ParsedExpression& va
 }
 
 LegAxis LegGeometry::axis(const TomlEntry& list, const std::string& number) {
+  return axis(list, group(LegGroup::kAxis).letter, number);
+}
+
+LegAxis LegGeometry::hinge(const TomlEntry& list, const std::string& number) {
+  return axis(list, "h", number);
+}
+
+LegAxis LegGeometry::axis(const TomlEntry& list, const char* letter, const std::string& number) {
   Point v = {0, 0, 0};
   bool exact = group(LegGroup::kAxis).given.node == nullptr;
   const auto values = elements(list, coordinates_);
@@ -81,7 +93,7 @@ LegAxis LegGeometry::axis(const TomlEntry& list, const std::string& number) {
     exact = exact && term.constant;
     v[i] = term.value;
   }
-  if (!exact) return {.direction = point(list, LegGroup::kAxis, number)};
+  if (!exact) return {.direction = point(list, group(LegGroup::kAxis), letter, number)};
   const Point n = unit(list, v);
   // A coordinate axis across the direction, if there is one, gives the shortest expressions.
   Point g = {-n[1], n[0], 0};

@@ -35,6 +35,8 @@ class LegGeometry {
   /// An axis of exact numbers becomes a unit vector. If axes have a tolerance, its coordinates are
   /// parameters.
   [[nodiscard]] LegAxis axis(const TomlEntry& list, const std::string& number);
+  /// The same for the axis of a joint that no motor turns, h1_x ….
+  [[nodiscard]] LegAxis hinge(const TomlEntry& list, const std::string& number);
 
   /// Returns a unit vector of exact numbers.
   [[nodiscard]] FormulaPoint direction(const TomlEntry& list);
@@ -54,6 +56,9 @@ class LegGeometry {
   };
 
   [[nodiscard]] Group& group(LegGroup kind) { return groups_[std::size_t(kind)]; }
+  [[nodiscard]] LegAxis axis(const TomlEntry& list, const char* letter, const std::string& number);
+  [[nodiscard]] FormulaPoint point(const TomlEntry& list, Group& of, const char* letter,
+                                   const std::string& number);
   /// Declares the quantity, and returns its name.
   [[nodiscard]] Formula quantity(const TomlEntry& entry, const ParsedExpression& value,
                                  const std::string& name, Group& group, int ball);

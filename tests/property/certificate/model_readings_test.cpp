@@ -294,6 +294,10 @@ std::vector<std::string> robots_on_legs() {
       text += "axis = [0, 3, 4]\nrod = 380\nmode = \"-\"\n";
     if (type == "linear-delta") text += "bar = [2, 1, 0]\n";
     if (type == "UPU") text += "axis = [1, 2, 2]\n";
+    if (type == "RPS" || type == "PRS")
+      text += fmt::format("hinge = [{0:.1f}, {1:.1f}, 0]\n", -std::sin(angle), std::cos(angle));
+    // Across the hinge, which is in the plane of the base.
+    if (type == "PRS") text += "axis = [0, 0, 2]\nrod = 310\nmode = \"-\"\n";
     return text;
   };
   const auto robot = [&](const std::string& keys, const std::vector<std::string>& types,
@@ -315,6 +319,12 @@ std::vector<std::string> robots_on_legs() {
   }
   robot("orientation = \"roll-pitch-yaw\"\n", {"RUS", "PUS", "UPS", "RSS", "PSS", "SPS"},
         "z = [300, 302]\nroll = 0.05\npitch = [0, 0.01]\nyaw = 0.1\n");
+  for (const std::string tolerances : {"", "axis_tolerance = 0.001\nbase_tolerance = 0.01\n"})
+    robot(tolerances + "orientation = \"euler-zxz\"\n", {"RPS", "PRS", "RPS", "PRS"},
+          "z = [300, 302]\npsi = 0.05\ntheta = [0, 0.01]\nphi = -0.05\n");
+  // At these angles the square of a length is a sum of squares, for certain not 0.
+  robot("orientation = \"euler-zxz\"\n", {"RPS", "UPS", "UPS", "RPS", "UPS"},
+        "z = [300, 302]\npsi = 0\ntheta = 0\nphi = 0\n");
   for (const char* joint : {"1", "2", "3"})
     robot(fmt::format("actuated = {}\naxis_tolerance = 0.001\n", joint), {"PRR", "RPR", "RRR"},
           "phi = [0.1, 0.12]\n");
@@ -336,6 +346,25 @@ TEST(AQuestionAboutARobotOnLegs, IsThatOfItsFileAndOfNoFileWithAnotherNumber) {
     if (!has_mode || text.find(from) == std::string::npos) continue;
     EXPECT_EQ(compared(head, replaced(text, from, to)), Outcome::kRejected) << text;
   }
+}
+
+/// A name for a number, of [geometry] or of [let], is the number: an axis counts by its direction.
+TEST(AQuestionAboutARobotOnLegs, IsThatOfItsFileIfAxesAreWrittenByNames) {
+  const std::string names =
+      "[geometry]\nL = 2\nP = [2, 7]\nT = { value = 2, tolerance = 0 }\n[let]\nM = \"L/2\"\n";
+  std::size_t next = 0;
+  for (const std::string& text : robots_on_legs())
+    for (const char* key : {"axis = [0, 3, ", "axis = [1, 2, ", "axis = [0, 0, ", "hinge = ["}) {
+      if (text.find(key) == std::string::npos) continue;
+      const char* const name = std::array{"L", "P_1", "T", "2*M"}.at(next++ % 4);
+      std::string other = text;
+      const std::size_t at = other.find(key) + std::string_view(key).size();
+      const std::size_t end = other.find_first_of(",]", at);
+      other.replace(at, end - at, fmt::format("\"{}*{}/2\"", other.substr(at, end - at), name));
+      other = replaced(other, "[legs]\n", names + "[legs]\n");
+      std::string why;
+      EXPECT_EQ(compared(head_of(other), other, why), Outcome::kVerified) << other << why;
+    }
 }
 
 TEST(AQuestionAboutASixLeggedPlatform, IsThatOfItsFileAndOfNoFileWithAnotherNumber) {
