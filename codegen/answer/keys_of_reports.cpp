@@ -42,6 +42,7 @@ constexpr Key kMethod[] = {
     {"bits", "count", "the most that the search computed with"},
 };
 
+constexpr Key kNotes[] = {{"notes?", "text[]", "from Python: about numbers that were floats"}};
 constexpr Key kReason[] = {{"reason", "text", "why this is the verdict"}};
 constexpr Key kNonempty[] = {
     {"nonempty", "flag?", "whether the constraints leave any pose; null: not known"}};
@@ -53,7 +54,7 @@ constexpr Key kWitness[] = {
     {"witness", "witness?", "the proof of a singularity"},
     {"undefined?", "undefined", "where an expression has no value"},
 };
-constexpr Key kBlocking[] = {{"blocking_box", "enclosure{}?", "the box that could not be decided"}};
+constexpr Key kBlocking[] = {{"blocking_box", "range{}?", "the box that could not be decided"}};
 constexpr Key kCertificate[] = {
     {"certificate?", "text?", "the file; null: there is none"},
     {"certificate_obstacle?", "text", "why there is none"},
@@ -170,7 +171,7 @@ const std::vector<ObjectKind>& report_kinds() {
        kOfMatrix},
       {"margin",
        "margin",
-       {kReason, kMethod, kBracket, kNonempty, kWitness, kEndCertificates},
+       {kReason, kNotes, kMethod, kBracket, kNonempty, kWitness, kEndCertificates},
        kOfBracket},
       {"path_margin",
        "margin of a motion along way-points",
@@ -179,9 +180,9 @@ const std::vector<ObjectKind>& report_kinds() {
        kOfBracket},
       {"limit_margin",
        "margin --quantity --limit",
-       {kReason, kBracket, kNonempty, kLimitMargin},
+       {kReason, kNotes, kBracket, kNonempty, kLimitMargin},
        kOfBracket},
-      {"bound", "bound", {kBound}, kOfBound},
+      {"bound", "bound", {kNotes, kBound}, kOfBound},
       {"datasheet", "datasheet", {kDatasheet}, kOfBracket},
       {"forces",
        "check --load and locate --load",

@@ -564,7 +564,7 @@ class Prepared:
         self._tolerance = tolerance
         self._alpha = alpha
         self._options = dict(options)
-        self._limits = {
+        self._limits: dict[str, Any] = {
             name: option_of(name, self._options.get(name) or 0)
             for name in ("max_boxes", "time_limit", "threads")
         }
