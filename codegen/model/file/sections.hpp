@@ -9,7 +9,6 @@
 
 #include "codegen/model/file/declarations.hpp"
 #include "codegen/model/file/toml_reader.hpp"
-#include "codegen/model/mechanism/gough.hpp"
 #include "codegen/model/model.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/support/work_meter.hpp"
@@ -60,7 +59,8 @@ void read_geometry(ModelReading& reading, const TomlEntry& geometry);
 void read_let(ModelReading& reading, const TomlEntry& let);
 void read_matrix(ModelReading& reading, const TomlEntry& matrix);
 
-/// Fills pose, geometry, matrix and names from a [gough] table.
+/// Fills pose, geometry, matrix and names from a [gough] table. Its values may use the names of
+/// [geometry] and [let], which are read before.
 void read_gough(ModelReading& reading, const TomlEntry& gough);
 
 /// Fills pose, matrix, names and, if every joint has a range, the motion `limits` from a [serial]

@@ -139,7 +139,8 @@ class LegsReading final : public SectionReading {
   }
   [[nodiscard]] bool has(const std::string& place) const {
     const auto at = values_.lower_bound(place);
-    return at != values_.end() && (at->first == place || at->first.starts_with(place + '['));
+    const auto below = [&](char next) { return at->first.starts_with(place + next); };
+    return at != values_.end() && (at->first == place || below('[') || below('.'));
   }
   /// Returns the place of a key of a leg, which may stand in [legs].
   [[nodiscard]] std::string shared(std::size_t leg, const std::string& key) const {
@@ -213,19 +214,24 @@ class LegsReading final : public SectionReading {
 
   NodeId quantity(const std::string& place, const std::string& name, const Group& group,
                   SectionComparer& comparer, std::vector<std::string>* names = nullptr) const {
-    return SectionValues(comparer, is_in_degrees_).quantity(place, name, group.tolerance, names);
+    const SectionQuantity written = section_quantity(values_, place, group.tolerance);
+    return SectionValues(comparer, is_in_degrees_)
+        .quantity(written.value, name, written.tolerance, names);
   }
 
   VectorNodes point(const std::string& list, const std::string& number, const Group& group,
                     SectionComparer& comparer, GraphAlgebra& algebra) {
+    const SectionQuantity written = section_quantity(values_, list, group.tolerance,
+                                                     text("legs.tolerance_shape", "box") == "ball");
     VectorNodes result = algebra.zero();
     std::vector<std::string> names;
     for (std::size_t i = 0; i < axes(); ++i) {
       const std::string name = group.letters + number + '_' + kAxes[i];
-      result[i] = quantity(element(list, i), name, group, comparer, &names);
+      result[i] = SectionValues(comparer, is_in_degrees_)
+                      .quantity(element(written.value, i), name, written.tolerance, &names);
     }
-    if (!names.empty() && text("legs.tolerance_shape", "box") == "ball")
-      comparer.expect_ball(comparer.place_of("legs.tolerance_shape"), names);
+    if (!names.empty() && written.is_ball)
+      comparer.expect_ball(comparer.place_of(written.tolerance.key), names);
     return result;
   }
 
