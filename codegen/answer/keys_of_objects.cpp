@@ -112,6 +112,26 @@ constexpr Key kRows[] = {
     {"threshold", "approx"},
     {"vectors", "approx[][]"},
 };
+constexpr Key kBranch[] = {
+    {"start", "enclosure{}", "of the motion's parameters"},
+    {"unknowns", "enclosure{}", "the configuration there"},
+    {"certain", "flag", "false: the numbers of the file, and not the configuration"},
+};
+constexpr Key kFold[] = {
+    {"parameters", "enclosure{}"},
+    {"unknowns", "enclosure{}"},
+    {"direction", "enclosure{}", "of the unknowns, with the motors locked"},
+    {"on_branch", "flag", "configurations of the motion lead to it from the start"},
+};
+constexpr Key kFiniteError[] = {
+    {"unknown", "text"},
+    {"unit", "text"},
+    {"attained", "rounded", "some errors move it so far"},
+    {"proved", "rounded?", "no errors move it farther"},
+    {"at", "enclosure{}", "the parameters and errors of the attained end"},
+    {"closed", "flag"},
+    {"boxes", "count"},
+};
 constexpr Key kNearest[] = {
     {"approximate", "flag"},
     {"hadamard_share?", "approx", "of what the rows allow: almost singular"},
@@ -231,6 +251,9 @@ const std::vector<ObjectKind>& object_kinds() {
       {"twist_column", "a column of the matrix", {kTwistColumn}},
       {"dependent_rows", "rows of the matrix, with weights", {kRows}},
       {"nearest_singular", "approximate; proves nothing", {kPlace, kNearest, kDegeneracy}},
+      {"branch", "where the branch of a closure starts", {kBranch}},
+      {"fold", "a certified singular configuration of a closure", {kFold}},
+      {"finite_error_of_unknown", "how far errors move it", {kFiniteError}},
       {"undefined", "a pose at which expressions have no value", {kPlace, kUndefined}},
       {"undefined_expression", "over that pose", {kExpression}},
       {"share", "of the ranges", {kShare}},

@@ -66,6 +66,12 @@ constexpr Key kCheck[] = {
     {"nearest_singular?", "nearest_singular", "where the matrix is nearest to losing rank"},
 };
 
+constexpr Key kClosure[] = {
+    {"branch?", "branch", "of a closure: where it starts"},
+    {"folds?", "fold[]", "singular configurations of a closure"},
+    {"links?", "count", "pairs of boxes of a closure that hold the same configuration"},
+};
+
 constexpr Key kPage[] = {{"page?", "text", "the file that regulus report wrote"}};
 
 constexpr Key kPaving[] = {
@@ -125,6 +131,12 @@ constexpr Key kLimitMargin[] = {
     {"components", "component_margin[]"},
 };
 
+constexpr Key kFiniteErrors[] = {
+    {"errors", "finite_error_of_unknown[]"},
+    {"gap_wanted", "approx"},
+    {"obstacle", "text?", "why there is no bound"},
+};
+
 constexpr Key kDatasheet[] = {
     {"interrupted", "flag"},
     {"bounds", "sheet_entry[]"},
@@ -154,7 +166,7 @@ const std::vector<ObjectKind>& report_kinds() {
   static const std::vector<ObjectKind> kinds = {
       {"check",
        "check",
-       {kReason, kSubject, kMethod, kBoxes, kCheck, kNonempty, kWitness, kBlocking, kPage,
+       {kReason, kSubject, kMethod, kBoxes, kCheck, kClosure, kNonempty, kWitness, kBlocking, kPage,
         kCertificate},
        kOfMatrix},
       {"path",
@@ -163,7 +175,7 @@ const std::vector<ObjectKind>& report_kinds() {
        kOfMatrix},
       {"paving",
        "locate",
-       {kReason, kSubject, kMethod, kBoxes, kPaving, kNonempty, kWitness, kCertificate},
+       {kReason, kSubject, kMethod, kBoxes, kPaving, kClosure, kNonempty, kWitness, kCertificate},
        kOfMatrix},
       {"path_paving",
        "locate of a motion along way-points",
@@ -183,6 +195,7 @@ const std::vector<ObjectKind>& report_kinds() {
        {kReason, kNotes, kBracket, kNonempty, kLimitMargin},
        kOfBracket},
       {"bound", "bound", {kNotes, kBound}, kOfBound},
+      {"finite_error", "bound error --finite", {kFiniteErrors}, kOfBracket},
       {"datasheet", "datasheet", {kDatasheet}, kOfBracket},
       {"forces",
        "check --load and locate --load",

@@ -11,6 +11,9 @@
 // then for every x ∈ X exactly one p of the tube solves Φ(x, p) = 0, it is a continuously
 // differentiable function of x, its |ρ| is less than r, and Φ_p is regular all over the tube.
 // (SOUNDNESS.md derives it.)
+//
+// In the test of second order, D and E of the sum are means along segments from (x₀, c): there only
+// half of what they change by counts. |E|·r < r is needed besides, for E over Z.
 #pragma once
 
 #include <optional>
@@ -36,11 +39,25 @@ struct BranchTube {
 /// Rounding  outward; MXCSR at nearest.
 [[nodiscard]] std::vector<Interval> enclose(const BranchTube& tube, std::span<const Interval> box);
 
+/// True if, for every place of the box, all these unknowns are in the tube.
+///
+/// Shape     box: m; unknowns: n.
+/// Rounding  outward; MXCSR at nearest.
+[[nodiscard]] bool certain_holds(const BranchTube& tube, std::span<const Interval> box,
+                                 std::span<const Interval> unknowns);
+
 /// A system over a tube.
 struct TubeSystem {
   std::span<const Interval> value;        ///< encloses Φ(x₀, c); n
   std::span<const Interval> by_unknown;   ///< encloses Φ_p over Z; n×n, row-major
   std::span<const Interval> by_variable;  ///< encloses Φ_x over Z; n×m, row-major
+  // Empty, or for a test of second order:
+  std::span<const Interval> center_by_unknown{};   ///< encloses Φ_p(x₀, c)
+  std::span<const Interval> center_by_variable{};  ///< encloses Φ_x(x₀, c)
+  /// Enclose over Z the derivatives of Φ_p and of Φ_x by each variable and then by each unknown:
+  /// (m + n)·n·n and (m + n)·n·m.
+  std::span<const Interval> rates_by_unknown{};
+  std::span<const Interval> rates_by_variable{};
 };
 
 /// The parts of the left side of the test; upper bounds, not negative, or infinite.
@@ -49,6 +66,7 @@ struct TubeImage {
   std::vector<double> offset;  ///< |K Φ(x₀, c)|, by unknown
   std::vector<double> impact;  ///< |D_ik|·|X_k − x₀_k|, n×m, row-major
   std::vector<double> spread;  ///< |E|, n×n, row-major
+  std::vector<double> change;  ///< |E|·r, by unknown
 };
 
 /// Requires  Z contains the tube over the hull of X and x₀; Φ is continuously differentiable on Z. An
@@ -58,7 +76,8 @@ struct TubeImage {
 [[nodiscard]] TubeImage image_of(const BranchTube& tube, std::span<const Interval> box,
                                  std::span<const double> inverse, const TubeSystem& system);
 
-/// True if the test above holds: the image is finite and strictly smaller than the tube.
+/// True if the test above holds: the image is finite and strictly smaller than the tube, and so is
+/// |E|·r.
 [[nodiscard]] bool has_one_solution(const BranchTube& tube, const TubeImage& image);
 
 /// Returns the inverse of an n×n matrix, approximately; nullopt if elimination finds none.

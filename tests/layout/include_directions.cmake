@@ -39,7 +39,7 @@ set(floors
     "codegen/answer/report"
     "codegen/question/margin"
     "codegen/question/way"
-    "codegen/question/bound codegen/question/condition codegen/question/load"
+    "codegen/question/bound codegen/question/condition codegen/question/load codegen/question/closure"
     "codegen/answer/picture codegen/answer/page"
     "codegen/answer"
     "codegen/use/api"
