@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "codegen/model/exact/exact_algebra.hpp"
 #include "codegen/model/file/quantities.hpp"
 #include "codegen/model/file/sections.hpp"
 #include "codegen/model/mechanism/legs.hpp"

@@ -11,6 +11,7 @@
 #include "codegen/model/file/leg_geometry.hpp"
 #include "codegen/model/file/sections.hpp"
 #include "codegen/model/mechanism/legs_drawing.hpp"
+#include "codegen/model/mechanism/orientation.hpp"
 #include "codegen/model/names.hpp"
 
 namespace regulus {
