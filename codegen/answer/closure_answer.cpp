@@ -9,6 +9,7 @@
 #include "codegen/answer/report/paving_report.hpp"
 #include "codegen/answer/report/paving_writer.hpp"
 #include "codegen/answer/report/progress.hpp"
+#include "codegen/answer/report/search_checkpoint.hpp"
 #include "codegen/model/request.hpp"
 #include "codegen/question/closure/closure_certificate.hpp"
 #include "codegen/question/closure/closure_report.hpp"
@@ -22,6 +23,29 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// The option --checkpoint of a search over a branch.
+class CheckpointOfBranch {
+ public:
+  CheckpointOfBranch(const Services& services, const PreparedClosure& prepared,
+                     const SearchOptions& search)
+      : services_(services), prepared_(prepared), search_(search) {}
+
+  [[nodiscard]] MakeCheckpoint maker() {
+    return [this](const BranchSettings& settings) {
+      return &checkpoint_.emplace(services_.checkpoint, [&] {
+        return checkpointed_question(prepared_, search_, settings);
+      });
+    };
+  }
+  [[nodiscard]] std::string line() const { return checkpoint_ ? checkpoint_->line() : ""; }
+
+ private:
+  const Services& services_;
+  const PreparedClosure& prepared_;
+  const SearchOptions& search_;
+  std::optional<SearchCheckpoint> checkpoint_;
+};
+
 /// The answer for a mechanism whose configuration is a solution of equations.
 class ClosureCheck final : public CheckAnswer {
  public:
@@ -32,7 +56,10 @@ class ClosureCheck final : public CheckAnswer {
                                   watch_of(services, search_))) {
     services.begin_search();
     SearchDisplay display(display_of(services));
-    found_ = check_closure(prepared_, search_, watch_of(services, search_), display.observer());
+    CheckpointOfBranch checkpoint(services, prepared_, search_);
+    found_ = check_closure(prepared_, search_, watch_of(services, search_), display.observer(),
+                           checkpoint.maker());
+    checkpoint_line_ = checkpoint.line();
     proof = certify_branch(services.certificate, prepared_, found_.searched,
                            {nullptr, services.shard_size});
     if (proof.is_lost()) lost.push_back(proof.obstacle());
@@ -46,12 +73,13 @@ class ClosureCheck final : public CheckAnswer {
     tell_closure(prepared_, search_, found_, facts);
     proof.tell(facts);
   }
-  [[nodiscard]] std::string about_files() const override { return proof.line(); }
+  [[nodiscard]] std::string about_files() const override { return proof.line() + checkpoint_line_; }
 
  private:
   SearchOptions search_;
   PreparedClosure prepared_;
   ClosureFinding found_;
+  std::string checkpoint_line_;
 };
 
 /// Where is the branch certain, and where does it end? Boxes are told when they are linked.
@@ -77,8 +105,10 @@ class ClosurePaving final : public PavingAnswer {
                      [&listener] { listener.ask_for_end(); });
     services.begin_search();
     SearchDisplay display(display_of(services));
+    CheckpointOfBranch checkpoint(services, prepared_, search_);
     found_ = pave_closure(prepared_, search_, options_.resolution, watch_of(services, search_),
-                          display.observer());
+                          display.observer(), checkpoint.maker());
+    checkpoint_line_ = checkpoint.line();
     std::vector<Observer*> watching = present({&volumes_, &listener, writer ? &*writer : nullptr});
     for (Observer* picture : pictures.observers()) watching.push_back(picture);
     Observers observers(std::move(watching));
@@ -100,6 +130,7 @@ class ClosurePaving final : public PavingAnswer {
     tell_branch(prepared_, found_, facts);
     proof.tell(facts);
   }
+  [[nodiscard]] std::string about_files() const override { return checkpoint_line_; }
 
  private:
   void conclude() {
@@ -117,6 +148,7 @@ class ClosurePaving final : public PavingAnswer {
   Problem problem_;
   Volumes volumes_;
   ClosureFinding found_;
+  std::string checkpoint_line_;
 };
 
 /// How far errors move the configuration.

@@ -2,6 +2,8 @@
 // Shows that the tubes of all boxes hold one branch, and that it begins at the model's start.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,9 @@ struct BranchStart {
   std::vector<Interval> radius;  ///< by unknown, positive
 };
 
+/// Says that an interrupt or a limit ends the work.
+using MustStop = std::function<std::optional<Reason>()>;
+
 struct BranchLinks {
   bool is_one_branch = false;             ///< every box with a tube is on it
   std::vector<char> on_branch{};          ///< by leaf
@@ -30,9 +35,10 @@ struct BranchLinks {
 /// they share: the branches of both are continuous on it, and each is unique in its tube. Those of
 /// the start hold there the solution that is the only one near BranchStart::values. Boxes are on
 /// the branch if such links join them with those, and each pair of neighbours among them is linked.
+/// A tube that holds another branch than its neighbour is replaced, if one is found from there.
 ///
 /// Rounding  outward; MXCSR at nearest.
-[[nodiscard]] BranchLinks link_branch(const ClosureQuestion& question, const BranchTree& tree,
+[[nodiscard]] BranchLinks link_branch(const ClosureQuestion& question, BranchTree& tree,
                                       const BranchStart& start, const std::atomic<bool>* interrupt);
 
 }  // namespace regulus

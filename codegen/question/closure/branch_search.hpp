@@ -41,6 +41,8 @@ class BranchTree {
 
   void split(BoxId box, std::size_t variable, double at, BoxId lower);
   void leave(BranchLeaf leaf);
+  /// Gives a leaf another tube over its box.
+  void replace(std::size_t leaf, BranchTube tube) { leaves_.at(leaf).tube = std::move(tube); }
 
   [[nodiscard]] const Node& node(BoxId box) const { return nodes_.at(box); }
   [[nodiscard]] const std::vector<BranchLeaf>& leaves() const { return leaves_; }

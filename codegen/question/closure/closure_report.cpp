@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -98,31 +99,44 @@ void say_fold(const PreparedClosure& prepared, const Fold& fold, Facts& facts) {
                             moved, fold.is_on_branch ? "" : "; not shown to be on the branch"));
 }
 
+/// The options with the time that is left. A limit that is over leaves the least time.
+SearchOptions within(SearchOptions search, const Deadline& deadline) {
+  if (search.time_limit != 0) search.time_limit = std::fmax(deadline.left(), 1e-9);
+  return search;
+}
+
 }  // namespace
 
 ClosureFinding check_closure(PreparedClosure& prepared, const SearchOptions& search,
-                             const FormingWatch& watch, Observer* progress) {
+                             const FormingWatch& watch, Observer* progress,
+                             const MakeCheckpoint& checkpoint) {
   ClosureFinding found;
   BranchSettings settings = settings_of(prepared, search, watch.interrupt);
+  const Deadline deadline(settings);
   settings.ask = [&](const std::vector<double>& place) {
-    if (auto fold = find_fold(prepared, place, search, watch)) found.folds = {std::move(*fold)};
+    auto fold = find_fold(prepared, place, within(search, deadline), watch);
+    if (fold) found.folds = {std::move(*fold)};
     return found.is_refuted();
   };
-  found.searched = run_closure(prepared, settings, progress);
+  found.searched =
+      run_closure(prepared, settings, progress, checkpoint ? checkpoint(settings) : nullptr);
   return found;
 }
 
 ClosureFinding pave_closure(PreparedClosure& prepared, const SearchOptions& search,
-                            double resolution, const FormingWatch& watch, Observer* progress) {
+                            double resolution, const FormingWatch& watch, Observer* progress,
+                            const MakeCheckpoint& checkpoint) {
   ClosureFinding found;
   BranchSettings settings = settings_of(prepared, search, watch.interrupt);
   settings.paves = true;
   settings.min_relative_width = resolution;
-  found.searched = run_closure(prepared, settings, progress);
+  const Deadline deadline(settings);
+  found.searched =
+      run_closure(prepared, settings, progress, checkpoint ? checkpoint(settings) : nullptr);
   if (prepared.shape.parameters != 1) return found;
   const Interval& range = prepared.problem.outer[0];
   for (const double end : {range.lo, range.hi})
-    if (auto fold = find_fold(prepared, {end}, search, watch))
+    if (auto fold = find_fold(prepared, {end}, within(search, deadline), watch))
       found.folds.push_back(std::move(*fold));
   return found;
 }

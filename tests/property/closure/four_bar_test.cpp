@@ -140,6 +140,34 @@ TEST(FourBar, HasTheSameTubesForAnyNumberOfThreads) {
   EXPECT_EQ(one.found.searched.links.links, two.found.searched.links.links);
 }
 
+/// Wherever it stops, the tubes and the number of boxes are those of a search without a stop.
+TEST(FourBar, ContinuesASearchThatHasStopped) {
+  const FourBar linkage{0.2, 0.35355, 0.25, 0.45};
+  ModelOptions options;
+  options.motion = "m";
+  const PreparedClosure prepared = prepare_closure(
+      read_request(linkage.text(1, -2.31, 2.31, 1e-4), options), 0, options_with(), {});
+  const BranchResult whole = search_branch(prepared.question(), {}, nullptr);
+  ASSERT_TRUE(whole.is_complete);
+  for (std::uint64_t stop = 1; stop < whole.boxes; stop += 7) {
+    SavedTree saved;
+    BranchSettings first;
+    first.max_boxes = stop;
+    first.save = [&](const SavedTree& tree) { saved = tree; };
+    EXPECT_EQ(search_branch(prepared.question(), first, nullptr).stopped_by, Reason::kBoxBudget);
+    BranchSettings second;
+    second.from = &saved;
+    const BranchResult rest = search_branch(prepared.question(), second, nullptr);
+    EXPECT_TRUE(rest.is_complete);
+    EXPECT_EQ(rest.boxes, whole.boxes) << stop;
+    ASSERT_EQ(rest.tree.leaves().size(), whole.tree.leaves().size());
+    for (const BranchLeaf& leaf : whole.tree.leaves()) {
+      const std::vector<Interval> middle{Interval(mid(leaf.at.box[0]))};
+      EXPECT_EQ(rest.tree.leaves()[rest.tree.leaves_at(middle).front()].tube, leaf.tube);
+    }
+  }
+}
+
 TEST(FourBar, SaysWhyNothingIsClaimed) {
   FourBar linkage{0.2, 0.35355, 0.25, 0.45};
   // The values of the start are those of the other assembly, at another place.
