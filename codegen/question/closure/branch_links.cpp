@@ -44,7 +44,7 @@ class Linker {
         tree_(tree),
         start_(start),
         system_(question.problem, question.scaling, question.shape),
-        finder_(system_, question.problem, question.shape) {}
+        finder_(system_, question.shape, question.ranges) {}
 
   BranchLinks link(const MustStop& must_stop) {
     links_.on_branch.assign(tree_.leaves().size(), 0);

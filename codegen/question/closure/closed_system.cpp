@@ -29,13 +29,19 @@ class SystemBuilder {
     system_.shape.variables = model.pose.size();
     system_.shape.unknowns = closure.unknowns.size();
     for (std::size_t i = 0; i < closure.unknowns.size(); ++i)
-      add_variable(closure.unknowns[i], closure.ranges[i]);
+      add_variable(closure.unknowns[i], typical_range(closure.start[i]));
     write_matrix(closure);
     write_conditions();
     return std::move(system_);
   }
 
  private:
+  /// The forms of a kernel are chosen for these values. They hold for all.
+  static Range typical_range(const ex& start) {
+    const ex reach = 1 + abs(start) / 2;
+    return {start - reach, start + reach};
+  }
+
   void add_variable(const PoseParameter& variable, const Range& range) {
     Motion& motion = system_.request.motion;
     system_.request.model.pose.push_back(variable);

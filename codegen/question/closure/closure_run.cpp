@@ -69,6 +69,8 @@ void fill_start(PreparedClosure& prepared, const Problem& problem) {
     start.values.push_back(enclose_constant(closure.start[i], "start." + name));
     start.radius.push_back(enclose_constant(closure.start_radius[i], "radius." + name));
     prepared.near_start.unknowns.push_back(mid(start.values.back()));
+    prepared.ranges.push_back(hull(enclose_constant(closure.ranges[i].lo, "range." + name),
+                                   enclose_constant(closure.ranges[i].hi, "range." + name)));
   }
   for (const Interval& x : start.place) prepared.near_start.variables.push_back(mid(x));
   for (std::size_t k = start.place.size(); k < prepared.shape.variables; ++k)

@@ -28,8 +28,11 @@ struct PreparedClosure {
   Problem problem;
   BranchStart start;
   BranchPoint near_start;
+  std::vector<Interval> ranges;  ///< by unknown: where its values may be
 
-  [[nodiscard]] ClosureQuestion question() const { return {problem, scaling, shape, near_start}; }
+  [[nodiscard]] ClosureQuestion question() const {
+    return {problem, scaling, shape, near_start, ranges};
+  }
 };
 
 /// Forms the kernel of the equations and of their derivatives.

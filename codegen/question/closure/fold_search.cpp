@@ -182,7 +182,7 @@ class FoldSearch {
   bool enclose_solution(const PreparedClosure& bordered) {
     const FloatingPointScope nearest(FloatingPointRounding::kNearest);
     SystemBoxes system(bordered.problem, bordered.scaling, bordered.shape);
-    TubeFinder finder(system, bordered.problem, bordered.shape);
+    TubeFinder finder(system, bordered.shape, bordered.ranges);
     const BranchPoint near = bordered.near_start;
     const auto settled = settle(system, bordered.shape, {&near, 1});
     if (!settled[0]) return false;
