@@ -217,9 +217,10 @@ std::string describe_claim(const PreparedClosure& prepared, const ClosureFinding
       "the branch has exactly one configuration, and its {} matrix of the equations' derivatives "
       "has full rank, for every {}{}",
       size, describe_pose(p),
-      uncertain == 0 ? ""
-                     : fmt::format(" and every value of the {} uncertain quantities ({})",
-                                   uncertain, describe_groups(p.labels)));
+      uncertain == 0
+          ? ""
+          : fmt::format(" and every value of the {} uncertain {} ({})", uncertain,
+                        uncertain == 1 ? "quantity" : "quantities", describe_groups(p.labels)));
 }
 
 void tell_closure(const PreparedClosure& prepared, const SearchOptions& search,
