@@ -2,6 +2,7 @@
 #include "codegen/answer/closure_answer.hpp"
 
 #include "codegen/answer/box_listener.hpp"
+#include "codegen/answer/bracket_ends.hpp"
 #include "codegen/answer/lines_file.hpp"
 #include "codegen/answer/outputs.hpp"
 #include "codegen/answer/picture/pictures.hpp"
@@ -9,11 +10,17 @@
 #include "codegen/answer/report/paving_report.hpp"
 #include "codegen/answer/report/paving_writer.hpp"
 #include "codegen/answer/report/progress.hpp"
+#include "codegen/answer/report/search_checkpoint.hpp"
 #include "codegen/model/request.hpp"
 #include "codegen/question/closure/closure_certificate.hpp"
+#include "codegen/question/closure/closure_margin.hpp"
 #include "codegen/question/closure/closure_report.hpp"
 #include "codegen/question/closure/finite_error_report.hpp"
+#include "codegen/question/margin/margin_certificates.hpp"
+#include "codegen/question/margin/margin_report.hpp"
+#include "codegen/question/margin/margin_run.hpp"
 #include "codegen/question/margin/prepared_margin.hpp"
+#include "codegen/question/way/path_attempts.hpp"
 #include "codegen/support/errors.hpp"
 #include "runtime/problem/observers.hpp"
 
@@ -21,6 +28,29 @@ namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// The option --checkpoint of a search over a branch.
+class CheckpointOfBranch {
+ public:
+  CheckpointOfBranch(const Services& services, const PreparedClosure& prepared,
+                     const SearchOptions& search)
+      : services_(services), prepared_(prepared), search_(search) {}
+
+  [[nodiscard]] MakeCheckpoint maker() {
+    return [this](const BranchSettings& settings) {
+      return &checkpoint_.emplace(services_.checkpoint, [&] {
+        return checkpointed_question(prepared_, search_, settings);
+      });
+    };
+  }
+  [[nodiscard]] std::string line() const { return checkpoint_ ? checkpoint_->line() : ""; }
+
+ private:
+  const Services& services_;
+  const PreparedClosure& prepared_;
+  const SearchOptions& search_;
+  std::optional<SearchCheckpoint> checkpoint_;
+};
 
 /// The answer for a mechanism whose configuration is a solution of equations.
 class ClosureCheck final : public CheckAnswer {
@@ -32,7 +62,10 @@ class ClosureCheck final : public CheckAnswer {
                                   watch_of(services, search_))) {
     services.begin_search();
     SearchDisplay display(display_of(services));
-    found_ = check_closure(prepared_, search_, watch_of(services, search_), display.observer());
+    CheckpointOfBranch checkpoint(services, prepared_, search_);
+    found_ = check_closure(prepared_, search_, watch_of(services, search_), display.observer(),
+                           checkpoint.maker());
+    checkpoint_line_ = checkpoint.line();
     proof = certify_branch(services.certificate, prepared_, found_.searched,
                            {nullptr, services.shard_size});
     if (proof.is_lost()) lost.push_back(proof.obstacle());
@@ -46,12 +79,13 @@ class ClosureCheck final : public CheckAnswer {
     tell_closure(prepared_, search_, found_, facts);
     proof.tell(facts);
   }
-  [[nodiscard]] std::string about_files() const override { return proof.line(); }
+  [[nodiscard]] std::string about_files() const override { return proof.line() + checkpoint_line_; }
 
  private:
   SearchOptions search_;
   PreparedClosure prepared_;
   ClosureFinding found_;
+  std::string checkpoint_line_;
 };
 
 /// Where is the branch certain, and where does it end? Boxes are told when they are linked.
@@ -77,8 +111,10 @@ class ClosurePaving final : public PavingAnswer {
                      [&listener] { listener.ask_for_end(); });
     services.begin_search();
     SearchDisplay display(display_of(services));
+    CheckpointOfBranch checkpoint(services, prepared_, search_);
     found_ = pave_closure(prepared_, search_, options_.resolution, watch_of(services, search_),
-                          display.observer());
+                          display.observer(), checkpoint.maker());
+    checkpoint_line_ = checkpoint.line();
     std::vector<Observer*> watching = present({&volumes_, &listener, writer ? &*writer : nullptr});
     for (Observer* picture : pictures.observers()) watching.push_back(picture);
     Observers observers(std::move(watching));
@@ -100,6 +136,7 @@ class ClosurePaving final : public PavingAnswer {
     tell_branch(prepared_, found_, facts);
     proof.tell(facts);
   }
+  [[nodiscard]] std::string about_files() const override { return checkpoint_line_; }
 
  private:
   void conclude() {
@@ -117,6 +154,64 @@ class ClosurePaving final : public PavingAnswer {
   Problem problem_;
   Volumes volumes_;
   ClosureFinding found_;
+  std::string checkpoint_line_;
+};
+
+/// How far can a range or a tolerance grow?
+class ClosureMargin final : public MarginAnswer {
+ public:
+  ClosureMargin(const MarginQuestion& question, Request request, const AskMargin& asked,
+                const Services& services)
+      : question_(question),
+        search_(asked.search),
+        gap_(read_gap(asked.gap)),
+        request_(std::move(request), question_) {
+    if (!services.checkpoint.path.empty())
+      throw UsageError(services.dashes +
+                       "checkpoint: the bracket of a closure is not continued; leave it out");
+    services.begin_search();
+    HeldFiles held;
+    const OutputOptions display = display_of(services);
+    attempts_.emplace(request_, search_, display, services.interrupt,
+                      margin_proofs(services.certificate, {&held, services.shard_size}));
+    found_ = close_bracket(
+        *attempts_, question_,
+        {limits_of(search_, gap_), services.interrupt,
+         [&services](const MarginStep& step) { services.tell(format_step(step)); }, nullptr});
+    ends_ = attempts_->proofs();
+    settle_files(held, {&ends_}, *this);
+    if (found_.certified) safe = found_.certified->value.text;
+    if (found_.refuted) refuted = found_.refuted->value.text;
+    closed = found_.closed;
+    proofs = proofs_of_ends(ends_, "");
+  }
+
+  [[nodiscard]] Word word() const override {
+    if (found_.refuted && found_.refuted->value.approx <= question_.low.approx)
+      return Word::kRefuted;
+    return closed && safe ? Word::kProved : Word::kOpen;
+  }
+  [[nodiscard]] std::string headline() const override {
+    return describe_bracket(question_, found_);
+  }
+  void tell(Facts& facts) const override {
+    const auto& shown = attempts_->refuted() ? attempts_->refuted() : attempts_->last();
+    if (!shown) return;
+    tell_margin(shown->prepared.preparation, search_, request_.nominal(), question_, found_, gap_,
+                facts);
+    tell_branch(shown->prepared, shown->found, facts);
+    ends_.tell(facts);
+  }
+  [[nodiscard]] std::string about_files() const override { return ends_.lines(); }
+
+ private:
+  MarginQuestion question_;
+  SearchOptions search_;
+  double gap_;
+  MarginRequest request_;
+  std::optional<ClosureAttempts> attempts_;
+  Margin found_;
+  EndProofs ends_;
 };
 
 /// How far errors move the configuration.
@@ -155,6 +250,11 @@ class FiniteErrorAnswer final : public BoundAnswer {
 };
 
 }  // namespace
+
+std::unique_ptr<MarginAnswer> answer_closure(const MarginQuestion& question, Request request,
+                                             const AskMargin& asked, const Services& services) {
+  return std::make_unique<ClosureMargin>(question, std::move(request), asked, services);
+}
 
 std::unique_ptr<BoundAnswer> answer_closure(Request request, const AskBound& asked,
                                             const Services& services) {

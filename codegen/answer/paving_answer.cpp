@@ -210,8 +210,7 @@ class WayPaving final : public PavingAnswer {
 }  // namespace
 
 std::unique_ptr<PavingAnswer> ask(const AskPaving& asked, const Services& services) {
-  refuse_services(Kind::kPaving, asked.search, services);
-  refuse_services_along_way(Kind::kWayPaving, asked.model, asked.search, services);
+  refuse_services(Kind::kPaving, asked.model, asked.search, services);
   refuse_paving(asked.resolution, asked.model, asked.search, services);
   set_outputs_aside(asked.model, asked.search, services);
   Stopwatch watch;

@@ -93,8 +93,8 @@ void read_robot(ModelReading& reading, const TomlEntry& root) {
   const TomlReader& toml = reading.toml;
   const TomlEntry gough = toml.optional(root, "gough"), serial = toml.optional(root, "serial");
   if (gough.node) {
-    refuse_beside(toml, root, "gough",
-                  {"closure", "pose", "geometry", "let", "matrix", "serial", "legs", "drawing"});
+    refuse_beside(toml, root, "gough", {"closure", "pose", "matrix", "serial", "legs", "drawing"});
+    read_constants(reading, root);
     return read_gough(reading, gough);
   }
   if (serial.node) {

@@ -9,7 +9,6 @@
 
 #include "codegen/model/file/declarations.hpp"
 #include "codegen/model/file/toml_reader.hpp"
-#include "codegen/model/mechanism/gough.hpp"
 #include "codegen/model/model.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/support/work_meter.hpp"
@@ -75,7 +74,8 @@ void read_closure(ModelReading& reading, const TomlEntry& closure);
 /// True if the expression, or a condition of it, has an unknown of Model::closure.
 [[nodiscard]] bool depends_on_unknown(const Model& model, const ParsedExpression& term);
 
-/// Fills pose, geometry, matrix and names from a [gough] table.
+/// Fills pose, geometry, matrix and names from a [gough] table. Its values may use the names of
+/// [geometry] and [let], which are read before.
 void read_gough(ModelReading& reading, const TomlEntry& gough);
 
 /// Fills pose, matrix, names and, if every joint has a range, the motion `limits` from a [serial]

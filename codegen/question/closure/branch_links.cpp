@@ -44,12 +44,11 @@ class Linker {
         tree_(tree),
         start_(start),
         system_(question.problem, question.scaling, question.shape),
-        finder_(system_, question.problem, question.shape) {}
+        finder_(system_, question.shape, question.ranges) {}
 
-  BranchLinks link(const std::atomic<bool>* interrupt) {
+  BranchLinks link(const MustStop& must_stop) {
     links_.on_branch.assign(tree_.leaves().size(), 0);
     if (!begin()) return std::move(links_);
-    const auto must_stop = [interrupt] { return interrupt != nullptr && *interrupt; };
     tree_.for_neighbours(question_.problem.outer,
                          [&](std::size_t a, std::size_t b, const std::vector<Interval>& face) {
                            meetings_.push_back(meeting_of(a, b, face));
@@ -58,8 +57,8 @@ class Linker {
     std::iota(all.begin(), all.end(), std::size_t{0});
     meet(all, must_stop);
     mend(must_stop);
-    if (must_stop())
-      links_.obstacle = describe(Reason::kInterrupted);
+    if (const auto reason = must_stop())
+      links_.obstacle = describe(*reason);
     else
       conclude();
     return std::move(links_);
@@ -69,8 +68,6 @@ class Linker {
   [[nodiscard]] const BranchTube& tube(std::size_t leaf) const {
     return *tree_.leaves()[leaf].tube;
   }
-
-  using MustStop = std::function<bool()>;
 
   /// The middle of the face; of uncertain quantities, too.
   Meeting meeting_of(std::size_t a, std::size_t b, const std::vector<Interval>& face) const {
@@ -210,7 +207,7 @@ class Linker {
     std::vector<std::size_t> changed;
     for (std::size_t i = 0; i < meetings_.size(); ++i)
       if (meetings_[i].a == bad || meetings_[i].b == bad) changed.push_back(i);
-    meet(changed, [] { return false; });
+    meet(changed, [] { return std::nullopt; });
     return true;
   }
 
@@ -280,9 +277,9 @@ class Linker {
 }  // namespace
 
 BranchLinks link_branch(const ClosureQuestion& question, BranchTree& tree, const BranchStart& start,
-                        const std::atomic<bool>* interrupt) {
+                        const MustStop& must_stop) {
   const FloatingPointScope nearest(FloatingPointRounding::kNearest);
-  return Linker(question, tree, start).link(interrupt);
+  return Linker(question, tree, start).link(must_stop);
 }
 
 }  // namespace regulus

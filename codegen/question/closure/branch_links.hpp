@@ -2,6 +2,8 @@
 // Shows that the tubes of all boxes hold one branch, and that it begins at the model's start.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,9 @@ struct BranchStart {
   std::vector<Interval> values;  ///< by unknown
   std::vector<Interval> radius;  ///< by unknown, positive
 };
+
+/// Says that an interrupt or a limit ends the work.
+using MustStop = std::function<std::optional<Reason>()>;
 
 struct BranchLinks {
   bool is_one_branch = false;             ///< every box with a tube is on it

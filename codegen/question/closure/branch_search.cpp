@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/problem/observers.hpp"
+
 namespace regulus {
 namespace {
 
@@ -18,8 +20,9 @@ class BranchGoal {
  public:
   static constexpr bool kJudgesWhenMade = false;
 
-  BranchGoal(BoxCourse& course, const ClosureQuestion& question, const BranchSettings& settings)
-      : course_(course), settings_(settings) {
+  BranchGoal(BoxCourse& course, const ClosureQuestion& question, const BranchSettings& settings,
+             BranchTree& tree)
+      : course_(course), settings_(settings), tree_(tree) {
     for (std::size_t k = 0; k < question.shape.parameters; ++k)
       ranges_.push_back(width_ru(question.problem.outer[k]));
   }
@@ -32,7 +35,11 @@ class BranchGoal {
   void fill(std::vector<std::vector<Interval>>& boxes, std::uint64_t left) {
     round_.clear();
     result_.largest_open = std::max<std::uint64_t>(result_.largest_open, open_.size());
-    const std::size_t count = std::min<std::uint64_t>({kBoxesOfRound, open_.size(), left});
+    std::size_t count = std::min(kBoxesOfRound, open_.size());
+    if (count > left) {
+      course_.save_last([this](SavedTree& tree) { describe(tree); });
+      count = left;
+    }
     for (std::size_t i = 0; i < count; ++i) {
       boxes.push_back(open_.back().box);
       round_.push_back(std::move(open_.back()));
@@ -47,10 +54,29 @@ class BranchGoal {
     for (std::size_t i = round_.size(); i-- > 0;) conclude(round_[i], findings[i]);
   }
 
+  [[nodiscard]] std::size_t splittable() const { return ranges_.size(); }
+  void describe(SavedTree& tree) const {
+    for (const TreeBox& box : open_) tree.add_open(box.id, kInfinity);
+    tree.own = {asked_};
+  }
+  void recall(const TreeBox&, TubeFinding&) {}
+  /// A box that was undecided, and would be split now, is open again.
+  void resume(TreeBox box, TubeFinding& finding, bool) {
+    if (finding.is_outside || finding.tube || !variable_to_split(box, finding))
+      conclude(box, finding);
+    else
+      open_.push_back(std::move(box));
+  }
+  void reopen(TreeBox box) { open_.push_back(std::move(box)); }
+  void resume_own(std::span<const std::uint64_t> own) {
+    if (own.size() != 1) throw SavedTreeError("the numbers of the search are missing");
+    asked_ = own[0];
+  }
+
   BranchResult finish() {
     for (TreeBox& box : open_) {
       course_.leave_open(box, Rule::kBlocked);
-      result_.tree.leave({std::move(box)});
+      tree_.leave({std::move(box)});
     }
     result_.boxes = course_.boxes();
     result_.seconds = course_.seconds();
@@ -68,31 +94,37 @@ class BranchGoal {
   void conclude(TreeBox& box, TubeFinding& finding) {
     if (finding.is_outside) return leave(box, Rule::kOutside, {});
     if (finding.tube) return leave(box, Rule::kSecondOrder, std::move(finding.tube));
-    const auto variable = choose_variable(box.box, ranges_, finding.impact,
-                                          settings_.min_relative_width * kSlackOfWidth);
+    const auto variable = variable_to_split(box, finding);
     if (!variable) return block(box, finding);
-    if (finding.is_lost) ask(box);
-    const BoxId parent = box.id;
+    ask(box, finding.is_lost);
     auto [lower, upper] = course_.split(std::move(box), *variable);
-    result_.tree.split(parent, *variable, lower.box[*variable].hi, lower.id);
     open_.push_back(std::move(upper));
     open_.push_back(std::move(lower));
   }
 
-  void ask(const TreeBox& box) {
+  [[nodiscard]] std::optional<std::size_t> variable_to_split(const TreeBox& box,
+                                                             const TubeFinding& finding) const {
+    return choose_variable(box.box, ranges_, finding.impact,
+                           settings_.min_relative_width * kSlackOfWidth);
+  }
+
+  /// A bit for each time that it was asked.
+  void ask(const TreeBox& box, bool is_lost) {
     const bool is_small = box.depth >= kSplitsBeforeAsking * ranges_.size();
-    const int asks = is_small ? 2 : box.depth >= kSplitsBeforeDoubt ? 1 : 0;
-    if (asked_ >= asks || !settings_.ask) return;
-    asked_ = asks;
+    std::uint64_t ask = 0;
+    if (is_lost && box.depth >= kSplitsBeforeDoubt) ask = 1;
+    if (is_small) ask = is_lost ? 2 : 4;
+    if (ask == 0 || (asked_ & ask) != 0 || !settings_.ask || result_.is_refuted) return;
+    asked_ |= ask;
     std::vector<double> place;
     for (std::size_t k = 0; k < ranges_.size(); ++k) place.push_back(mid(box.box[k]));
-    result_.is_refuted = settings_.ask(place);
+    result_.is_refuted = settings_.ask(place, is_lost);
   }
 
   void leave(TreeBox& box, Rule rule, std::optional<BranchTube> tube) {
     if (rule != Rule::kOutside) all_outside_ = false;
     course_.leaf(box, rule);
-    result_.tree.leave({std::move(box), std::move(tube), rule == Rule::kOutside});
+    tree_.leave({std::move(box), std::move(tube), rule == Rule::kOutside});
   }
 
   void block(TreeBox& box, const TubeFinding& finding) {
@@ -106,11 +138,24 @@ class BranchGoal {
 
   BoxCourse& course_;
   const BranchSettings& settings_;
+  BranchTree& tree_;
   std::vector<double> ranges_;
   std::vector<TreeBox> open_, round_;
   bool is_blocked_ = false, all_outside_ = true;
-  int asked_ = 0;
+  std::uint64_t asked_ = 0;
   BranchResult result_;
+};
+
+/// Keeps the splits, also those of an earlier run.
+class SplitRecorder final : public Observer {
+ public:
+  explicit SplitRecorder(BranchTree& tree) : tree_(tree) {}
+  void on_split(const OpenBox&, const Split& split) noexcept override {
+    tree_.split(split.parent, split.variable, split.at, split.lower);
+  }
+
+ private:
+  BranchTree& tree_;
 };
 
 /// Pairs of leaves on both sides of a cut.
@@ -216,10 +261,17 @@ std::vector<std::size_t> BranchTree::leaves_at(std::span<const Interval> place) 
 
 BranchResult search_branch(const ClosureQuestion& question, const BranchSettings& settings,
                            Observer* progress) {
-  BoxCourse course(question.problem, settings, progress);
-  BranchGoal goal(course, question, settings);
+  BranchTree tree;
+  SplitRecorder recorder(tree);
+  std::vector<Observer*> observing{&recorder};
+  if (progress != nullptr) observing.push_back(progress);
+  Observers observers(std::move(observing));
+  BoxCourse course(question.problem, settings, &observers);
+  BranchGoal goal(course, question, settings, tree);
   BoxSearch<TubeJudge, BranchGoal>(question, kBoxesOfRound, course, goal).run();
-  return goal.finish();
+  BranchResult result = goal.finish();
+  result.tree = std::move(tree);
+  return result;
 }
 
 }  // namespace regulus

@@ -2,6 +2,7 @@
 #include "codegen/question/closure/closed_system.hpp"
 
 #include "codegen/answer/certificate/certificate_question.hpp"
+#include "codegen/model/mechanism/closure_matrix.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus {
@@ -29,13 +30,19 @@ class SystemBuilder {
     system_.shape.variables = model.pose.size();
     system_.shape.unknowns = closure.unknowns.size();
     for (std::size_t i = 0; i < closure.unknowns.size(); ++i)
-      add_variable(closure.unknowns[i], closure.ranges[i]);
+      add_variable(closure.unknowns[i], typical_range(closure.start[i]));
     write_matrix(closure);
     write_conditions();
     return std::move(system_);
   }
 
  private:
+  /// The forms of a kernel are chosen for these values. They hold for all.
+  static Range typical_range(const ex& start) {
+    const ex reach = 1 + abs(start) / 2;
+    return {start - reach, start + reach};
+  }
+
   void add_variable(const PoseParameter& variable, const Range& range) {
     Motion& motion = system_.request.motion;
     system_.request.model.pose.push_back(variable);
@@ -83,7 +90,7 @@ class SystemBuilder {
     const std::size_t n = system_.shape.unknowns, m = system_.shape.variables;
     model.matrix = GiNaC::matrix(unsigned(1 + n + m), unsigned(n));
     for (unsigned j = 0; j < n; ++j) {
-      const ex equation = closure.equations[j].subs(actual_);
+      const ex equation = differentiable(closure.equations[j].subs(actual_));
       model.matrix(0, j) = equation;
       for (std::size_t k = 0; k < n + m; ++k)
         model.matrix(unsigned(1 + k), j) = equation.diff(model.pose[k < n ? m + k : k - n].symbol);

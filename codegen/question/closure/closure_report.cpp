@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -98,31 +99,71 @@ void say_fold(const PreparedClosure& prepared, const Fold& fold, Facts& facts) {
                             moved, fold.is_on_branch ? "" : "; not shown to be on the branch"));
 }
 
+/// The options with the time that is left. A limit that is over leaves the least time.
+SearchOptions within(SearchOptions search, const Deadline& deadline) {
+  if (search.time_limit != 0) search.time_limit = std::fmax(deadline.left(), 1e-9);
+  return search;
+}
+
+/// The place at which the line from the start through a place leaves the ranges.
+std::vector<double> at_the_border(const PreparedClosure& prepared, std::vector<double> place) {
+  const std::vector<double>& from = prepared.near_start.variables;
+  double part = kInfinity;
+  for (std::size_t k = 0; k < place.size(); ++k) {
+    const Interval& range = prepared.problem.outer[k];
+    const double way = place[k] - from[k];
+    if (way != 0) part = std::fmin(part, ((way > 0 ? range.hi : range.lo) - from[k]) / way);
+  }
+  for (std::size_t k = 0; k < place.size(); ++k) {
+    const Interval range = prepared.problem.inner[k].value_or(prepared.problem.outer[k]);
+    if (part < kInfinity)
+      place[k] = std::clamp(from[k] + part * (place[k] - from[k]), range.lo, range.hi);
+  }
+  return place;
+}
+
 }  // namespace
 
 ClosureFinding check_closure(PreparedClosure& prepared, const SearchOptions& search,
-                             const FormingWatch& watch, Observer* progress) {
+                             const FormingWatch& watch, Observer* progress,
+                             const MakeCheckpoint& checkpoint) {
   ClosureFinding found;
   BranchSettings settings = settings_of(prepared, search, watch.interrupt);
-  settings.ask = [&](const std::vector<double>& place) {
-    if (auto fold = find_fold(prepared, place, search, watch)) found.folds = {std::move(*fold)};
+  const Deadline deadline(settings);
+  settings.ask = [&](std::vector<double> place, bool is_lost) {
+    const SearchOptions rest = within(search, deadline);
+    std::vector<double> uncertain;
+    if (!is_lost) {
+      // The middles of the uncertain quantities have the branch: perhaps not all have it.
+      if (prepared.shape.variables == prepared.shape.parameters) return false;
+      place = at_the_border(prepared, place);
+      auto corner = nearest_corner(prepared, place, rest, watch);
+      if (!corner) return false;
+      uncertain = std::move(*corner);
+    }
+    if (auto fold = find_fold(prepared, place, uncertain, rest, watch))
+      found.folds = {std::move(*fold)};
     return found.is_refuted();
   };
-  found.searched = run_closure(prepared, settings, progress);
+  found.searched =
+      run_closure(prepared, settings, progress, checkpoint ? checkpoint(settings) : nullptr);
   return found;
 }
 
 ClosureFinding pave_closure(PreparedClosure& prepared, const SearchOptions& search,
-                            double resolution, const FormingWatch& watch, Observer* progress) {
+                            double resolution, const FormingWatch& watch, Observer* progress,
+                            const MakeCheckpoint& checkpoint) {
   ClosureFinding found;
   BranchSettings settings = settings_of(prepared, search, watch.interrupt);
   settings.paves = true;
   settings.min_relative_width = resolution;
-  found.searched = run_closure(prepared, settings, progress);
+  const Deadline deadline(settings);
+  found.searched =
+      run_closure(prepared, settings, progress, checkpoint ? checkpoint(settings) : nullptr);
   if (prepared.shape.parameters != 1) return found;
   const Interval& range = prepared.problem.outer[0];
   for (const double end : {range.lo, range.hi})
-    if (auto fold = find_fold(prepared, {end}, search, watch))
+    if (auto fold = find_fold(prepared, {end}, {}, within(search, deadline), watch))
       found.folds.push_back(std::move(*fold));
   return found;
 }
@@ -203,9 +244,10 @@ std::string describe_claim(const PreparedClosure& prepared, const ClosureFinding
       "the branch has exactly one configuration, and its {} matrix of the equations' derivatives "
       "has full rank, for every {}{}",
       size, describe_pose(p),
-      uncertain == 0 ? ""
-                     : fmt::format(" and every value of the {} uncertain quantities ({})",
-                                   uncertain, describe_groups(p.labels)));
+      uncertain == 0
+          ? ""
+          : fmt::format(" and every value of the {} uncertain {} ({})", uncertain,
+                        uncertain == 1 ? "quantity" : "quantities", describe_groups(p.labels)));
 }
 
 void tell_closure(const PreparedClosure& prepared, const SearchOptions& search,

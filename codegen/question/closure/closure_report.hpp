@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,15 +24,20 @@ struct ClosureFinding {
   }
 };
 
+/// The files of a search beside its answer; null: none.
+using MakeCheckpoint = std::function<SearchCheckpoint*(const BranchSettings&)>;
+
 /// Asks whether the branch is regular all over the motion. `progress` may be null.
 [[nodiscard]] ClosureFinding check_closure(PreparedClosure& prepared, const SearchOptions& search,
-                                           const FormingWatch& watch, Observer* progress);
+                                           const FormingWatch& watch, Observer* progress,
+                                           const MakeCheckpoint& checkpoint = {});
 
 /// Decides every box of the motion, down to so small a part of each range, and looks for the ends of
 /// the branch in a motion of one parameter.
 [[nodiscard]] ClosureFinding pave_closure(PreparedClosure& prepared, const SearchOptions& search,
                                           double resolution, const FormingWatch& watch,
-                                          Observer* progress);
+                                          Observer* progress,
+                                          const MakeCheckpoint& checkpoint = {});
 
 /// Tells the leaves of a paving: free if they are on the branch, outside, or undecided.
 void tell_leaves(const PreparedClosure& prepared, const ClosureFinding& found, Observer& observer);

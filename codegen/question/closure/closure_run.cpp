@@ -2,7 +2,9 @@
 #include "codegen/question/closure/closure_run.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
+#include "codegen/answer/report/question_report.hpp"
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/closure_start.hpp"
 #include "codegen/question/engine/search_run.hpp"
@@ -10,6 +12,9 @@
 
 namespace regulus {
 namespace {
+
+/// Of the time; the rest is for the links.
+constexpr double kPartOfSearch = 0.9;
 
 /// The kernel needs the entries of the matrix and their derivatives, and no product.
 SearchOptions options_of_kernel(SearchOptions search) {
@@ -64,6 +69,8 @@ void fill_start(PreparedClosure& prepared, const Problem& problem) {
     start.values.push_back(enclose_constant(closure.start[i], "start." + name));
     start.radius.push_back(enclose_constant(closure.start_radius[i], "radius." + name));
     prepared.near_start.unknowns.push_back(mid(start.values.back()));
+    prepared.ranges.push_back(hull(enclose_constant(closure.ranges[i].lo, "range." + name),
+                                   enclose_constant(closure.ranges[i].hi, "range." + name)));
   }
   for (const Interval& x : start.place) prepared.near_start.variables.push_back(mid(x));
   for (std::size_t k = start.place.size(); k < prepared.shape.variables; ++k)
@@ -112,15 +119,39 @@ BranchSettings settings_of(const PreparedClosure& prepared, const SearchOptions&
 }
 
 ClosureResult run_closure(PreparedClosure& prepared, const BranchSettings& settings,
-                          Observer* progress) {
+                          Observer* progress, SearchCheckpoint* checkpoint) {
   const ClosureQuestion question = prepared.question();
+  const Deadline deadline(settings);
+  BranchSettings first = settings;
+  first.time_limit *= kPartOfSearch;
+  const auto search = [&](const BranchSettings& chosen) {
+    return search_branch(question, chosen, progress);
+  };
   ClosureResult result;
-  result.branch = search_branch(question, settings, progress);
+  if (checkpoint != nullptr && checkpoint->file() != nullptr) {
+    first.save_every = checkpoint->interval();
+    result.branch = checkpoint->file()->continue_search(first, search);
+    checkpoint->finish(result.branch.stopped_by.has_value());
+  } else {
+    result.branch = search(first);
+  }
   Stopwatch watch;
   if (settings.paves || (result.branch.is_complete && !result.branch.is_empty))
-    result.links = link_branch(question, result.branch.tree, prepared.start, settings.interrupt);
+    result.links = link_branch(question, result.branch.tree, prepared.start,
+                               [&] { return deadline.reason(); });
   prepared.preparation.seconds.search = result.branch.seconds + watch.lap();
   return result;
+}
+
+nlohmann::ordered_json checkpointed_question(const PreparedClosure& prepared,
+                                             const SearchOptions& search,
+                                             const BranchSettings& settings) {
+  nlohmann::ordered_json question = json_question(prepared.request, search);
+  question.erase("options");  // they change how long it takes
+  question["closure"] = prepared.shape.unknowns;
+  question["paves"] = settings.paves;
+  question["least_width"] = settings.min_relative_width;
+  return question;
 }
 
 }  // namespace regulus

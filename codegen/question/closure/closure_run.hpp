@@ -3,9 +3,12 @@
 // regular all over a motion?
 #pragma once
 
+#include <chrono>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
+#include "codegen/answer/report/search_checkpoint.hpp"
 #include "codegen/question/closure/branch_links.hpp"
 #include "codegen/question/engine/pipeline.hpp"
 
@@ -25,8 +28,11 @@ struct PreparedClosure {
   Problem problem;
   BranchStart start;
   BranchPoint near_start;
+  std::vector<Interval> ranges;  ///< by unknown: where its values may be
 
-  [[nodiscard]] ClosureQuestion question() const { return {problem, scaling, shape, near_start}; }
+  [[nodiscard]] ClosureQuestion question() const {
+    return {problem, scaling, shape, near_start, ranges};
+  }
 };
 
 /// Forms the kernel of the equations and of their derivatives.
@@ -53,8 +59,36 @@ struct ClosureResult {
                                          const SearchOptions& search,
                                          const std::atomic<bool>* interrupt);
 
+/// The end of the time of a search, which starts now.
+class Deadline {
+ public:
+  explicit Deadline(const BranchSettings& settings)
+      : limit_(settings.time_limit), interrupt_(settings.interrupt) {}
+
+  [[nodiscard]] double left() const {
+    return limit_ - std::chrono::duration<double>(Clock::now() - start_).count();
+  }
+  [[nodiscard]] std::optional<Reason> reason() const {
+    if (interrupt_ != nullptr && *interrupt_) return Reason::kInterrupted;
+    return left() <= 0 ? std::optional(Reason::kTimeBudget) : std::nullopt;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  const Clock::time_point start_ = Clock::now();
+  const double limit_;
+  const std::atomic<bool>* const interrupt_;
+};
+
 /// Searches, and links what it finds, if the search is complete or paves. `progress` may be null.
+/// `checkpoint`: as for searches of boxes; null: none.
 [[nodiscard]] ClosureResult run_closure(PreparedClosure& prepared, const BranchSettings& settings,
-                                        Observer* progress);
+                                        Observer* progress, SearchCheckpoint* checkpoint = nullptr);
+
+/// Returns everything that the boxes depend on, for a checkpoint.
+[[nodiscard]] nlohmann::ordered_json checkpointed_question(const PreparedClosure& prepared,
+                                                           const SearchOptions& search,
+                                                           const BranchSettings& settings);
 
 }  // namespace regulus

@@ -74,11 +74,9 @@ void TubeFinder::find(std::span<const TubeTrial> trials, std::span<TubeFinding> 
     for (std::size_t lane = 0; lane < trials.size(); ++lane) {
       if (is_open[lane] == 0) continue;
       const auto over = system_.at(lane);
-      // The kernel's forms hold within the ranges of its variables alone.
       bool is_within = true;
       for (std::size_t i = 0; i < n; ++i)
-        is_within = is_within && certain_subset(boxes[lane][shape_.variables + i],
-                                                problem_.outer[shape_.variables + i]);
+        is_within = is_within && certain_subset(boxes[lane][shape_.variables + i], ranges_[i]);
       TubeFinding& finding = findings[lane];
       finding.is_undefined = !over || !centers[lane];
       is_open[lane] = is_within && !finding.is_undefined ? 1 : 0;

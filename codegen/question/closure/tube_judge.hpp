@@ -17,7 +17,8 @@ struct ClosureQuestion {
   const Problem& problem;  ///< of the kernel of a ClosedSystem
   const MatrixScaling& scaling;
   ClosedShape shape;
-  BranchPoint start;  ///< approximately; of uncertain quantities the middles
+  BranchPoint start;             ///< approximately; of uncertain quantities the middles
+  std::vector<Interval> ranges;  ///< by unknown: where its values may be
 };
 
 /// The finding about one box. It depends on the box alone.
@@ -41,8 +42,8 @@ struct TubeTrial {
 /// Finds the radius of 1…8 tubes, so that the test of branch_tube.hpp holds with some room.
 class TubeFinder {
  public:
-  TubeFinder(SystemBoxes& system, const Problem& problem, const ClosedShape& shape)
-      : system_(system), problem_(problem), shape_(shape) {}
+  TubeFinder(SystemBoxes& system, const ClosedShape& shape, std::vector<Interval> ranges)
+      : system_(system), shape_(shape), ranges_(std::move(ranges)) {}
 
   /// Requires  at most kLanes trials, and as many findings.
   /// Ensures   a finding has a tube only if the test holds for it over its box.
@@ -53,8 +54,8 @@ class TubeFinder {
                                           const std::vector<double>& radius) const;
 
   SystemBoxes& system_;
-  const Problem& problem_;
   const ClosedShape shape_;
+  const std::vector<Interval> ranges_;
 };
 
 /// A judge of boxes (runtime/search/box_judges.hpp). Each thread has its own.
@@ -68,7 +69,7 @@ class TubeJudge {
   explicit TubeJudge(const ClosureQuestion& question)
       : question_(question),
         system_(question.problem, question.scaling, question.shape),
-        finder_(system_, question.problem, question.shape) {}
+        finder_(system_, question.shape, question.ranges) {}
   TubeJudge(const TubeJudge&) = delete;
   TubeJudge& operator=(const TubeJudge&) = delete;
 

@@ -129,6 +129,24 @@ TEST(FourBar, KeepsItsBranchForAllLengthsWithinTolerances) {
   }
 }
 
+/// With other lengths within the tolerance, the motion reaches a toggle: that of the least diagonal.
+TEST(FourBar, ReachesAToggleForSomeLengthsWithinTolerances) {
+  const FourBar linkage{0.2, 0.35355, 0.25, 0.45};
+  const Checked checked = check(linkage.text(1, -2, 2.3, 0.05));
+  ASSERT_EQ(checked.verdict(), Verdict::kSingularity);
+  const Fold& fold = checked.found.folds.front();
+  const double theta = mid(fold.place[0]);
+  EXPECT_TRUE(linkage.is_between_toggles(theta));  // of the middles
+  // Some lengths within the tolerance have a toggle there.
+  const auto room = [&](double da, double db) {
+    FourBar other = linkage;
+    other.a += da, other.b += db;
+    return other.b + other.c - other.diagonal(theta);
+  };
+  EXPECT_LT(room(0.05, -0.05), 1e-9);
+  EXPECT_GT(room(-0.05, 0.05), 0);
+}
+
 TEST(FourBar, HasTheSameTubesForAnyNumberOfThreads) {
   const FourBar linkage{0.2, 0.35355, 0.25, 0.45};
   const std::string text = linkage.text(1, -2.31, 2.31);
@@ -138,6 +156,34 @@ TEST(FourBar, HasTheSameTubesForAnyNumberOfThreads) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].tube, b[i].tube);
   EXPECT_EQ(one.found.searched.links.links, two.found.searched.links.links);
+}
+
+/// Wherever it stops, the tubes and the number of boxes are those of a search without a stop.
+TEST(FourBar, ContinuesASearchThatHasStopped) {
+  const FourBar linkage{0.2, 0.35355, 0.25, 0.45};
+  ModelOptions options;
+  options.motion = "m";
+  const PreparedClosure prepared = prepare_closure(
+      read_request(linkage.text(1, -2.31, 2.31, 1e-4), options), 0, options_with(), {});
+  const BranchResult whole = search_branch(prepared.question(), {}, nullptr);
+  ASSERT_TRUE(whole.is_complete);
+  for (std::uint64_t stop = 1; stop < whole.boxes; stop += 7) {
+    SavedTree saved;
+    BranchSettings first;
+    first.max_boxes = stop;
+    first.save = [&](const SavedTree& tree) { saved = tree; };
+    EXPECT_EQ(search_branch(prepared.question(), first, nullptr).stopped_by, Reason::kBoxBudget);
+    BranchSettings second;
+    second.from = &saved;
+    const BranchResult rest = search_branch(prepared.question(), second, nullptr);
+    EXPECT_TRUE(rest.is_complete);
+    EXPECT_EQ(rest.boxes, whole.boxes) << stop;
+    ASSERT_EQ(rest.tree.leaves().size(), whole.tree.leaves().size());
+    for (const BranchLeaf& leaf : whole.tree.leaves()) {
+      const std::vector<Interval> middle{Interval(mid(leaf.at.box[0]))};
+      EXPECT_EQ(rest.tree.leaves()[rest.tree.leaves_at(middle).front()].tube, leaf.tube);
+    }
+  }
 }
 
 TEST(FourBar, SaysWhyNothingIsClaimed) {
