@@ -213,9 +213,7 @@ std::unique_ptr<MarginAnswer> ask(const AskMargin& asked, const Services& servic
   ModelOptions model = asked.model;
   static_cast<void>(read_gap(asked.gap));
   const MarginQuestion question = take_question(model, asked.size);
-  refuse_services(has_limit ? Kind::kLimitMargin : Kind::kMargin, asked.search, services);
-  refuse_services_along_way(has_limit ? Kind::kWayLimitMargin : Kind::kWayMargin, model,
-                            asked.search, services);
+  refuse_services(has_limit ? Kind::kLimitMargin : Kind::kMargin, model, asked.search, services);
   if (has_limit) return std::make_unique<MarginOfLimit>(question, model, asked, services);
   set_outputs_aside(model, asked.search, services, EndProofs::files(services.certificate));
   const FormingWatch watch = watch_of(services, asked.search);
