@@ -49,7 +49,8 @@ Expression Differentiator::derivative(const Expression& e) {
 Expression Differentiator::computed(const Expression& e) {
   switch (e.kind()) {
     case ExpressionKind::kVariable:
-      return Expression(e.name() == variable_ ? 1 : 0);
+      if (e.name() == variable_) return Expression(1);
+      return symbols_ == nullptr ? Expression(0) : symbols_->derivative(e.name(), variable_);
     case ExpressionKind::kPower: {
       const Expression& base = e.operands()[0];
       const Expression inner = derivative(base);
