@@ -16,7 +16,7 @@ endif()
 install(TARGETS regulus_python LIBRARY DESTINATION ${python_dir}/regulus COMPONENT python)
 file(GLOB python_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/codegen/use/python/regulus/*.py
      ${PROJECT_SOURCE_DIR}/codegen/use/python/regulus/*.pyi ${PROJECT_SOURCE_DIR}/codegen/use/python/regulus/py.typed)
-install(FILES ${python_sources} DESTINATION ${python_dir}/regulus COMPONENT python)
+install(FILES ${python_sources} ${PROJECT_BINARY_DIR}/codegen/answer/reports.py DESTINATION ${python_dir}/regulus COMPONENT python)
 if(NOT DEFINED SKBUILD)
   install(FILES ${PROJECT_SOURCE_DIR}/codegen/use/python/PYTHON.md
           DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-regulus COMPONENT python)

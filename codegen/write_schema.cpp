@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes the schema of the JSON reports, and their types for the page: write_schema SCHEMA TYPES.
+// Writes the schema of the JSON reports, and their types for the page and Python:
+// write_schema SCHEMA TYPESCRIPT PYTHON.
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -18,9 +19,9 @@ bool write(const char* path, const std::string& text) {
 
 int main(int argc, char** argv) {
   using namespace regulus;
-  if (argc != 3) return 64;
-  const bool written =
-      write(argv[1], json_schema().dump(1) + '\n') && write(argv[2], typescript_types());
-  if (!written) std::cerr << "cannot write " << argv[1] << " and " << argv[2] << '\n';
+  if (argc != 4) return 64;
+  const bool written = write(argv[1], json_schema().dump(1) + '\n') &&
+                       write(argv[2], typescript_types()) && write(argv[3], python_types());
+  if (!written) std::cerr << "cannot write the files of the schema\n";
   return written ? 0 : 74;
 }

@@ -2,12 +2,14 @@
 // Has the motion a singular pose?
 #include "codegen/answer/ask.hpp"
 #include "codegen/answer/certificate/certificate_file.hpp"
+#include "codegen/answer/closure_answer.hpp"
 #include "codegen/answer/outputs.hpp"
 #include "codegen/answer/refusals.hpp"
 #include "codegen/answer/report/progress.hpp"
 #include "codegen/answer/report/report.hpp"
 #include "codegen/answer/report/search_checkpoint.hpp"
 #include "codegen/question/analysis/least_singular.hpp"
+#include "codegen/question/closure/closure_run.hpp"
 #include "codegen/question/engine/checkpoint_file.hpp"
 #include "codegen/question/engine/search_run.hpp"
 #include "codegen/question/engine/settings.hpp"
@@ -143,7 +145,11 @@ std::unique_ptr<CheckAnswer> ask(const AskCheck& asked, const Services& services
   set_outputs_aside(asked.model, asked.search, services);
   Stopwatch watch;
   std::optional<Request> along = read_trajectory(asked.model, watch_of(services, asked.search));
-  if (!along) return std::make_unique<VarietyCheck>(asked, services);
+  if (!along) {
+    std::optional<Request> closed = read_closure(asked.model, watch_of(services, asked.search));
+    if (!closed) return std::make_unique<VarietyCheck>(asked, services);
+    return answer_closure(std::move(*closed), watch.lap(), asked, services);
+  }
   services.begin_search();
   return std::make_unique<WayCheck>(std::move(*along), watch.lap(), asked, services);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The table of keys: every key of the JSON reports, the kind of its value, and what it means. The
-// schema of the reports and the types of the page are made from it (schema.hpp).
+// schema of the reports and their types for the page and Python are made from it (schema.hpp).
 #pragma once
 
 #include <span>
@@ -13,9 +13,10 @@ namespace regulus {
 struct Key {
   std::string_view name;  ///< with "?" behind it: it may be missing
   /// A value is one of
-  ///   text, flag, count (a whole number, not negative), any,
+  ///   text, flag, count (a whole number, not negative),
   ///   exact (the text of an exact constant, as model files and options take it),
-  ///   enclosure ([lower, upper], rounded outward; an infinite end is null),
+  ///   enclosure ([lower, upper], rounded outward; an infinite end is null), range (the
+  ///   same without infinite ends),
   ///   rounded (a number, rounded to the side that claims less), approx (a number without a claim),
   ///   sha256, the name of an object of object_kinds(), or words of which it is one: "a|b";
   /// and behind that "[]" for a list, "{}" for an object of such values, "?" for null as well.

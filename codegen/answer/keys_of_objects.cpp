@@ -7,7 +7,7 @@ namespace {
 constexpr Key kQuestion[] = {
     {"model_sha256", "sha256"},
     {"motion", "text"},
-    {"ranges", "enclosure{}", "of the motion parameters"},
+    {"ranges", "range{}", "of the motion parameters"},
     {"uncertain", "uncertain_quantity[]"},
     {"groups", "group[]", "how many quantities of each group are uncertain"},
     {"alpha", "enclosure"},
@@ -41,7 +41,7 @@ constexpr Key kUncertain[] = {
     {"group", "text", "empty: none"},
     {"shape", "range|ball"},
     {"unit", "text"},
-    {"range", "enclosure"},
+    {"range", "range"},
     {"value_exact", "exact"},
     {"tolerance_exact?", "exact", "of a range"},
     {"radius_exact?", "exact", "of a ball"},
@@ -73,9 +73,9 @@ constexpr Key kFilter[] = {
 };
 
 constexpr Key kPlace[] = {
-    {"parameters", "enclosure{}", "of the motion"},
+    {"parameters", "range{}", "of the motion"},
     {"pose", "enclosure{}"},
-    {"uncertain", "enclosure{}"},
+    {"uncertain", "range{}"},
 };
 constexpr Key kPoint[] = {
     {"determinant", "enclosure?", "null: the matrix has more rows than columns"},
@@ -98,7 +98,7 @@ constexpr Key kDegeneracy[] = {
     {"twist?", "lost_twist?"},
     {"rows?", "dependent_rows?"},
 };
-constexpr Key kBox[] = {{"parameters", "enclosure{}"}, {"uncertain", "enclosure{}"}};
+constexpr Key kBox[] = {{"parameters", "range{}"}, {"uncertain", "range{}"}};
 constexpr Key kLostTwist[] = {
     {"approximate", "flag"},
     {"columns", "twist_column[]"},
@@ -112,6 +112,26 @@ constexpr Key kRows[] = {
     {"threshold", "approx"},
     {"vectors", "approx[][]"},
 };
+constexpr Key kBranch[] = {
+    {"start", "enclosure{}", "of the motion's parameters"},
+    {"unknowns", "enclosure{}", "the configuration there"},
+    {"certain", "flag", "false: the numbers of the file, and not the configuration"},
+};
+constexpr Key kFold[] = {
+    {"parameters", "enclosure{}"},
+    {"unknowns", "enclosure{}"},
+    {"direction", "enclosure{}", "of the unknowns, with the motors locked"},
+    {"on_branch", "flag", "configurations of the motion lead to it from the start"},
+};
+constexpr Key kFiniteError[] = {
+    {"unknown", "text"},
+    {"unit", "text"},
+    {"attained", "rounded", "some errors move it so far"},
+    {"proved", "rounded?", "no errors move it farther"},
+    {"at", "enclosure{}", "the parameters and errors of the attained end"},
+    {"closed", "flag"},
+    {"boxes", "count"},
+};
 constexpr Key kNearest[] = {
     {"approximate", "flag"},
     {"hadamard_share?", "approx", "of what the rows allow: almost singular"},
@@ -120,10 +140,10 @@ constexpr Key kUndefined[] = {{"expressions", "undefined_expression[]"}};
 constexpr Key kExpression[] = {
     {"expression", "text"}, {"argument?", "text"}, {"enclosure?", "enclosure"}};
 
-constexpr Key kShare[] = {{"boxes", "count"}, {"volume", "enclosure"}, {"fraction", "enclosure"}};
-constexpr Key kClaimShare[] = {{"boxes", "count"}, {"fraction", "enclosure"}};
+constexpr Key kShare[] = {{"boxes", "count"}, {"volume", "enclosure"}, {"fraction", "range"}};
+constexpr Key kClaimShare[] = {{"boxes", "count"}, {"fraction", "range"}};
 constexpr Key kWorkspace[] = {
-    {"fraction", "enclosure"},
+    {"fraction", "range"},
     {"inside", "share"},
     {"outside", "share"},
     {"undecided", "share"},
@@ -134,7 +154,7 @@ constexpr Key kSegmentPlace[] = {
     {"segment", "count", "from 1"},
     {"lines", "count[]", "of the file"},
     {"time?", "approx"},
-    {"s?", "enclosure", "the place on the segment, from 0 to 1"},
+    {"s?", "range", "the place on the segment, from 0 to 1"},
 };
 
 constexpr Key kGrowing[] = {
@@ -191,8 +211,8 @@ constexpr Key kComponentMargin[] = {
     {"seconds", "seconds"},
 };
 constexpr Key kForceWitness[] = {
-    {"parameters", "enclosure{}"},
-    {"uncertain", "enclosure{}"},
+    {"parameters", "range{}"},
+    {"uncertain", "range{}"},
     {"wrench", "enclosure[]"},
     {"direction", "approx[]"},
     {"needed", "enclosure", "along the direction"},
@@ -231,6 +251,9 @@ const std::vector<ObjectKind>& object_kinds() {
       {"twist_column", "a column of the matrix", {kTwistColumn}},
       {"dependent_rows", "rows of the matrix, with weights", {kRows}},
       {"nearest_singular", "approximate; proves nothing", {kPlace, kNearest, kDegeneracy}},
+      {"branch", "where the branch of a closure starts", {kBranch}},
+      {"fold", "a certified singular configuration of a closure", {kFold}},
+      {"finite_error_of_unknown", "how far errors move it", {kFiniteError}},
       {"undefined", "a pose at which expressions have no value", {kPlace, kUndefined}},
       {"undefined_expression", "over that pose", {kExpression}},
       {"share", "of the ranges", {kShare}},

@@ -42,6 +42,7 @@ constexpr Key kMethod[] = {
     {"bits", "count", "the most that the search computed with"},
 };
 
+constexpr Key kNotes[] = {{"notes?", "text[]", "from Python: about numbers that were floats"}};
 constexpr Key kReason[] = {{"reason", "text", "why this is the verdict"}};
 constexpr Key kNonempty[] = {
     {"nonempty", "flag?", "whether the constraints leave any pose; null: not known"}};
@@ -53,7 +54,7 @@ constexpr Key kWitness[] = {
     {"witness", "witness?", "the proof of a singularity"},
     {"undefined?", "undefined", "where an expression has no value"},
 };
-constexpr Key kBlocking[] = {{"blocking_box", "enclosure{}?", "the box that could not be decided"}};
+constexpr Key kBlocking[] = {{"blocking_box", "range{}?", "the box that could not be decided"}};
 constexpr Key kCertificate[] = {
     {"certificate?", "text?", "the file; null: there is none"},
     {"certificate_obstacle?", "text", "why there is none"},
@@ -63,6 +64,12 @@ constexpr Key kCheck[] = {
     {"filters", "filter[]"},
     {"leaves", "count{}", "certified boxes by the test that certified them"},
     {"nearest_singular?", "nearest_singular", "where the matrix is nearest to losing rank"},
+};
+
+constexpr Key kClosure[] = {
+    {"branch?", "branch", "of a closure: where it starts"},
+    {"folds?", "fold[]", "singular configurations of a closure"},
+    {"links?", "count", "pairs of boxes of a closure that hold the same configuration"},
 };
 
 constexpr Key kPage[] = {{"page?", "text", "the file that regulus report wrote"}};
@@ -124,6 +131,12 @@ constexpr Key kLimitMargin[] = {
     {"components", "component_margin[]"},
 };
 
+constexpr Key kFiniteErrors[] = {
+    {"errors", "finite_error_of_unknown[]"},
+    {"gap_wanted", "approx"},
+    {"obstacle", "text?", "why there is no bound"},
+};
+
 constexpr Key kDatasheet[] = {
     {"interrupted", "flag"},
     {"bounds", "sheet_entry[]"},
@@ -153,7 +166,7 @@ const std::vector<ObjectKind>& report_kinds() {
   static const std::vector<ObjectKind> kinds = {
       {"check",
        "check",
-       {kReason, kSubject, kMethod, kBoxes, kCheck, kNonempty, kWitness, kBlocking, kPage,
+       {kReason, kSubject, kMethod, kBoxes, kCheck, kClosure, kNonempty, kWitness, kBlocking, kPage,
         kCertificate},
        kOfMatrix},
       {"path",
@@ -162,7 +175,7 @@ const std::vector<ObjectKind>& report_kinds() {
        kOfMatrix},
       {"paving",
        "locate",
-       {kReason, kSubject, kMethod, kBoxes, kPaving, kNonempty, kWitness, kCertificate},
+       {kReason, kSubject, kMethod, kBoxes, kPaving, kClosure, kNonempty, kWitness, kCertificate},
        kOfMatrix},
       {"path_paving",
        "locate of a motion along way-points",
@@ -170,7 +183,7 @@ const std::vector<ObjectKind>& report_kinds() {
        kOfMatrix},
       {"margin",
        "margin",
-       {kReason, kMethod, kBracket, kNonempty, kWitness, kEndCertificates},
+       {kReason, kNotes, kMethod, kBracket, kNonempty, kWitness, kEndCertificates},
        kOfBracket},
       {"path_margin",
        "margin of a motion along way-points",
@@ -179,9 +192,10 @@ const std::vector<ObjectKind>& report_kinds() {
        kOfBracket},
       {"limit_margin",
        "margin --quantity --limit",
-       {kReason, kBracket, kNonempty, kLimitMargin},
+       {kReason, kNotes, kBracket, kNonempty, kLimitMargin},
        kOfBracket},
-      {"bound", "bound", {kBound}, kOfBound},
+      {"bound", "bound", {kNotes, kBound}, kOfBound},
+      {"finite_error", "bound error --finite", {kFiniteErrors}, kOfBracket},
       {"datasheet", "datasheet", {kDatasheet}, kOfBracket},
       {"forces",
        "check --load and locate --load",

@@ -7,6 +7,7 @@
 #include "codegen/answer/ask.hpp"
 #include "codegen/answer/box_listener.hpp"
 #include "codegen/answer/certificate/certificate_file.hpp"
+#include "codegen/answer/closure_answer.hpp"
 #include "codegen/answer/lines_file.hpp"
 #include "codegen/answer/outputs.hpp"
 #include "codegen/answer/page/paving_tree.hpp"
@@ -21,6 +22,7 @@
 #include "codegen/answer/report/question_report.hpp"
 #include "codegen/answer/report/report_text.hpp"
 #include "codegen/answer/report/search_checkpoint.hpp"
+#include "codegen/question/closure/closure_run.hpp"
 #include "codegen/question/engine/paving_verdict.hpp"
 #include "codegen/question/engine/search_run.hpp"
 #include "codegen/question/engine/settings.hpp"
@@ -214,7 +216,11 @@ std::unique_ptr<PavingAnswer> ask(const AskPaving& asked, const Services& servic
   Stopwatch watch;
   std::optional<Request> along =
       read_trajectory(model_of(asked, services), watch_of(services, asked.search));
-  if (!along) return std::make_unique<VarietyPaving>(asked, services);
+  if (!along) {
+    std::optional<Request> closed = read_closure(asked.model, watch_of(services, asked.search));
+    if (!closed) return std::make_unique<VarietyPaving>(asked, services);
+    return answer_closure(std::move(*closed), watch.lap(), asked, services);
+  }
   services.begin_search();
   return std::make_unique<WayPaving>(std::move(*along), watch.lap(), asked, services);
 }

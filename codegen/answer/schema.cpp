@@ -84,6 +84,12 @@ Json value_schemas() {
         {"minItems", 2},
         {"maxItems", 2},
         {"description", "[lower, upper], rounded outward; an infinite end is null"}}},
+      {"range",
+       {{"type", "array"},
+        {"items", {{"type", "number"}}},
+        {"minItems", 2},
+        {"maxItems", 2},
+        {"description", "[lower, upper], rounded outward"}}},
       {"rounded", {{"type", "number"}, {"description", "rounded to the side that claims less"}}},
       {"approx", {{"type", "number"}, {"description", "without a claim"}}},
       {"sha256", {{"type", "string"}, {"pattern", "^[0-9a-f]{64}$"}}}};
@@ -108,18 +114,22 @@ std::string type_name(std::string_view name) {
   return result;
 }
 
+/// Returns the words of a type, as text literals.
+std::string quoted_words(std::string_view type, const char* separator) {
+  std::string text;
+  for (const Json& word : words_of(type)) text += (text.empty() ? "" : separator) + word.dump();
+  return text;
+}
+
 std::string type_of(std::string_view type) {
   if (take(type, "?")) return type_of(type) + " | null";
   if (take(type, "[]")) return "readonly (" + type_of(type) + ")[]";
   if (take(type, "{}")) return "Record<string, " + type_of(type) + ">";
-  if (type.find('|') != type.npos) {
-    std::string words;
-    for (const Json& word : words_of(type)) words += (words.empty() ? "" : " | ") + word.dump();
-    return words;
-  }
+  if (type.find('|') != type.npos) return quoted_words(type, " | ");
   if (type == "text" || type == "exact" || type == "sha256") return "string";
   if (type == "flag") return "boolean";
   if (type == "count" || type == "rounded" || type == "approx") return "number";
+  if (type == "range") return "Enclosure";
   return type_name(type);
 }
 
@@ -132,6 +142,48 @@ std::string interface_of(const ObjectKind& kind, bool is_report) {
       text += "  readonly " + std::string(key.name) + ": " + type_of(key.type) + ";" +
               (key.meaning.empty() ? "" : " // " + std::string(key.meaning)) + "\n";
   return text + "}\n\n";
+}
+
+std::string python_type(std::string_view type) {
+  if (take(type, "?")) return "Optional[" + python_type(type) + "]";
+  if (take(type, "[]")) return "list[" + python_type(type) + "]";
+  if (take(type, "{}")) return "dict[str, " + python_type(type) + "]";
+  if (type.find('|') != type.npos) return "Literal[" + quoted_words(type, ", ") + "]";
+  if (type == "text" || type == "exact" || type == "sha256") return "str";
+  if (type == "flag") return "bool";
+  if (type == "count") return "int";
+  if (type == "rounded" || type == "approx") return "float";
+  return type_name(type);
+}
+
+/// Returns the lines of the keys that may be missing, or of the others.
+std::string python_keys(const ObjectKind& kind, bool may_be_missing) {
+  std::string text;
+  if (!kind.verdicts.empty() && !may_be_missing)
+    text += "    verdict: " + python_type(kind.verdicts) + "\n";
+  for (const std::span<const Key> keys : kind.keys)
+    for (const Key& key : keys) {
+      std::string_view name = key.name;
+      if (take(name, "?") != may_be_missing) continue;
+      text += "    " + std::string(name) + ": " + python_type(key.type) +
+              (key.meaning.empty() ? "" : "  # " + std::string(key.meaning)) + "\n";
+    }
+  return text;
+}
+
+/// Returns a TypedDict, with a base for the keys that are always there: Python 3.9 has no
+/// NotRequired.
+std::string python_class(const ObjectKind& kind, const std::string& name, std::string base) {
+  const std::string always = python_keys(kind, false), sometimes = python_keys(kind, true);
+  const std::string words = "    \"\"\"" + std::string(kind.meaning) + "\"\"\"\n\n";
+  std::string text;
+  if (!always.empty() && !sometimes.empty()) {
+    text = "class _" + name + "(" + base + "):\n" + always + "\n\n";
+    base = "_" + name;
+  }
+  const std::string total = sometimes.empty() ? "" : ", total=False";
+  return text + "class " + name + "(" + base + total + "):\n" + words +
+         (sometimes.empty() ? always : sometimes) + "\n\n";
 }
 
 }  // namespace
@@ -166,6 +218,31 @@ std::string typescript_types() {
   for (const ObjectKind& kind : report_kinds()) text += interface_of(kind, true);
   for (const ObjectKind& kind : object_kinds()) text += interface_of(kind, false);
   return text;
+}
+
+std::string python_types() {
+  std::string text =
+      "# SPDX-License-Identifier: GPL-3.0-or-later\n"
+      "\"\"\"The JSON reports, as `json` of a result has them: null is None.\"\"\"\n\n"
+      "from __future__ import annotations\n\n"
+      "from typing import List, Literal, Optional, TypedDict, Union\n\n"
+      "Range = List[float]\n"
+      "\"\"\"[lower, upper], rounded outward.\"\"\"\n\n"
+      "Enclosure = List[Optional[float]]\n"
+      "\"\"\"[lower, upper], rounded outward; an infinite end is None.\"\"\"\n\n\n";
+  std::vector<Key> same;
+  for (const Key& key : head_keys())
+    if (key.name != "verdict") same.push_back(key);  // each report has its own words
+  text += python_class({"", "What every report begins with.", {same}}, "Head", "TypedDict");
+  for (const ObjectKind& kind : object_kinds())
+    text += python_class(kind, type_name(kind.name), "TypedDict");
+  std::string names;
+  for (const ObjectKind& kind : report_kinds()) {
+    const std::string name = type_name(kind.name) + "Report";
+    text += python_class(kind, name, "Head");
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  return text + "Report = Union[" + names + "]\n";
 }
 
 }  // namespace regulus

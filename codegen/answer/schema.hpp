@@ -13,4 +13,7 @@ namespace regulus {
 /// Returns the types of the reports for TypeScript.
 [[nodiscard]] std::string typescript_types();
 
+/// Returns the types of the reports for Python: a module of TypedDicts.
+[[nodiscard]] std::string python_types();
+
 }  // namespace regulus

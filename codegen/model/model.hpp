@@ -139,6 +139,18 @@ enum class MatrixKind {
                                         : "transposed forward Jacobian";
 }
 
+/// Equations that tie unknowns (passive joints, or a pose) to the pose parameters (driven joints):
+/// Φ(pose, unknowns) = 0, as many equations as unknowns. The matrix of such a model is ∂Φ/∂unknowns,
+/// row by row of the equations.
+struct Closure {
+  std::vector<PoseParameter> unknowns;
+  std::vector<Range> ranges;            ///< by unknown: where its values are
+  std::vector<GiNaC::ex> equations;     ///< in pose, unknown and geometry symbols
+  std::vector<GiNaC::ex> start_pose;    ///< of the branch, in the order of Model::pose
+  std::vector<GiNaC::ex> start;         ///< near the configuration there, by unknown
+  std::vector<GiNaC::ex> start_radius;  ///< by unknown: it is the only one so near
+};
+
 /// An expression in the names of a model, with the conditions for it to be defined.
 struct AskedExpression {
   GiNaC::ex value;
@@ -161,6 +173,7 @@ struct Model {
   /// all poses and for all values of the geometry, and takes its place in a search.
   std::optional<GiNaC::matrix> jacobian{};
   std::vector<std::string> matrix_notes;  ///< what a report says of it; a line each
+  std::optional<Closure> closure{};
   std::vector<GiNaC::ex> row_scale;  ///< empty, or m positive factors: J⁻¹ row = row_scale · row
   std::vector<TwistComponent> twist;       ///< by column; empty if the model does not say
   std::vector<GiNaC::ex> must_be_defined;  ///< of matrix and row_scale; log(s): s must be positive

@@ -13,7 +13,7 @@ cmake_minimum_required(VERSION 3.25)
 set(floors
     "runtime/files"
     "runtime/interval"
-    "runtime/kernel runtime/regularity"
+    "runtime/kernel runtime/regularity runtime/existence"
     "runtime/machine runtime/problem"
     "runtime/cluster runtime/evaluation"
     "runtime/witness"
@@ -39,7 +39,7 @@ set(floors
     "codegen/answer/report"
     "codegen/question/margin"
     "codegen/question/way"
-    "codegen/question/bound codegen/question/condition codegen/question/load"
+    "codegen/question/bound codegen/question/condition codegen/question/load codegen/question/closure"
     "codegen/answer/picture codegen/answer/page"
     "codegen/answer"
     "codegen/use/api"

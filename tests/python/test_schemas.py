@@ -6,9 +6,12 @@ import json
 import pathlib
 import re
 import subprocess
+from typing import Literal, Optional, Union, get_args, get_origin, get_type_hints
 
 import pytest
+from regulus import reports
 
+import regulus as rg
 from conftest import COMMAND
 
 jsonschema = pytest.importorskip("jsonschema")
@@ -26,10 +29,7 @@ def schema(path):
 
 MODEL = schema(ROOT / "codegen/model/file/model.schema.json")
 REPORT = schema(pathlib.Path(COMMAND).parents[1] / "share/regulus/schema/report.schema.json")
-HEAD = [
-    *("model", "model_file", "model_sha256", "motion", "question", "options", "version"),
-    *("engine", "threads", "boxes", "seconds", "claim", "verdict", "proof"),
-]
+HEAD = list(REPORT.schema["$defs"]["check"]["properties"])[: len(get_type_hints(reports.Head)) + 1]
 
 
 def report_of(kind):
@@ -41,6 +41,32 @@ def report_of(kind):
 
 def errors(validator, instance):
     return [f"{list(e.absolute_path)}: {e.message}" for e in validator.iter_errors(instance)]
+
+
+def type_of(kind):
+    """The TypedDict of one kind of report."""
+    return getattr(reports, kind.title().replace("_", "") + "Report")
+
+
+def has_type(value, kind):
+    """Whether a value of JSON is of a type of regulus.reports: exactly its keys, no others."""
+    of, parts = get_origin(kind), get_args(kind)
+    if of is Union:
+        return any(has_type(value, part) for part in parts)
+    if of is Literal:
+        return value in parts
+    if of is list:
+        return isinstance(value, list) and all(has_type(item, parts[0]) for item in value)
+    if of is dict:
+        return isinstance(value, dict) and all(has_type(v, parts[1]) for v in value.values())
+    if hasattr(kind, "__required_keys__"):
+        if not isinstance(value, dict) or not kind.__required_keys__ <= value.keys():
+            return False
+        hints = get_type_hints(kind)
+        return all(key in hints and has_type(item, hints[key]) for key, item in value.items())
+    if kind is float:
+        return isinstance(value, (int, float)) and not isinstance(value, bool)
+    return type(value) is kind
 
 
 def printed(*arguments):
@@ -114,6 +140,7 @@ def test_mistakes_in_models_are_refused(change):
 def test_reports_are_accepted_and_state_the_question(arguments):
     report = printed("check", *arguments)
     assert errors(report_of("check"), report) == [] and errors(REPORT, report) == []
+    assert has_type(report, reports.CheckReport)
     assert list(report)[: len(HEAD)] == HEAD
     question = report["question"]
     assert question["ranges"] and question["options"]["threads"] == report["threads"]
@@ -160,6 +187,7 @@ def test_every_report_is_accepted_and_states_the_question(kind, arguments, tmp_p
     named = {"{way}": str(way), "{hall}": str(hall), "{proof}": proof}
     report = printed(*(named.get(word, word) for word in arguments))
     assert errors(report_of(kind), report) == [] and errors(REPORT, report) == []
+    assert has_type(report, type_of(kind))
     assert list(report)[: len(HEAD)] == HEAD
     question = report["question"]
     assert (report["options"], report["version"]) == (question["options"], question["version"])
@@ -191,6 +219,7 @@ def test_every_report_names_its_proofs_or_says_why_there_is_none(kind, arguments
     words = [named.get(word, word) for word in arguments]
     report = printed(*words, "--certificate", str(tmp_path / "proof"))
     assert errors(report_of(kind), report) == [] and errors(REPORT, report) == []
+    assert has_type(report, type_of(kind))
     written = {str(p) for p in tmp_path.iterdir()} - {str(way)}
     said = set()
     for part in [report, *report.get("components", [])]:
@@ -203,6 +232,54 @@ def test_every_report_names_its_proofs_or_says_why_there_is_none(kind, arguments
     assert said - {None} == written
     assert {proof["file"] for proof in report["proof"]} - {None} == written
     assert all(bool(proof["file"]) != bool(proof["reason"]) for proof in report["proof"])
+
+
+def test_the_types_of_python_are_those_of_the_schema():
+    """Each key of the schema, and each key that must be there, is in the TypedDict."""
+    kinds = [entry["$ref"].rsplit("/", 1)[1] for entry in REPORT.schema["anyOf"]]
+    assert {type_of(k) for k in kinds if k != "error"} == set(get_args(reports.Report))
+    for name, kind in REPORT.schema["$defs"].items():
+        if kind.get("type") != "object" or name == "error":
+            continue
+        typed = type_of(name) if name in kinds else getattr(reports, name.title().replace("_", ""))
+        assert typed.__required_keys__ == set(kind["required"]), name
+        assert typed.__required_keys__ | typed.__optional_keys__ == set(kind["properties"]), name
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda r: r.pop("reason"),
+        lambda r: r.update(alpha="0"),
+        lambda r: r.update(verdict="closed"),
+        lambda r: r.update(threads=True),
+        lambda r: r["question"].update(surprise=1),
+        lambda r: r["question"]["ranges"]["x"].append("1"),
+        lambda r: r["proof"].append(None),
+    ],
+)
+def test_a_report_with_a_wrong_key_or_value_has_not_the_type(change):
+    report = rg.load("planar_3rpr").check("regular").json
+    assert has_type(report, reports.CheckReport)
+    change(report)
+    assert not has_type(report, reports.CheckReport)
+
+
+def test_the_results_of_python_have_the_types_that_they_declare():
+    robot, cables = rg.load("planar_3rpr"), rg.load("cable_8")
+    floats = {"x": (10.1, 12.2), "y": (14, 15.1)}
+    for result in (
+        robot.check("regular", range=floats),
+        robot.locate("regular", range=floats, resolution="1/2"),
+        robot.margin("regular", tolerance={"base": (0, None)}, range=floats, gap=0.5),
+        robot.margin("regular", scale=(1, 2.1), quantity="x", limit=100.1, gap=0.5),
+        robot.bound("regular", "x*y", range=floats, gap=0.3),
+        cables.check_load("hall", load="weight", range={"x": (-0.1, 0.1)}),
+        cables.locate_load("hall", load="weight", range={"x": (-0.1, 0.1)}, resolution="1/2"),
+    ):
+        kind = type(result).__orig_bases__[0].__args__[0]
+        assert any("the float" in note for note in result.json["notes"])
+        assert has_type(result.json, kind), result
 
 
 def test_a_report_without_a_proof_says_that_none_was_asked_for():

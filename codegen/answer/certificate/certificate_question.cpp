@@ -37,6 +37,7 @@ class QuestionText {
           p.name + " in " + expression_text(p.range.lo) + " : " + expression_text(p.range.hi));
     write_geometry();
     write_poses();
+    if (model_.closure) write_start(*model_.closure);
     write_matrix();
     for (const ex& e : motion_.must_be_defined) put("motion-defined", expression_text(e));
     for (const ex& e : motion_.reach) put("reach", expression_text(e));
@@ -50,6 +51,8 @@ class QuestionText {
     for (const GeometryParameter& g : request.model.geometry) result.insert(g.name);
     for (const PoseParameter& q : request.model.pose) result.insert(q.name);
     for (const MotionParameter& q : request.motion.parameters) result.insert(q.name);
+    if (request.model.closure)
+      for (const PoseParameter& q : request.model.closure->unknowns) result.insert(q.name);
     return result;
   }
 
@@ -87,10 +90,24 @@ class QuestionText {
     }
   }
 
-  /// Writes the lines of matrix, scale and defined, after the `let` lines that they use.
+  /// Writes the unknowns of a closure with the values near which its branch begins, and the place.
+  void write_start(const Closure& closure) {
+    for (std::size_t i = 0; i < closure.unknowns.size(); ++i)
+      put("unknown", closure.unknowns[i].name + " = " + expression_text(closure.start[i]) + " +- " +
+                         expression_text(closure.start_radius[i]));
+    for (const MotionParameter& p : motion_.parameters)
+      for (std::size_t i = 0; i < model_.pose.size(); ++i)
+        if (model_.pose[i].symbol.is_equal(p.symbol))
+          put("start", expression_text(closure.start_pose[i]));
+  }
+
+  /// Writes the lines of matrix or equations, scale and defined, after the `let` lines that they
+  /// use.
   void write_matrix() {
     std::vector<std::pair<std::string, ex>> lines;
-    for (unsigned i = 0; i < model_.matrix.rows(); ++i)
+    if (model_.closure)
+      for (const ex& e : model_.closure->equations) lines.emplace_back("equation", e);
+    for (unsigned i = 0; !model_.closure && i < model_.matrix.rows(); ++i)
       for (unsigned j = 0; j < model_.matrix.cols(); ++j)
         lines.emplace_back("entry", model_.matrix(i, j));
     for (const ex& e : model_.row_scale) lines.emplace_back("scale", e);
@@ -98,8 +115,11 @@ class QuestionText {
     for (const auto& [key, e] : lines) lines_.announce(e);
     std::string lets, rest;
     for (const auto& [key, e] : lines) rest += key + ' ' + lines_.write(e, lets) + '\n';
-    text_ += lets + "matrix " + std::to_string(model_.matrix.rows()) + ' ' +
-             std::to_string(model_.matrix.cols()) + '\n' + rest;
+    text_ += lets;
+    if (!model_.closure)
+      text_ += "matrix " + std::to_string(model_.matrix.rows()) + ' ' +
+               std::to_string(model_.matrix.cols()) + '\n';
+    text_ += rest;
   }
 
   const Model& model_;
@@ -121,6 +141,8 @@ void require_distinct_names(const Request& request) {
   for (const PoseParameter& q : request.model.pose) note(q.name, q.symbol);
   for (const GeometryParameter& g : request.model.geometry) note(g.name, g.symbol);
   for (const MotionParameter& q : request.motion.parameters) note(q.name, q.symbol);
+  if (request.model.closure)
+    for (const PoseParameter& q : request.model.closure->unknowns) note(q.name, q.symbol);
 }
 
 /// Counts the control errors of pose parameters that are not in `uncertain`.

@@ -19,13 +19,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json_leaves(const Statistics& statistics) {
-  Json object = Json::object();
-  for (std::size_t rule = 0; rule < kRules; ++rule)
-    if (statistics.leaves[rule] != 0) object[name(Rule(rule))] = statistics.leaves[rule];
-  return object;
-}
-
 Json json_blocking_box(const PreparedSearch& p, const Result& result) {
   if (result.blocking_box.empty()) return nullptr;
   Json box = json_parameters(p, result.blocking_box);
@@ -101,6 +94,13 @@ std::string claim(const PreparedSearch& p, const Result& result) {
       return fmt::format("none about the {}: {}", describe_size(p), describe(result.reason));
   }
   return "";
+}
+
+Json json_leaves(const Statistics& statistics) {
+  Json object = Json::object();
+  for (std::size_t rule = 0; rule < kRules; ++rule)
+    if (statistics.leaves[rule] != 0) object[name(Rule(rule))] = statistics.leaves[rule];
+  return object;
 }
 
 void tell_boxes(const Statistics& statistics, Facts& facts) {

@@ -21,6 +21,9 @@ void tell_report(const PreparedSearch& preparation, const SearchOptions& search,
 /// Tells the numbers of boxes.
 void tell_boxes(const Statistics& statistics, Facts& facts);
 
+/// Returns the number of leaves by their rule.
+[[nodiscard]] nlohmann::ordered_json json_leaves(const Statistics& statistics);
+
 /// Returns the report as a JSON object. Bounds are [lo, hi]; an infinite bound is null.
 [[nodiscard]] nlohmann::ordered_json json_report(
     const PreparedSearch& preparation, const SearchOptions& search, const Result& result,

@@ -4,7 +4,6 @@
 #include "codegen/model/constants.hpp"
 #include "codegen/model/exact/certain_sign.hpp"
 #include "codegen/model/exact/exact_algebra.hpp"
-#include "codegen/model/file/quantities.hpp"
 
 namespace regulus {
 namespace {
@@ -40,39 +39,74 @@ void LegGeometry::read_tolerances() {
 
 void LegGeometry::require_uses() const {
   for (const Group& group : groups_)
-    require_use(reading_.toml, group.given, group.tolerance, group.is_used, group.quantities);
+    require_use(reading_.toml, group.given, group.tolerance, group.is_used,
+                std::string(group.quantities) +
+                    (group.has_others ? " without a tolerance of its own" : ""));
+}
+
+LegGeometry::Given LegGeometry::given(const TomlEntry& entry, Group& of, bool is_point) {
+  static const std::array<std::string, 3> kKeys = {"value", "tolerance", "radius"};
+  const TomlReader& toml = reading_.toml;
+  const bool is_table = entry.node->is_table();
+  if (is_table) (void)toml.entries(entry, kKeys);
+  const TomlEntry tolerance = is_table ? toml.optional(entry, "tolerance") : TomlEntry{};
+  const TomlEntry radius = is_table ? toml.optional(entry, "radius") : TomlEntry{};
+  if (tolerance.node && radius.node)
+    toml.refuse(entry, "both a tolerance and a radius in " + entry.path, "one of them");
+  if (radius.node && !is_point)
+    toml.refuse(entry, "a radius for the length " + entry.path, "a tolerance");
+  const TomlEntry& own = radius.node ? radius : tolerance;
+  (own.node ? of.has_others : of.is_used) = true;
+  return {is_table ? toml.required(entry, "value") : entry,
+          own.node ? checked_nonnegative(constant(own), toml.place(own)) : of.tolerance,
+          is_point && (own.node ? radius.node != nullptr : balls_)};
 }
 
 FormulaPoint LegGeometry::point(const TomlEntry& list, LegGroup kind, const std::string& number) {
-  const auto values = elements(list, coordinates_);
-  Group& of = group(kind);
+  return point(list, group(kind), group(kind).letter, number);
+}
+
+FormulaPoint LegGeometry::point(const TomlEntry& list, Group& of, const char* letter,
+                                const std::string& number) {
+  const Given written = given(list, of, true);
+  const auto values = elements(written.value, coordinates_);
   FormulaPoint result;
-  ToleranceBall ball{.members = {}, .radius = of.tolerance, .group = of.name};
-  const int index = balls_ ? static_cast<int>(reading_.model.balls.size()) : -1;
+  ToleranceBall ball{.members = {}, .radius = written.tolerance, .group = of.name};
+  const int index = written.is_ball ? static_cast<int>(reading_.model.balls.size()) : -1;
   for (std::size_t i = 0; i < coordinates_; ++i) {
     ball.members.push_back(reading_.model.geometry.size());
-    result[i] = quantity(values[i], read_quantity(reading_, values[i]),
-                         of.letter + number + "_" + kCoordinates[i], of, index);
+    result[i] =
+        quantity(values[i], read_quantity(reading_, values[i]),
+                 letter + number + "_" + kCoordinates[i], {written.tolerance, of.name, index});
   }
-  if (balls_) reading_.model.balls.push_back(std::move(ball));
+  if (written.is_ball) reading_.model.balls.push_back(std::move(ball));
   return result;
 }
 
 Formula LegGeometry::length(const TomlEntry& entry, LegGroup kind, const std::string& number) {
-  const ParsedExpression term = read_quantity(reading_, entry);
+  Group& of = group(kind);
+  const Given written = given(entry, of, false);
+  const ParsedExpression term = read_quantity(reading_, written.value);
   if (certain_sign(nominal_value(reading_.model, term.value)) != CertainSign::kPositive)
     reading_.toml.reject(entry, "a length that is not positive", "a rod has a positive length");
-  return quantity(entry, term, group(kind).letter + number, group(kind), -1);
+  return quantity(written.value, term, of.letter + number, {written.tolerance, of.name, -1});
 }
 
 Formula LegGeometry::quantity(const TomlEntry& entry, const ParsedExpression& value,
-                              const std::string& name, Group& of, int ball) {
-  of.is_used = true;
-  declare_quantity(reading_, entry, name, value, {of.tolerance, of.name, ball});
+                              const std::string& name, const DeclaredTolerance& tolerance) {
+  declare_quantity(reading_, entry, name, value, tolerance);
   return unplaced(name);
 }
 
 LegAxis LegGeometry::axis(const TomlEntry& list, const std::string& number) {
+  return axis(list, group(LegGroup::kAxis).letter, number);
+}
+
+LegAxis LegGeometry::hinge(const TomlEntry& list, const std::string& number) {
+  return axis(list, "h", number);
+}
+
+LegAxis LegGeometry::axis(const TomlEntry& list, const char* letter, const std::string& number) {
   Point v = {0, 0, 0};
   bool exact = group(LegGroup::kAxis).given.node == nullptr;
   const auto values = elements(list, coordinates_);
@@ -81,7 +115,7 @@ LegAxis LegGeometry::axis(const TomlEntry& list, const std::string& number) {
     exact = exact && term.constant;
     v[i] = term.value;
   }
-  if (!exact) return {.direction = point(list, LegGroup::kAxis, number)};
+  if (!exact) return {.direction = point(list, group(LegGroup::kAxis), letter, number)};
   const Point n = unit(list, v);
   // A coordinate axis across the direction, if there is one, gives the shortest expressions.
   Point g = {-n[1], n[0], 0};

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "codegen/model/exact/exact_algebra.hpp"
+#include "codegen/model/file/quantities.hpp"
 #include "codegen/model/file/sections.hpp"
 #include "codegen/model/mechanism/legs.hpp"
 
@@ -28,13 +30,16 @@ class LegGeometry {
   void require_uses() const;
   void set_coordinates(std::size_t count) { coordinates_ = count; }
 
-  // `number`: of the leg, the end of the names.
+  // `number`: of the leg, the end of the names. A point or a length may have a tolerance of its own:
+  // { value = …, tolerance = E }, and a point { value = …, radius = R }, which is a ball.
 
   [[nodiscard]] FormulaPoint point(const TomlEntry& list, LegGroup kind, const std::string& number);
   [[nodiscard]] Formula length(const TomlEntry& entry, LegGroup kind, const std::string& number);
   /// An axis of exact numbers becomes a unit vector. If axes have a tolerance, its coordinates are
   /// parameters.
   [[nodiscard]] LegAxis axis(const TomlEntry& list, const std::string& number);
+  /// The same for the axis of a joint that no motor turns, h1_x ….
+  [[nodiscard]] LegAxis hinge(const TomlEntry& list, const std::string& number);
 
   /// Returns a unit vector of exact numbers.
   [[nodiscard]] FormulaPoint direction(const TomlEntry& list);
@@ -51,12 +56,23 @@ class LegGeometry {
     GiNaC::ex tolerance = 0;
     TomlEntry given{};
     bool is_used = false;
+    bool has_others = false;  ///< a quantity of this kind has a tolerance of its own
+  };
+  /// A point or a length with the tolerance that it has.
+  struct Given {
+    TomlEntry value;
+    GiNaC::ex tolerance = 0;
+    bool is_ball = false;
   };
 
+  [[nodiscard]] Given given(const TomlEntry& entry, Group& of, bool is_point);
   [[nodiscard]] Group& group(LegGroup kind) { return groups_[std::size_t(kind)]; }
+  [[nodiscard]] LegAxis axis(const TomlEntry& list, const char* letter, const std::string& number);
+  [[nodiscard]] FormulaPoint point(const TomlEntry& list, Group& of, const char* letter,
+                                   const std::string& number);
   /// Declares the quantity, and returns its name.
   [[nodiscard]] Formula quantity(const TomlEntry& entry, const ParsedExpression& value,
-                                 const std::string& name, Group& group, int ball);
+                                 const std::string& name, const DeclaredTolerance& tolerance);
   [[nodiscard]] Point unit(const TomlEntry& list, const Point& v) const;
 
   ModelReading& reading_;

@@ -11,6 +11,7 @@
 #include "codegen/model/file/leg_geometry.hpp"
 #include "codegen/model/file/sections.hpp"
 #include "codegen/model/mechanism/legs_drawing.hpp"
+#include "codegen/model/mechanism/orientation.hpp"
 #include "codegen/model/names.hpp"
 
 namespace regulus {
@@ -50,8 +51,8 @@ class LegsReader {
 
  private:
   static std::vector<std::string> keys_of_a_leg() {
-    return {"type", "actuated", "base", "platform", "crank", "rod",
-            "axis", "bar",      "zero", "mode",     "range"};
+    return {"type", "actuated", "base",  "platform", "crank", "rod",
+            "axis", "bar",      "hinge", "zero",     "mode",  "range"};
   }
 
   void check_keys() {
@@ -183,6 +184,7 @@ class LegsReader {
       leg.rod = geometry_.length(required(entry, "rod"), LegGroup::kRod, number_);
     if (uses(leg, "axis")) leg.axis = geometry_.axis(required(entry, "axis"), number_);
     if (uses(leg, "bar")) leg.bar = geometry_.direction(required(entry, "bar"));
+    if (uses(leg, "hinge")) read_hinge(entry, leg);
     if (leg.type->keeps_orientation && leg.type->kind == LegKind::kCrank)
       leg.bar = leg.axis.direction;
     if (uses(leg, "mode"))
@@ -190,6 +192,18 @@ class LegsReader {
           choice(toml_, required(entry, "mode"),
                  std::array{std::pair{std::string("+"), true}, std::pair{std::string("-"), false}});
     read_range(entry, leg);
+  }
+
+  void read_hinge(const TomlEntry& entry, Leg& leg) {
+    const TomlEntry given = required(entry, "hinge");
+    const LegAxis hinge = geometry_.hinge(given, number_);
+    leg.hinge = hinge.direction;
+    if (leg.type->kind != LegKind::kSlider || !hinge.across || !leg.axis.across) return;
+    const FormulaPoint &h = hinge.direction, &u = leg.axis.direction;
+    if (!reduced(parsed(h[0] * u[0] + h[1] * u[1] + h[2] * u[2]).value).is_zero())
+      toml_.reject(given, "the hinge of a leg PRS that is not shown to be across its rail",
+                   "a leg moves in a plane with its rail: correct hinge or axis");
+    leg.hinge_is_across = true;
   }
 
   /// True if a leg of its type has the key.
@@ -201,6 +215,7 @@ class LegsReader {
     if (key == "rod" || key == "mode") return crank || slider;
     if (key == "axis") return slider || (!type.planar && (crank || type.keeps_orientation));
     if (key == "bar") return slider && type.keeps_orientation;
+    if (key == "hinge") return type.is_hinged;
     if (key == "zero") return crank && !type.planar;
     return true;
   }

@@ -93,19 +93,27 @@ void read_robot(ModelReading& reading, const TomlEntry& root) {
   const TomlReader& toml = reading.toml;
   const TomlEntry gough = toml.optional(root, "gough"), serial = toml.optional(root, "serial");
   if (gough.node) {
-    refuse_beside(toml, root, "gough",
-                  {"pose", "geometry", "let", "matrix", "serial", "legs", "drawing"});
+    refuse_beside(toml, root, "gough", {"closure", "pose", "matrix", "serial", "legs", "drawing"});
+    read_constants(reading, root);
     return read_gough(reading, gough);
   }
   if (serial.node) {
-    refuse_beside(toml, root, "serial", {"pose", "matrix", "legs", "drawing"});
+    refuse_beside(toml, root, "serial", {"closure", "pose", "matrix", "legs", "drawing"});
     read_constants(reading, root);
     return read_serial(reading, serial);
   }
   if (const TomlEntry legs = toml.optional(root, "legs"); legs.node) {
-    refuse_beside(toml, root, "legs", {"pose", "matrix", "drawing"});
+    refuse_beside(toml, root, "legs", {"closure", "pose", "matrix", "drawing"});
     read_constants(reading, root);
     return read_legs(reading, legs);
+  }
+  if (const TomlEntry closure = toml.optional(root, "closure"); closure.node) {
+    refuse_beside(toml, root, "closure",
+                  {"matrix", "drawing", "load", "twist", "actuators", "characteristic_length"});
+    read_pose(reading, toml.required(root, "pose"));
+    read_unknowns(reading, closure);
+    read_constants(reading, root);
+    return read_closure(reading, closure);
   }
   read_pose(reading, toml.required(root, "pose"));
   read_constants(reading, root);
@@ -126,8 +134,12 @@ void read_strength(ModelReading& reading, const TomlEntry& root) {
 }
 
 AskedExpression read_asked(ModelReading& reading, const std::string& text) try {
-  const ParsedExpression term =
-      parse_expression(text, reading.names, {.file = "", .key = in_quotes(text)});
+  const Place place{.file = "", .key = in_quotes(text)};
+  const ParsedExpression term = parse_expression(text, reading.names, place);
+  if (depends_on_unknown(reading.model, term))
+    throw InputError::statement(place.file, place.line,
+                                place.key + " depends on the unknowns of [closure]",
+                                "write an expression of pose parameters and constants", place.key);
   return {term.value, term.must_be_defined};
 } catch (const InputError& error) {
   throw UsageError(error.what());
@@ -149,11 +161,23 @@ std::string read_model_text(const std::filesystem::path& path) {
 
 Model parse_model(std::string_view text, const std::string& name_for_errors,
                   const std::string& asked, const FormingWatch* watch) {
-  static const std::array<std::string, 16> kKeys = {
-      "regulus",  "name",  "source",    "pose",
-      "geometry", "let",   "matrix",    "gough",
-      "serial",   "legs",  "drawing",   "motion",
-      "load",     "twist", "actuators", "characteristic_length"};
+  static const std::array<std::string, 17> kKeys = {"regulus",
+                                                    "name",
+                                                    "source",
+                                                    "pose",
+                                                    "geometry",
+                                                    "let",
+                                                    "matrix",
+                                                    "gough",
+                                                    "serial",
+                                                    "legs",
+                                                    "closure",
+                                                    "drawing",
+                                                    "motion",
+                                                    "load",
+                                                    "twist",
+                                                    "actuators",
+                                                    "characteristic_length"};
   if (text.size() > kLargestModelFile)
     throw InputError::statement(
         name_for_errors, 0, "the file is too large",

@@ -15,7 +15,8 @@ namespace {
 /// The names of a motion: its parameters, and the declared names if they may be used.
 class MotionNames final : public Names {
  public:
-  explicit MotionNames(Declarations* declared) : declared_(declared) {}
+  MotionNames(ModelReading& reading, Declarations* declared)
+      : declarations_(reading.names), model_(reading.model), declared_(declared) {}
 
   void add(const MotionParameter& parameter) {
     parameters_.emplace(parameter.name, is_in_degrees(parameter.unit)
@@ -25,7 +26,10 @@ class MotionNames final : public Names {
 
   const ParsedExpression* find(const std::string& name, int depth) override {
     if (const auto at = parameters_.find(name); at != parameters_.end()) return &at->second;
-    return declared_ ? declared_->find(name, depth) : nullptr;
+    const bool is_known = declared_ != nullptr || is_unknown(name);
+    const ParsedExpression* meaning = is_known ? declarations_.find(name, depth) : nullptr;
+    if (meaning && depends_on_unknown(model_, *meaning)) unknown_ = name;
+    return meaning;
   }
 
   std::vector<std::string> all() const override {
@@ -34,8 +38,20 @@ class MotionNames final : public Names {
     return names;
   }
 
+  /// A name that was found and that depends on unknowns of [closure]; empty: none was.
+  [[nodiscard]] const std::string& unknown() const { return unknown_; }
+
  private:
+  [[nodiscard]] bool is_unknown(const std::string& name) const {
+    return model_.closure &&
+           std::ranges::find(model_.closure->unknowns, name, &PoseParameter::name) !=
+               model_.closure->unknowns.end();
+  }
+
+  Declarations& declarations_;
+  const Model& model_;
   Declarations* declared_;
+  std::string unknown_;
   std::map<std::string, ParsedExpression> parameters_;
 };
 
@@ -63,7 +79,20 @@ class MotionReader {
   }
 
  private:
+  /// The equations of [closure] say what its unknowns are.
+  void refuse_unknowns(const TomlEntry& table) const {
+    if (!reading_.model.closure) return;
+    for (const PoseParameter& u : reading_.model.closure->unknowns)
+      if (const TomlEntry e = toml_.optional(table, u.name); e.node)
+        toml_.reject(
+            e,
+            in_quotes(u.name) + " is an unknown of [closure], and " + e.path +
+                " would give it a value",
+            "remove it: a motion gives the pose parameters, here " + enumeration(pose_names()));
+  }
+
   void check_keys() {
+    refuse_unknowns(entry_);
     std::vector<std::string> known = pose_names();
     for (const char* key :
          {"parameters", "constraints", "error", "alpha", "waypoints", "interpolation", "where"})
@@ -80,7 +109,7 @@ class MotionReader {
     if (const TomlEntry e = toml_.optional(entry_, "interpolation"); e.node)
       source.interpolation = interpolation(e);
     motion_.waypoints = std::move(source);
-    MotionNames names(nullptr);
+    MotionNames names(reading_, nullptr);
     for (const PoseParameter& p : reading_.model.pose) {
       const TomlEntry given = toml_.optional(entry_, p.name);
       if (given.node && given.node->is_array())
@@ -155,7 +184,7 @@ class MotionReader {
   }
 
   void read_pose() {
-    MotionNames names(nullptr);
+    MotionNames names(reading_, nullptr);
     for (const MotionParameter& parameter : motion_.parameters) names.add(parameter);
     for (const PoseParameter& p : reading_.model.pose) {
       const TomlEntry given = toml_.required(entry_, p.name);
@@ -165,7 +194,7 @@ class MotionReader {
   }
 
   GiNaC::ex pose_expression(const TomlEntry& given, MotionNames& names, const std::string& unit) {
-    const ParsedExpression term = toml_.expression(given, names, number_unit(unit));
+    const ParsedExpression term = expression(given, names, number_unit(unit));
     if (term.constant && !approx_value(term.value))
       toml_.refuse(given, "a finite number, a range or an expression");
     if (term.constant)
@@ -177,6 +206,7 @@ class MotionReader {
     motion_.error.assign(reading_.model.pose.size(), 0);
     const TomlEntry error = toml_.optional(entry_, "error");
     if (!error.node) return;
+    refuse_unknowns(error);
     const std::vector<std::string> names = pose_names();
     for (const TomlEntry& given : toml_.entries(error, names)) {
       const auto at = std::ranges::find(names, given.key) - names.begin();
@@ -189,17 +219,20 @@ class MotionReader {
   }
 
   void read_constraints() {
-    MotionNames names(&reading_.names);
+    MotionNames names(reading_, &reading_.names);
     for (const MotionParameter& parameter : motion_.parameters) names.add(parameter);
     const TomlEntry constraints = toml_.optional(entry_, "constraints");
     if (!constraints.node) return;
     for (const TomlEntry& given : toml_.elements(constraints, "a list of expressions, each ≤ 0"))
-      motion_.constraints.push_back(recorded(toml_.expression(given, names), given));
+      motion_.constraints.push_back(recorded(expression(given, names, NumberUnit::kPlain), given));
   }
 
   void read_where() {
     const TomlEntry given = toml_.optional(entry_, "where");
     if (!given.node) return;
+    if (reading_.model.closure)
+      toml_.reject(given, "a motion of a model with [closure] has no where",
+                   "remove it: the claim says that the mechanism reaches all its poses");
     motion_.where = choice(
         toml_, given,
         std::array{std::pair{std::string(name(Where::kReachable)), Where::kReachable},
@@ -236,6 +269,17 @@ class MotionReader {
     const ParsedExpression term = toml_.constant(entry, unit);
     append(motion_.must_be_defined, term.must_be_defined);
     return checked_nonnegative(term, toml_.place(entry));
+  }
+
+  ParsedExpression expression(const TomlEntry& given, MotionNames& names, NumberUnit unit) {
+    ParsedExpression term = toml_.expression(given, names, unit);
+    if (!names.unknown().empty())
+      toml_.reject(given,
+                   given.path + " uses " + in_quotes(names.unknown()) +
+                       ", which depends on the unknowns of [closure]",
+                   "write an expression of pose parameters and constants: the equations say what "
+                   "the unknowns are");
+    return term;
   }
 
   GiNaC::ex recorded(const ParsedExpression& term, const TomlEntry& entry) {

@@ -9,29 +9,34 @@
 
 namespace regulus {
 
-void require_pose_name(const TomlReader& toml, const TomlEntry& entry, const std::string& name) {
+void require_pose_name(const TomlReader& toml, const TomlEntry& entry, const std::string& name,
+                       const std::string& what) {
   static const std::array<std::string, 7> kMotionKeys = {
       "parameters", "constraints", "alpha", "error", "waypoints", "interpolation", "where"};
   if (std::ranges::find(kMotionKeys, name) != kMotionKeys.end())
-    toml.reject(entry, "a pose parameter cannot be named '" + name + "', which is a key of motions",
+    toml.reject(entry, what + " cannot be named '" + name + "', which is a key of motions",
                 "choose another name");
 }
 
+PoseParameter read_parameter(ModelReading& reading, const TomlEntry& entry,
+                             const std::string& what) {
+  require_pose_name(reading.toml, entry, entry.key, what);
+  const GiNaC::realsymbol symbol(entry.key);
+  const std::string unit = reading.toml.label(entry);
+  if (is_like_degrees(unit))
+    reading.toml.reject(entry,
+                        "the unit " + in_quotes(unit) + " of " + entry.path +
+                            " is not known, and would be taken for a name of radians",
+                        "write \"deg\"");
+  reading.names.declare(entry.key,
+                        is_in_degrees(unit) ? angle_in_degrees(symbol) : variable(symbol),
+                        reading.toml.place(entry));
+  return {symbol, entry.key, unit};
+}
+
 void read_pose(ModelReading& reading, const TomlEntry& pose) {
-  for (const TomlEntry& entry : reading.toml.entries(pose)) {
-    require_pose_name(reading.toml, entry, entry.key);
-    const GiNaC::realsymbol symbol(entry.key);
-    const std::string unit = reading.toml.label(entry);
-    if (is_like_degrees(unit))
-      reading.toml.reject(entry,
-                          "the unit " + in_quotes(unit) + " of " + entry.path +
-                              " is not known, and would be taken for a name of radians",
-                          "write \"deg\"");
-    reading.names.declare(entry.key,
-                          is_in_degrees(unit) ? angle_in_degrees(symbol) : variable(symbol),
-                          reading.toml.place(entry));
-    reading.model.pose.push_back({symbol, entry.key, unit});
-  }
+  for (const TomlEntry& entry : reading.toml.entries(pose))
+    reading.model.pose.push_back(read_parameter(reading, entry));
   if (reading.model.pose.empty())
     reading.toml.refuse(pose, "an empty [pose]", "at least one pose parameter and its unit");
 }

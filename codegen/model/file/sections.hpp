@@ -9,7 +9,6 @@
 
 #include "codegen/model/file/declarations.hpp"
 #include "codegen/model/file/toml_reader.hpp"
-#include "codegen/model/mechanism/gough.hpp"
 #include "codegen/model/model.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/support/work_meter.hpp"
@@ -40,8 +39,13 @@ struct ModelReading {
   }
 };
 
-/// Refuses the name of a pose parameter that is a key of motions.
-void require_pose_name(const TomlReader& toml, const TomlEntry& entry, const std::string& name);
+/// Refuses the name of a pose parameter, or of `what`, that is a key of motions.
+void require_pose_name(const TomlReader& toml, const TomlEntry& entry, const std::string& name,
+                       const std::string& what = "a pose parameter");
+
+/// Declares NAME of an entry NAME = "unit", a pose parameter or `what`.
+[[nodiscard]] PoseParameter read_parameter(ModelReading& reading, const TomlEntry& entry,
+                                           const std::string& what = "a pose parameter");
 
 /// Returns the value of the word that the entry has; refuses another word.
 template <typename Value, std::size_t count>
@@ -60,7 +64,18 @@ void read_geometry(ModelReading& reading, const TomlEntry& geometry);
 void read_let(ModelReading& reading, const TomlEntry& let);
 void read_matrix(ModelReading& reading, const TomlEntry& matrix);
 
-/// Fills pose, geometry, matrix and names from a [gough] table.
+/// Fills the unknowns of Model::closure and their names from a [closure] table; it comes before
+/// [let], which may use them.
+void read_unknowns(ModelReading& reading, const TomlEntry& closure);
+
+/// Fills the rest of Model::closure, and the matrix, from the table; needs pose and names.
+void read_closure(ModelReading& reading, const TomlEntry& closure);
+
+/// True if the expression, or a condition of it, has an unknown of Model::closure.
+[[nodiscard]] bool depends_on_unknown(const Model& model, const ParsedExpression& term);
+
+/// Fills pose, geometry, matrix and names from a [gough] table. Its values may use the names of
+/// [geometry] and [let], which are read before.
 void read_gough(ModelReading& reading, const TomlEntry& gough);
 
 /// Fills pose, matrix, names and, if every joint has a range, the motion `limits` from a [serial]

@@ -13,40 +13,6 @@ void add_pose_parameter(Model& model, const std::string& name, const std::string
   model.pose.push_back({GiNaC::realsymbol(name), name, unit});
 }
 
-void add_pose(Model& model, const Gough& robot) {
-  for (const char* axis : kCoordinates) add_pose_parameter(model, axis, robot.unit);
-  const bool angles = robot.orientation != Orientation::kQuaternion;
-  for (const std::string& name : orientation_names(robot.orientation))
-    add_pose_parameter(model, name, angles ? robot.angle_unit : "1");
-}
-
-/// One side of the robot: its anchors become geometry parameters and, for tolerance balls, balls.
-struct Side {
-  std::string letter;
-  std::string group;
-  const std::array<Point, 6>& anchors;
-  ex tolerance;
-};
-
-/// Returns the anchors as symbols.
-std::array<Point, 6> add_side(Model& model, const Side& side, ToleranceShape shape) {
-  std::array<Point, 6> symbols;
-  for (std::size_t i = 0; i < 6; ++i) {
-    ToleranceBall ball{.members = {}, .radius = side.tolerance, .group = side.group};
-    const int index = shape == ToleranceShape::kBall ? static_cast<int>(model.balls.size()) : -1;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::string name = side.letter + std::to_string(i + 1) + "_" + kCoordinates[axis];
-      const GiNaC::realsymbol symbol(name);
-      symbols[i][axis] = symbol;
-      ball.members.push_back(model.geometry.size());
-      model.geometry.push_back(
-          {symbol, name, side.anchors[i][axis], side.tolerance, side.group, index});
-    }
-    if (shape == ToleranceShape::kBall) model.balls.push_back(ball);
-  }
-  return symbols;
-}
-
 ScaledRotation rotation(const Model& model, Orientation orientation) {
   std::vector<ex> parameters;
   for (std::size_t i = 3; i < model.pose.size(); ++i) {
@@ -90,22 +56,21 @@ Drawing drawing_of(const Model& model, const ScaledRotation& R, const std::array
 
 }  // namespace
 
-Model gough_model(const Gough& robot) {
-  Model model;
-  model.name = robot.name;
-  model.source = robot.source;
-  add_pose(model, robot);
-  const auto a =
-      add_side(model, {"a", "base", robot.base, robot.base_tolerance}, robot.tolerance_shape);
-  const auto b = add_side(model, {"b", "platform", robot.platform, robot.platform_tolerance},
-                          robot.tolerance_shape);
+void add_pose_of_gough(Model& model, const Gough& robot) {
+  for (const char* axis : kCoordinates) add_pose_parameter(model, axis, robot.unit);
+  const bool angles = robot.orientation != Orientation::kQuaternion;
+  for (const std::string& name : orientation_names(robot.orientation))
+    add_pose_parameter(model, name, angles ? robot.angle_unit : "1");
+}
+
+void add_matrix_of_gough(Model& model, const Gough& robot) {
   const ScaledRotation R = rotation(model, robot.orientation);
   model.twist = twist_of_platform(robot.unit);
   model.matrix = GiNaC::matrix(6, 6);
-  for (unsigned leg = 0; leg < 6; ++leg) set_leg(model, leg, R, a[leg], b[leg]);
+  for (unsigned leg = 0; leg < 6; ++leg)
+    set_leg(model, leg, R, robot.base[leg], robot.platform[leg]);
   if (robot.orientation == Orientation::kQuaternion) model.must_be_defined.push_back(pow(R.N, -1));
-  model.drawing = std::make_shared<Drawing>(drawing_of(model, R, a, b));
-  return model;
+  model.drawing = std::make_shared<Drawing>(drawing_of(model, R, robot.base, robot.platform));
 }
 
 }  // namespace regulus

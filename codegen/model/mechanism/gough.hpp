@@ -12,26 +12,18 @@
 
 namespace regulus {
 
-/// The meaning of an anchor's tolerance: ± on each coordinate, or the radius of a ball.
-enum class ToleranceShape { kBox, kBall };
-
 struct Gough {
-  std::string name;
-  std::string source;
   std::string unit = "1";  ///< of lengths
   Orientation orientation = Orientation::kEulerZxz;
   std::string angle_unit = "rad";   ///< of the pose; "deg": a pose parameter is a number of degrees
-  std::array<Point, 6> base{};      ///< A_i in the reference frame
+  std::array<Point, 6> base{};      ///< A_i in the reference frame, by the model's constants
   std::array<Point, 6> platform{};  ///< B_i in the mobile frame, whose origin C is the pose's x y z
-  GiNaC::ex base_tolerance = 0;
-  GiNaC::ex platform_tolerance = 0;
-  ToleranceShape tolerance_shape = ToleranceShape::kBox;
 };
 
-/// The model of a six-legged platform, without motions.
-///
-/// Its anchors are geometry parameters a1_x … a6_z of group "base" and b1_x … b6_z of group
-/// "platform", even if they are exact, so that a tolerance can be set later. Row i of the matrix is
+/// Adds the pose parameters to a model.
+void add_pose_of_gough(Model& model, const Gough& robot);
+
+/// Adds twist, matrix, row scales, conditions and drawing. Row i of the matrix is
 ///
 ///   M_i = (A_iB_i, CB_i × A_iB_i), row_scale 1/ρ_i,   and CB × AB = CB × (C − A),
 ///
@@ -46,6 +38,7 @@ struct Gough {
 /// Units     columns 0–2 unit (unit·|q|² likewise), columns 3–5 unit².
 /// Ensures   row i is zero if ρ_i = 0, so a regular matrix has a defined row scale.
 /// Source    Merlet, T-RO 2007, Eqs. (5)–(7).
-[[nodiscard]] Model gough_model(const Gough& robot);
+/// Requires  the pose parameters as the first ones of the model.
+void add_matrix_of_gough(Model& model, const Gough& robot);
 
 }  // namespace regulus

@@ -8,7 +8,7 @@
 namespace regulus {
 namespace {
 
-constexpr std::array<LegType, 12> kTypes = {{
+constexpr std::array<LegType, 14> kTypes = {{
     {"RPR", LegKind::kTelescopic, true, false},
     {"RRR", LegKind::kCrank, true, false},
     {"PRR", LegKind::kSlider, true, false},
@@ -21,6 +21,8 @@ constexpr std::array<LegType, 12> kTypes = {{
     {"UPU", LegKind::kTelescopic, false, true},
     {"delta", LegKind::kCrank, false, true},
     {"linear-delta", LegKind::kSlider, false, true},
+    {"RPS", LegKind::kTelescopic, false, false, true},
+    {"PRS", LegKind::kSlider, false, false, true},
 }};
 
 bool is(const Formula& f, const char* text) { return f.text() == text; }
@@ -90,6 +92,7 @@ class LegWriter {
         write_slider();
         break;
     }
+    if (leg_.type->is_hinged) write_hinge();
     note_points();
   }
 
@@ -148,6 +151,20 @@ class LegWriter {
 
   void write_moment(const FormulaPoint& moment) {
     out_.rows.push_back({row({}, moment), 1, false});
+  }
+
+  /// The hinge along h and the joint B transmit the forces at B across h × d, d from the hinge to B.
+  /// Beside that of the motor this is the force along h; of a rail u that is not across h, the part
+  /// of it that has no power with the carriage.
+  void write_hinge() {
+    const FormulaPoint& h = leg_.hinge;
+    (void)let("off_", dot(e_, h));
+    FormulaPoint force = h;
+    if (leg_.type->kind == LegKind::kSlider && !leg_.hinge_is_across) {
+      const FormulaPoint& u = leg_.axis.direction;
+      force = minus(times(dot(d_, u), h), times(dot(h, u), d_));
+    }
+    out_.rows.push_back({row(force, cross(r_, force)), 1, false});
   }
 
   std::vector<Formula> row(const FormulaPoint& force, const FormulaPoint& moment) const {

@@ -27,6 +27,8 @@ struct LegType {
   bool planar;
   /// True if the leg keeps the platform from turning, by one moment: UPU and Delta legs.
   bool keeps_orientation;
+  /// True if a revolute joint keeps the leg in a plane, by one force: RPS and PRS legs.
+  bool is_hinged = false;
 };
 
 /// The types, in the order of the manual.
@@ -55,6 +57,9 @@ struct Leg {
   Formula crank{}, rod{};   ///< lengths
   LegAxis axis{};           ///< of the motor, of the slider; for UPU: of the outer joints
   FormulaPoint bar{};       ///< of the parallelogram: along its short sides
+  FormulaPoint hinge{};     ///< the axis of the revolute joint of a hinged leg
+  /// True if the hinge is across the rail for all values of the uncertain quantities.
+  bool hinge_is_across = false;
   std::optional<FormulaPoint> zero{};  ///< where the crank points at the angle 0
   bool mode = true;                    ///< working mode "+"
   std::optional<JointRange> range{};
@@ -96,10 +101,12 @@ struct WrittenLegs {
 ///
 /// The rows of a leg are a basis of the wrenches that are reciprocal to the twists of its passive
 /// joints: of forces along the rod, or along another line that all passive joints cross or are
-/// parallel to; and, if the leg keeps the platform from turning, of a moment. In leg i,
+/// parallel to; of a moment, if the leg keeps the platform from turning; and of a force along its
+/// hinge, if it has one. In leg i,
 ///
 ///   r_i = R·B_i, e_i = A_iB_i, d_i = C_iB_i the rod, rho_i = |e_i|, s_i the position of the slider,
 ///   w_i the root of its working mode, 0 where the motor is at a dead point,
+///   off_i = h·e_i for a hinge along h: 0 where B_i is in the leg's plane,
 ///
 /// and these names, with _x, _y, _z for coordinates, can be used in constraints.
 ///

@@ -9,10 +9,10 @@
 namespace regulus {
 namespace {
 
-using Rows = std::vector<std::vector<double>>;
+using DoubleRows = std::vector<std::vector<double>>;
 
-Rows approx_values(const GiNaC::matrix& J, const GiNaC::exmap& values) {
-  Rows rows(J.rows());
+DoubleRows approx_values(const GiNaC::matrix& J, const GiNaC::exmap& values) {
+  DoubleRows rows(J.rows());
   for (unsigned i = 0; i < J.rows(); ++i)
     for (unsigned j = 0; j < J.cols(); ++j) {
       const GiNaC::ex value = J(i, j).subs(values, GiNaC::subs_options::no_pattern).evalf();
@@ -23,7 +23,7 @@ Rows approx_values(const GiNaC::matrix& J, const GiNaC::exmap& values) {
 }
 
 /// Divides rows by their largest entry.
-void scale(Rows& rows, std::size_t first, std::size_t end) {
+void scale(DoubleRows& rows, std::size_t first, std::size_t end) {
   double most = 0;
   for (std::size_t i = first; i < end; ++i)
     for (const double x : rows[i]) most = std::max(most, std::fabs(x));
@@ -31,7 +31,7 @@ void scale(Rows& rows, std::size_t first, std::size_t end) {
     for (double& x : rows[i]) x /= most;
 }
 
-void scale_columns(Rows& rows) {
+void scale_columns(DoubleRows& rows) {
   for (std::size_t j = 0; j < rows.size(); ++j) {
     double square = 0;
     for (const auto& row : rows) square += row[j] * row[j];
@@ -40,7 +40,7 @@ void scale_columns(Rows& rows) {
 }
 
 /// The determinant by elimination; NaN if an entry has no value.
-double approx_determinant(Rows rows) {
+double approx_determinant(DoubleRows rows) {
   double ratio = 1;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const auto size = [k](const auto& row) { return std::fabs(row[k]); };
@@ -72,7 +72,7 @@ std::optional<double> approx_nearly_singular(const Model& model, const GiNaC::ma
       place = std::fmod(place + kGolden, 1);  // spread over the interval
       values[p.symbol] = GiNaC::numeric(6 * place - 3);
     }
-    Rows rows = approx_values(J, values);
+    DoubleRows rows = approx_values(J, values);
     scale(rows, 0, lengths);
     scale(rows, lengths, rows.size());
     scale_columns(rows);

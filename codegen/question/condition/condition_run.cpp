@@ -7,6 +7,7 @@
 #include "codegen/answer/certificate/certificate_question.hpp"
 #include "codegen/answer/certificate/piece_question.hpp"
 #include "codegen/answer/report/progress.hpp"
+#include "codegen/model/exact/exact_double.hpp"
 #include "codegen/model/exact/expression_parser.hpp"
 #include "codegen/question/bound/way_place.hpp"
 #include "codegen/question/condition/condition_certificate.hpp"
@@ -29,14 +30,6 @@ constexpr double kGapOfExtremes = 0.01;
 constexpr int kDigitsOfEnd = 12;
 /// The part of the upper end that is left to the rounding of the verifier, whose test is another one.
 constexpr double kRoomToVerify = 0x1p-32;
-
-/// Returns the number itself, as a fraction.
-GiNaC::ex exact_number(double x) {
-  int exponent = 0;
-  const double fraction = std::frexp(x, &exponent);
-  return GiNaC::numeric(static_cast<long>(std::ldexp(fraction, 53))) *
-         GiNaC::pow(GiNaC::ex(2), exponent - 53);
-}
 
 /// Returns a decimal that is not above, or not below, the number: shorter in a report and in a
 /// certificate than the number itself.

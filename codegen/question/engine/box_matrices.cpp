@@ -47,6 +47,7 @@ bool BoxMatrices::has_constraints() const {
 /// The derivatives must be bounded between the centre and every pose of the box.
 void BoxMatrices::evaluate(std::span<const Box> boxes) {
   take_faster_kernel();
+  needs_slopes_ = has_slopes();
   boxes_given_.assign(boxes.begin(), boxes.end());
   centers_ = boxes_given_;
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -71,6 +72,16 @@ void BoxMatrices::evaluate(std::span<const Box> boxes) {
   center_defined_ = call(functions().matrix, center_boxes_, center_values_);
   slopes_defined_ = has_slopes() ? call(functions().matrix_derivatives, boxes_, slopes_) : 0;
   point_defined_ = call(functions().matrix, points_, point_values_);
+}
+
+void BoxMatrices::evaluate_entries(std::span<const Box> boxes, bool has_slopes) {
+  take_faster_kernel();
+  needs_slopes_ = has_slopes;
+  for (std::size_t lane = 0; lane < kLanes; ++lane)
+    load(boxes_, lane, boxes[std::min(lane, boxes.size() - 1)]);
+  outside_ = 0;
+  center_defined_ = call(functions().matrix, boxes_, center_values_);
+  slopes_defined_ = has_slopes ? call(functions().matrix_derivatives, boxes_, slopes_) : 0;
 }
 
 LaneMask BoxMatrices::certain_inside() {
@@ -110,7 +121,7 @@ BoxMatrices::Entries BoxMatrices::entries(const AlignedBuffer& values, std::size
 }
 
 bool BoxMatrices::is_defined(std::size_t lane) const {
-  return has_lane(center_defined_, lane) && (!has_slopes() || has_lane(slopes_defined_, lane));
+  return has_lane(center_defined_, lane) && (!needs_slopes_ || has_lane(slopes_defined_, lane));
 }
 
 bool BoxMatrices::is_inhabited(std::size_t lane) const {

@@ -35,6 +35,13 @@ class BoxMatrices {
   /// Rounding  outward; MXCSR at nearest.
   void evaluate(std::span<const Box> boxes);
 
+  /// Evaluates the matrix over the boxes, and perhaps its derivatives, and nothing else.
+  ///
+  /// Requires  no variable is expanded.
+  void evaluate_entries(std::span<const Box> boxes, bool has_slopes);
+
+  [[nodiscard]] bool has_constraints() const;
+
   // The functions below are about the boxes of the last evaluate(), by lane.
 
   /// True if some constraint excludes every pose of the box.
@@ -52,6 +59,12 @@ class BoxMatrices {
   [[nodiscard]] const CheckedKernel& kernel() const { return kernel_; }
   /// Requires  is_defined(lane).
   [[nodiscard]] BoxMatrix matrix(std::size_t lane) const;
+  /// Returns the derivatives of the entries by a variable, over the box.
+  ///
+  /// Requires  is_defined(lane), has_slopes().
+  [[nodiscard]] Entries slope(std::size_t lane, std::size_t variable) const {
+    return entries(slopes_, lane, variable);
+  }
   /// Returns the centre, with the middles of the ranges of the variables that are not expanded.
   /// Each coordinate is within the true range: thin, or enclosing the only value.
   [[nodiscard]] Box point(std::size_t lane) const { return nominal_point(centers_[lane]); }
@@ -72,7 +85,6 @@ class BoxMatrices {
   LaneMask call(regulus_function function, const AlignedBuffer& boxes, AlignedBuffer& out) const;
   /// Returns the lanes of `points_` that certainly meet the constraints.
   [[nodiscard]] LaneMask certain_inside();
-  [[nodiscard]] bool has_constraints() const;
   [[nodiscard]] bool has_centers() const {
     return has_slopes() || functions().expansion != nullptr;
   }
@@ -88,6 +100,7 @@ class BoxMatrices {
   std::vector<Box> boxes_given_, centers_;
   AlignedBuffer boxes_, center_boxes_, points_;
   AlignedBuffer center_values_, slopes_, point_values_, constraints_;
+  bool needs_slopes_ = true;
   LaneMask center_defined_ = 0, slopes_defined_ = 0, point_defined_ = 0, outside_ = 0, inside_ = 0;
 };
 

@@ -15,6 +15,7 @@ struct QuantityOptions {
   bool least = false;      ///< the least value in the place of the largest
   bool is_signed = false;  ///< the largest value with its sign, not the largest absolute value
   std::string norm{};      ///< of a condition number: "2" or "max"; empty: "max"
+  bool is_finite = false;  ///< an error all the way, not to first order
 };
 
 }  // namespace regulus

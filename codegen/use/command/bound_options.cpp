@@ -19,6 +19,9 @@ void add_quantity_options(CLI::App& app, QuantityOptions& q) {
   app.add_flag("--min", q.least, "Bound the least value, with its sign");
   app.add_flag("--signed", q.is_signed,
                "Bound the largest value with its sign, not the largest absolute value");
+  app.add_flag("--finite", q.is_finite,
+               "Bound errors of a closure all the way, not to first order: how far the control "
+               "errors and the tolerances move each unknown");
   app.add_option("--norm", q.norm,
                  "Norm of the condition number: 2 (largest by least singular value) or max "
                  "(default)")

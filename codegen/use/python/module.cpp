@@ -132,11 +132,16 @@ void bind_questions(py::module_& module) {
   py::class_<QuantityOptions>(module, "QuantityOptions")
       .def(py::init([](const std::string& quantity, const std::string& load,
                        const std::string& twist, const std::string& leg, const std::string& freedom,
-                       bool least, bool is_signed, const std::string& norm) {
-             return QuantityOptions{quantity, load, twist, leg, freedom, least, is_signed, norm};
+                       bool least, bool is_signed, const std::string& norm, bool is_finite) {
+             return QuantityOptions{quantity, load,      twist, leg,      freedom,
+                                    least,    is_signed, norm,  is_finite};
            }),
            py::arg("quantity"), py::arg("load"), py::arg("twist"), py::arg("leg"),
-           py::arg("freedom"), py::arg("least"), py::arg("signed"), py::arg("norm"));
+           py::arg("freedom"), py::arg("least"), py::arg("signed"), py::arg("norm"),
+           py::arg("finite") = false);
+}
+
+void bind_options(py::module_& module) {
   py::class_<SearchOptions> options(module, "SearchOptions");
   options.def(py::init<>())
       .def_readwrite("use_cache", &SearchOptions::use_cache)
@@ -329,6 +334,7 @@ PYBIND11_MODULE(_regulus, module) {
   module.attr("VERSION") = regulus::kVersion;
   pybind11::register_exception_translator(translate);
   bind_questions(module);
+  bind_options(module);
   bind_findings(module);
   bind_pavings(module);
   bind_prepared(module);

@@ -41,6 +41,12 @@ const char* words_of(Kind kind) {
 }  // namespace
 
 std::vector<Need> Definedness::needs_of(NodeId root) {
+  std::vector<Need> needs = all_needs_of(root);
+  std::erase_if(needs, [this](const Need& need) { return is_certain(need); });
+  return needs;
+}
+
+std::vector<Need> Definedness::all_needs_of(NodeId root) {
   std::vector<Need> needs;
   for (const NodeId id : ingredients(q_.graph, {root})) {
     const Node node = q_.graph.nodes()[std::size_t(id)];
@@ -52,7 +58,6 @@ std::vector<Need> Definedness::needs_of(NodeId root) {
     if (node.op == Op::kTan) needs.push_back({Kind::kNoPole, node.a});
     if (node.op == Op::kAtan2) needs.push_back({Kind::kOffCut, node.a, node.b});
   }
-  std::erase_if(needs, [this](const Need& need) { return is_certain(need); });
   return needs;
 }
 
@@ -196,6 +201,16 @@ void Definedness::find_keys_of(const std::vector<Need>& needs, Keys& keys) {
   for (const Need& need : needs) keys.merge(keys_of(need));
 }
 
+void Definedness::add_certain_keys(Keys& keys) {
+  for (const NodeId root : roots_)
+    for (const Need& need : all_needs_of(root)) {
+      if (need.kind == Kind::kNonnegative) keys.insert(key("nonnegative ", need.operand, false));
+      const Polynomial* p = polynomial(need.operand);
+      if (p != nullptr && (need.kind == Kind::kNonzero || need.kind == Kind::kPositive))
+        add_factors(*p, keys);
+    }
+}
+
 std::vector<std::string> Definedness::missing() {
   begin_algebra();
   Keys claimed, wanted;
@@ -209,11 +224,18 @@ std::vector<std::string> Definedness::missing() {
                          ", and the certificate has no line 'defined' or 'motion-defined' for it");
       wanted.insert(keys.begin(), keys.end());
     }
+  bool has_certain_keys = false;
   for (const Named& line : lines_) {
     Keys keys;
     find_keys_of(line.needs, keys);
-    if (!std::includes(wanted.begin(), wanted.end(), keys.begin(), keys.end()))
-      sentences.insert(line.name + " follows from no expression of the file");
+    const auto follows = [&] {
+      return std::includes(wanted.begin(), wanted.end(), keys.begin(), keys.end());
+    };
+    if (!follows() && !has_certain_keys) {
+      add_certain_keys(wanted);
+      has_certain_keys = true;
+    }
+    if (!follows()) sentences.insert(line.name + " follows from no expression of the file");
   }
   return {sentences.begin(), sentences.end()};
 }

@@ -37,7 +37,10 @@ class Definedness {
     lines_.push_back({line, needs_of(root)});
   }
   /// The file means nothing where this expression has no value. `from`: its place.
-  void require(const std::string& from, NodeId root) { wanted_.push_back({from, needs_of(root)}); }
+  void require(const std::string& from, NodeId root) {
+    wanted_.push_back({from, needs_of(root)});
+    roots_.push_back(root);
+  }
   void require_positive(const std::string& from, NodeId operand) {
     wanted_.push_back({from, {{Need::Kind::kPositive, operand}}});
   }
@@ -47,13 +50,17 @@ class Definedness {
   [[nodiscard]] std::vector<std::string> missing();
 
  private:
+  using Keys = std::set<std::string>;
   struct Named {
     std::string name;
     std::vector<Need> needs;
   };
-  using Keys = std::set<std::string>;
 
   [[nodiscard]] std::vector<Need> needs_of(NodeId root);
+  [[nodiscard]] std::vector<Need> all_needs_of(NodeId root);
+  /// Adds what the file's expressions need and what they have for certain: the certificate may state
+  /// the latter in a form that hides it.
+  void add_certain_keys(Keys& keys);
   [[nodiscard]] bool is_certain(const Need& need);
   [[nodiscard]] bool has_value(NodeId constant) const;
   void find_keys_of(const std::vector<Need>& needs, Keys& keys);
@@ -70,6 +77,7 @@ class Definedness {
   CertainForm form_;
   std::vector<std::vector<Need>> claims_;
   std::vector<Named> lines_, wanted_;
+  std::vector<NodeId> roots_;  ///< of the file's expressions
   std::set<NodeId> too_large_;
   std::vector<NodeId> no_values_;
   std::unique_ptr<AlgebraBudget> budget_;

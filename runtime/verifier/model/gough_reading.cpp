@@ -3,6 +3,7 @@
 #include "runtime/verifier/model/gough_reading.hpp"
 
 #include "runtime/verifier/model/orientation_reading.hpp"
+#include "runtime/verifier/model/section_values.hpp"
 
 namespace regulus::verifier {
 namespace {
@@ -63,25 +64,19 @@ class GoughReading final : public SectionReading {
 
   VectorNodes anchor(SectionComparer& comparer, const std::string& side, char letter,
                      std::size_t leg) const {
-    const std::string list = "gough." + side, tolerance = list + "_tolerance";
+    const std::string place = "gough." + side + '[' + std::to_string(leg) + ']';
+    const SectionQuantity written =
+        section_quantity(comparer.values(), place,
+                         {"gough." + side + "_tolerance", "tolerance " + side}, shape_ == "ball");
     VectorNodes result{};
     std::vector<std::string> names;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::string place =
-          list + '[' + std::to_string(leg) + "][" + std::to_string(axis) + ']';
-      if (!comparer.values().contains(place)) throw Unfinished("the file has no " + place);
-      names.push_back(std::string(1, letter) + std::to_string(leg + 1) + '_' + kAxes[axis]);
-      comparer.compare(comparer.place_of(place),
-                       comparer.expression_at(place, comparer.question().actual),
-                       "value " + names.back());
-      const bool is_given = comparer.values().contains(tolerance);
-      comparer.compare(is_given ? comparer.place_of(tolerance) : FilePlace{tolerance, 0, "0"},
-                       is_given ? comparer.expression_at(tolerance, comparer.question().actual)
-                                : comparer.question().graph.number("0"),
-                       "spread " + names.back(), "tolerance " + side);
-      result[axis] = named(comparer, names.back());
-    }
-    if (shape_ == "ball") comparer.expect_ball(comparer.place_of("gough.tolerance_shape"), names);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      result[axis] =
+          SectionValues(comparer, false)
+              .quantity(written.value + '[' + std::to_string(axis) + ']',
+                        std::string(1, letter) + std::to_string(leg + 1) + '_' + kAxes[axis],
+                        written.tolerance, &names);
+    if (written.is_ball) comparer.expect_ball(comparer.place_of(written.tolerance.key), names);
     return result;
   }
 

@@ -12,6 +12,7 @@ LegAtPose::LegAtPose(const LegValues& leg, const VectorNodes& position, const Ma
   if (leg.kind == LegKind::kTelescopic) rho = g_.root(g_.dot(e, e));
   if (leg.kind == LegKind::kCrank) find_crank();
   if (leg.kind == LegKind::kSlider) find_carriage();
+  if (leg.is_hinged) off = g_.dot(e, leg.hinge);
 }
 
 /// The crank c is across the axis n, |c| is its length, and c·e = (|e|² + |c|² − rod²)/2, because
@@ -86,6 +87,16 @@ LegRow LegAtPose::motor_of_slider() {
 VectorNodes LegAtPose::moment() {
   if (leg_.kind != LegKind::kTelescopic) return g_.cross(leg_.bar, d);
   return g_.difference(g_.scaled(leg_.size, e), g_.scaled(g_.dot(leg_.axis, e), leg_.axis));
+}
+
+/// At B and across h × rod: in the plane of the hinge h and the rod. On a rail u it has the power
+/// u·force at unit speed: h if that is 0, or else (rod·u)h − (h·u)rod.
+LegRow LegAtPose::hinge_force() {
+  const VectorNodes &h = leg_.hinge, &u = leg_.axis;
+  if (leg_.kind != LegKind::kSlider || leg_.has_exact_directions)
+    return force_through(r, h, g_.number(1));
+  const VectorNodes force = g_.difference(g_.scaled(g_.dot(d, u), h), g_.scaled(g_.dot(h, u), d));
+  return force_through(r, force, g_.number(1));
 }
 
 std::vector<NodeId> LegAtPose::range() {

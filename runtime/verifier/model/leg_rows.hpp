@@ -21,13 +21,16 @@ struct LegValues {
   LegKind kind = LegKind::kTelescopic;
   bool is_planar = false;
   bool keeps_orientation = false;  ///< it holds a moment, too
+  bool is_hinged = false;          ///< it holds a force, too: a revolute joint has its axis `hinge`
   int actuated = 0;                ///< the number of the joint; 0: none
   VectorNodes base{}, platform{};
   NodeId crank = kNoNode, rod = kNoNode;
-  VectorNodes axis{};     ///< of the crank, of the rail; of UPU: of the outer joints
-  NodeId size = kNoNode;  ///< |axis|²
-  VectorNodes bar{};      ///< the short sides of a parallelogram
-  VectorNodes zero{};     ///< where a crank in space has the angle 0
+  VectorNodes axis{};                 ///< of the crank, of the rail; of UPU: of the outer joints
+  NodeId size = kNoNode;              ///< |axis|²
+  VectorNodes bar{};                  ///< the short sides of a parallelogram
+  VectorNodes hinge{};                ///< of a leg RPS at its base, of a leg PRS on its carriage
+  bool has_exact_directions = false;  ///< axis and hinge are numbers: their product is 0
+  VectorNodes zero{};                 ///< where a crank in space has the angle 0
   bool mode = true;
   std::optional<std::pair<NodeId, NodeId>> range{};
 };
@@ -49,6 +52,8 @@ class LegAtPose {
   [[nodiscard]] LegRow motor();
   /// The moment of a leg that keeps the platform from turning.
   [[nodiscard]] VectorNodes moment();
+  /// The force of a hinged leg, across its motor's and all twists of its passive joints.
+  [[nodiscard]] LegRow hinge_force();
   /// Each ≤ 0 if the driven joint is within its range; requires  a range.
   [[nodiscard]] std::vector<NodeId> range();
 
@@ -56,6 +61,7 @@ class LegAtPose {
   NodeId rho = kNoNode;    ///< the length of an actuator
   NodeId w = kNoNode;      ///< 0 where a motor with a rod is at a dead point
   NodeId place = kNoNode;  ///< of a carriage
+  NodeId off = kNoNode;    ///< 0 where the last joint is in the plane of a hinged leg
 
  private:
   void find_crank();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// [legs]: a row for each motor, then a row for each moment, in the order of the legs.
+// [legs]: a row for each motor, then one for each moment or force of a constraint, in the order of
+// the legs.
 #include "runtime/verifier/model/legs_reading.hpp"
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include "runtime/verifier/model/leg_rows.hpp"
 #include "runtime/verifier/model/orientation_reading.hpp"
 #include "runtime/verifier/model/section_values.hpp"
+#include "runtime/verifier/quantity_lines.hpp"
 
 namespace regulus::verifier {
 namespace {
@@ -16,9 +18,9 @@ constexpr std::string_view kAxes = "xyz", kLegs = "legs.leg[";
 struct LegType {
   std::string_view name;
   LegKind kind;
-  bool is_planar, keeps_orientation;
+  bool is_planar, keeps_orientation, is_hinged = false;
 };
-constexpr std::array<LegType, 12> kTypes = {{{"RPR", LegKind::kTelescopic, true, false},
+constexpr std::array<LegType, 14> kTypes = {{{"RPR", LegKind::kTelescopic, true, false},
                                              {"RRR", LegKind::kCrank, true, false},
                                              {"PRR", LegKind::kSlider, true, false},
                                              {"UPS", LegKind::kTelescopic, false, false},
@@ -29,7 +31,9 @@ constexpr std::array<LegType, 12> kTypes = {{{"RPR", LegKind::kTelescopic, true,
                                              {"delta", LegKind::kCrank, false, true},
                                              {"PUS", LegKind::kSlider, false, false},
                                              {"PSS", LegKind::kSlider, false, false},
-                                             {"linear-delta", LegKind::kSlider, false, true}}};
+                                             {"linear-delta", LegKind::kSlider, false, true},
+                                             {"RPS", LegKind::kTelescopic, false, false, true},
+                                             {"PRS", LegKind::kSlider, false, false, true}}};
 
 /// Quantities of one kind: the letters of their names.
 struct Group {
@@ -41,6 +45,7 @@ const Group kPlatform{"b", {"legs.platform_tolerance", "tolerance platform"}};
 const Group kCranks{"crank_", {"legs.crank_tolerance", "tolerance cranks"}};
 const Group kRods{"rod_", {"legs.rod_tolerance", "tolerance rods"}};
 const Group kAxisGroup{"n", {"legs.axis_tolerance", "tolerance axes"}};
+const Group kHinges{"h", {"legs.axis_tolerance", "tolerance axes"}};
 
 class LegsReading final : public SectionReading {
  public:
@@ -78,6 +83,7 @@ class LegsReading final : public SectionReading {
     if (after.empty()) {
       if (before == "rho_") return at.rho;
       if (before == "s_") return at.place;
+      if (before == "off_") return at.off;
       return before == "w" ? at.w : kNoNode;
     }
     if (before == "r" && orientation_ != "point") return at.r[axis];
@@ -105,17 +111,23 @@ class LegsReading final : public SectionReading {
     for (const bool of_motors : {true, false})
       for (std::size_t i = 0; i < count_; ++i) {
         const LegValues& leg = values_of(i, comparer, algebra);
-        if (of_motors ? leg.actuated == 0 : !leg.keeps_orientation) continue;
+        const bool is_constrained = leg.keeps_orientation || leg.is_hinged;
+        if (of_motors ? leg.actuated == 0 : !is_constrained) continue;
         LegAtPose at = at_pose(leg, q.actual, algebra);
-        const LegRow one =
-            of_motors ? at.motor() : LegRow{algebra.zero(), at.moment(), algebra.number(1)};
-        compare_row(comparer, {place(i), 0, of_motors ? "a motor's row" : "a moment"}, row++, one);
+        const LegRow one = of_motors ? at.motor() : constraint(leg, at, algebra);
+        compare_row(comparer, {place(i), 0, of_motors ? "a motor's row" : "a constraint"}, row++,
+                    one);
       }
     if (row != q.rows)
       comparer.refuse({"legs", 0, std::to_string(row) + " rows"}, std::to_string(q.rows) + " rows");
   }
 
  private:
+  static LegRow constraint(const LegValues& leg, LegAtPose& at, GraphAlgebra& algebra) {
+    if (leg.is_hinged) return at.hinge_force();
+    return {algebra.zero(), at.moment(), algebra.number(1)};
+  }
+
   // The file.
 
   [[nodiscard]] std::string text(const std::string& place, const std::string& otherwise) const {
@@ -127,7 +139,8 @@ class LegsReading final : public SectionReading {
   }
   [[nodiscard]] bool has(const std::string& place) const {
     const auto at = values_.lower_bound(place);
-    return at != values_.end() && (at->first == place || at->first.starts_with(place + '['));
+    const auto below = [&](char next) { return at->first.starts_with(place + next); };
+    return at != values_.end() && (at->first == place || below('[') || below('.'));
   }
   /// Returns the place of a key of a leg, which may stand in [legs].
   [[nodiscard]] std::string shared(std::size_t leg, const std::string& key) const {
@@ -156,31 +169,69 @@ class LegsReading final : public SectionReading {
     return SectionValues(comparer, is_in_degrees_).constant(place);
   }
 
-  /// Returns true if the value has no names of the robot's constants.
+  /// Returns true if the value has no names but those of exact constants.
   bool is_number(const std::string& place, SectionComparer& comparer) {
+    if (!has_exact_constants_) read_exact_constants(comparer);
+    has_exact_constants_ = true;
+    return number_at(place, exact_constants_, comparer) != kNoNode;
+  }
+
+  static NodeId number_at(const std::string& place, const Scope& scope, SectionComparer& comparer) {
+    if (!comparer.values().contains(place)) return kNoNode;
     try {
-      static_cast<void>(comparer.expression_at(place, no_names_));
-      return true;
+      return comparer.expression_at(place, scope);
     } catch (const Unfinished&) {
-      return false;
+      return kNoNode;
     }
+  }
+
+  /// The constants of [geometry] without a tolerance and without a group.
+  void read_exact_constants(SectionComparer& comparer) {
+    constexpr std::string_view kTable = "geometry.";
+    for (auto at = values_.lower_bound(kTable);
+         at != values_.end() && at->first.starts_with(kTable); ++at) {
+      const std::string place = at->first.substr(0, at->first.find_first_of(".[", kTable.size()));
+      const std::size_t list = at->first.find('[');
+      if (at->first == place + ".tolerance" || at->first == place + ".radius") continue;
+      std::string name = place.substr(kTable.size());
+      if (list != std::string::npos)
+        name += '_' + std::to_string(std::atoi(at->first.c_str() + list + 1) + 1);
+      const NodeId value =
+          is_exact_constant(place, comparer) ? number_at(at->first, no_names_, comparer) : kNoNode;
+      if (value != kNoNode) exact_constants_.emplace(std::move(name), value);
+    }
+  }
+
+  bool is_exact_constant(const std::string& place, SectionComparer& comparer) {
+    const Graph& graph = comparer.question().graph;
+    for (const char* key : {".tolerance", ".radius"}) {
+      if (!values_.contains(place + key)) continue;
+      const NodeId spread = number_at(place + key, no_names_, comparer);
+      if (spread == kNoNode || !is_zero_number(graph, spread)) return false;
+    }
+    return !values_.contains(place + ".group");
   }
 
   NodeId quantity(const std::string& place, const std::string& name, const Group& group,
                   SectionComparer& comparer, std::vector<std::string>* names = nullptr) const {
-    return SectionValues(comparer, is_in_degrees_).quantity(place, name, group.tolerance, names);
+    const SectionQuantity written = section_quantity(values_, place, group.tolerance);
+    return SectionValues(comparer, is_in_degrees_)
+        .quantity(written.value, name, written.tolerance, names);
   }
 
   VectorNodes point(const std::string& list, const std::string& number, const Group& group,
                     SectionComparer& comparer, GraphAlgebra& algebra) {
+    const SectionQuantity written = section_quantity(values_, list, group.tolerance,
+                                                     text("legs.tolerance_shape", "box") == "ball");
     VectorNodes result = algebra.zero();
     std::vector<std::string> names;
     for (std::size_t i = 0; i < axes(); ++i) {
       const std::string name = group.letters + number + '_' + kAxes[i];
-      result[i] = quantity(element(list, i), name, group, comparer, &names);
+      result[i] = SectionValues(comparer, is_in_degrees_)
+                      .quantity(element(written.value, i), name, written.tolerance, &names);
     }
-    if (!names.empty() && text("legs.tolerance_shape", "box") == "ball")
-      comparer.expect_ball(comparer.place_of("legs.tolerance_shape"), names);
+    if (!names.empty() && written.is_ball)
+      comparer.expect_ball(comparer.place_of(written.tolerance.key), names);
     return result;
   }
 
@@ -191,18 +242,17 @@ class LegsReading final : public SectionReading {
   }
 
   /// An axis of numbers without a tolerance is taken by its direction alone.
-  void read_axis(LegValues& leg, const std::string& list, const std::string& number,
-                 SectionComparer& comparer, GraphAlgebra& algebra) {
+  bool is_exact_axis(const std::string& list, SectionComparer& comparer) {
     bool is_exact = !values_.contains(kAxisGroup.tolerance.key);
     for (std::size_t i = 0; i < axes(); ++i)
       is_exact = is_exact && is_number(element(list, i), comparer);
-    if (is_exact) {
-      leg.axis = algebra.unit(numbers(list, comparer, algebra));
-      leg.size = algebra.number(1);
-    } else {
-      leg.axis = point(list, number, kAxisGroup, comparer, algebra);
-      leg.size = algebra.dot(leg.axis, leg.axis);
-    }
+    return is_exact;
+  }
+
+  VectorNodes axis(const std::string& list, const std::string& number, const Group& group,
+                   SectionComparer& comparer, GraphAlgebra& algebra) {
+    if (is_exact_axis(list, comparer)) return algebra.unit(numbers(list, comparer, algebra));
+    return point(list, number, group, comparer, algebra);
   }
 
   const LegValues& values_of(std::size_t index, SectionComparer& comparer, GraphAlgebra& algebra) {
@@ -216,6 +266,7 @@ class LegsReading final : public SectionReading {
     leg.kind = type.kind;
     leg.is_planar = type.is_planar;
     leg.keeps_orientation = type.keeps_orientation;
+    leg.is_hinged = type.is_hinged;
     leg.actuated = type.kind == LegKind::kTelescopic ? 2 : 1;
     if (const std::string driven = text(shared(index, "actuated"), ""); !driven.empty())
       leg.actuated = driven == "none" ? 0 : std::atoi(driven.c_str());
@@ -238,8 +289,16 @@ class LegsReading final : public SectionReading {
     const bool crank = leg.kind == LegKind::kCrank, slider = leg.kind == LegKind::kSlider;
     leg.axis = {algebra.number(0), algebra.number(0), algebra.number(1)};
     leg.size = algebra.number(1);
-    if (slider || (!leg.is_planar && (crank || leg.keeps_orientation)))
-      read_axis(leg, shared(index, "axis"), number, comparer, algebra);
+    const std::string list = shared(index, "axis"), hinge = shared(index, "hinge");
+    if (slider || (!leg.is_planar && (crank || leg.keeps_orientation))) {
+      leg.axis = axis(list, number, kAxisGroup, comparer, algebra);
+      if (!is_exact_axis(list, comparer)) leg.size = algebra.dot(leg.axis, leg.axis);
+    }
+    if (leg.is_hinged) {
+      leg.hinge = axis(hinge, number, kHinges, comparer, algebra);
+      leg.has_exact_directions =
+          slider && is_exact_axis(list, comparer) && is_exact_axis(hinge, comparer);
+    }
     if (!leg.keeps_orientation) return;
     leg.bar = leg.axis;
     if (slider) leg.bar = algebra.unit(numbers(shared(index, "bar"), comparer, algebra));
@@ -304,6 +363,8 @@ class LegsReading final : public SectionReading {
 
   const WrittenValues& values_;
   const Scope no_names_;
+  Scope exact_constants_;
+  bool has_exact_constants_ = false;
   std::size_t count_ = 0;
   bool is_planar_ = false, is_in_degrees_ = false;
   std::string orientation_;

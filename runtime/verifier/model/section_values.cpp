@@ -6,6 +6,21 @@
 
 namespace regulus::verifier {
 
+SectionQuantity section_quantity(const WrittenValues& values, const std::string& place,
+                                 const SectionTolerance& shared, bool are_balls) {
+  const auto at = values.lower_bound(place + '.');
+  const bool is_table = at != values.end() && at->first.starts_with(place + '.');
+  SectionQuantity result{is_table ? place + ".value" : place, shared, false, are_balls};
+  for (const char* key : {".tolerance", ".radius"})
+    if (values.contains(place + key)) {
+      if (result.has_own_tolerance) throw Unfinished(place + " has a tolerance and a radius");
+      result.tolerance.key = place + key;
+      result.has_own_tolerance = true;
+      result.is_ball = std::string_view(key) == ".radius";
+    }
+  return result;
+}
+
 NodeId SectionValues::constant(const std::string& place) {
   if (!comparer_.values().contains(place)) throw Unfinished("the file has no " + place);
   return checked(place, comparer_.expression_at(place, comparer_.question().actual));

@@ -13,6 +13,20 @@ struct SectionTolerance {
   bool is_angle = false;
 };
 
+/// A point or a length of a file: the place of its value, { value = …, tolerance = E } or the value
+/// alone, and the tolerance that it has.
+struct SectionQuantity {
+  std::string value;
+  SectionTolerance tolerance;
+  bool has_own_tolerance = false, is_ball = false;
+};
+
+/// `shared`: the tolerance of all quantities of its kind, of points in balls if `are_balls`.
+[[nodiscard]] SectionQuantity section_quantity(const WrittenValues& values,
+                                               const std::string& place,
+                                               const SectionTolerance& shared,
+                                               bool are_balls = false);
+
 class SectionValues {
  public:
   /// `in_degrees`: numbers of angles are degrees.

@@ -169,6 +169,39 @@ y = [-1, 1]
 phi = [-0.1, 0.1]
 )toml";
 
+/// Legs PRS and RPS whose directions are uncertain.
+constexpr const char* kRails = R"toml(regulus = 1
+name = "rails"
+[legs]
+orientation = "euler-zxz"
+axis_tolerance = 0.0001
+hinge = [0, 1, 0]
+[[legs.leg]]
+type = "PRS"
+base = [20, 0, 0]
+platform = [10, 0, 0]
+axis = [1, 0, 0]
+rod = 40
+mode = "+"
+[[legs.leg]]
+type = "RPS"
+base = [-10, 17, 0]
+platform = [-5, 9, 0]
+hinge = [-0.86, -0.5, 0]
+[[legs.leg]]
+type = "RPS"
+base = [-10, -17, 0]
+platform = [-5, -9, 0]
+hinge = [0.86, -0.5, 0]
+[motion.work]
+x = 0
+y = 0
+z = [30, 31]
+psi = 0
+theta = 0
+phi = 0
+)toml";
+
 /// A force that grows without end near a singular pose.
 constexpr const char* kUnbounded = R"toml(regulus = 1
 name = "unbounded"
@@ -243,6 +276,8 @@ const std::vector<Base>& bases() {
       {"planar legs", "planar_3rrr", {"check", "regular"}},
       {"legs", "delta", {"check", "work"}},
       {"cranks", "hexapod_6rus", {"check", "work"}},
+      {"hinges", "hunt_3rps", {"check", "work"}},
+      {"rails", kRails, {"check", "work"}},
       {"arm", "puma_560_serial", {"check", "dexterous"}},
       {"parallel axes", "three_parallel_axes", {"check", "table"}},
       {"scara", "scara", {"check", "right_handed"}},

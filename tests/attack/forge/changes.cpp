@@ -7,6 +7,8 @@
 #include <sstream>
 #include <vector>
 
+#include "tests/attack/forge/words.hpp"
+
 namespace regulus::attack {
 namespace {
 
@@ -25,11 +27,6 @@ std::string joined(const Lines& lines) {
   std::string text;
   for (const std::string& line : lines) text += line + '\n';
   return text;
-}
-
-bool is_digit(char c) { return '0' <= c && c <= '9'; }
-bool is_word(char c) {
-  return is_digit(c) || ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_';
 }
 
 struct Token {

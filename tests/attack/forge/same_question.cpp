@@ -2,11 +2,13 @@
 #include "tests/attack/forge/same_question.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 #include <sstream>
 #include <vector>
 
+#include "tests/attack/forge/words.hpp"
 #include "tests/attack/oracle/evaluate.hpp"
 
 namespace regulus::attack {
@@ -14,7 +16,9 @@ namespace {
 
 constexpr int kPoints = 3, kSpecialPoints = 48;
 /// Labels, and lines that change the proof only.
-const std::set<std::string> kIgnored{"model", "sha256", "combined", "norms"};
+const std::set<std::string> kIgnored{"model", "sha256", "combined", "norms", "reference"};
+/// Their words are labels, not names of quantities.
+const std::set<std::string> kLabelled{"load", "twist", "quantity", "side"};
 /// Not compared line by line: the claim says that all of them have a value. Of an expression, this is the
 /// claim and not the file's.
 const std::set<std::string> kConditions{"defined", "motion-defined", "expression-defined"};
@@ -49,6 +53,39 @@ std::vector<std::string> parted(const std::string& text, const std::string& mark
     parts.push_back(text.substr(begin, at - begin));
   parts.push_back(text.substr(begin));
   return parts;
+}
+
+/// The names of the quantities, in the order of their lines.
+std::vector<std::string> names_of(const std::vector<Line>& lines) {
+  std::vector<std::string> names;
+  for (const char* key : {"parameter", "uncertain", "pose"})
+    for (const Line& line : lines)
+      if (line.key == key) names.push_back(line.text.substr(0, line.text.find(' ')));
+  return names;
+}
+
+/// Puts other names into all lines at once: `from[i]` becomes `to[i]`. Where `to[i]` stands already
+/// and is no name of `from`, it gets a name that nothing has.
+std::vector<Line> renamed(std::vector<Line> lines, const std::vector<std::string>& from,
+                          const std::vector<std::string>& to) {
+  std::map<std::string, std::string> names;
+  for (const std::string& name : to) names[name] = name + "_of_nothing";
+  for (std::size_t i = 0; i < from.size(); ++i) names[from[i]] = to[i];
+  for (Line& line : lines) {
+    if (kLabelled.contains(line.key)) continue;
+    std::string text;
+    for (std::size_t i = 0; i < line.text.size();) {
+      std::size_t end = i;
+      while (end < line.text.size() && is_word(line.text[end])) ++end;
+      const std::string word = line.text.substr(i, end - i);
+      const auto name = names.find(word);
+      text += name == names.end() ? word : name->second;
+      if (end == i) text += line.text[end++];
+      i = end;
+    }
+    line.text = std::move(text);
+  }
+  return lines;
 }
 
 unsigned long hash(const std::string& name, int point) {
@@ -94,19 +131,9 @@ class Evaluated {
     if (line.key == "piece") return add_piece(line);
     if (line.key == "limits") return add_values(line, parted(line.text, " : "));
     if (line.key == "wrench") return add_values(line, parted(line.text, " +- "));
-    static const std::set<std::string> kExpressions{"alpha",
-                                                    "entry",
-                                                    "scale",
-                                                    "defined",
-                                                    "motion-defined",
-                                                    "reach",
-                                                    "constraint",
-                                                    "factor",
-                                                    "bound",
-                                                    "reference",
-                                                    "motor-error",
-                                                    "stiffness",
-                                                    "expression-defined"};
+    static const std::set<std::string> kExpressions{
+        "alpha",      "entry",  "scale", "defined",     "motion-defined", "reach",
+        "constraint", "factor", "bound", "motor-error", "stiffness",      "expression-defined"};
     if (kExpressions.contains(line.key)) return add_values(line, {line.text});
     entries_.push_back({line.key + ' ' + line.text, {}});
   }
@@ -268,10 +295,8 @@ bool have_one_ratio(const std::vector<std::pair<Value, Value>>& determinants) {
                      [&](const auto& other) { return is_same(a * other.second, b * other.first); });
 }
 
-}  // namespace
-
-std::string difference(const std::string& verified, const std::string& asked, bool any_spread) try {
-  const std::vector<Line> a = question_of(verified), b = question_of(asked);
+std::string difference_of(const std::vector<Line>& a, const std::vector<Line>& b,
+                          bool any_spread) try {
   std::vector<std::pair<Value, Value>> determinants;
   bool has_one_matrix = true, is_about_zeros = true;
   for (int point = 0; point < kPoints; ++point) {
@@ -292,6 +317,16 @@ std::string difference(const std::string& verified, const std::string& asked, bo
   return "another matrix";
 } catch (const std::exception& error) {
   return std::string("one is no question: ") + error.what();
+}
+
+}  // namespace
+
+std::string difference(const std::string& verified, const std::string& asked, bool any_spread) {
+  const std::vector<Line> a = question_of(verified), b = question_of(asked);
+  const std::string found = difference_of(a, b, any_spread);
+  const auto from = names_of(a), to = names_of(b);
+  if (found.empty() || from == to || from.size() != to.size()) return found;
+  return difference_of(renamed(a, from, to), b, any_spread);
 }
 
 }  // namespace regulus::attack

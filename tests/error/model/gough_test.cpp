@@ -53,11 +53,33 @@ TEST(GoughRefusal, FivePoints) {
 }
 
 TEST(GoughRefusal, PointOfTwoCoordinates) {
-  expect_refused_gough("[-7, -1, 0]", "[-7, -1]", 8, "2 coordinates in gough.platform[6]", "3");
+  expect_refused_gough("[-7, -1, 0]", "[-7, -1]", 8, "2 numbers in gough.platform[6]", "3 numbers");
 }
 
 TEST(GoughRefusal, CoordinateThatUsesAName) {
-  expect_refused_gough("[-7, -1, 0]", "[-7, -1, \"x\"]", 8, "undeclared name 'x'", "a constant");
+  expect_refused_gough("[-7, -1, 0]", "[-7, -1, \"x\"]", 8,
+                       "gough.platform[6][3] depends on the pose", "[geometry]");
+  expect_refused_gough("[-7, -1, 0]", "[-7, -1, \"L\"]", 8, "undeclared name 'L'", "declared");
+}
+
+TEST(GoughRefusal, ATolerancesThatAnAnchorCannotHave) {
+  expect_refused_gough("[-7, -1, 0]", "{ value = [-7, -1, 0], tolerance = 1, radius = 1 }", 8,
+                       "both a tolerance and a radius", "one of them");
+  expect_refused_gough("[-7, -1, 0]", "{ value = [-7, -1, 0], radius = -1 }", 8,
+                       "the negative number", "a number ≥ 0");
+  expect_refused_gough("[-7, -1, 0]", "{ radius = 1 }", 8, "no 'value'", "gough.platform[6].value");
+  expect_refused_gough("[-7, -1, 0]", "{ value = [-7, -1, 0], group = \"a\" }", 8, "unknown key",
+                       "value");
+  std::string all = kExampleGough;
+  for (std::size_t at = all.find("base = [") + 8, last = all.find('\n', at); at < last;) {
+    const std::size_t begin = all.find('[', at), end = all.find(']', begin) + 1;
+    if (begin > last) break;
+    const std::string own = "{ value = " + all.substr(begin, end - begin) + ", tolerance = 0 }";
+    all.replace(begin, end - begin, own);
+    at = begin + own.size();
+    last = all.find('\n', at);
+  }
+  expect_refused(all, 9, "gough.base_tolerance applies to nothing", "remove it");
 }
 
 TEST(GoughRefusal, NegativeTolerance) {

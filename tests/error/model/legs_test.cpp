@@ -49,7 +49,7 @@ TEST(LegsRefusal, TogetherWithPoseMatrixOrSerial) {
 TEST(LegsRefusal, UnknownKeysTypesAndModes) {
   expect_refused_robot("axis = [1, 0]", "axes = [1, 0]", 19, "unknown key 'legs.leg[3].axes'",
                        "'axis'");
-  expect_refused_robot("\"RPR\"", "\"RPS\"", 12, "the string 'RPS'", "\"UPS\"");
+  expect_refused_robot("\"RPR\"", "\"RPX\"", 12, "the string 'RPX'", "\"UPS\"");
   expect_refused_robot("mode = \"+\"", "mode = \"up\"", 6, "the string 'up'", "\"+\" or \"-\"");
 }
 
@@ -76,6 +76,18 @@ TEST(LegsRefusal, LengthsThatAreNotPositive) {
 
 TEST(LegsRefusal, AnAxisWithoutDirection) {
   expect_refused_robot("axis = [1, 0]", "axis = [0, 0]", 19, "is zero", "have a direction");
+}
+
+TEST(LegsRefusal, AHingeAlongTheRail) {
+  const std::string robot =
+      "regulus = 1\nname = \"robot\"\n[legs]\norientation = \"euler-zxz\"\n[[legs.leg]]\n"
+      "type = \"PRS\"\nbase = [0, 0, 0]\nplatform = [0, 0, 0]\naxis = [1, 1, 0]\nrod = 1\n"
+      "mode = \"+\"\nhinge = [1, 0, 0]\n[motion.zero]\nx = 0\n";
+  expect_refused(robot, 12, "not shown to be across its rail", "correct hinge or axis");
+  expect_refused(changed(robot, "hinge = [1, 0, 0]\n", ""), 5, "there is no 'hinge'", "add");
+  expect_refused(changed(robot, "PRS", "PUS"), 12, "a leg PUS has no hinge", "remove it");
+  expect_refused_robot("base = [0, 0]\n", "base = [0, 0]\nhinge = [0, 1]\n", 10,
+                       "a leg RRR has no hinge", "remove it");
 }
 
 TEST(LegsRefusal, LegsInThePlaneAndInSpace) {

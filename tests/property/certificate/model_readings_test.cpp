@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The verifier reads [serial], [legs] and [gough] by itself. A question that the front end writes of
+// The verifier reads [serial] by itself. A question that the front end writes of
 // random robots is that of their file; it is that of no file with another number, or another matrix.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -9,80 +9,12 @@
 #include <random>
 #include <sstream>
 
-#include "codegen/answer/certificate/certificate_question.hpp"
-#include "codegen/model/request.hpp"
-#include "runtime/verifier/model/model_comparison.hpp"
+#include "tests/property/certificate/compared_question.hpp"
 
 namespace regulus::test::readings {
 namespace {
 
 using verifier::Outcome;
-
-std::string head_of(const std::string& text) {
-  ModelOptions options;
-  options.path = "test.toml";
-  options.text = text;
-  const Request request = read_request(options);
-  const CertifiedQuestion question = certified_question(request, uncertain_names(request));
-  return std::string(format::kMagic) + "\nverdict NO SINGULARITY\nclaim " +
-         question.no_singularity + '\n' + question.text + "proof\n";
-}
-
-/// The outcome for the question alone: no proof follows.
-Outcome compared(const std::string& head, const std::string& text, std::string& why) {
-  std::istringstream stream(head);
-  verifier::Lines lines(stream);
-  verifier::Question question;
-  verifier::read_question(lines, question);
-  question.graph.end_of_file();
-  verifier::Options options;
-  options.model_name = "test.toml";
-  options.model_text = text;
-  verifier::Verification result;
-  why.clear();
-  try {
-    compare_with_model(question, verifier::read_model_values(text), options, result);
-  } catch (const verifier::OtherModel& other) {
-    why = other.what();
-    return Outcome::kRejected;
-  } catch (const verifier::Unfinished& unfinished) {
-    why = unfinished.what();
-    return Outcome::kUnfinished;
-  }
-  return Outcome::kVerified;
-}
-
-Outcome compared(const std::string& head, const std::string& text) {
-  std::string why;
-  return compared(head, text, why);
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return at == std::string::npos ? text : text.replace(at, from.size(), to);
-}
-
-/// Returns the text with each number between `begin` and `end` changed, one at a time.
-std::vector<std::string> with_another_number(const std::string& text, const std::string& begin,
-                                             const std::string& end) {
-  std::vector<std::string> result;
-  const auto is_word = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
-  };
-  const std::size_t stop = text.find(end);
-  for (std::size_t at = text.find(begin); at < stop; ++at) {
-    const char before = text[at - 1];
-    if (!std::isdigit(static_cast<unsigned char>(text[at])) || is_word(before) || before == '.')
-      continue;
-    std::size_t last = at;
-    while (std::isdigit(static_cast<unsigned char>(text[last])) || text[last] == '.') ++last;
-    if (text.compare(last, 1, "]") == 0 && before == '[') continue;
-    result.push_back(std::string(text).insert(last, text.find('.', at) < last ? "7" : ".7"));
-    at = last;
-  }
-  return result;
-}
 
 class Dice {
  public:
@@ -273,94 +205,6 @@ TEST(AnArmWithMoreJointsThanRows, HasNoOtherLengthsAndRows) {
   for (const char* length : {"-0.2", "0.22", "0.18"})
     EXPECT_NE(compared(head, replaced(kSevenJoints, length, "0.4")), Outcome::kVerified) << length;
   EXPECT_NE(compared(replaced(head, "entry 0\n", "entry 1\n"), kSevenJoints), Outcome::kVerified);
-}
-
-/// Legs of all types, with and without tolerances.
-std::vector<std::string> robots_on_legs() {
-  std::vector<std::string> result;
-  const auto leg = [](const std::string& type, double angle, bool is_planar, bool has_platform) {
-    std::string text = fmt::format("[[legs.leg]]\ntype = \"{}\"\n", type);
-    const std::string third = is_planar ? "" : ", 3";
-    text += fmt::format("base = [{:.1f}, {:.1f}{}]\n", 200 * std::cos(angle), 200 * std::sin(angle),
-                        third);
-    if (has_platform)
-      text += fmt::format("platform = [{:.1f}, {:.1f}{}]\n", 60 * std::cos(angle + 0.2),
-                          60 * std::sin(angle + 0.2), third);
-    if (type == "RRR") text += "crank = 120\nrod = 150\nmode = \"+\"\n";
-    if (type == "PRR") text += "axis = [3, 4]\nrod = 260\nmode = \"-\"\n";
-    if (type == "RUS" || type == "RSS" || type == "delta")
-      text += "axis = [1, 2, 2]\ncrank = 120\nrod = 310\nmode = \"+\"\n";
-    if (type == "PUS" || type == "PSS" || type == "linear-delta")
-      text += "axis = [0, 3, 4]\nrod = 380\nmode = \"-\"\n";
-    if (type == "linear-delta") text += "bar = [2, 1, 0]\n";
-    if (type == "UPU") text += "axis = [1, 2, 2]\n";
-    return text;
-  };
-  const auto robot = [&](const std::string& keys, const std::vector<std::string>& types,
-                         const std::string& motion) {
-    std::string text = "regulus = 1\nname = \"r\"\n[legs]\n" + keys;
-    const bool is_planar = types.front() == "RRR" || types.front() == "PRR";
-    for (std::size_t i = 0; i < types.size(); ++i)
-      text += leg(types[i], 0.4 + double(i) * 6.2832 / double(types.size()), is_planar,
-                  keys.find("\"point\"") == std::string::npos);
-    result.push_back(text + "[motion.w]\nx = [-1, 1]\ny = [2, 3]\n" + motion);
-  };
-  for (const std::string tolerances :
-       {"", "rod_tolerance = 0.1\nbase_tolerance = 0.05\ntolerance_shape = \"ball\"\n",
-        "axis_tolerance = 0.001\n"}) {
-    robot(tolerances, {"RRR", "RPR", "PRR"}, "phi = [0.1, 0.12]\n");
-    robot(tolerances + "orientation = \"fixed\"\n", {"delta", "UPU", "linear-delta"},
-          "z = [300, 302]\n");
-    robot(tolerances + "orientation = \"point\"\n", {"RUS", "PSS", "SPS"}, "z = [300, 302]\n");
-  }
-  robot("orientation = \"roll-pitch-yaw\"\n", {"RUS", "PUS", "UPS", "RSS", "PSS", "SPS"},
-        "z = [300, 302]\nroll = 0.05\npitch = [0, 0.01]\nyaw = 0.1\n");
-  for (const char* joint : {"1", "2", "3"})
-    robot(fmt::format("actuated = {}\naxis_tolerance = 0.001\n", joint), {"PRR", "RPR", "RRR"},
-          "phi = [0.1, 0.12]\n");
-  return result;
-}
-
-TEST(AQuestionAboutARobotOnLegs, IsThatOfItsFileAndOfNoFileWithAnotherNumber) {
-  std::size_t next = 0;
-  for (const std::string& text : robots_on_legs()) {
-    const std::string head = head_of(text);
-    std::string why;
-    EXPECT_EQ(compared(head, text, why), Outcome::kVerified) << text << why;
-    const auto others = with_another_number(text, "[[legs.leg]]", "[motion.w]");
-    for (std::size_t i = next++ % 3; i < others.size(); i += 3)
-      EXPECT_NE(compared(head, others[i]), Outcome::kVerified) << others[i];
-    const std::string from = "mode = \"+\"", to = "mode = \"-\"";
-    // The line through the ends of a leg does not depend on the mode.
-    const bool has_mode = text.find("actuated = 2") == std::string::npos;
-    if (!has_mode || text.find(from) == std::string::npos) continue;
-    EXPECT_EQ(compared(head, replaced(text, from, to)), Outcome::kRejected) << text;
-  }
-}
-
-TEST(AQuestionAboutASixLeggedPlatform, IsThatOfItsFileAndOfNoFileWithAnotherNumber) {
-  const std::array<std::pair<const char*, const char*>, 3> orientations = {
-      {{"euler-zxz", "psi = 0\ntheta = [0, 0.1]\nphi = 0\n"},
-       {"roll-pitch-yaw", "roll = 0\npitch = [0, 0.1]\nyaw = 0.1\n"},
-       {"quaternion", "q0 = 1\nq1 = [0, 0.1]\nq2 = 0.1\nq3 = 0\n"}}};
-  for (const auto& [orientation, angles] : orientations) {
-    const std::string text =
-        fmt::format("regulus = 1\nname = \"h\"\n[gough]\norientation = \"{}\"\n", orientation) +
-        "base = [[-9, 9, 0], [9, 9, 0], [12, -3, 0], [3, -13, 0], [-3, -13, 0], [-12, -3, 0]]\n"
-        "platform = [[-3, 7, 0], [3, 7, 0], [7, -1, 0], [4, -6, 0], [-4, -6, 0], [-7, -1, 0]]\n"
-        "base_tolerance = 0.01\ntolerance_shape = \"ball\"\n[motion.w]\nx = 0\ny = [0, 1]\n"
-        "z = [45, 46]\n" +
-        angles;
-    const std::string head = head_of(text);
-    std::string why;
-    EXPECT_EQ(compared(head, text, why), Outcome::kVerified) << text << why;
-    for (const std::string& other : with_another_number(text, "base =", "[motion.w]"))
-      EXPECT_EQ(compared(head, other), Outcome::kRejected) << other;
-    for (const auto& [other, ignored] : orientations) {
-      if (std::string(other) == orientation) continue;
-      EXPECT_NE(compared(head, replaced(text, orientation, other)), Outcome::kVerified) << other;
-    }
-  }
 }
 
 }  // namespace

@@ -120,9 +120,10 @@ TEST(Schema, RefersOnlyToWhatItDefinesAndUsesAllOfIt) {
   for (const auto& [name, definition] : schema["$defs"].items()) defined.insert(name);
   EXPECT_EQ(used, defined);
   // No name is that of an object and of another value.
-  for (const std::string name : {"exact", "enclosure", "rounded", "approx", "sha256", "error"})
+  for (const std::string name :
+       {"exact", "enclosure", "range", "rounded", "approx", "sha256", "error"})
     EXPECT_FALSE(names_of_kinds().contains(name)) << name;
-  EXPECT_EQ(defined.size(), names_of_kinds().size() + 6);
+  EXPECT_EQ(defined.size(), names_of_kinds().size() + 7);
 }
 
 TEST(Schema, HasTheHeadInEveryReport) {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Compares the Gough family with a simple implementation in doubles that shares no code with it.
-#include "codegen/model/mechanism/gough.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "codegen/model/file/model_file.hpp"
+#include "codegen/model/mechanism/orientation.hpp"
 #include "tests/support/evaluate.hpp"
 
 namespace regulus {
@@ -68,17 +68,31 @@ Matrix rotation(Orientation orientation, const test::Point& pose) {
   return about(axis, 2 * std::atan2(norm(axis), p("q0")));
 }
 
+const std::string kHead = "regulus = 1\nname = \"robot\"\n[gough]\n";
+
+std::string word(Orientation orientation) {
+  if (orientation == Orientation::kEulerZxz) return "euler-zxz";
+  return orientation == Orientation::kQuaternion ? "quaternion" : "roll-pitch-yaw";
+}
+
+std::string motion(Orientation orientation) {
+  std::string text = "[motion.here]\nx = 0\ny = 0\nz = 9\n";
+  for (const std::string& name : orientation_names(orientation)) text += name + " = 0.5\n";
+  return text;
+}
+
 class Robot {
  public:
   explicit Robot(Orientation orientation) : orientation_(orientation) {
-    for (std::size_t i = 0; i < 6; ++i)
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        robot_.base[i][axis] = integer();
-        robot_.platform[i][axis] = integer();
-      }
-    robot_.orientation = orientation;
-    robot_.unit = "cm";
-    model_ = gough_model(robot_);
+    std::string text = kHead + "unit = \"cm\"\norientation = \"" + word(orientation) + "\"\n";
+    for (const char* side : {"base", "platform"}) {
+      text += std::string(side) + " = [";
+      for (std::size_t i = 0; i < 6; ++i)
+        text += "[" + std::to_string(integer()) + ", " + std::to_string(integer()) + ", " +
+                std::to_string(integer()) + "], ";
+      text += "]\n";
+    }
+    model_ = parse_model(text + motion(orientation), "robot.toml");
   }
 
   const Model& model() const { return model_; }
@@ -115,7 +129,6 @@ class Robot {
 
   Orientation orientation_;
   std::mt19937_64 random_{42};
-  Gough robot_;
   Model model_;
 };
 
@@ -206,11 +219,16 @@ TEST(GoughQuaternion, IsUndefinedAtZeroOnly) {
       std::isnan(test::evaluate(condition, {{"q0", 0}, {"q1", 1e-3}, {"q2", 0}, {"q3", 0}})));
 }
 
+const std::string kAnchors = "[[1, 0, 0], [2, 0, 0], [3, 0, 1], [4, 1, 0], [5, 0, 2], [6, 0, 3]]";
+
+Model with_keys(const std::string& keys) {
+  return parse_model(kHead + "orientation = \"euler-zxz\"\nbase = " + kAnchors +
+                         "\nplatform = " + kAnchors + "\n" + keys + motion(Orientation::kEulerZxz),
+                     "robot.toml");
+}
+
 TEST(GoughTolerance, BallsHoldTheThreeCoordinatesOfAnAnchor) {
-  Gough robot;
-  robot.base_tolerance = GiNaC::numeric(1, 20);
-  robot.tolerance_shape = ToleranceShape::kBall;
-  const Model model = gough_model(robot);
+  const Model model = with_keys("base_tolerance = 0.05\ntolerance_shape = \"ball\"\n");
   ASSERT_EQ(model.balls.size(), 12U);
   for (std::size_t i = 0; i < 12; ++i) {
     EXPECT_EQ(model.balls[i].members, (std::vector<std::size_t>{3 * i, 3 * i + 1, 3 * i + 2}));
@@ -223,13 +241,37 @@ TEST(GoughTolerance, BallsHoldTheThreeCoordinatesOfAnAnchor) {
 }
 
 TEST(GoughTolerance, BoxesHaveNoBalls) {
-  Gough robot;
-  robot.platform_tolerance = 1;
-  const Model model = gough_model(robot);
+  const Model model = with_keys("platform_tolerance = 1\n");
   EXPECT_TRUE(model.balls.empty());
   EXPECT_EQ(model.geometry[0].ball, -1);
   EXPECT_TRUE(model.geometry[0].tolerance.is_zero());
   EXPECT_TRUE(model.geometry[35].tolerance.is_equal(1));
+}
+
+/// An anchor with a tolerance or a radius has these, and the others have those of their side.
+TEST(GoughTolerance, MayBeThatOfOneAnchor) {
+  for (const bool are_balls : {false, true}) {
+    std::string text =
+        kHead + "orientation = \"euler-zxz\"\nbase_tolerance = 0.1\nbase = " + kAnchors +
+        "\nplatform = " + kAnchors + "\n" + (are_balls ? "tolerance_shape = \"ball\"\n" : "") +
+        motion(Orientation::kEulerZxz);
+    const auto replace = [&text](const std::string& from, const std::string& to) {
+      text.replace(text.find(from), from.size(), to);
+    };
+    replace("[2, 0, 0]", "{ value = [2, 0, 0], tolerance = 0.2 }");
+    replace("[3, 0, 1]", "{ value = [3, 0, 1], radius = 0.3 }");
+    replace("[4, 1, 0]", "{ value = [4, 1, 0] }");
+    const Model model = parse_model(text, "robot.toml");
+    for (std::size_t i = 0; i < 18; ++i) {
+      const GeometryParameter& g = model.geometry[i];
+      const std::size_t leg = i / 3 + 1;
+      const long tenths = leg == 2 ? 2 : leg == 3 ? 3 : 1;
+      EXPECT_TRUE(g.tolerance.is_equal(GiNaC::numeric(tenths, 10))) << g.name;
+      EXPECT_EQ(g.ball >= 0, leg == 3 || (are_balls && leg != 2)) << g.name;
+      EXPECT_EQ(g.group, "base");
+    }
+    EXPECT_EQ(model.balls.size(), are_balls ? 11U : 1U);
+  }
 }
 
 }  // namespace

@@ -95,6 +95,42 @@ TEST(DeclaredTolerances, OfLegsApplyToNamesAndExpressions) {
   }
 }
 
+TEST(DeclaredTolerances, OfSixLegsApplyToNamesAndExpressions) {
+  const std::string anchors =
+      "[[4, 0, 0], [2, 0, 5], [3, 0, 1], [4, 1, 0], [5, 0, 2], [6, 0, 3]]\n";
+  const std::string robot =
+      "[gough]\norientation = \"euler-zxz\"\nbase_tolerance = 0.1\nbase = " + anchors +
+      "platform = " + changed(anchors, "[2, 0, 5]", "[2, 0, 4]") +
+      "[motion.zero]\nx = 0\ny = 0\nz = 9\npsi = 0\ntheta = 0\nphi = 0\n";
+  for (const auto& written :
+       {robot, changed(robot, "[2, 0, 5]", "{ value = [2, 0, 5], radius = 0.3 }"),
+        changed(robot, "[gough]\n", "[gough]\ntolerance_shape = \"ball\"\n"),
+        changed(robot, "base_tolerance = 0.1\n", "")})
+    expect_same_question(changed(written, "[2, 0, 5]", "[2, 0, NUMBER]"), "5");
+}
+
+TEST(DeclaredTolerances, OfOneLegAreItsOwn) {
+  const std::string own =
+      changed(changed(kPlanar, "base = [9, 0]", "base = { value = [9, 0], radius = 2 }"), "rod = 6",
+              "rod = { value = 6, tolerance = 3 }");
+  const Model model = parsed(own);
+  for (const GeometryParameter& g : model.geometry) {
+    if (g.name == "a2_x" || g.name == "a2_y") {
+      EXPECT_TRUE(g.tolerance.is_equal(2));
+      EXPECT_EQ(g.ball, 0);
+    } else if (g.name == "rod_3") {
+      EXPECT_TRUE(g.tolerance.is_equal(3));
+    } else if (g.group == "rods" || g.group == "base") {
+      EXPECT_TRUE(
+          g.tolerance.is_equal(g.group == "rods" ? GiNaC::numeric(2, 5) : GiNaC::numeric(1, 10)))
+          << g.name;
+      EXPECT_EQ(g.ball, -1);
+    }
+  }
+  expect_same_question(changed(own, "value = 6", "value = NUMBER"), "6");
+  expect_same_question(changed(own, "value = [9, 0]", "value = [NUMBER, 0]"), "9");
+}
+
 TEST(DeclaredTolerances, OfNoValueStillMakeTheirGroups) {
   std::string exact = kPlanar;
   for (const char* line :

@@ -178,6 +178,7 @@ class QuantityOptions:
         least: bool,
         signed: bool,
         norm: str,
+        finite: bool = False,
     ) -> None: ...
 
 class PreparedQuestion:

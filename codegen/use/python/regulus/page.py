@@ -6,7 +6,7 @@ from __future__ import annotations
 import html
 import os
 import tempfile
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from . import _regulus
 from .errors import RegulusError, UsageError
@@ -63,7 +63,7 @@ def write_page(check: Check, path: str, quick: bool = False) -> None:
         )
 
 
-def write_answer(question: Question, kind: str, headline: str, result: Result, path: Path) -> str:
+def write_answer(question: Question, kind: str, headline: str, result: Result[Any], path: Path) -> str:
     """Writes the page of another answer, and returns its path."""
     file = os.fspath(path)
     _regulus.write_page(

@@ -5,10 +5,11 @@ from __future__ import annotations
 
 import json
 import math
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any, Mapping, Optional, Union, cast
 
 from . import _regulus
 from .errors import UsageError
+from .reports import ForcesReport, PathForcePavingReport, PathPavingReport, PavingReport, Range
 from .results import Result, _places, _table, _words
 
 if TYPE_CHECKING:
@@ -53,7 +54,10 @@ def _claims_of(boxes: numpy.typing.NDArray[Any]) -> numpy.typing.NDArray[Any]:
     return found
 
 
-class Paving(Result):
+_Report = Union[PavingReport, PathPavingReport, ForcesReport, PathForcePavingReport]
+
+
+class Paving(Result[_Report]):
     """The answer of Robot.locate().
 
     Attributes:
@@ -87,15 +91,16 @@ class Paving(Result):
         return _claims_of(self.boxes)
 
     @property
-    def fractions(self) -> dict[str, list[float]]:
+    def fractions(self) -> dict[str, Range]:
         """Proved bounds [lower, upper] of the part of the motion's ranges with each claim.
 
         Raises:
             UsageError: for a motion along way-points; json["share"] has approximate shares.
         """
         self._require_boxes()
-        report = self.json
-        return {claim: report[claim]["fraction"] for claim in CLAIMS}
+        report: Mapping[str, Any] = self.json
+        shares = report.get("boxes_by_claim", report)
+        return {claim: shares[claim]["fraction"] for claim in self._known}
 
     def _require_boxes(self) -> None:
         if self.stretches:
@@ -108,7 +113,8 @@ class Paving(Result):
 
     def _repr_html_(self) -> str:
         if self.stretches:
-            shares = [(claim, f"{100 * share:.3g} %") for claim, share in self.json["share"].items()]
+            report = cast(PathPavingReport, self.json)
+            shares = [(claim, f"{100 * share:.3g} %") for claim, share in report["share"].items()]
             return _table(_words(self.verdict), self.verdict, shares)
         fractions = [
             (claim, f"{(self.claims == claim).sum()} boxes")
@@ -239,9 +245,3 @@ class LoadPaving(Paving):
 
     def __init__(self, finding: Any, notes: list[str]) -> None:
         super().__init__(finding, notes)
-
-    @property
-    def fractions(self) -> dict[str, list[float]]:
-        """Proved bounds [lower, upper] of the part of the motion's ranges with each claim."""
-        report = self.json["boxes_by_claim"]
-        return {claim: report[claim]["fraction"] for claim in LOAD_CLAIMS}

@@ -6,14 +6,17 @@ from __future__ import annotations
 import html
 import json
 import os
-from typing import TYPE_CHECKING, Any, Optional, Union
+from typing import TYPE_CHECKING, Any, Generic, Mapping, Optional, TypeVar, Union, cast
 
 from .page import page_frame, write_answer, write_page
+from .reports import BoundReport, CheckReport, ForcesReport, ForceWitness, LimitMarginReport
+from .reports import MarginReport, PathForcesReport, PathMarginReport, PathReport, Range, Witness
 
 if TYPE_CHECKING:
     from .robot import Question
 
 Path = Union[str, "os.PathLike[str]"]
+Report = TypeVar("Report")
 
 _COLOURS = {
     "no-singularity": "#1a7f37",
@@ -41,19 +44,24 @@ def _table(title: str, word: str, rows: list[tuple[str, str]]) -> str:
     )
 
 
-def _places(values: Optional[dict[str, list[float]]]) -> str:
+def _places(values: Optional[dict[str, Range]]) -> str:
     return ", ".join(
         f"{name} = {lo:.6g}" if lo == hi else f"{name} in [{lo:.6g}, {hi:.6g}]"
         for name, (lo, hi) in (values or {}).items()
     )
 
 
-class Result:
+def _proof_files(report: Mapping[str, Any]) -> list[str]:
+    parts = [report, *report.get("components", [])]
+    return [file for p in parts for file in (p.get("certificates") or {}).values() if file]
+
+
+class Result(Generic[Report]):
     """What the results of all questions have.
 
     Attributes:
         report: the lines that the command prints before its last line, with notes on floats.
-        json: the report of `--json` as a dict; enclosures are lists [lower, upper].
+        json: the report of `--json` as a dict; `regulus.reports` has its type.
     """
 
     def __init__(self, report: str, text: str, notes: list[str]) -> None:
@@ -66,11 +74,11 @@ class Result:
         return self._report + "".join(f"note       {note}\n" for note in self._notes)
 
     @property
-    def json(self) -> dict[str, Any]:
+    def json(self) -> Report:
         read: dict[str, Any] = json.loads(self._text)
         if self._notes:
-            read["notes"] = list(read.get("notes") or []) + self._notes
-        return read
+            read["notes"] = read.get("notes", []) + self._notes
+        return cast(Report, read)
 
 
 class Certificate:
@@ -95,7 +103,7 @@ class Certificate:
         return self.path
 
 
-class Check(Result):
+class Check(Result[Union[CheckReport, PathReport]]):
     """The answer of Robot.check().
 
     Attributes:
@@ -117,20 +125,18 @@ class Check(Result):
         self.certificate = Certificate(question, finding.certificate)
 
     @property
-    def witness(self) -> Optional[dict[str, Any]]:
+    def witness(self) -> Optional[Witness]:
         """The proof of a singularity: points with enclosures of parameters, pose, uncertain values
         and determinant (None for more rows than columns). None after other verdicts.
         """
-        found: Optional[dict[str, Any]] = self.json["witness"]
-        return found
+        return self.json["witness"]
 
     @property
-    def blocking_box(self) -> Optional[dict[str, list[float]]]:
+    def blocking_box(self) -> Optional[dict[str, Range]]:
         """The box that could not be decided: [lower, upper] of each variable. None if there is
         none.
         """
-        found: Optional[dict[str, list[float]]] = self.json.get("blocking_box")
-        return found
+        return cast(CheckReport, self.json).get("blocking_box")
 
     def __bool__(self) -> bool:
         """True if it is proved that there is no singularity."""
@@ -191,7 +197,7 @@ class PreparedCheck(Check):
         return super().report
 
     @property
-    def json(self) -> dict[str, Any]:
+    def json(self) -> Union[CheckReport, PathReport]:
         self._describe()
         return super().json
 
@@ -202,7 +208,7 @@ class PreparedCheck(Check):
         return state
 
 
-class Margin(Result):
+class Margin(Result[Union[MarginReport, PathMarginReport, LimitMarginReport]]):
     """The answer of Robot.margin().
 
     Attributes:
@@ -226,9 +232,7 @@ class Margin(Result):
     @property
     def certificates(self) -> list[str]:
         """The files of the proofs that were written, two for each component."""
-        report = self.json
-        parts = [report, *report.get("components", [])]
-        return [file for p in parts for file in (p.get("certificates") or {}).values() if file]
+        return _proof_files(self.json)
 
     def page(self, path: Path) -> str:
         """Writes one HTML file about the answer, for any browser, and returns its path.
@@ -247,7 +251,7 @@ class Margin(Result):
         return _table(self.bracket, "", rows + [("note", note) for note in self._notes])
 
 
-class Bound(Result):
+class Bound(Result[BoundReport]):
     """The answer of Robot.bound().
 
     Attributes:
@@ -272,9 +276,7 @@ class Bound(Result):
     @property
     def certificates(self) -> list[str]:
         """The files of the proofs that were written, two for each component."""
-        report = self.json
-        parts = [report, *report.get("components", [])]
-        return [file for p in parts for file in (p.get("certificates") or {}).values() if file]
+        return _proof_files(self.json)
 
     def page(self, path: Path) -> str:
         """Writes one HTML file about the answer, for any browser, and returns its path.
@@ -294,7 +296,7 @@ class Bound(Result):
         return _table(self.result, self.verdict, rows)
 
 
-class LoadCheck(Result):
+class LoadCheck(Result[Union[ForcesReport, PathForcesReport]]):
     """The answer of Robot.check_load().
 
     Attributes:
@@ -317,12 +319,11 @@ class LoadCheck(Result):
         self.certificate: Optional[str] = finding.certificate or None
 
     @property
-    def witness(self) -> Optional[dict[str, Any]]:
+    def witness(self) -> Optional[ForceWitness]:
         """A pose and a wrench that no forces within the limits hold, with enclosures. None after
         other verdicts.
         """
-        found: Optional[dict[str, Any]] = self.json["witness"]
-        return found
+        return self.json["witness"]
 
     def __bool__(self) -> bool:
         """True if the load is held everywhere."""

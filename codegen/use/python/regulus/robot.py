@@ -126,16 +126,17 @@ def _quantity(
     least: bool,
     signed: bool,
     norm: Union[str, int] = "",
+    finite: bool = False,
 ) -> _regulus.QuantityOptions:
     words = {"quantity": quantity, "load": load, "twist": twist, "freedom": freedom}
     for name, word in words.items():
         text_of(name, word)
-    for name, flag in {"least": least, "signed": signed}.items():
+    for name, flag in {"least": least, "signed": signed, "finite": finite}.items():
         if not isinstance(flag, bool):
             raise ArgumentTypeError(f"{name}: found {flag!r}; give True or False")
     return _regulus.QuantityOptions(
         quantity, load, twist, _number_or_word("leg", leg), freedom, least, signed,
-        _number_or_word("norm", norm),
+        _number_or_word("norm", norm), finite,
     )
 
 
@@ -456,6 +457,7 @@ class Robot:
         least: bool = False,
         signed: bool = False,
         norm: Union[str, int] = "",
+        finite: bool = False,
         limit: Optional[Number] = None,
         gap: Number = "0.01",
         range: Optional[Mapping[str, Range]] = None,
@@ -478,6 +480,7 @@ class Robot:
             least: the least value, with its sign.
             signed: the largest value with its sign, not the largest absolute value.
             norm: of a condition number: 2, the largest singular value divided by the least, or "max".
+            finite: the errors of a closure's unknowns all the way, not to first order.
             limit: compare with this value.
             gap: the bracket is closed when it is at most this part of its larger end.
             certificate: FILE; the proofs are FILE.safe and FILE.singular, of a leg FILE.leg_3.safe.
@@ -498,7 +501,7 @@ class Robot:
                 _regulus.bound(
                     question.question,
                     question.options,
-                    _quantity(quantity, load, twist, leg, freedom, least, signed, norm),
+                    _quantity(quantity, load, twist, leg, freedom, least, signed, norm, finite),
                     "" if limit is None else of(limit, "limit"),
                     of(gap, "gap"),
                     *proof_of(certificate, shard_size),
@@ -564,7 +567,7 @@ class Prepared:
         self._tolerance = tolerance
         self._alpha = alpha
         self._options = dict(options)
-        self._limits = {
+        self._limits: dict[str, Any] = {
             name: option_of(name, self._options.get(name) or 0)
             for name in ("max_boxes", "time_limit", "threads")
         }

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/answer/closure_answer.hpp"
+
+#include "codegen/answer/box_listener.hpp"
+#include "codegen/answer/lines_file.hpp"
+#include "codegen/answer/outputs.hpp"
+#include "codegen/answer/picture/pictures.hpp"
+#include "codegen/answer/report/paving_options.hpp"
+#include "codegen/answer/report/paving_report.hpp"
+#include "codegen/answer/report/paving_writer.hpp"
+#include "codegen/answer/report/progress.hpp"
+#include "codegen/answer/report/search_checkpoint.hpp"
+#include "codegen/model/request.hpp"
+#include "codegen/question/closure/closure_certificate.hpp"
+#include "codegen/question/closure/closure_report.hpp"
+#include "codegen/question/closure/finite_error_report.hpp"
+#include "codegen/question/margin/prepared_margin.hpp"
+#include "codegen/support/errors.hpp"
+#include "runtime/problem/observers.hpp"
+
+namespace regulus {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The option --checkpoint of a search over a branch.
+class CheckpointOfBranch {
+ public:
+  CheckpointOfBranch(const Services& services, const PreparedClosure& prepared,
+                     const SearchOptions& search)
+      : services_(services), prepared_(prepared), search_(search) {}
+
+  [[nodiscard]] MakeCheckpoint maker() {
+    return [this](const BranchSettings& settings) {
+      return &checkpoint_.emplace(services_.checkpoint, [&] {
+        return checkpointed_question(prepared_, search_, settings);
+      });
+    };
+  }
+  [[nodiscard]] std::string line() const { return checkpoint_ ? checkpoint_->line() : ""; }
+
+ private:
+  const Services& services_;
+  const PreparedClosure& prepared_;
+  const SearchOptions& search_;
+  std::optional<SearchCheckpoint> checkpoint_;
+};
+
+/// The answer for a mechanism whose configuration is a solution of equations.
+class ClosureCheck final : public CheckAnswer {
+ public:
+  ClosureCheck(Request request, double model_seconds, const AskCheck& asked,
+               const Services& services)
+      : search_(asked.search),
+        prepared_(prepare_closure(std::move(request), model_seconds, search_,
+                                  watch_of(services, search_))) {
+    services.begin_search();
+    SearchDisplay display(display_of(services));
+    CheckpointOfBranch checkpoint(services, prepared_, search_);
+    found_ = check_closure(prepared_, search_, watch_of(services, search_), display.observer(),
+                           checkpoint.maker());
+    checkpoint_line_ = checkpoint.line();
+    proof = certify_branch(services.certificate, prepared_, found_.searched,
+                           {nullptr, services.shard_size});
+    if (proof.is_lost()) lost.push_back(proof.obstacle());
+    result = check_result(prepared_, found_);
+    for (const VariableLabel& variable : prepared_.preparation.labels.variables)
+      variables.push_back(variable.name);
+  }
+
+  [[nodiscard]] std::string claim() const override { return describe_claim(prepared_, found_); }
+  void tell(Facts& facts) const override {
+    tell_closure(prepared_, search_, found_, facts);
+    proof.tell(facts);
+  }
+  [[nodiscard]] std::string about_files() const override { return proof.line() + checkpoint_line_; }
+
+ private:
+  SearchOptions search_;
+  PreparedClosure prepared_;
+  ClosureFinding found_;
+  std::string checkpoint_line_;
+};
+
+/// Where is the branch certain, and where does it end? Boxes are told when they are linked.
+class ClosurePaving final : public PavingAnswer {
+ public:
+  ClosurePaving(Request request, double model_seconds, const AskPaving& asked,
+                const Services& services)
+      : search_(asked.search),
+        prepared_(prepare_closure(std::move(request), model_seconds, search_,
+                                  watch_of(services, search_))),
+        options_(resolve_paving(asked.resolution, search_, prepared_.preparation)),
+        problem_(prepared_.preparation.problem()),
+        volumes_(problem_) {
+    options_.encloses_determinants = false;
+    for (const VariableLabel& variable : prepared_.preparation.labels.variables)
+      variables.push_back(variable.name);
+    LinesFile lines(services.lines);
+    Pictures pictures(services.pictures, options_, prepared_.preparation);
+    BoxListener listener(services, problem_, 0);
+    std::optional<PavingWriter> writer;
+    if (lines.is_wanted())
+      writer.emplace(lines.stream(), prepared_.preparation, options_,
+                     [&listener] { listener.ask_for_end(); });
+    services.begin_search();
+    SearchDisplay display(display_of(services));
+    CheckpointOfBranch checkpoint(services, prepared_, search_);
+    found_ = pave_closure(prepared_, search_, options_.resolution, watch_of(services, search_),
+                          display.observer(), checkpoint.maker());
+    checkpoint_line_ = checkpoint.line();
+    std::vector<Observer*> watching = present({&volumes_, &listener, writer ? &*writer : nullptr});
+    for (Observer* picture : pictures.observers()) watching.push_back(picture);
+    Observers observers(std::move(watching));
+    tell_leaves(prepared_, found_, observers);
+    listener.rethrow();
+    conclude();
+    write_beside([&] {
+      if (writer) writer->finish(json(), lines.name());
+      lines.finish();
+    });
+    write_beside([&] { pictures.draw(volumes_); });
+  }
+
+  [[nodiscard]] Json header() const override {
+    return json_paving_header(prepared_.preparation, options_);
+  }
+  void tell(Facts& facts) const override {
+    tell_paving(prepared_.preparation, search_, options_, volumes_, result, facts);
+    tell_branch(prepared_, found_, facts);
+    proof.tell(facts);
+  }
+  [[nodiscard]] std::string about_files() const override { return checkpoint_line_; }
+
+ private:
+  void conclude() {
+    result = check_result(prepared_, found_);
+    const auto fraction = [this](Claim claim) { return volumes_.fraction(volumes_.of(claim)); };
+    free = fraction(Claim::kFree);
+    undecided = fraction(Claim::kUndecided);
+    outside = fraction(Claim::kOutside);
+    singular = unreachable = Interval(0.0);
+  }
+
+  SearchOptions search_;
+  PreparedClosure prepared_;
+  PavingOptions options_;
+  Problem problem_;
+  Volumes volumes_;
+  ClosureFinding found_;
+  std::string checkpoint_line_;
+};
+
+/// How far errors move the configuration.
+class FiniteErrorAnswer final : public BoundAnswer {
+ public:
+  FiniteErrorAnswer(Request request, const AskBound& asked, const Services& services)
+      : request_(std::move(request)), search_(asked.search), gap_(read_gap(asked.gap)) {
+    const std::vector<std::size_t> unknowns = unknowns_of(request_, asked.quantity, asked.limit);
+    if (!services.certificate.empty() || !services.checkpoint.path.empty())
+      throw UsageError("finite errors have no certificate and no checkpoint yet; leave them out");
+    services.begin_search();
+    SearchDisplay display(display_of(services));
+    found_ = bound_finite_errors(request_, unknowns, gap_, search_, watch_of(services, search_),
+                                 display.observer());
+    closed =
+        found_.obstacle.empty() && std::ranges::all_of(found_.unknowns, &FiniteError::is_closed);
+    if (found_.unknowns.size() != 1) return;
+    unit = found_.unknowns.front().unit;
+    attained = found_.unknowns.front().attained;
+    proved = found_.unknowns.front().proved;
+  }
+
+  [[nodiscard]] Word word() const override {
+    return closed ? Word::kProved : found_.folds.empty() ? Word::kOpen : Word::kRefuted;
+  }
+  [[nodiscard]] std::string headline() const override { return describe_result(found_); }
+  void tell(Facts& facts) const override {
+    tell_finite_errors(request_, search_, found_, gap_, closed, facts);
+  }
+
+ private:
+  Request request_;
+  SearchOptions search_;
+  double gap_;
+  FiniteErrors found_;
+};
+
+}  // namespace
+
+std::unique_ptr<BoundAnswer> answer_closure(Request request, const AskBound& asked,
+                                            const Services& services) {
+  return std::make_unique<FiniteErrorAnswer>(std::move(request), asked, services);
+}
+
+std::unique_ptr<CheckAnswer> answer_closure(Request request, double model_seconds,
+                                            const AskCheck& asked, const Services& services) {
+  return std::make_unique<ClosureCheck>(std::move(request), model_seconds, asked, services);
+}
+
+std::unique_ptr<PavingAnswer> answer_closure(Request request, double model_seconds,
+                                             const AskPaving& asked, const Services& services) {
+  return std::make_unique<ClosurePaving>(std::move(request), model_seconds, asked, services);
+}
+
+}  // namespace regulus

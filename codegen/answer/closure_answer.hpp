@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The answers about mechanisms whose configuration is a solution of equations.
+#pragma once
+
+#include <memory>
+
+#include "codegen/answer/asked.hpp"
+#include "codegen/answer/kinds.hpp"
+#include "codegen/answer/services.hpp"
+
+namespace regulus {
+
+struct Request;
+
+/// Requires  request.model.closure.
+/// Throws    as ask().
+[[nodiscard]] std::unique_ptr<CheckAnswer> answer_closure(Request request, double model_seconds,
+                                                          const AskCheck& asked,
+                                                          const Services& services);
+[[nodiscard]] std::unique_ptr<PavingAnswer> answer_closure(Request request, double model_seconds,
+                                                           const AskPaving& asked,
+                                                           const Services& services);
+
+[[nodiscard]] std::unique_ptr<BoundAnswer> answer_closure(Request request, const AskBound& asked,
+                                                          const Services& services);
+
+}  // namespace regulus

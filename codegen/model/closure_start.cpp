@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/model/closure_start.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "codegen/model/exact/certain_sign.hpp"
+#include "codegen/model/exact/ginac_text.hpp"
+#include "codegen/model/names.hpp"
+#include "codegen/support/errors.hpp"
+
+namespace regulus {
+namespace {
+
+using GiNaC::ex;
+
+[[noreturn]] void refuse(const Model& model, const Motion& motion, const std::string& problem,
+                         const std::string& remedy) {
+  throw InputError::statement(model.path, 0, "the motion " + in_quotes(motion.name) + problem,
+                              remedy, motion.name);
+}
+
+std::string with_unit(const ex& value, const std::string& unit) {
+  return formula_text(value) + (unit == "1" ? "" : " " + unit);
+}
+
+bool is_at_most(const ex& a, const ex& b) {
+  if (a.is_equal(b)) return true;
+  const CertainSign sign = certain_sign(b - a);
+  return sign == CertainSign::kPositive || sign == CertainSign::kZero;
+}
+
+void require_within(const Model& model, const Motion& motion, const MotionParameter& parameter,
+                    const ex& start) {
+  if (is_at_most(parameter.range.lo, start) && is_at_most(start, parameter.range.hi)) return;
+  refuse(model, motion,
+         " does not contain the start of [closure], where " + parameter.name + " is " +
+             with_unit(start, parameter.unit),
+         "widen the range of " + parameter.name + ", or move closure.start into it");
+}
+
+void require_equal(const Model& model, const Motion& motion, const PoseParameter& parameter,
+                   const ex& value, const ex& start) {
+  if (value.is_equal(start) || certain_sign(value - start) == CertainSign::kZero) return;
+  refuse(model, motion,
+         " does not contain the start of [closure]: " + parameter.name + " is " +
+             with_unit(value, parameter.unit) + " there, and " + with_unit(start, parameter.unit) +
+             " at the start",
+         "give " + parameter.name + " the value of closure.start, or a range that contains it");
+}
+
+std::vector<ex> values_of(const Model& model, const Motion& motion,
+                          const std::vector<std::optional<ex>>& found) {
+  std::vector<ex> values;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (!found[i])
+      refuse(model, motion,
+             " has the parameter " + motion.parameters[i].name +
+                 ", and the start of [closure] does not say what it is there",
+             "write the number in its place, or give the motion by ranges of the pose parameters");
+    values.push_back(*found[i]);
+  }
+  return values;
+}
+
+}  // namespace
+
+std::vector<ex> start_of(const Model& model, const Motion& motion) {
+  const Closure& closure = model.closure.value();
+  if (motion.waypoints || motion.trajectory)
+    refuse(model, motion, " follows way-points, and the start of [closure] must be a place of it",
+           "give the motion by ranges of the pose parameters");
+  std::vector<std::optional<ex>> found(motion.parameters.size());
+  for (std::size_t i = 0; i < model.pose.size(); ++i) {
+    const ex &value = motion.pose[i], &start = closure.start_pose[i];
+    const auto at = std::ranges::find_if(
+        motion.parameters, [&value](const MotionParameter& p) { return value.is_equal(p.symbol); });
+    if (at != motion.parameters.end()) {
+      std::optional<ex>& known = found[static_cast<std::size_t>(at - motion.parameters.begin())];
+      if (known) require_equal(model, motion, model.pose[i], *known, start);
+      require_within(model, motion, *at, start);
+      known = start;
+    } else if (symbols_of(value).empty()) {
+      require_equal(model, motion, model.pose[i], value, start);
+    } else {
+      refuse(model, motion,
+             " gives " + model.pose[i].name +
+                 " by a formula, and the start of [closure] must be a place of it",
+             "give the motion by ranges of the pose parameters");
+    }
+  }
+  return values_of(model, motion, found);
+}
+
+void require_start(const Model& model, const Motion& motion) {
+  if (model.closure) (void)start_of(model, motion);
+}
+
+}  // namespace regulus

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The place of a motion where the branch of a mechanism starts.
+#pragma once
+
+#include <vector>
+
+#include "codegen/model/model.hpp"
+
+namespace regulus {
+
+/// Returns the values of the motion's parameters at the start of the model's closure, by parameter.
+///
+/// Requires  the model has a closure.
+/// Ensures   each is within its range, and the motion's pose there is the start's: both are proved.
+/// Throws    InputError, with the motion's name, if the start is no place of the motion, or if that
+///           cannot be told: its pose is given by formulas, or along way-points.
+[[nodiscard]] std::vector<GiNaC::ex> start_of(const Model& model, const Motion& motion);
+
+/// The same for a check alone. A model without a closure has no start, and passes.
+void require_start(const Model& model, const Motion& motion);
+
+}  // namespace regulus

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/question/closure/branch_links.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <utility>
+
+#include "runtime/interval/floating_point_scope.hpp"
+#include "runtime/interval/lanes.hpp"
+
+namespace regulus {
+namespace {
+
+/// A place at which two tubes, or a tube and the box of the start, must hold one solution.
+struct Meeting {
+  std::size_t a, b;             ///< leaves; b = kNone: the start
+  std::vector<Interval> place;  ///< by variable
+  bool is_linked = false;
+  bool was_mended = false;  ///< a tube was looked for from the other side
+};
+
+/// Joins leaves that are linked.
+class Groups {
+ public:
+  explicit Groups(std::size_t size) : parent_(size) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+  }
+  std::size_t of(std::size_t leaf) {
+    while (parent_[leaf] != leaf) leaf = parent_[leaf] = parent_[parent_[leaf]];
+    return leaf;
+  }
+  void join(std::size_t a, std::size_t b) { parent_[of(a)] = of(b); }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+class Linker {
+ public:
+  Linker(const ClosureQuestion& question, BranchTree& tree, const BranchStart& start)
+      : question_(question),
+        tree_(tree),
+        start_(start),
+        system_(question.problem, question.scaling, question.shape),
+        finder_(system_, question.shape, question.ranges) {}
+
+  BranchLinks link(const MustStop& must_stop) {
+    links_.on_branch.assign(tree_.leaves().size(), 0);
+    if (!begin()) return std::move(links_);
+    tree_.for_neighbours(question_.problem.outer,
+                         [&](std::size_t a, std::size_t b, const std::vector<Interval>& face) {
+                           meetings_.push_back(meeting_of(a, b, face));
+                         });
+    std::vector<std::size_t> all(meetings_.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    meet(all, must_stop);
+    mend(must_stop);
+    if (const auto reason = must_stop())
+      links_.obstacle = describe(*reason);
+    else
+      conclude();
+    return std::move(links_);
+  }
+
+ private:
+  [[nodiscard]] const BranchTube& tube(std::size_t leaf) const {
+    return *tree_.leaves()[leaf].tube;
+  }
+
+  /// The middle of the face; of uncertain quantities, too.
+  Meeting meeting_of(std::size_t a, std::size_t b, const std::vector<Interval>& face) const {
+    Meeting meeting{a, b, {}, false, false};
+    for (std::size_t k = 0; k < question_.shape.variables; ++k)
+      meeting.place.emplace_back(mid(face[k]));
+    return meeting;
+  }
+
+  /// The box of the start has one solution, which a leaf holds.
+  bool begin() {
+    std::vector<Interval> place = start_.place;
+    for (std::size_t k = place.size(); k < question_.shape.variables; ++k)
+      place.emplace_back(question_.start.variables[k]);
+    if (!has_one_start(place)) {
+      links_.obstacle = "the values of 'start' are not shown to be near exactly one configuration";
+      return false;
+    }
+    const std::vector<std::size_t> leaves = tree_.leaves_at(start_.place);
+    std::size_t of_start = 0;
+    for (const std::size_t leaf : leaves) {
+      if (!tree_.leaves()[leaf].tube) {
+        links_.obstacle = "the start is not within boxes that have a tube";
+        return false;
+      }
+      meetings_.push_back({leaf, BranchTree::kNone, place, false, false});
+      meet({&(of_start = meetings_.size() - 1), 1});
+      if (!meetings_.back().is_linked) {
+        links_.obstacle = "the box at the start holds another configuration";
+        return false;
+      }
+    }
+    start_leaves_ = leaves;
+    return true;
+  }
+
+  bool has_one_start(const std::vector<Interval>& place) {
+    BranchTube tube;
+    for (const Interval& x : place) tube.at.push_back(mid(x));
+    for (std::size_t i = 0; i < start_.values.size(); ++i) {
+      const Interval& r = start_.radius[i];
+      const Interval all = start_.values[i] + Interval(-r.hi, r.hi);
+      tube.center.push_back(mid(all)), tube.radius.push_back(rad_ru(all));
+    }
+    tube.slopes.assign(tube.center.size() * tube.at.size(), 0.0);
+    SystemBoxes::Box center, over;
+    for (std::size_t k = 0; k < place.size(); ++k)
+      center.emplace_back(tube.at[k]), over.push_back(hull(place[k], Interval(tube.at[k])));
+    for (const double p : tube.center) center.emplace_back(p);
+    const std::vector<Interval> unknowns = enclose(tube, over);
+    over.insert(over.end(), unknowns.begin(), unknowns.end());
+    const std::vector<SystemBoxes::Box> boxes{center, over};
+    system_.evaluate(boxes);
+    const auto at_center = system_.at(0), all = system_.at(1);
+    if (!at_center || !all) return false;
+    std::vector<double> matrix;
+    for (const Interval& entry : at_center->by_unknown) matrix.push_back(mid(entry));
+    const auto inverse = approx_inverse_of(matrix, tube.center.size());
+    return inverse &&
+           has_one_solution(tube, image_of(tube, place, *inverse,
+                                           {at_center->value, all->by_unknown, all->by_variable}));
+  }
+
+  void meet(std::span<const std::size_t> meetings, const MustStop& must_stop) {
+    for (std::size_t at = 0; at < meetings.size() && !must_stop(); at += kLanes)
+      meet(meetings.subspan(at, std::min(kLanes, meetings.size() - at)));
+  }
+
+  [[nodiscard]] BranchPoint near(const Meeting& meeting) const {
+    BranchPoint point;
+    for (const Interval& x : meeting.place) point.variables.push_back(mid(x));
+    for (const Interval& p : enclose(tube(meeting.a), meeting.place))
+      point.unknowns.push_back(mid(p));
+    return point;
+  }
+
+  static TubeTrial trial_at(const TrackedPoint& point, std::vector<Interval> box) {
+    return {
+        std::move(box), {point.at.variables, point.at.unknowns, point.slopes, {}}, point.inverse};
+  }
+
+  /// Encloses the solution at each of 1…8 places in a small box, and looks if both hold it.
+  void meet(std::span<const std::size_t> meetings) {
+    std::vector<BranchPoint> points;
+    for (const std::size_t i : meetings) points.push_back(near(meetings_[i]));
+    const auto settled = settle(system_, question_.shape, points);
+    std::vector<TubeTrial> trials;
+    std::vector<std::size_t> of;
+    for (std::size_t i = 0; i < settled.size(); ++i) {
+      meetings_[meetings[i]].is_linked = false;
+      if (!settled[i]) continue;
+      trials.push_back(trial_at(*settled[i], meetings_[meetings[i]].place));
+      of.push_back(meetings[i]);
+    }
+    if (trials.empty()) return;
+    std::vector<TubeFinding> found(trials.size());
+    finder_.find(trials, found);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      if (!found[i].tube) continue;
+      Meeting& meeting = meetings_[of[i]];
+      const std::vector<Interval> solution = enclose(*found[i].tube, meeting.place);
+      meeting.is_linked = is_held_by_both(meeting, solution);
+      if (meeting.is_linked && meeting.b == BranchTree::kNone) links_.configuration = solution;
+    }
+  }
+
+  /// Where a tube is of another branch than its neighbour on this one, one is looked for from there.
+  void mend(const MustStop& must_stop) {
+    for (bool has_changed = true; has_changed && !must_stop();) {
+      has_changed = false;
+      const std::vector<char> on_branch = joined({});
+      for (Meeting& meeting : meetings_) {
+        if (meeting.is_linked || meeting.was_mended || meeting.b == BranchTree::kNone) continue;
+        if (on_branch[meeting.a] == on_branch[meeting.b]) continue;
+        meeting.was_mended = true;
+        const bool is_a_good = on_branch[meeting.a] != 0;
+        if (!mend(is_a_good ? meeting.a : meeting.b, is_a_good ? meeting.b : meeting.a, meeting))
+          continue;
+        has_changed = true;
+        break;
+      }
+    }
+  }
+
+  bool mend(std::size_t good, std::size_t bad, const Meeting& meeting) {
+    const BranchPoint from = near({good, bad, meeting.place, false, false});
+    const std::vector<double> middle = tube(bad).at;
+    const auto tracked = track(system_, question_.shape, from, {&middle, 1});
+    if (!tracked[0]) return false;
+    const std::vector<Interval>& box = tree_.leaves()[bad].at.box;
+    const TubeTrial trial = trial_at(
+        *tracked[0], {box.begin(), box.begin() + std::ptrdiff_t(question_.shape.variables)});
+    TubeFinding found;
+    finder_.find({&trial, 1}, {&found, 1});
+    if (!found.tube) return false;
+    tree_.replace(bad, *found.tube);
+    std::vector<std::size_t> changed;
+    for (std::size_t i = 0; i < meetings_.size(); ++i)
+      if (meetings_[i].a == bad || meetings_[i].b == bad) changed.push_back(i);
+    meet(changed, [] { return std::nullopt; });
+    return true;
+  }
+
+  /// Returns the leaves that links join with the start, without those that are left out.
+  [[nodiscard]] std::vector<char> joined(const std::vector<char>& is_left_out) const {
+    const std::size_t count = tree_.leaves().size();
+    const auto is_out = [&](std::size_t leaf) {
+      return !is_left_out.empty() && is_left_out[leaf] != 0;
+    };
+    Groups groups(count);
+    for (const Meeting& m : meetings_)
+      if (m.is_linked && m.b != BranchTree::kNone && !is_out(m.a) && !is_out(m.b))
+        groups.join(m.a, m.b);
+    for (const std::size_t start : start_leaves_) groups.join(start, start_leaves_.front());
+    std::vector<char> result(count, 0);
+    for (std::size_t leaf = 0; leaf < count; ++leaf)
+      result[leaf] = tree_.leaves()[leaf].tube && !is_out(leaf) &&
+                     groups.of(leaf) == groups.of(start_leaves_.front());
+    return result;
+  }
+
+  [[nodiscard]] bool is_held_by_both(const Meeting& meeting,
+                                     const std::vector<Interval>& solution) const {
+    if (!certain_holds(tube(meeting.a), meeting.place, solution)) return false;
+    if (meeting.b != BranchTree::kNone)
+      return certain_holds(tube(meeting.b), meeting.place, solution);
+    for (std::size_t i = 0; i < solution.size(); ++i)
+      if (!(mag(solution[i] - start_.values[i]) <= start_.radius[i].lo)) return false;
+    return true;
+  }
+
+  /// Leaves out neighbours on the branch that are not linked, until there are none.
+  void conclude() {
+    const std::size_t count = tree_.leaves().size();
+    std::vector<char> is_left_out(count, 0);
+    bool is_torn = false;
+    for (bool has_changed = true; has_changed;) {
+      has_changed = false;
+      links_.on_branch = joined(is_left_out);
+      for (const Meeting& m : meetings_) {
+        if (m.is_linked || m.b == BranchTree::kNone) continue;
+        is_torn = true;
+        if (links_.on_branch[m.a] != 0 && links_.on_branch[m.b] != 0)
+          is_left_out[m.a] = is_left_out[m.b] = 1, has_changed = true;
+      }
+    }
+    links_.links = std::size_t(std::ranges::count_if(meetings_, &Meeting::is_linked));
+    links_.is_one_branch = true;
+    for (std::size_t leaf = 0; leaf < count; ++leaf)
+      if (tree_.leaves()[leaf].tube && links_.on_branch[leaf] == 0) links_.is_one_branch = false;
+    if (links_.is_one_branch) return;
+    links_.obstacle = is_torn
+                          ? "two neighbouring boxes are not shown to hold one configuration"
+                          : "constraints cut the motion in parts, and the start is in one of them";
+  }
+
+  const ClosureQuestion& question_;
+  BranchTree& tree_;
+  const BranchStart& start_;
+  SystemBoxes system_;
+  TubeFinder finder_;
+  std::vector<Meeting> meetings_;
+  std::vector<std::size_t> start_leaves_;
+  BranchLinks links_;
+};
+
+}  // namespace
+
+BranchLinks link_branch(const ClosureQuestion& question, BranchTree& tree, const BranchStart& start,
+                        const MustStop& must_stop) {
+  const FloatingPointScope nearest(FloatingPointRounding::kNearest);
+  return Linker(question, tree, start).link(must_stop);
+}
+
+}  // namespace regulus

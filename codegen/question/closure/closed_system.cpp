@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/question/closure/closed_system.hpp"
+
+#include "codegen/answer/certificate/certificate_question.hpp"
+#include "codegen/support/errors.hpp"
+
+namespace regulus {
+namespace {
+
+using GiNaC::ex;
+
+class SystemBuilder {
+ public:
+  explicit SystemBuilder(const Request& request)
+      : given_(request), uncertain_(uncertain_names(request)) {}
+
+  ClosedSystem build() {
+    const Closure& closure = *given_.model.closure;
+    Model& model = system_.request.model;
+    model.name = given_.model.name;
+    model.path = given_.model.path;
+    model.sha256 = given_.model.sha256;
+    system_.request.motion.name = given_.motion.name;
+    for (const MotionParameter& p : given_.motion.parameters)
+      add({p.symbol, p.name, p.unit}, p.range, {p.name, p.unit, VariableKind::kMotion});
+    system_.shape.parameters = model.pose.size();
+    add_geometry();
+    add_pose();
+    system_.shape.variables = model.pose.size();
+    system_.shape.unknowns = closure.unknowns.size();
+    for (std::size_t i = 0; i < closure.unknowns.size(); ++i)
+      add_variable(closure.unknowns[i], typical_range(closure.start[i]));
+    write_matrix(closure);
+    write_conditions();
+    return std::move(system_);
+  }
+
+ private:
+  /// The forms of a kernel are chosen for these values. They hold for all.
+  static Range typical_range(const ex& start) {
+    const ex reach = 1 + abs(start) / 2;
+    return {start - reach, start + reach};
+  }
+
+  void add_variable(const PoseParameter& variable, const Range& range) {
+    Motion& motion = system_.request.motion;
+    system_.request.model.pose.push_back(variable);
+    motion.parameters.push_back({variable.symbol, variable.name, variable.unit, range});
+    motion.pose.push_back(variable.symbol);
+    motion.error.push_back(0);
+  }
+
+  void add(const PoseParameter& variable, const Range& range, VariableLabel label) {
+    add_variable(variable, range);
+    system_.labels.push_back(std::move(label));
+  }
+
+  /// A point in a ball is taken anywhere in the box around it.
+  void add_geometry() {
+    const Model& given = given_.model;
+    for (const GeometryParameter& g : given.geometry) {
+      if (!uncertain_.contains(g.name)) {
+        system_.request.model.geometry.push_back(g);
+        continue;
+      }
+      const ex spread = g.ball >= 0 ? given.balls.at(std::size_t(g.ball)).radius : g.tolerance;
+      add({g.symbol, g.name, "1"}, {g.value - spread, g.value + spread},
+          {g.name, "1", VariableKind::kGeometry, false, g.group, g.ball >= 0});
+    }
+  }
+
+  /// Notes what the pose parameters are, as commanded and with their errors.
+  void add_pose() {
+    const Motion& motion = given_.motion;
+    for (std::size_t i = 0; i < given_.model.pose.size(); ++i) {
+      const PoseParameter& pose = given_.model.pose[i];
+      commanded_[pose.symbol] = motion.pose[i];
+      actual_[pose.symbol] = motion.pose[i];
+      if (motion.error.empty() || motion.error[i].is_zero()) continue;
+      const GiNaC::realsymbol error("error_of_" + pose.name);
+      actual_[pose.symbol] = motion.pose[i] + error;
+      add({error, "error_of_" + pose.name, pose.unit}, {-motion.error[i], motion.error[i]},
+          {pose.name, pose.unit, VariableKind::kControl, false, "", false});
+    }
+  }
+
+  void write_matrix(const Closure& closure) {
+    Model& model = system_.request.model;
+    const std::size_t n = system_.shape.unknowns, m = system_.shape.variables;
+    model.matrix = GiNaC::matrix(unsigned(1 + n + m), unsigned(n));
+    for (unsigned j = 0; j < n; ++j) {
+      const ex equation = closure.equations[j].subs(actual_);
+      model.matrix(0, j) = equation;
+      for (std::size_t k = 0; k < n + m; ++k)
+        model.matrix(unsigned(1 + k), j) = equation.diff(model.pose[k < n ? m + k : k - n].symbol);
+    }
+  }
+
+  void write_conditions() {
+    Motion& motion = system_.request.motion;
+    for (const ex& e : given_.model.must_be_defined)
+      system_.request.model.must_be_defined.push_back(e.subs(actual_));
+    for (const ex& e : given_.motion.must_be_defined)
+      system_.request.model.must_be_defined.push_back(e.subs(commanded_));
+    for (const ex& e : given_.motion.constraints) motion.constraints.push_back(e.subs(commanded_));
+    for (const ex& e : given_.motion.reach) motion.reach.push_back(e.subs(commanded_));
+  }
+
+  const Request& given_;
+  const std::set<std::string> uncertain_;
+  GiNaC::exmap commanded_, actual_;
+  ClosedSystem system_;
+};
+
+bool has_atan2(const ex& expression) {
+  for (auto part = expression.preorder_begin(); part != expression.preorder_end(); ++part)
+    if (GiNaC::is_a<GiNaC::function>(*part) &&
+        GiNaC::ex_to<GiNaC::function>(*part).get_name() == "atan2")
+      return true;
+  return false;
+}
+
+}  // namespace
+
+ClosedSystem close(const Request& request) {
+  for (const ex& equation : request.model.closure->equations)
+    if (has_atan2(equation))
+      throw UsageError(
+          "an equation of [closure] has atan2, which jumps; write the equation with sin and cos");
+  return SystemBuilder(request).build();
+}
+
+/// Appends the derivatives by unknowns and by variables.
+void SystemBoxes::take(std::span<const Interval> entries, std::vector<Interval>& by_unknown,
+                       std::vector<Interval>& by_variable) const {
+  const std::size_t n = shape_.unknowns, m = shape_.variables;
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t k = 0; k < n; ++k) by_unknown.push_back(entries[(1 + k) * n + j]);
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t k = 0; k < m; ++k) by_variable.push_back(entries[(1 + n + k) * n + j]);
+}
+
+std::optional<SystemBoxes::System> SystemBoxes::at(std::size_t lane) const {
+  if (!boxes_.is_defined(lane)) return std::nullopt;
+  const std::size_t n = shape_.unknowns, m = shape_.variables;
+  const BoxMatrices::Entries entries = boxes_.matrix(lane).center;
+  System system;
+  system.value.assign(entries.begin(), entries.begin() + std::ptrdiff_t(n));
+  take(entries, system.by_unknown, system.by_variable);
+  for (std::size_t by = 0; has_rates_ && by < m + n; ++by)
+    take(boxes_.slope(lane, by), system.rates_by_unknown, system.rates_by_variable);
+  return system;
+}
+
+std::vector<char> SystemBoxes::are_outside(std::span<const Box> boxes) {
+  std::vector<char> outside(boxes.size(), 0);
+  if (!boxes_.has_constraints()) return outside;
+  boxes_.evaluate(boxes);
+  for (std::size_t lane = 0; lane < boxes.size(); ++lane) outside[lane] = boxes_.is_outside(lane);
+  return outside;
+}
+
+}  // namespace regulus

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The equations of a closure and their derivatives, as the matrix of a kernel.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "codegen/model/request.hpp"
+#include "codegen/question/engine/box_matrices.hpp"
+#include "codegen/question/engine/report_labels.hpp"
+
+namespace regulus {
+
+/// The sizes of a system. The variables of its kernel are those of a certificate, in its order
+/// (motion parameters, uncertain quantities, control errors), and after them the unknowns.
+struct ClosedShape {
+  std::size_t parameters = 0;  ///< of the motion
+  std::size_t variables = 0;   ///< with the uncertain ones
+  std::size_t unknowns = 0;
+};
+
+struct ClosedSystem {
+  ClosedShape shape;
+  /// A motion in a box of all variables. Its matrix has the equations in its first row, and in the
+  /// row of each unknown and then of each variable their derivatives by it.
+  Request request;
+  std::vector<VariableLabel> labels;  ///< of the variables
+};
+
+/// Requires  request.model.closure; no motion along way-points.
+/// Throws    UsageError if an equation has atan2: it may jump, and its derivatives do not show it.
+[[nodiscard]] ClosedSystem close(const Request& request);
+
+/// Evaluates a system over eight boxes at once. Each thread has its own.
+class SystemBoxes {
+ public:
+  using Box = BoxMatrices::Box;
+
+  struct System {
+    std::vector<Interval> value;        ///< n
+    std::vector<Interval> by_unknown;   ///< n×n, row-major
+    std::vector<Interval> by_variable;  ///< n×m, row-major
+    /// Their derivatives by each variable and then by each unknown, as in TubeSystem.
+    std::vector<Interval> rates_by_unknown{}, rates_by_variable{};
+  };
+
+  /// The objects must outlive this one.
+  SystemBoxes(const Problem& problem, const MatrixScaling& scaling, const ClosedShape& shape)
+      : shape_(shape), boxes_(problem, scaling, 0) {}
+
+  /// `has_rates`: with the derivatives of the derivatives.
+  ///
+  /// Shape     1…8 boxes, each with an interval for every variable and then every unknown.
+  /// Rounding  outward; MXCSR at nearest.
+  void evaluate(std::span<const Box> boxes, bool has_rates = false) {
+    boxes_.evaluate_entries(boxes, has_rates);
+    has_rates_ = has_rates;
+  }
+  /// Returns nullopt if an expression is not certainly defined all over the box of that lane.
+  [[nodiscard]] std::optional<System> at(std::size_t lane) const;
+
+  /// Returns for each of 1…8 boxes if some constraint excludes it. Forgets the boxes.
+  [[nodiscard]] std::vector<char> are_outside(std::span<const Box> boxes);
+
+ private:
+  void take(std::span<const Interval> entries, std::vector<Interval>& by_unknown,
+            std::vector<Interval>& by_variable) const;
+
+  const ClosedShape shape_;
+  BoxMatrices boxes_;
+  bool has_rates_ = false;
+};
+
+}  // namespace regulus

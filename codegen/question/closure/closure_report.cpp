@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/question/closure/closure_report.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "codegen/answer/report/number_text.hpp"
+#include "codegen/answer/report/place_text.hpp"
+#include "codegen/answer/report/question_report.hpp"
+#include "codegen/answer/report/report.hpp"
+#include "codegen/answer/report/search_facts.hpp"
+
+namespace regulus {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string unknown_names(const Closure& closure) {
+  std::string names;
+  for (const PoseParameter& unknown : closure.unknowns)
+    names += (names.empty() ? "" : ", ") + unknown.name;
+  return names;
+}
+
+/// The configuration at the start: certified if it was found, else the values of the file.
+void tell_start(const PreparedClosure& prepared, const ClosureFinding& found, Facts& facts) {
+  const Closure& closure = *prepared.request.model.closure;
+  Json place = Json::object(), unknowns = Json::object();
+  std::string at, values;
+  for (std::size_t k = 0; k < prepared.start.place.size(); ++k) {
+    const MotionParameter& p = prepared.request.motion.parameters[k];
+    place[p.name] = json_interval(prepared.start.place[k]);
+    at += fmt::format("{}{} = {:.9g}{}", at.empty() ? "" : ", ", p.name,
+                      mid(prepared.start.place[k]), unit_suffix(p.unit));
+  }
+  const bool is_certain = !found.searched.links.configuration.empty();
+  for (std::size_t i = 0; i < closure.unknowns.size(); ++i) {
+    const Interval& value =
+        is_certain ? found.searched.links.configuration[i] : prepared.start.values[i];
+    unknowns[closure.unknowns[i].name] = json_interval(value);
+    values += fmt::format("{}{} = {:.9g}{}", values.empty() ? "" : ", ", closure.unknowns[i].name,
+                          mid(value), unit_suffix(closure.unknowns[i].unit));
+  }
+  facts.tell(
+      "branch",
+      {{"start", std::move(place)}, {"unknowns", std::move(unknowns)}, {"certain", is_certain}},
+      "branch",
+      fmt::format("through {} with {}{}", at, values, is_certain ? "" : ", approximately"));
+}
+
+std::string reason_of(const ClosureFinding& found) {
+  if (found.searched.branch.is_empty) return describe(Reason::kEmptyVariety);
+  if (!found.searched.branch.is_complete && found.searched.branch.reason == Reason::kWidth)
+    return "a box at the minimum width has no certain branch: it may end there, or be singular";
+  return found.searched.branch.is_complete ? found.searched.links.obstacle
+                                           : describe(found.searched.branch.reason);
+}
+
+/// Returns "theta = 2.31381557986 rad (132.571867 deg)": the digits are certain.
+std::string certain_words(const std::string& name, const Interval& value, const std::string& unit) {
+  const double degrees = mid(value) * 180 / std::numbers::pi;
+  return fmt::format("{} = {:.12g}{}{}", name, mid(value), unit_suffix(unit),
+                     unit == "rad" ? fmt::format(" ({:.9g} deg)", degrees) : "");
+}
+
+Json json_fold(const PreparedClosure& prepared, const Fold& fold) {
+  const Closure& closure = *prepared.request.model.closure;
+  Json place = Json::object(), unknowns = Json::object(), direction = Json::object();
+  for (std::size_t k = 0; k < fold.place.size(); ++k)
+    place[prepared.request.motion.parameters[k].name] = json_interval(fold.place[k]);
+  for (std::size_t i = 0; i < closure.unknowns.size(); ++i) {
+    unknowns[closure.unknowns[i].name] = json_interval(fold.unknowns[i]);
+    direction[closure.unknowns[i].name] = json_interval(fold.direction[i]);
+  }
+  return {{"parameters", std::move(place)},
+          {"unknowns", std::move(unknowns)},
+          {"direction", std::move(direction)},
+          {"on_branch", fold.is_on_branch}};
+}
+
+void say_fold(const PreparedClosure& prepared, const Fold& fold, Facts& facts) {
+  const Closure& closure = *prepared.request.model.closure;
+  std::string at, moved;
+  for (std::size_t k = 0; k < fold.place.size(); ++k) {
+    const MotionParameter& p = prepared.request.motion.parameters[k];
+    at += (at.empty() ? "" : ", ") + certain_words(p.name, fold.place[k], p.unit);
+  }
+  for (std::size_t i = 0; i < closure.unknowns.size(); ++i) {
+    const PoseParameter& unknown = closure.unknowns[i];
+    at += ", " + certain_words(unknown.name, fold.unknowns[i], unknown.unit);
+    moved += fmt::format("{}{} : {:.4g}", moved.empty() ? "" : ", ", unknown.name,
+                         mid(fold.direction[i]));
+  }
+  facts.say(fold.is_on_branch ? "ends at" : "singular", at);
+  facts.say("", fmt::format("with the motors locked nothing resists a motion in the ratio {}{}",
+                            moved, fold.is_on_branch ? "" : "; not shown to be on the branch"));
+}
+
+/// The options with the time that is left. A limit that is over leaves the least time.
+SearchOptions within(SearchOptions search, const Deadline& deadline) {
+  if (search.time_limit != 0) search.time_limit = std::fmax(deadline.left(), 1e-9);
+  return search;
+}
+
+}  // namespace
+
+ClosureFinding check_closure(PreparedClosure& prepared, const SearchOptions& search,
+                             const FormingWatch& watch, Observer* progress,
+                             const MakeCheckpoint& checkpoint) {
+  ClosureFinding found;
+  BranchSettings settings = settings_of(prepared, search, watch.interrupt);
+  const Deadline deadline(settings);
+  settings.ask = [&](const std::vector<double>& place) {
+    auto fold = find_fold(prepared, place, within(search, deadline), watch);
+    if (fold) found.folds = {std::move(*fold)};
+    return found.is_refuted();
+  };
+  found.searched =
+      run_closure(prepared, settings, progress, checkpoint ? checkpoint(settings) : nullptr);
+  return found;
+}
+
+ClosureFinding pave_closure(PreparedClosure& prepared, const SearchOptions& search,
+                            double resolution, const FormingWatch& watch, Observer* progress,
+                            const MakeCheckpoint& checkpoint) {
+  ClosureFinding found;
+  BranchSettings settings = settings_of(prepared, search, watch.interrupt);
+  settings.paves = true;
+  settings.min_relative_width = resolution;
+  const Deadline deadline(settings);
+  found.searched =
+      run_closure(prepared, settings, progress, checkpoint ? checkpoint(settings) : nullptr);
+  if (prepared.shape.parameters != 1) return found;
+  const Interval& range = prepared.problem.outer[0];
+  for (const double end : {range.lo, range.hi})
+    if (auto fold = find_fold(prepared, {end}, within(search, deadline), watch))
+      found.folds.push_back(std::move(*fold));
+  return found;
+}
+
+void tell_leaves(const PreparedClosure& prepared, const ClosureFinding& found, Observer& observer) {
+  const std::vector<BranchLeaf>& leaves = found.searched.branch.tree.leaves();
+  const std::vector<char>& on_branch = found.searched.links.on_branch;
+  Proof undecided;
+  undecided.reason = Reason::kWidth;
+  for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf) {
+    const bool is_free = leaf < on_branch.size() && on_branch[leaf] != 0;
+    const std::span<const Interval> box =
+        std::span(leaves[leaf].at.box).first(prepared.shape.variables);
+    observer.on_leaf({leaves[leaf].at.id, leaves[leaf].at.depth, box},
+                     is_free                   ? Rule::kSecondOrder
+                     : leaves[leaf].is_outside ? Rule::kOutside
+                                               : Rule::kBlocked,
+                     undecided);
+  }
+}
+
+void tell_branch(const PreparedClosure& prepared, const ClosureFinding& found, Facts& facts) {
+  facts.say("closure", fmt::format("{} equations in {}", prepared.shape.unknowns,
+                                   unknown_names(*prepared.request.model.closure)));
+  tell_start(prepared, found, facts);
+  facts.add("links", found.searched.links.links);
+  Json folds = Json::array();
+  for (const Fold& fold : found.folds) {
+    folds.push_back(json_fold(prepared, fold));
+    say_fold(prepared, fold, facts);
+  }
+  facts.add("folds", std::move(folds));
+}
+
+Result check_result(const PreparedClosure& prepared, const ClosureFinding& found) {
+  Result check;
+  check.method = Method::kAuto;
+  check.statistics.boxes = found.searched.branch.boxes;
+  check.statistics.max_frontier = found.searched.branch.largest_open;
+  check.statistics.seconds = prepared.preparation.seconds.search;
+  check.stopped_by = found.searched.branch.stopped_by;
+  for (const BranchLeaf& leaf : found.searched.branch.tree.leaves())
+    ++check.statistics.leaves[std::size_t(leaf.tube         ? Rule::kSecondOrder
+                                          : leaf.is_outside ? Rule::kOutside
+                                                            : Rule::kBlocked)];
+  check.reason =
+      found.searched.branch.is_complete ? Reason::kAllBoxesCertified : found.searched.branch.reason;
+  if (found.searched.branch.is_empty) check.reason = Reason::kEmptyVariety;
+  if (found.searched.is_proved()) check.verdict = Verdict::kNoSingularity;
+  if (found.is_refuted()) {
+    check.verdict = Verdict::kSingularity;
+    check.reason = Reason::kLostRank;
+  }
+  if (!found.searched.branch.blocking_box.empty())
+    check.blocking_box.assign(
+        found.searched.branch.blocking_box.begin(),
+        found.searched.branch.blocking_box.begin() + std::ptrdiff_t(prepared.shape.variables));
+  check.occupancy =
+      found.searched.branch.is_empty ? Occupancy::kEmpty
+      : prepared.request.motion.constraints.empty() && prepared.request.motion.reach.empty()
+          ? Occupancy::kInhabited
+          : Occupancy::kUnknown;
+  return check;
+}
+
+std::string describe_claim(const PreparedClosure& prepared, const ClosureFinding& found) {
+  const PreparedSearch& p = prepared.preparation;
+  const std::string size = fmt::format("{0}×{0}", prepared.shape.unknowns);
+  if (found.is_refuted())
+    return fmt::format(
+        "the branch reaches a configuration of the variety where its {} matrix of the equations' "
+        "derivatives is singular",
+        size);
+  if (!found.searched.is_proved())
+    return fmt::format("none about the branch and its {} matrix: {}", size, reason_of(found));
+  const std::size_t uncertain = uncertain_count(p);
+  return fmt::format(
+      "the branch has exactly one configuration, and its {} matrix of the equations' derivatives "
+      "has full rank, for every {}{}",
+      size, describe_pose(p),
+      uncertain == 0 ? ""
+                     : fmt::format(" and every value of the {} uncertain quantities ({})",
+                                   uncertain, describe_groups(p.labels)));
+}
+
+void tell_closure(const PreparedClosure& prepared, const SearchOptions& search,
+                  const ClosureFinding& found, Facts& facts) {
+  const PreparedSearch& p = prepared.preparation;
+  const Result check = check_result(prepared, found);
+  facts.add("verdict", json_name(check.verdict));
+  const bool is_decided = check.verdict != Verdict::kPossibleProblem;
+  facts.add("reason", is_decided ? describe(check.reason) : reason_of(found));
+  tell_question(p, facts);
+  tell_branch(prepared, found, facts);
+  if (facts.are_for_programs()) add_search(search, json_question(prepared.request, search), facts);
+  tell_method(p, search, check.method, check.statistics.boxes, facts);
+  facts.add("filters", Json::array());
+  tell_boxes(check.statistics, facts);
+  facts.add("leaves", json_leaves(check.statistics));
+  facts.add("witness", nullptr).add("blocking_box", nullptr);
+  if (!check.blocking_box.empty()) {
+    Json box = json_parameters(p, check.blocking_box);
+    box.update(json_uncertain(p, check.blocking_box));
+    facts.tell("blocking_box", std::move(box), "blocked", describe_place(p, check.blocking_box));
+  }
+  tell_occupancy(check, facts);
+  tell_time(p.seconds_spent(), facts);
+  const std::string claim = describe_claim(prepared, found);
+  facts.tell("claim", claim, "claim", claim);
+}
+
+}  // namespace regulus

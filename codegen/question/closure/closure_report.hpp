@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What an answer about a closure tells.
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "codegen/answer/facts.hpp"
+#include "codegen/question/closure/fold_search.hpp"
+#include "runtime/problem/observer.hpp"
+#include "runtime/problem/result.hpp"
+
+namespace regulus {
+
+/// What was found about a closure: the search, and a singular configuration if it led to one.
+struct ClosureFinding {
+  ClosureResult searched;
+  std::vector<Fold> folds{};
+
+  [[nodiscard]] bool is_refuted() const {
+    return std::ranges::any_of(folds, [](const Fold& fold) { return fold.is_on_branch; });
+  }
+};
+
+/// The files of a search beside its answer; null: none.
+using MakeCheckpoint = std::function<SearchCheckpoint*(const BranchSettings&)>;
+
+/// Asks whether the branch is regular all over the motion. `progress` may be null.
+[[nodiscard]] ClosureFinding check_closure(PreparedClosure& prepared, const SearchOptions& search,
+                                           const FormingWatch& watch, Observer* progress,
+                                           const MakeCheckpoint& checkpoint = {});
+
+/// Decides every box of the motion, down to so small a part of each range, and looks for the ends of
+/// the branch in a motion of one parameter.
+[[nodiscard]] ClosureFinding pave_closure(PreparedClosure& prepared, const SearchOptions& search,
+                                          double resolution, const FormingWatch& watch,
+                                          Observer* progress,
+                                          const MakeCheckpoint& checkpoint = {});
+
+/// Tells the leaves of a paving: free if they are on the branch, outside, or undecided.
+void tell_leaves(const PreparedClosure& prepared, const ClosureFinding& found, Observer& observer);
+
+/// Returns the finding in the terms of a check.
+[[nodiscard]] Result check_result(const PreparedClosure& prepared, const ClosureFinding& found);
+
+/// Returns the claim, or why there is none, in words.
+[[nodiscard]] std::string describe_claim(const PreparedClosure& prepared,
+                                         const ClosureFinding& found);
+
+/// Tells where the branch begins, and the singular configurations that were found.
+void tell_branch(const PreparedClosure& prepared, const ClosureFinding& found, Facts& facts);
+
+void tell_closure(const PreparedClosure& prepared, const SearchOptions& search,
+                  const ClosureFinding& found, Facts& facts);
+
+}  // namespace regulus

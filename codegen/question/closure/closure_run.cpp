@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/question/closure/closure_run.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "codegen/answer/report/question_report.hpp"
+#include "codegen/kernel/formulation/variety.hpp"
+#include "codegen/model/closure_start.hpp"
+#include "codegen/question/engine/search_run.hpp"
+#include "codegen/question/engine/settings.hpp"
+
+namespace regulus {
+namespace {
+
+/// Of the time; the rest is for the links.
+constexpr double kPartOfSearch = 0.9;
+
+/// The kernel needs the entries of the matrix and their derivatives, and no product.
+SearchOptions options_of_kernel(SearchOptions search) {
+  search.method = Method::kReg;
+  search.entries = Entries::kDerivatives;
+  search.uncertainty = Uncertainty::kElements;
+  for (const char* ingredient : {"columns", "rows"})
+    if (std::ranges::find(search.without, ingredient) == search.without.end())
+      search.without.emplace_back(ingredient);
+  return search;
+}
+
+/// A kernel whose unknowns are no motion parameters: what measures boxes must not see them.
+class KernelOfClosure final : public LoadedKernel {
+ public:
+  KernelOfClosure(std::unique_ptr<LoadedKernel> kernel, std::size_t parameters)
+      : kernel_(std::move(kernel)), functions_(kernel_->functions()) {
+    functions_.motion_variables = unsigned(parameters);
+  }
+  [[nodiscard]] const regulus_kernel& functions() const noexcept override { return functions_; }
+
+ private:
+  std::unique_ptr<LoadedKernel> kernel_;
+  regulus_kernel functions_;
+};
+
+/// The report is about the question as it was asked, and not about the kernel.
+void relabel(PreparedSearch& p, const Request& request, const ClosedSystem& system) {
+  p.labels.variables = system.labels;
+  p.labels.pose.clear();
+  for (const PoseParameter& pose : request.model.pose)
+    p.labels.pose.push_back({pose.name, pose.unit});
+  p.labels.rows = p.labels.columns = int(system.shape.unknowns);
+  p.labels.matrix_kind = request.model.matrix_kind;
+  p.labels.matrix_notes = request.model.matrix_notes;
+  p.labels.notes = request.notes;
+  p.labels.where = name(request.motion.where);
+  p.labels.reach = 0;
+  p.labels.constraints = request.motion.constraints.size();
+  p.is_replanned = true;  // the kernel's request is another one
+  p.variety.outer.resize(system.shape.variables);
+  p.variety.inner.resize(system.shape.variables);
+}
+
+void fill_start(PreparedClosure& prepared, const Problem& problem) {
+  const Closure& closure = *prepared.request.model.closure;
+  BranchStart& start = prepared.start;
+  for (const GiNaC::ex& x : start_of(prepared.request.model, prepared.request.motion))
+    start.place.push_back(enclose_constant(x, "start"));
+  for (std::size_t i = 0; i < closure.unknowns.size(); ++i) {
+    const std::string& name = closure.unknowns[i].name;
+    start.values.push_back(enclose_constant(closure.start[i], "start." + name));
+    start.radius.push_back(enclose_constant(closure.start_radius[i], "radius." + name));
+    prepared.near_start.unknowns.push_back(mid(start.values.back()));
+    prepared.ranges.push_back(hull(enclose_constant(closure.ranges[i].lo, "range." + name),
+                                   enclose_constant(closure.ranges[i].hi, "range." + name)));
+  }
+  for (const Interval& x : start.place) prepared.near_start.variables.push_back(mid(x));
+  for (std::size_t k = start.place.size(); k < prepared.shape.variables; ++k)
+    prepared.near_start.variables.push_back(mid(problem.outer[k]));
+}
+
+}  // namespace
+
+std::optional<Request> read_closure(const ModelOptions& options, const FormingWatch& watch) {
+  const std::string text = model_text(options);
+  if (text.find("closure") == std::string::npos) return std::nullopt;
+  Request request = read_request(text, options, &watch);
+  return request.model.closure ? std::optional(std::move(request)) : std::nullopt;
+}
+
+PreparedClosure prepare_closure(Request request, double model_seconds, const SearchOptions& search,
+                                const FormingWatch& watch) {
+  if (!request.motion.alpha.is_zero())
+    throw UsageError("a closure has no threshold yet; leave alpha out");
+  PreparedClosure prepared;
+  ClosedSystem system = close(request);
+  prepared.shape = system.shape;
+  prepared.preparation = prepare(system.request, model_seconds, options_of_kernel(search), watch);
+  prepared.preparation.kernel = std::make_unique<KernelOfClosure>(
+      std::move(prepared.preparation.kernel), system.shape.parameters);
+  prepared.problem = prepared.preparation.problem();
+  prepared.problem.idle.clear();
+  prepared.scaling = prepared.preparation.stages->formulation().scaling;
+  prepared.request = std::move(request);
+  fill_start(prepared, prepared.problem);
+  relabel(prepared.preparation, prepared.request, system);
+  return prepared;
+}
+
+BranchSettings settings_of(const PreparedClosure& prepared, const SearchOptions& search,
+                           const std::atomic<bool>* interrupt) {
+  BranchSettings settings;
+  settings.threads = settings_from(search).threads;
+  if (search.max_boxes != 0) settings.max_boxes = search.max_boxes;
+  if (search.time_limit != 0)
+    settings.time_limit = seconds_left(prepared.preparation, search.time_limit);
+  if (prepared.preparation.stopped) settings.time_limit = 0;
+  settings.interrupt = interrupt;
+  settings.workers = search.workers;
+  return settings;
+}
+
+ClosureResult run_closure(PreparedClosure& prepared, const BranchSettings& settings,
+                          Observer* progress, SearchCheckpoint* checkpoint) {
+  const ClosureQuestion question = prepared.question();
+  const Deadline deadline(settings);
+  BranchSettings first = settings;
+  first.time_limit *= kPartOfSearch;
+  const auto search = [&](const BranchSettings& chosen) {
+    return search_branch(question, chosen, progress);
+  };
+  ClosureResult result;
+  if (checkpoint != nullptr && checkpoint->file() != nullptr) {
+    first.save_every = checkpoint->interval();
+    result.branch = checkpoint->file()->continue_search(first, search);
+    checkpoint->finish(result.branch.stopped_by.has_value());
+  } else {
+    result.branch = search(first);
+  }
+  Stopwatch watch;
+  if (settings.paves || (result.branch.is_complete && !result.branch.is_empty))
+    result.links = link_branch(question, result.branch.tree, prepared.start,
+                               [&] { return deadline.reason(); });
+  prepared.preparation.seconds.search = result.branch.seconds + watch.lap();
+  return result;
+}
+
+nlohmann::ordered_json checkpointed_question(const PreparedClosure& prepared,
+                                             const SearchOptions& search,
+                                             const BranchSettings& settings) {
+  nlohmann::ordered_json question = json_question(prepared.request, search);
+  question.erase("options");  // they change how long it takes
+  question["closure"] = prepared.shape.unknowns;
+  question["paves"] = settings.paves;
+  question["least_width"] = settings.min_relative_width;
+  return question;
+}
+
+}  // namespace regulus

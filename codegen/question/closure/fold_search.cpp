@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/question/closure/fold_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "codegen/model/exact/exact_double.hpp"
+#include "runtime/interval/floating_point_scope.hpp"
+
+namespace regulus {
+namespace {
+
+using GiNaC::ex;
+
+/// The solution of a swapped system begins within that of the one that was found.
+constexpr double kRadiusOfStart = 0x1p-24;
+constexpr std::uint64_t kMostBoxes = 4096;
+/// The part of the line before its end where an unknown takes its place, halved.
+constexpr double kPartOfChange = 0x1p-8;
+
+/// The equations along a line, without uncertain quantities.
+class LineModel {
+ public:
+  LineModel(const PreparedClosure& prepared, const std::vector<double>& towards)
+      : given_(prepared.request), closure_(*given_.model.closure), part_("part_of_line") {
+    GiNaC::exmap values;
+    for (const GeometryParameter& g : given_.model.geometry) values[g.symbol] = g.value;
+    for (std::size_t i = 0; i < given_.model.pose.size(); ++i) {
+      const auto parameter = std::ranges::find_if(
+          given_.motion.parameters,
+          [&](const MotionParameter& p) { return p.symbol.is_equal(given_.model.pose[i].symbol); });
+      const auto k = std::size_t(parameter - given_.motion.parameters.begin());
+      const ex from = closure_.start_pose[i];
+      values[given_.model.pose[i].symbol] = parameter == given_.motion.parameters.end()
+                                                ? given_.motion.pose[i]
+                                                : from + part_ * (exact_number(towards[k]) - from);
+    }
+    for (const ex& equation : closure_.equations) equations_.push_back(equation.subs(values));
+    for (const ex& condition : given_.model.must_be_defined)
+      conditions_.push_back(condition.subs(values));
+  }
+
+  [[nodiscard]] const GiNaC::realsymbol& part() const { return part_; }
+  [[nodiscard]] const std::vector<ex>& equations() const { return equations_; }
+  [[nodiscard]] const Closure& closure() const { return closure_; }
+  [[nodiscard]] PoseParameter part_parameter() const { return {part_, "part_of_line", "1"}; }
+
+  /// A system in these unknowns, whose pose parameter is `moves`, if there is one.
+  [[nodiscard]] Request system(const std::optional<PoseParameter>& moves, const Range& range,
+                               const ex& from, std::vector<PoseParameter> unknowns,
+                               std::vector<Range> ranges, std::vector<ex> equations,
+                               std::vector<ex> start, std::vector<ex> radius) const {
+    Request request;
+    request.model.name = given_.model.name;
+    request.model.must_be_defined = conditions_;
+    Closure& closure = request.model.closure.emplace();
+    if (moves) {
+      request.model.pose.push_back(*moves);
+      request.motion.parameters.push_back({moves->symbol, moves->name, moves->unit, range});
+      request.motion.pose.emplace_back(moves->symbol);
+      request.motion.error.emplace_back(0);
+      closure.start_pose.push_back(from);
+    }
+    closure.start_radius = std::move(radius);
+    closure.unknowns = std::move(unknowns);
+    closure.ranges = std::move(ranges);
+    closure.equations = std::move(equations);
+    closure.start = std::move(start);
+    return request;
+  }
+
+ private:
+  const Request& given_;
+  const Closure& closure_;
+  const GiNaC::realsymbol part_;
+  std::vector<ex> equations_, conditions_;
+};
+
+class FoldSearch {
+ public:
+  FoldSearch(const PreparedClosure& prepared, const std::vector<double>& towards,
+             const SearchOptions& search, const FormingWatch& watch)
+      : prepared_(prepared),
+        towards_(towards),
+        search_(options(search)),
+        watch_(watch),
+        line_(prepared, towards),
+        n_(prepared.shape.unknowns) {}
+
+  std::optional<Fold> find() {
+    if (!follow_line() || !solve()) return std::nullopt;
+    const Closure& closure = line_.closure();
+    fold_.place.clear();
+    for (std::size_t k = 0; k < towards_.size(); ++k) {
+      const Interval from = prepared_.start.place[k];
+      fold_.place.push_back(from + solution_[0] * (Interval(towards_[k]) - from));
+      const std::optional<Interval>& inner = prepared_.problem.inner[k];
+      if (!inner || !certain_subset(fold_.place[k], *inner)) return std::nullopt;
+    }
+    fold_.unknowns.assign(solution_.begin() + 1, solution_.begin() + 1 + std::ptrdiff_t(n_));
+    fold_.direction.assign(solution_.begin() + 1 + std::ptrdiff_t(n_), solution_.end());
+    const bool is_unconstrained =
+        prepared_.request.motion.constraints.empty() && prepared_.request.motion.reach.empty();
+    fold_.is_on_branch = is_unconstrained && closure.unknowns.size() == n_ && leads_to_fold();
+    return fold_;
+  }
+
+ private:
+  static SearchOptions options(SearchOptions search) {
+    search.max_boxes = kMostBoxes;
+    search.workers = nullptr;
+    search.threads = 1;
+    return search;
+  }
+
+  [[nodiscard]] PreparedClosure prepared(Request request) const {
+    return prepare_closure(std::move(request), 0, search_, watch_);
+  }
+
+  [[nodiscard]] Request line_request(double to) const {
+    const Closure& closure = line_.closure();
+    return line_.system(line_.part_parameter(), {0, exact_number(to)}, 0, closure.unknowns,
+                        closure.ranges, line_.equations(), closure.start, closure.start_radius);
+  }
+
+  /// Goes along the line until the branch is lost.
+  bool follow_line() {
+    const PreparedClosure line = prepared(line_request(1));
+    if (line.preparation.stopped) return false;
+    SystemBoxes system(line.problem, line.scaling, line.shape);
+    const FloatingPointScope nearest(FloatingPointRounding::kNearest);
+    lost_ = track_until_lost(system, line.shape, line.near_start, {1.0});
+    return lost_ && lost_->part > 0 && lost_->part < 1;
+  }
+
+  /// The unknown that moves most where Φ_p is nearly singular, and how all move.
+  [[nodiscard]] std::vector<double> null_vector() const {
+    const std::vector<double>& inverse = lost_->last.inverse;
+    std::vector<double> best(n_, 0.0);
+    double most = 0;
+    for (std::size_t j = 0; j < n_; ++j) {
+      double size = 0;
+      for (std::size_t i = 0; i < n_; ++i) size = std::hypot(size, inverse[i * n_ + j]);
+      if (size <= most) continue;
+      most = size;
+      for (std::size_t i = 0; i < n_; ++i) best[i] = inverse[i * n_ + j] / size;
+    }
+    return best;
+  }
+
+  bool solve() {
+    const std::vector<double> v = null_vector();
+    const Closure& closure = line_.closure();
+    const BranchPoint& last = lost_->last.at;
+    std::vector<PoseParameter> unknowns{line_.part_parameter()};
+    std::vector<Range> ranges{{-1, 2}};
+    std::vector<ex> start{exact_number(last.variables[0])}, equations = line_.equations();
+    unknowns.insert(unknowns.end(), closure.unknowns.begin(), closure.unknowns.end());
+    ranges.insert(ranges.end(), closure.ranges.begin(), closure.ranges.end());
+    ex length = -1;
+    for (std::size_t i = 0; i < n_; ++i) {
+      start.push_back(exact_number(last.unknowns[i]));
+      const GiNaC::realsymbol component("direction_" + std::to_string(i + 1));
+      unknowns.push_back({component, component.get_name(), "1"});
+      ranges.push_back({-4, 4});
+      length += exact_number(v[i]) * component;
+    }
+    for (const ex& equation : line_.equations()) {
+      ex moved = 0;
+      for (std::size_t i = 0; i < n_; ++i)
+        moved += equation.diff(closure.unknowns[i].symbol) * unknowns[1 + n_ + i].symbol;
+      equations.push_back(moved);
+    }
+    equations.push_back(length);
+    for (const double component : v) start.push_back(exact_number(component));
+    const PreparedClosure bordered = prepared(
+        line_.system(std::nullopt, {}, 0, std::move(unknowns), std::move(ranges),
+                     std::move(equations), std::move(start), std::vector<ex>(1 + 2 * n_, 1)));
+    return !bordered.preparation.stopped && enclose_solution(bordered);
+  }
+
+  bool enclose_solution(const PreparedClosure& bordered) {
+    const FloatingPointScope nearest(FloatingPointRounding::kNearest);
+    SystemBoxes system(bordered.problem, bordered.scaling, bordered.shape);
+    TubeFinder finder(system, bordered.shape, bordered.ranges);
+    const BranchPoint near = bordered.near_start;
+    const auto settled = settle(system, bordered.shape, {&near, 1});
+    if (!settled[0]) return false;
+    const TubeTrial trial{{}, {{}, settled[0]->at.unknowns, {}, {}}, settled[0]->inverse};
+    TubeFinding found;
+    finder.find({&trial, 1}, {&found, 1});
+    if (!found.tube) return false;
+    solution_ = enclose(*found.tube, {});
+    return true;
+  }
+
+  /// Tubes lead from the start along the line, and then along an unknown to the fold. They change
+  /// over a little before the end, so that the tubes of the line reach beyond that place.
+  bool leads_to_fold() {
+    PreparedClosure line = prepared(line_request(lost_->part * (1 - kPartOfChange)));
+    const ClosureResult first =
+        run_closure(line, settings_of(line, search_, watch_.interrupt), nullptr);
+    if (!first.is_proved()) return false;
+    const auto change = place_of_change(line);
+    if (!change) return false;
+    std::size_t k = 0;
+    for (std::size_t i = 1; i < n_; ++i)
+      if (mig(fold_.direction[i]) > mig(fold_.direction[k])) k = i;
+    PreparedClosure swapped = prepared(swapped_request(*change, k));
+    const ClosureResult second =
+        run_closure(swapped, settings_of(swapped, search_, watch_.interrupt), nullptr);
+    return second.is_proved() && meet(first, second, change->unknowns[k], k) &&
+           holds_fold(second, k);
+  }
+
+  std::optional<BranchPoint> place_of_change(const PreparedClosure& line) const {
+    SystemBoxes system(line.problem, line.scaling, line.shape);
+    const FloatingPointScope nearest(FloatingPointRounding::kNearest);
+    const std::vector<double> place{lost_->part * (1 - 2 * kPartOfChange)};
+    const auto found = track(system, line.shape, line.near_start, {&place, 1});
+    return found[0] ? std::optional(found[0]->at) : std::nullopt;
+  }
+
+  /// The unknown that moves most takes the place of the line.
+  [[nodiscard]] Request swapped_request(const BranchPoint& from, std::size_t k) const {
+    const Closure& closure = line_.closure();
+    std::vector<PoseParameter> unknowns{line_.part_parameter()};
+    std::vector<Range> ranges{{0, 1}};
+    std::vector<ex> start{exact_number(from.variables[0])};
+    for (std::size_t i = 0; i < n_; ++i) {
+      if (i == k) continue;
+      unknowns.push_back(closure.unknowns[i]);
+      ranges.push_back(closure.ranges[i]);
+      start.push_back(exact_number(from.unknowns[i]));
+    }
+    const Interval range = hull(Interval(from.unknowns[k]), fold_.unknowns[k]);
+    return line_.system(closure.unknowns[k], {exact_number(range.lo), exact_number(range.hi)},
+                        exact_number(from.unknowns[k]), std::move(unknowns), std::move(ranges),
+                        line_.equations(), std::move(start),
+                        std::vector<ex>(n_, exact_number(kRadiusOfStart)));
+  }
+
+  /// The configuration at the start of the swapped tubes is in a tube of the line.
+  [[nodiscard]] bool meet(const ClosureResult& first, const ClosureResult& second, double at_k,
+                          std::size_t k) const {
+    const std::vector<Interval>& others = second.links.configuration;
+    std::vector<Interval> unknowns(others.begin() + 1, others.end());
+    unknowns.insert(unknowns.begin() + std::ptrdiff_t(k), Interval(at_k));
+    const BranchLeaf* const leaf = leaf_with(first, others[0]);
+    return leaf != nullptr && certain_holds(*leaf->tube, {&others[0], 1}, unknowns);
+  }
+
+  static const BranchLeaf* leaf_with(const ClosureResult& result, const Interval& place) {
+    for (const std::size_t leaf : result.branch.tree.leaves_at({&place, 1})) {
+      const BranchLeaf& found = result.branch.tree.leaves()[leaf];
+      if (found.tube && certain_subset(place, found.at.box[0])) return &found;
+    }
+    return nullptr;
+  }
+
+  bool holds_fold(const ClosureResult& second, std::size_t k) const {
+    std::vector<Interval> others{solution_[0]};
+    for (std::size_t i = 0; i < n_; ++i)
+      if (i != k) others.push_back(fold_.unknowns[i]);
+    const BranchLeaf* const leaf = leaf_with(second, fold_.unknowns[k]);
+    return leaf != nullptr && certain_holds(*leaf->tube, {&fold_.unknowns[k], 1}, others);
+  }
+
+  const PreparedClosure& prepared_;
+  const std::vector<double>& towards_;
+  const SearchOptions search_;
+  const FormingWatch& watch_;
+  const LineModel line_;
+  const std::size_t n_;
+  std::optional<LostWay> lost_;
+  std::vector<Interval> solution_;
+  Fold fold_;
+};
+
+}  // namespace
+
+std::optional<Fold> find_fold(const PreparedClosure& prepared, const std::vector<double>& towards,
+                              const SearchOptions& search, const FormingWatch& watch) {
+  return FoldSearch(prepared, towards, search, watch).find();
+}
+
+}  // namespace regulus

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Finds and certifies a singular configuration that a branch reaches.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "codegen/question/closure/closure_run.hpp"
+
+namespace regulus {
+
+/// A configuration at which the derivatives of the equations by the unknowns, Φ_p, are singular.
+struct Fold {
+  std::vector<Interval> place;     ///< encloses the motion parameters
+  std::vector<Interval> unknowns;  ///< encloses the configuration there
+  std::vector<Interval>
+      direction;  ///< encloses v ≠ 0 with Φ_p v = 0: what moves with the motors locked
+  bool is_on_branch = false;  ///< configurations lead to it from the start, all in the variety
+};
+
+/// Goes from the start along a line to `towards`, until the branch is lost. There the system
+///
+///     Φ(x(t), p) = 0,   Φ_p(x(t), p)·v = 0,   n·v = 1
+///
+/// in (t, p, v) has a certain solution, by the test of branch_tube.hpp; uncertain quantities have
+/// the middles of their ranges. The fold is on the branch if tubes lead to it: along the line, and
+/// from there, where Φ_p becomes singular, along the unknown that moves most in place of t.
+///
+/// Shape     towards: by motion parameter, within the ranges.
+/// Ensures   nullopt if nothing is shown.
+/// Throws    the exceptions of prepare_closure().
+[[nodiscard]] std::optional<Fold> find_fold(const PreparedClosure& prepared,
+                                            const std::vector<double>& towards,
+                                            const SearchOptions& search, const FormingWatch& watch);
+
+}  // namespace regulus

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a word of a certificate or of a model file consists of.
+#pragma once
+
+namespace regulus::attack {
+
+[[nodiscard]] constexpr bool is_digit(char c) { return '0' <= c && c <= '9'; }
+
+[[nodiscard]] constexpr bool is_word(char c) {
+  return is_digit(c) || ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_';
+}
+
+}  // namespace regulus::attack

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The judge of forgeries: what it calls the same question, and what another.
+#include "tests/attack/forge/same_question.hpp"
+
+#include <gtest/gtest.h>
+
+namespace regulus::attack {
+namespace {
+
+const std::string kRegularity = R"(regulus-certificate 1
+verdict NO SINGULARITY
+claim full rank
+model m
+sha256 00
+size 2 2
+parameter x in 1 : 2
+parameter s in 0 : 1
+uncertain e1 = 1/2 +- 1/10
+constraint x - s
+entry x
+entry s*e1
+entry 0 - s
+entry x + e1
+defined 1/x
+proof
+end
+)";
+
+const std::string kQuantity = R"(regulus-certificate 1
+verdict NO SINGULARITY
+claim bound
+model m
+sha256 00
+size 1 1
+parameter x in 1 : 2
+entry x
+quantity force
+side largest
+row 1
+load s
+wrench -40 +- 20
+reference 0
+bound 50
+proof
+end
+)";
+
+std::string changed(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+void expect_same(const std::string& verified, const std::string& asked) {
+  EXPECT_EQ(difference(verified, asked, false), "") << verified;
+}
+
+void expect_another(const std::string& verified, const std::string& asked) {
+  EXPECT_NE(difference(verified, asked, false), "") << verified;
+}
+
+TEST(SameQuestion, IsTheTextItself) {
+  expect_same(kRegularity, kRegularity);
+  expect_same(kQuantity, kQuantity);
+}
+
+TEST(SameQuestion, HasOtherNames) {
+  std::string other = kRegularity;
+  for (const auto& [from, to] :
+       std::initializer_list<std::pair<const char*, const char*>>{{"parameter s", "parameter e1"},
+                                                                  {"uncertain e1", "uncertain s"},
+                                                                  {"x - s", "x - e1"},
+                                                                  {"s*e1", "e1*s"},
+                                                                  {"0 - s", "0 - e1"},
+                                                                  {"x + e1", "x + s"}})
+    other = changed(other, from, to);
+  expect_same(other, kRegularity);
+  expect_another(changed(other, "0 - e1", "0 - s"), kRegularity);
+  expect_another(changed(kRegularity, "parameter s", "parameter t"), kRegularity);
+}
+
+TEST(SameQuestion, HasAnotherOrderOrShorthand) {
+  expect_same(changed(kRegularity, "parameter x in 1 : 2\nparameter s in 0 : 1",
+                      "parameter s in 0 : 1\nparameter x in 1 : 2"),
+              kRegularity);
+  expect_same(changed(kRegularity, "entry x\n", "let u = x\nentry u + 0\n"), kRegularity);
+  expect_same(changed(kRegularity, "entry 0 - s\nentry x + e1", "entry -2*s\nentry 2*x + 2*e1"),
+              kRegularity);
+}
+
+TEST(SameQuestion, IsAnotherForEachNumber) {
+  for (const auto& [from, to] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"in 1 : 2", "in 1 : 2.0000000000000000000000000001"},
+           {"in 0 : 1", "in 0 - 1/1000000 : 1"},
+           {"+- 1/10", "+- 1/11"},
+           {"= 1/2 +-", "= 1/3 +-"},
+           {"constraint x - s", "constraint x - s - 1/1000000000"},
+           {"constraint x - s\n", ""},
+           {"entry x\n", "entry x + x*(x - 1)*(x - 2)*(2*x - 3)\n"},
+           {"entry x + e1", "entry x + e1 + sqrt(s^2)"},
+           {"entry 0 - s\nentry x + e1", "entry -2*s\nentry x + e1"},
+           {"size 2 2", "size 4 1"},
+           {"constraint", "reach"},
+           {"entry x\n", "alpha 1/100\nentry x\n"}})
+    expect_another(changed(kRegularity, from, to), kRegularity);
+}
+
+TEST(SameQuestion, KnowsWhatIsProvedToHaveAValue) {
+  expect_another(kRegularity, changed(kRegularity, "entry x + e1", "entry x + e1 + 0/(x - 2)"));
+  expect_another(changed(kRegularity, "defined 1/x\n", ""), kRegularity);
+}
+
+TEST(SameQuestion, OfAQuantityHasItsBoundLoadAndSide) {
+  expect_same(changed(kQuantity, "reference 0", "reference 7"), kQuantity);
+  for (const auto& [from, to] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"bound 50", "bound 51"},
+           {"side largest", "side least"},
+           {"row 1", "row 2"},
+           {"load s", "load x"},
+           {"-40 +- 20", "-40 +- 21"},
+           {"-40 +- 20", "-41 +- 20"},
+           {"quantity force", "quantity speed"},
+           {"entry x", "entry 2*x"},
+           {"entry x", "scale 2\nentry x"}})
+    expect_another(changed(kQuantity, from, to), kQuantity);
+}
+
+TEST(SameQuestion, IsNoneWithoutAMeaning) {
+  expect_another(changed(kRegularity, "entry x\n", "entry\n"), kRegularity);
+  expect_another(changed(kRegularity, "parameter x in 1 : 2", "parameter x"), kRegularity);
+}
+
+}  // namespace
+}  // namespace regulus::attack
