@@ -264,7 +264,8 @@ Expression MatrixParts::turn_derivative(const KnownCrank& c, const std::string& 
   const Expression slope = Differentiator(second, this).derivative(product(numerator));
   const Expression result = slope * product(denominator) -
                             turn(c, first) * lever_derivative(c, second) * power(c.lever, -1);
-  if (!result.has_variables()) return result;
+  // 0/W is 0, but not where it is undefined, so it stays a quotient.
+  if (rewriter_.expand(result).is_zero()) return Expression(0);
   return symbol(name, result, [this, result](const std::string& v) {
     return Differentiator(v, this).derivative(result);
   });
