@@ -195,6 +195,8 @@ Request read_finite(const AskBound& asked, const Services& services) {
 }  // namespace
 
 std::unique_ptr<BoundAnswer> ask(const AskBound& asked, const Services& services) {
+  refuse_services(asked.quantity.is_finite ? Kind::kFiniteErrors : Kind::kBound, asked.model,
+                  asked.search, services);
   if (asked.quantity.is_finite)
     return answer_closure(read_finite(asked, services), asked, services);
   BoundQuestion question = read_bound_question(asked.model, asked.quantity, asked.limit,
@@ -210,8 +212,7 @@ std::unique_ptr<BoundAnswer> ask(const AskBound& asked, const Services& services
 
 std::unique_ptr<DatasheetAnswer> ask(const AskDatasheet& asked, const Services& services) {
   refuse_threshold(asked.model);
-  refuse_services(Kind::kDatasheet, asked.search, services);
-  refuse_services_along_way(Kind::kWayDatasheet, asked.model, asked.search, services);
+  refuse_services(Kind::kDatasheet, asked.model, asked.search, services);
   return std::make_unique<Sheet>(asked, services);
 }
 

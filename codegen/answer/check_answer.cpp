@@ -140,8 +140,7 @@ class WayCheck final : public CheckAnswer {
 }  // namespace
 
 std::unique_ptr<CheckAnswer> ask(const AskCheck& asked, const Services& services) {
-  refuse_services(Kind::kCheck, asked.search, services);
-  refuse_services_along_way(Kind::kWayCheck, asked.model, asked.search, services);
+  refuse_services(Kind::kCheck, asked.model, asked.search, services);
   set_outputs_aside(asked.model, asked.search, services);
   Stopwatch watch;
   std::optional<Request> along = read_trajectory(asked.model, watch_of(services, asked.search));

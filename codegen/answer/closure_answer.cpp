@@ -2,6 +2,7 @@
 #include "codegen/answer/closure_answer.hpp"
 
 #include "codegen/answer/box_listener.hpp"
+#include "codegen/answer/bracket_ends.hpp"
 #include "codegen/answer/lines_file.hpp"
 #include "codegen/answer/outputs.hpp"
 #include "codegen/answer/picture/pictures.hpp"
@@ -12,9 +13,14 @@
 #include "codegen/answer/report/search_checkpoint.hpp"
 #include "codegen/model/request.hpp"
 #include "codegen/question/closure/closure_certificate.hpp"
+#include "codegen/question/closure/closure_margin.hpp"
 #include "codegen/question/closure/closure_report.hpp"
 #include "codegen/question/closure/finite_error_report.hpp"
+#include "codegen/question/margin/margin_certificates.hpp"
+#include "codegen/question/margin/margin_report.hpp"
+#include "codegen/question/margin/margin_run.hpp"
 #include "codegen/question/margin/prepared_margin.hpp"
+#include "codegen/question/way/path_attempts.hpp"
 #include "codegen/support/errors.hpp"
 #include "runtime/problem/observers.hpp"
 
@@ -151,6 +157,63 @@ class ClosurePaving final : public PavingAnswer {
   std::string checkpoint_line_;
 };
 
+/// How far can a range or a tolerance grow?
+class ClosureMargin final : public MarginAnswer {
+ public:
+  ClosureMargin(const MarginQuestion& question, Request request, const AskMargin& asked,
+                const Services& services)
+      : question_(question),
+        search_(asked.search),
+        gap_(read_gap(asked.gap)),
+        request_(std::move(request), question_) {
+    if (!services.checkpoint.path.empty())
+      throw UsageError(services.dashes +
+                       "checkpoint: the bracket of a closure is not continued; leave it out");
+    services.begin_search();
+    HeldFiles held;
+    const OutputOptions display = display_of(services);
+    attempts_.emplace(request_, search_, display, services.interrupt,
+                      margin_proofs(services.certificate, {&held, services.shard_size}));
+    found_ = close_bracket(
+        *attempts_, question_,
+        {limits_of(search_, gap_), services.interrupt,
+         [&services](const MarginStep& step) { services.tell(format_step(step)); }, nullptr});
+    ends_ = attempts_->proofs();
+    settle_files(held, {&ends_}, *this);
+    if (found_.certified) safe = found_.certified->value.text;
+    if (found_.refuted) refuted = found_.refuted->value.text;
+    closed = found_.closed;
+    proofs = proofs_of_ends(ends_, "");
+  }
+
+  [[nodiscard]] Word word() const override {
+    if (found_.refuted && found_.refuted->value.approx <= question_.low.approx)
+      return Word::kRefuted;
+    return closed && safe ? Word::kProved : Word::kOpen;
+  }
+  [[nodiscard]] std::string headline() const override {
+    return describe_bracket(question_, found_);
+  }
+  void tell(Facts& facts) const override {
+    const auto& shown = attempts_->refuted() ? attempts_->refuted() : attempts_->last();
+    if (!shown) return;
+    tell_margin(shown->prepared.preparation, search_, request_.nominal(), question_, found_, gap_,
+                facts);
+    tell_branch(shown->prepared, shown->found, facts);
+    ends_.tell(facts);
+  }
+  [[nodiscard]] std::string about_files() const override { return ends_.lines(); }
+
+ private:
+  MarginQuestion question_;
+  SearchOptions search_;
+  double gap_;
+  MarginRequest request_;
+  std::optional<ClosureAttempts> attempts_;
+  Margin found_;
+  EndProofs ends_;
+};
+
 /// How far errors move the configuration.
 class FiniteErrorAnswer final : public BoundAnswer {
  public:
@@ -187,6 +250,11 @@ class FiniteErrorAnswer final : public BoundAnswer {
 };
 
 }  // namespace
+
+std::unique_ptr<MarginAnswer> answer_closure(const MarginQuestion& question, Request request,
+                                             const AskMargin& asked, const Services& services) {
+  return std::make_unique<ClosureMargin>(question, std::move(request), asked, services);
+}
 
 std::unique_ptr<BoundAnswer> answer_closure(Request request, const AskBound& asked,
                                             const Services& services) {

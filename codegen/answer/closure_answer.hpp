@@ -10,6 +10,7 @@
 
 namespace regulus {
 
+struct MarginQuestion;
 struct Request;
 
 /// Requires  request.model.closure.
@@ -21,6 +22,9 @@ struct Request;
                                                            const AskPaving& asked,
                                                            const Services& services);
 
+[[nodiscard]] std::unique_ptr<MarginAnswer> answer_closure(const MarginQuestion& question,
+                                                           Request request, const AskMargin& asked,
+                                                           const Services& services);
 [[nodiscard]] std::unique_ptr<BoundAnswer> answer_closure(Request request, const AskBound& asked,
                                                           const Services& services);
 

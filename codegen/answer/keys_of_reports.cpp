@@ -183,7 +183,7 @@ const std::vector<ObjectKind>& report_kinds() {
        kOfMatrix},
       {"margin",
        "margin",
-       {kReason, kNotes, kMethod, kBracket, kNonempty, kWitness, kEndCertificates},
+       {kReason, kNotes, kMethod, kBracket, kClosure, kNonempty, kWitness, kEndCertificates},
        kOfBracket},
       {"path_margin",
        "margin of a motion along way-points",

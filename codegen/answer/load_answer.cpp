@@ -245,9 +245,8 @@ class WayLoadPaving final : public LoadPavingAnswer {
 }  // namespace
 
 std::unique_ptr<LoadAnswer> ask(const AskLoad& asked, const Services& services) {
-  refuse_changed_options(asked.model, asked.search);
-  refuse_services(Kind::kLoad, asked.search, services);
-  refuse_services_along_way(Kind::kWayLoad, asked.model, asked.search, services);
+  refuse_changed_options(option_refusals_of_loads(), asked.model, asked.search);
+  refuse_services(Kind::kLoad, asked.model, asked.search, services);
   set_outputs_aside(asked.model, asked.search, services);
   Stopwatch watch;
   std::optional<Request> along = read_trajectory(asked.model, watch_of(services, asked.search));
@@ -258,9 +257,8 @@ std::unique_ptr<LoadAnswer> ask(const AskLoad& asked, const Services& services) 
 
 std::unique_ptr<LoadPavingAnswer> ask(const AskLoadPaving& asked, const Services& services) {
   for (const std::string& picture : services.pictures.files) require_picture_format(picture);
-  refuse_changed_options(asked.model, asked.search);
-  refuse_services(Kind::kLoadPaving, asked.search, services);
-  refuse_services_along_way(Kind::kWayLoadPaving, asked.model, asked.search, services);
+  refuse_changed_options(option_refusals_of_loads(), asked.model, asked.search);
+  refuse_services(Kind::kLoadPaving, asked.model, asked.search, services);
   set_outputs_aside(asked.model, asked.search, services);
   Stopwatch watch;
   std::optional<Request> along = read_trajectory(asked.model, watch_of(services, asked.search));

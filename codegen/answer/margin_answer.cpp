@@ -4,6 +4,7 @@
 
 #include "codegen/answer/ask.hpp"
 #include "codegen/answer/bracket_ends.hpp"
+#include "codegen/answer/closure_answer.hpp"
 #include "codegen/answer/outputs.hpp"
 #include "codegen/answer/refusals.hpp"
 #include "codegen/question/bound/bound_question.hpp"
@@ -212,13 +213,12 @@ std::unique_ptr<MarginAnswer> ask(const AskMargin& asked, const Services& servic
   ModelOptions model = asked.model;
   static_cast<void>(read_gap(asked.gap));
   const MarginQuestion question = take_question(model, asked.size);
-  refuse_services(has_limit ? Kind::kLimitMargin : Kind::kMargin, asked.search, services);
-  refuse_services_along_way(has_limit ? Kind::kWayLimitMargin : Kind::kWayMargin, model,
-                            asked.search, services);
+  refuse_services(has_limit ? Kind::kLimitMargin : Kind::kMargin, model, asked.search, services);
   if (has_limit) return std::make_unique<MarginOfLimit>(question, model, asked, services);
   set_outputs_aside(model, asked.search, services, EndProofs::files(services.certificate));
   const FormingWatch watch = watch_of(services, asked.search);
   Request request = read_request(model, &watch);
+  if (request.model.closure) return answer_closure(question, std::move(request), asked, services);
   if (!request.motion.trajectory)
     return std::make_unique<VarietyMargin>(question, std::move(request), asked, services);
   return std::make_unique<WayMargin>(question, std::move(request), asked, services);

@@ -210,8 +210,7 @@ class WayPaving final : public PavingAnswer {
 
 std::unique_ptr<PavingAnswer> ask(const AskPaving& asked, const Services& services) {
   for (const std::string& picture : services.pictures.files) require_picture_format(picture);
-  refuse_services(Kind::kPaving, asked.search, services);
-  refuse_services_along_way(Kind::kWayPaving, asked.model, asked.search, services);
+  refuse_services(Kind::kPaving, asked.model, asked.search, services);
   set_outputs_aside(asked.model, asked.search, services);
   Stopwatch watch;
   std::optional<Request> along =

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "codegen/answer/outputs.hpp"
+#include "codegen/question/closure/closure_run.hpp"
 #include "codegen/question/way/read_trajectory.hpp"
 #include "codegen/support/errors.hpp"
 
@@ -16,8 +17,32 @@ namespace {
 
 constexpr std::string_view kNoBoxes = "a picture is of the boxes of a paving; ask where, by locate";
 constexpr std::string_view kOneMethod = "for a load there is one method; leave the option out";
+constexpr std::string_view kOneMethodOfClosures =
+    "for a [closure] there is one method; leave the option out";
 constexpr std::string_view kNoTheorem =
     "Coq proves what the regularity of a matrix says; regulus-verify proves this";
+constexpr std::string_view kNoClosure =
+    "this question has no answer for a model with [closure]; ask check, locate, margin, or for "
+    "finite errors, or give the robot by its legs or its matrix";
+constexpr std::string_view kNoWayOfClosures =
+    "a model with [closure] has no motions along way-points; give the motion by ranges";
+constexpr std::string_view kNoTheoremOfClosures =
+    "Coq has no theorem about a [closure]; regulus-verify proves this";
+constexpr std::string_view kNoCheckpointOfMargins =
+    "a margin of a [closure] keeps no checkpoint; leave it out";
+constexpr std::string_view kNoCheckpointOfFiniteErrors =
+    "finite errors keep no checkpoint; leave it out";
+constexpr std::string_view kNoRanksOfClosures =
+    "the search over a [closure] runs in one process only; use regulus";
+constexpr std::string_view kNoPageOfClosures = "a page does not show a [closure]; ask check";
+constexpr std::string_view kNoProofOfPavings =
+    "where the branch of a [closure] is certain has no proof; ask check for one";
+constexpr std::string_view kNoFiniteErrors =
+    "finite errors are those of a model with [closure], over ranges; leave finite out, for errors "
+    "to "
+    "first order";
+constexpr std::string_view kNoProofOfFiniteErrors =
+    "finite errors have no proof in a file; ask check for one of the branch";
 constexpr std::string_view kNoWayTheorem = "Coq has the theorem about a force over ranges alone";
 
 using enum Kind;
@@ -33,6 +58,32 @@ constexpr Refusal kRefusals[] = {
     {kWayLoad, kTheorem, kNoTheorem},
     {kWayLoadPaving, kTheorem, kNoTheorem},
     {kWayDatasheet, kTheorem, kNoWayTheorem},
+    {kClosureCheck, kTheorem, kNoTheoremOfClosures},
+    {kClosureCheck, kRanks, kNoRanksOfClosures},
+    {kClosureCheck, kPage, kNoPageOfClosures},
+    {kClosurePaving, kProof, kNoProofOfPavings},
+    {kClosurePaving, kShards, kNoProofOfPavings},
+    {kClosurePaving, kTheorem, kNoProofOfPavings},
+    {kClosurePaving, kRanks, kNoRanksOfClosures},
+    {kClosurePaving, kPage, kNoPageOfClosures},
+    {kClosureMargin, kTheorem, kNoTheoremOfClosures},
+    {kClosureMargin, kCheckpoint, kNoCheckpointOfMargins},
+    {kClosureMargin, kRanks, kNoRanksOfClosures},
+    {kClosureMargin, kPage, kNoPageOfClosures},
+    {kClosureLimitMargin, kAnswer, kNoClosure},
+    {kClosureBound, kAnswer, kNoClosure},
+    {kClosureCondition2, kAnswer, kNoClosure},
+    {kClosureLoad, kAnswer, kNoClosure},
+    {kClosureLoadPaving, kAnswer, kNoClosure},
+    {kClosureDatasheet, kAnswer, kNoClosure},
+    {kFiniteErrors, kAnswer, kNoFiniteErrors},
+    {kWayFiniteErrors, kAnswer, kNoFiniteErrors},
+    {kClosureFiniteErrors, kProof, kNoProofOfFiniteErrors},
+    {kClosureFiniteErrors, kShards, kNoProofOfFiniteErrors},
+    {kClosureFiniteErrors, kTheorem, kNoProofOfFiniteErrors},
+    {kClosureFiniteErrors, kCheckpoint, kNoCheckpointOfFiniteErrors},
+    {kClosureFiniteErrors, kRanks, kNoRanksOfClosures},
+    {kClosureFiniteErrors, kPage, kNoPageOfClosures},
     // What has no boxes has no picture.
     {kCheck, kPicture, kNoBoxes, false},
     {kMargin, kPicture, kNoBoxes, false},
@@ -48,6 +99,9 @@ constexpr Refusal kRefusals[] = {
     {kWayCondition2, kPicture, kNoBoxes, false},
     {kWayLoad, kPicture, kNoBoxes, false},
     {kWayDatasheet, kPicture, kNoBoxes, false},
+    {kClosureCheck, kPicture, kNoBoxes, false},
+    {kClosureMargin, kPicture, kNoBoxes, false},
+    {kClosureFiniteErrors, kPicture, kNoBoxes, false},
 };
 
 constexpr OptionRefusal kOptionsOfLoads[] = {
@@ -62,6 +116,23 @@ constexpr OptionRefusal kOptionsOfLoads[] = {
     {"symbolic-budget", kOneMethod},
     {"without", kOneMethod},
 };
+
+constexpr OptionRefusal kOptionsOfClosures[] = {
+    {"filter", "a filter tests a matrix, not equations"},
+    {"method", kOneMethodOfClosures},
+    {"determinant", kOneMethodOfClosures},
+    {"entries", kOneMethodOfClosures},
+    {"bisect", kOneMethodOfClosures},
+    {"uncertainty", kOneMethodOfClosures},
+    {"precision", kOneMethodOfClosures},
+    {"symbolic-budget", kOneMethodOfClosures},
+    {"without", kOneMethodOfClosures},
+};
+
+/// The same question along way-points, and of a model with a closure.
+constexpr std::size_t kVarieties = kKinds / 3;
+Kind along_way(Kind kind) { return Kind(std::size_t(kind) + kVarieties); }
+Kind of_closure(Kind kind) { return Kind(std::size_t(kind) + 2 * kVarieties); }
 
 /// Returns the options that differ from their defaults, as the command calls them.
 std::vector<std::string_view> changed_options(const ModelOptions& model,
@@ -97,6 +168,7 @@ std::vector<RequestedService> requested(const SearchOptions& search, const Servi
   if (!services.checkpoint.path.empty()) result.push_back({kCheckpoint, "checkpoint"});
   if (!services.pictures.files.empty() || !services.pictures.axes.empty())
     result.push_back({kPicture, "picture"});
+  if (!services.page.empty()) result.push_back({kPage, "page"});
   if (search.workers != nullptr) result.push_back({kRanks, ""});
   return result;
 }
@@ -105,6 +177,15 @@ bool has_refused_service(Kind kind, const SearchOptions& search, const Services&
   return std::ranges::any_of(requested(search, services), [kind](const RequestedService& request) {
     return refusal(kind, request.service).has_value();
   });
+}
+
+void refuse_services_of(Kind kind, const SearchOptions& search, const Services& services) {
+  if (const auto why = refusal(kind, kAnswer)) throw UsageError(std::string(*why));
+  for (const RequestedService& request : requested(search, services))
+    if (const auto why = refusal(kind, request.service))
+      throw UsageError(*request.option == '\0'
+                           ? std::string(*why)
+                           : fmt::format("{}{}: {}", services.dashes, request.option, *why));
 }
 
 constexpr std::string_view kIntroduction =
@@ -143,15 +224,15 @@ std::string row_of(Kind kind, std::vector<std::string_view>& reasons) {
 }  // namespace
 
 std::string name(Kind kind) {
-  static constexpr std::array<std::string_view, kKinds / 2> kNames = {
+  static constexpr std::array<std::string_view, kVarieties> kNames = {
       "check",        "locate",
       "margin",       "margin --quantity",
       "bound",        "bound condition --norm 2",
       "check --load", "locate --load",
-      "datasheet"};
+      "datasheet",    "bound error --finite"};
   const auto number = std::size_t(kind);
-  const bool is_along_way = number >= kNames.size();
-  return std::string(kNames[number % kNames.size()]) + (is_along_way ? ", along way-points" : "");
+  static constexpr std::array<const char*, 3> kAbout = {"", ", along way-points", ", of a closure"};
+  return std::string(kNames[number % kVarieties]) + kAbout[number / kVarieties];
 }
 
 std::string_view name(Service service) {
@@ -162,6 +243,7 @@ std::string_view name(Service service) {
 
 std::span<const Refusal> refusals() { return kRefusals; }
 std::span<const OptionRefusal> option_refusals_of_loads() { return kOptionsOfLoads; }
+std::span<const OptionRefusal> option_refusals_of_closures() { return kOptionsOfClosures; }
 
 std::optional<std::string_view> refusal(Kind kind, Service service) {
   for (const Refusal& row : kRefusals)
@@ -169,24 +251,25 @@ std::optional<std::string_view> refusal(Kind kind, Service service) {
   return std::nullopt;
 }
 
-void refuse_services(Kind kind, const SearchOptions& search, const Services& services) {
-  if (const auto why = refusal(kind, kAnswer)) throw UsageError(std::string(*why));
-  for (const RequestedService& request : requested(search, services))
-    if (const auto why = refusal(kind, request.service))
-      throw UsageError(*request.option == '\0'
-                           ? std::string(*why)
-                           : fmt::format("{}{}: {}", services.dashes, request.option, *why));
-}
-
-void refuse_services_along_way(Kind along, const ModelOptions& model, const SearchOptions& search,
-                               const Services& services) {
+void refuse_services(Kind kind, const ModelOptions& model, const SearchOptions& search,
+                     const Services& services) {
+  const FormingWatch watch = watch_of(services, search);
+  if (const std::optional<Request> closed = read_closure(model, watch)) {
+    refuse_services_of(of_closure(kind), search, services);
+    refuse_changed_options(kOptionsOfClosures, model, search);
+    if (closed->motion.trajectory) throw UsageError(std::string(kNoWayOfClosures));
+    return;
+  }
+  refuse_services_of(kind, search, services);
+  const Kind along = along_way(kind);
   if (!refusal(along, kAnswer) && !has_refused_service(along, search, services)) return;
-  if (read_trajectory(model, watch_of(services, search))) refuse_services(along, search, services);
+  if (read_trajectory(model, watch)) refuse_services_of(along, search, services);
 }
 
-void refuse_changed_options(const ModelOptions& model, const SearchOptions& search) {
+void refuse_changed_options(std::span<const OptionRefusal> refused, const ModelOptions& model,
+                            const SearchOptions& search) {
   for (const std::string_view option : changed_options(model, search))
-    for (const OptionRefusal& row : kOptionsOfLoads)
+    for (const OptionRefusal& row : refused)
       if (row.option == option) throw UsageError(fmt::format("{}: {}", row.option, row.why));
 }
 

@@ -24,6 +24,7 @@ enum class Kind {
   kLoad,
   kLoadPaving,
   kDatasheet,
+  kFiniteErrors,  ///< bounds of errors that are not to first order
   // The same about a motion along way-points.
   kWayCheck,
   kWayPaving,
@@ -33,9 +34,21 @@ enum class Kind {
   kWayCondition2,
   kWayLoad,
   kWayLoadPaving,
-  kWayDatasheet
+  kWayDatasheet,
+  kWayFiniteErrors,
+  // The same about a model that gives equations in [closure].
+  kClosureCheck,
+  kClosurePaving,
+  kClosureMargin,
+  kClosureLimitMargin,
+  kClosureBound,
+  kClosureCondition2,
+  kClosureLoad,
+  kClosureLoadPaving,
+  kClosureDatasheet,
+  kClosureFiniteErrors
 };
-inline constexpr std::size_t kKinds = std::size_t(Kind::kWayDatasheet) + 1;
+inline constexpr std::size_t kKinds = std::size_t(Kind::kClosureFiniteErrors) + 1;
 /// Returns "check --load, along way-points", for example.
 [[nodiscard]] std::string name(Kind kind);
 
@@ -55,21 +68,23 @@ struct Refusal {
 /// Returns the reason; nullopt if the question has the service.
 [[nodiscard]] std::optional<std::string_view> refusal(Kind kind, Service service);
 
-/// An option of a search that has no meaning for loads.
+/// An option of a search that has no meaning for a kind of question.
 struct OptionRefusal {
   std::string_view option;  ///< of the command, without its dashes
   std::string_view why;
 };
 [[nodiscard]] std::span<const OptionRefusal> option_refusals_of_loads();
+[[nodiscard]] std::span<const OptionRefusal> option_refusals_of_closures();
 
-/// Throws    UsageError for the first service that is asked for and that the question does not have.
-void refuse_services(Kind kind, const SearchOptions& search, const Services& services);
-/// The same before an earlier file is touched: reads the model only if a service is refused along
-/// way-points. `along`: the kind if the motion is along way-points.
-void refuse_services_along_way(Kind along, const ModelOptions& model, const SearchOptions& search,
-                               const Services& services);
-/// Throws    UsageError for an option that a program has changed and that has no meaning for loads.
-void refuse_changed_options(const ModelOptions& model, const SearchOptions& search);
+/// Throws    UsageError for the first service that is asked for and that the question does not have,
+///           also if the motion is along way-points or the model has a closure. It comes before an
+///           earlier file is touched, and reads the model only if it may be one of those.
+/// `kind`: about a variety, without a closure.
+void refuse_services(Kind kind, const ModelOptions& model, const SearchOptions& search,
+                     const Services& services);
+/// Throws    UsageError for an option of `refused` that a program has changed.
+void refuse_changed_options(std::span<const OptionRefusal> refused, const ModelOptions& model,
+                            const SearchOptions& search);
 
 /// Returns the page "What works with what" of the manual, in Markdown.
 [[nodiscard]] std::string what_works();

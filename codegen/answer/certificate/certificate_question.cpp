@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "codegen/answer/certificate/certificate_expression_writer.hpp"
+#include "codegen/model/closure_start.hpp"
 #include "runtime/proof/format.hpp"
 #include "runtime/verifier/evaluation.hpp"
 #include "runtime/verifier/question.hpp"
@@ -95,10 +96,7 @@ class QuestionText {
     for (std::size_t i = 0; i < closure.unknowns.size(); ++i)
       put("unknown", closure.unknowns[i].name + " = " + expression_text(closure.start[i]) + " +- " +
                          expression_text(closure.start_radius[i]));
-    for (const MotionParameter& p : motion_.parameters)
-      for (std::size_t i = 0; i < model_.pose.size(); ++i)
-        if (model_.pose[i].symbol.is_equal(p.symbol))
-          put("start", expression_text(closure.start_pose[i]));
+    for (const ex& value : start_of(model_, motion_)) put("start", expression_text(value));
   }
 
   /// Writes the lines of matrix or equations, scale and defined, after the `let` lines that they

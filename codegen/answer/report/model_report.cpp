@@ -119,6 +119,35 @@ void tell_list(const char* key, const List& all, const Tell& tell, Facts& facts)
   facts.add(key, std::move(list));
 }
 
+std::string start_text(const std::string& name, const GiNaC::ex& value, const std::string& unit) {
+  return fmt::format("{} = {}{}", name, text_of(value), unit_suffix(unit));
+}
+
+/// Tells the unknowns, and where their branch starts.
+void tell_closure(const Model& model, Facts& facts) {
+  const Closure& closure = *model.closure;
+  Json unknowns = Json::array(), place = Json::object();
+  std::string start;
+  for (std::size_t i = 0; i < model.pose.size(); ++i) {
+    const PoseParameter& p = model.pose[i];
+    place[p.name] = text_of(closure.start_pose[i]);
+    start += (start.empty() ? "" : ", ") + start_text(p.name, closure.start_pose[i], p.unit);
+  }
+  facts.say("closure", fmt::format("{} equations, from {}", closure.equations.size(), start));
+  for (std::size_t i = 0; i < closure.unknowns.size(); ++i) {
+    const PoseParameter& u = closure.unknowns[i];
+    unknowns.push_back({{"name", u.name},
+                        {"unit", u.unit},
+                        {"start", text_of(closure.start[i])},
+                        {"radius", text_of(closure.start_radius[i])},
+                        {"lower", text_of(closure.ranges[i].lo)},
+                        {"upper", text_of(closure.ranges[i].hi)}});
+    facts.say("", fmt::format("{} ± {}, {}", start_text(u.name, closure.start[i], u.unit),
+                              text_of(closure.start_radius[i]), text_of(closure.ranges[i])));
+  }
+  facts.add("start", std::move(place)).add("unknowns", std::move(unknowns));
+}
+
 }  // namespace
 
 void tell_contents(const Model& model, Facts& facts) {
@@ -127,6 +156,7 @@ void tell_contents(const Model& model, Facts& facts) {
   facts.tell("source", model.source, "source", model.source);
   facts.add("rows", model.matrix.rows()).add("columns", model.matrix.cols());
   facts.say("matrix", fmt::format("{}×{}", model.matrix.rows(), model.matrix.cols()));
+  if (model.closure) tell_closure(model, facts);
   tell_list(
       "motions", model.motions,
       [&](const Motion& motion, Facts& told) { tell_motion(model, motion, told); }, facts);

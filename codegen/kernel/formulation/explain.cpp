@@ -10,6 +10,7 @@
 
 #include "codegen/kernel/formulation/form_candidates.hpp"
 #include "codegen/kernel/symbolic/print.hpp"
+#include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/model/mechanism/singular_factors.hpp"
 
 namespace regulus {
@@ -20,13 +21,16 @@ bool is_operation(const Node& node) {
          node.op != Op::kPoint;
 }
 
-std::string shortened(const Expression& e, std::size_t longest) {
-  const std::uint64_t size = printed_size(e);
-  if (size > 4 * longest) return fmt::format("({} symbols and operations)", size);
-  std::string text = to_string(e);
+std::string shortened(const std::string& text, std::size_t longest) {
   if (text.size() <= longest) return text;
   const std::size_t cut = text.size() - longest;
   return text.substr(0, longest) + fmt::format(" … ({} characters more)", cut);
+}
+
+std::string shortened(const Expression& e, std::size_t longest) {
+  const std::uint64_t size = printed_size(e);
+  if (size > 4 * longest) return fmt::format("({} symbols and operations)", size);
+  return shortened(to_string(e), longest);
 }
 
 std::string to_text(const Occurrences& occurrences) {
@@ -293,16 +297,39 @@ class Explainer {
   std::string text_;
 };
 
+/// The matrix of equations, with the unknowns as further variables: for its forms alone.
+Model with_unknowns_as_pose(Model model) {
+  model.pose.insert(model.pose.end(), model.closure->unknowns.begin(),
+                    model.closure->unknowns.end());
+  model.closure.reset();
+  return model;
+}
+
+std::string equations_text(const Closure& closure, std::size_t longest) {
+  std::string text = "The equations, each 0; A has their derivatives by the unknowns";
+  for (const PoseParameter& unknown : closure.unknowns)
+    text += (&unknown == closure.unknowns.data() ? " " : ", ") + unknown.name;
+  for (std::size_t i = 0; i < closure.equations.size(); ++i)
+    text += fmt::format("\n  F({}) = {}", i + 1,
+                        shortened(formula_text(closure.equations[i]), longest));
+  return text + "\n\n";
+}
+
 }  // namespace
 
 Explanation explain(const Model& model, const Motion& motion, const ExplainOptions& options) {
+  if (model.closure) return explain(model, options);
   return Explainer(model, motion, options).explanation();
 }
 
 Explanation explain(const Model& model, const ExplainOptions& options) {
   ExplainOptions unscaled = options;
   unscaled.formulation.scaling = false;
-  return explain(model, pose_as_motion(model), unscaled);
+  if (!model.closure) return explain(model, pose_as_motion(model), unscaled);
+  Explanation explained = explain(with_unknowns_as_pose(model), options);
+  if (options.part != ExplainPart::kOccurrences)
+    explained.text.insert(0, equations_text(*model.closure, options.longest));
+  return explained;
 }
 
 Motion pose_as_motion(const Model& model) {

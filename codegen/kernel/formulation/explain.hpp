@@ -31,7 +31,8 @@ struct Explanation {
 [[nodiscard]] Explanation explain(const Model& model, const Motion& motion,
                                   const ExplainOptions& options = {});
 
-/// The same over the pose parameters themselves. Without scaling, because scaling needs a motion.
+/// The same over the pose parameters themselves. Without scaling, because scaling needs a motion. Of
+/// a model with a closure: its equations, and their matrix over pose and unknowns; also for a motion.
 [[nodiscard]] Explanation explain(const Model& model, const ExplainOptions& options = {});
 
 /// The box variety in which every pose parameter is its own motion parameter. Its ranges are

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "codegen/kernel/formulation/formulator.hpp"
+#include "codegen/support/errors.hpp"
 
 namespace regulus {
 namespace {
@@ -45,10 +46,19 @@ Formulation formed(const Model& model, const Motion& motion, const FormulationOp
   return result;
 }
 
+/// The matrix of equations depends on unknowns, which are no variables of a kernel.
+void require_matrix(const Model& model) {
+  if (!model.closure) return;
+  throw InputError::statement(
+      model.path, 0, "this needs a matrix of the pose, and the model gives equations in [closure]",
+      "ask check about it, or give the robot by its legs or its matrix", "closure");
+}
+
 }  // namespace
 
 Formulation formulate(const Model& model, const Motion& motion, const FormulationOptions& options,
                       const FormingWatch* watch) {
+  require_matrix(model);
   // A determinant in closed form is always expanded, and has a budget of its own.
   if (options.determinant)
     return formed(model, motion, options, FormDetail::kFull, false, WorkMeter::kNoLimit, watch);

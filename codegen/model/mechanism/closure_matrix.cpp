@@ -7,7 +7,6 @@ namespace {
 using GiNaC::ex;
 using GiNaC::is_a;
 
-/// GiNaC's derivative of abs(u) has conjugate(u).
 struct RootsForAbsoluteValues : GiNaC::map_function {
   ex operator()(const ex& e) override {
     if (!GiNaC::is_the_function<GiNaC::abs_SERIAL>(e)) return e.map(*this);
@@ -40,12 +39,13 @@ Sizes sizes_of(const ex& e, const ex& symbol) {
 
 }  // namespace
 
+ex differentiable(const ex& expression) { return RootsForAbsoluteValues()(expression); }
+
 GiNaC::matrix closure_matrix(const Closure& closure) {
   const auto n = static_cast<unsigned>(closure.unknowns.size());
   GiNaC::matrix result(static_cast<unsigned>(closure.equations.size()), n);
-  RootsForAbsoluteValues roots;
   for (unsigned i = 0; i < result.rows(); ++i) {
-    const ex equation = roots(closure.equations[i]);
+    const ex equation = differentiable(closure.equations[i]);
     for (unsigned j = 0; j < n; ++j) result(i, j) = equation.diff(closure.unknowns[j].symbol);
   }
   return result;

@@ -6,9 +6,11 @@
 
 namespace regulus {
 
+/// Returns the expression with the root of a square for each absolute value, which GiNaC turns into
+/// conjugates when it forms a derivative. Its derivatives have no value where abs has none.
+[[nodiscard]] GiNaC::ex differentiable(const GiNaC::ex& expression);
+
 /// Returns ∂Φ/∂unknowns: a row an equation, a column an unknown.
-///
-/// Ensures   an entry has no value where abs is taken of 0 that depends on the unknown.
 [[nodiscard]] GiNaC::matrix closure_matrix(const Closure& closure);
 
 /// Returns a bound of the number of nodes in the derivative of an expression by a symbol, as it is

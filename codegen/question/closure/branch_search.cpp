@@ -70,7 +70,7 @@ class BranchGoal {
   void reopen(TreeBox box) { open_.push_back(std::move(box)); }
   void resume_own(std::span<const std::uint64_t> own) {
     if (own.size() != 1) throw SavedTreeError("the numbers of the search are missing");
-    asked_ = std::min<std::uint64_t>(own[0], 2);
+    asked_ = own[0];
   }
 
   BranchResult finish() {
@@ -96,7 +96,7 @@ class BranchGoal {
     if (finding.tube) return leave(box, Rule::kSecondOrder, std::move(finding.tube));
     const auto variable = variable_to_split(box, finding);
     if (!variable) return block(box, finding);
-    if (finding.is_lost) ask(box);
+    ask(box, finding.is_lost);
     auto [lower, upper] = course_.split(std::move(box), *variable);
     open_.push_back(std::move(upper));
     open_.push_back(std::move(lower));
@@ -108,14 +108,17 @@ class BranchGoal {
                            settings_.min_relative_width * kSlackOfWidth);
   }
 
-  void ask(const TreeBox& box) {
+  /// A bit for each time that it was asked.
+  void ask(const TreeBox& box, bool is_lost) {
     const bool is_small = box.depth >= kSplitsBeforeAsking * ranges_.size();
-    const std::uint64_t asks = is_small ? 2 : box.depth >= kSplitsBeforeDoubt ? 1 : 0;
-    if (asked_ >= asks || !settings_.ask) return;
-    asked_ = asks;
+    std::uint64_t ask = 0;
+    if (is_lost && box.depth >= kSplitsBeforeDoubt) ask = 1;
+    if (is_small) ask = is_lost ? 2 : 4;
+    if (ask == 0 || (asked_ & ask) != 0 || !settings_.ask || result_.is_refuted) return;
+    asked_ |= ask;
     std::vector<double> place;
     for (std::size_t k = 0; k < ranges_.size(); ++k) place.push_back(mid(box.box[k]));
-    result_.is_refuted = settings_.ask(place);
+    result_.is_refuted = settings_.ask(place, is_lost);
   }
 
   void leave(TreeBox& box, Rule rule, std::optional<BranchTube> tube) {

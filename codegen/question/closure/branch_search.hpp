@@ -13,11 +13,11 @@ namespace regulus {
 
 struct BranchSettings : BoxSearchSettings {
   /// Boxes are not split in a parameter narrower than this part of its range.
-  double min_relative_width = 0x1p-40;
+  double min_relative_width = 0x1p-32;
   bool paves = false;  ///< decide every box, also after one that cannot be
-  /// Asked at most twice, about the middle of a small box to which no branch was followed. True: the
-  /// search ends.
-  std::function<bool(const std::vector<double>& place)> ask{};
+  /// Asked at most three times, about the middle of a small box without a tube; `is_lost`: no branch
+  /// was followed to it. True: the search ends.
+  std::function<bool(const std::vector<double>& place, bool is_lost)> ask{};
 };
 
 /// A box that is not split.

@@ -15,6 +15,9 @@ constexpr int kMostEvaluations = 4000, kMostCorrections = 12;
 constexpr double kPartOfStep = 0x1p-4, kPartOfCorrection = 0x1p-2;
 /// Newton's method has ended, relative to 1 or to the unknown.
 constexpr double kSmall = 0x1p-42;
+/// Where rounding makes corrections this large, they do not become smaller.
+constexpr double kNoise = 0x1p-24;
+constexpr int kCorrectionsBeforeNoise = 3;
 
 std::vector<double> middles(std::span<const Interval> values) {
   std::vector<double> result;
@@ -56,13 +59,15 @@ class Way {
     for (std::size_t i = 0; i < n; ++i)
       size = std::fmax(size, std::fabs(correction[i]) / std::fmax(1.0, std::fabs(trial_[i])));
     if (!std::isfinite(size)) return shorten();
-    const bool is_bad = corrections_ == 0 ? size > kPartOfStep * predicted_ + kSmall
-                                          : size > kPartOfCorrection * last_ + kSmall;
+    const bool is_noise = corrections_ >= kCorrectionsBeforeNoise && size <= kNoise;
+    const bool is_bad = is_noise            ? false
+                        : corrections_ == 0 ? size > kPartOfStep * predicted_ + kSmall
+                                            : size > kPartOfCorrection * last_ + kSmall;
     if (is_bad && has_begun_) return shorten();
     if (corrections_ >= kMostCorrections) return shorten();
     for (std::size_t i = 0; i < n; ++i) trial_[i] -= correction[i];
     last_ = size, ++corrections_;
-    if (size <= kSmall) accept(*inverse, *system);
+    if (size <= kSmall || is_noise) accept(*inverse, *system);
   }
 
   [[nodiscard]] std::optional<TrackedPoint> result() const {

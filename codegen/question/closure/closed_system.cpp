@@ -2,6 +2,7 @@
 #include "codegen/question/closure/closed_system.hpp"
 
 #include "codegen/answer/certificate/certificate_question.hpp"
+#include "codegen/model/mechanism/closure_matrix.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus {
@@ -89,7 +90,7 @@ class SystemBuilder {
     const std::size_t n = system_.shape.unknowns, m = system_.shape.variables;
     model.matrix = GiNaC::matrix(unsigned(1 + n + m), unsigned(n));
     for (unsigned j = 0; j < n; ++j) {
-      const ex equation = closure.equations[j].subs(actual_);
+      const ex equation = differentiable(closure.equations[j].subs(actual_));
       model.matrix(0, j) = equation;
       for (std::size_t k = 0; k < n + m; ++k)
         model.matrix(unsigned(1 + k), j) = equation.diff(model.pose[k < n ? m + k : k - n].symbol);

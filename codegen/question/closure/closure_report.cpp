@@ -105,6 +105,23 @@ SearchOptions within(SearchOptions search, const Deadline& deadline) {
   return search;
 }
 
+/// The place at which the line from the start through a place leaves the ranges.
+std::vector<double> at_the_border(const PreparedClosure& prepared, std::vector<double> place) {
+  const std::vector<double>& from = prepared.near_start.variables;
+  double part = kInfinity;
+  for (std::size_t k = 0; k < place.size(); ++k) {
+    const Interval& range = prepared.problem.outer[k];
+    const double way = place[k] - from[k];
+    if (way != 0) part = std::fmin(part, ((way > 0 ? range.hi : range.lo) - from[k]) / way);
+  }
+  for (std::size_t k = 0; k < place.size(); ++k) {
+    const Interval range = prepared.problem.inner[k].value_or(prepared.problem.outer[k]);
+    if (part < kInfinity)
+      place[k] = std::clamp(from[k] + part * (place[k] - from[k]), range.lo, range.hi);
+  }
+  return place;
+}
+
 }  // namespace
 
 ClosureFinding check_closure(PreparedClosure& prepared, const SearchOptions& search,
@@ -113,9 +130,19 @@ ClosureFinding check_closure(PreparedClosure& prepared, const SearchOptions& sea
   ClosureFinding found;
   BranchSettings settings = settings_of(prepared, search, watch.interrupt);
   const Deadline deadline(settings);
-  settings.ask = [&](const std::vector<double>& place) {
-    auto fold = find_fold(prepared, place, within(search, deadline), watch);
-    if (fold) found.folds = {std::move(*fold)};
+  settings.ask = [&](std::vector<double> place, bool is_lost) {
+    const SearchOptions rest = within(search, deadline);
+    std::vector<double> uncertain;
+    if (!is_lost) {
+      // The middles of the uncertain quantities have the branch: perhaps not all have it.
+      if (prepared.shape.variables == prepared.shape.parameters) return false;
+      place = at_the_border(prepared, place);
+      auto corner = nearest_corner(prepared, place, rest, watch);
+      if (!corner) return false;
+      uncertain = std::move(*corner);
+    }
+    if (auto fold = find_fold(prepared, place, uncertain, rest, watch))
+      found.folds = {std::move(*fold)};
     return found.is_refuted();
   };
   found.searched =
@@ -136,7 +163,7 @@ ClosureFinding pave_closure(PreparedClosure& prepared, const SearchOptions& sear
   if (prepared.shape.parameters != 1) return found;
   const Interval& range = prepared.problem.outer[0];
   for (const double end : {range.lo, range.hi})
-    if (auto fold = find_fold(prepared, {end}, within(search, deadline), watch))
+    if (auto fold = find_fold(prepared, {end}, {}, within(search, deadline), watch))
       found.folds.push_back(std::move(*fold));
   return found;
 }
@@ -217,9 +244,10 @@ std::string describe_claim(const PreparedClosure& prepared, const ClosureFinding
       "the branch has exactly one configuration, and its {} matrix of the equations' derivatives "
       "has full rank, for every {}{}",
       size, describe_pose(p),
-      uncertain == 0 ? ""
-                     : fmt::format(" and every value of the {} uncertain quantities ({})",
-                                   uncertain, describe_groups(p.labels)));
+      uncertain == 0
+          ? ""
+          : fmt::format(" and every value of the {} uncertain {} ({})", uncertain,
+                        uncertain == 1 ? "quantity" : "quantities", describe_groups(p.labels)));
 }
 
 void tell_closure(const PreparedClosure& prepared, const SearchOptions& search,

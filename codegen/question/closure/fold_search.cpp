@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "codegen/answer/certificate/certificate_question.hpp"
 #include "codegen/model/exact/exact_double.hpp"
 #include "runtime/interval/floating_point_scope.hpp"
 
@@ -17,23 +18,36 @@ constexpr double kRadiusOfStart = 0x1p-24;
 constexpr std::uint64_t kMostBoxes = 4096;
 /// The part of the line before its end where an unknown takes its place, halved.
 constexpr double kPartOfChange = 0x1p-8;
+/// A fold beyond a place is looked for on a line that is so much longer.
+constexpr double kPartBeyond = 1.5;
+constexpr double kBeside = 0x1p-26;
 
 /// The equations along a line, without uncertain quantities.
 class LineModel {
  public:
-  LineModel(const PreparedClosure& prepared, const std::vector<double>& towards)
+  LineModel(const PreparedClosure& prepared, const std::vector<double>& towards,
+            const std::vector<double>& uncertain)
       : given_(prepared.request), closure_(*given_.model.closure), part_("part_of_line") {
     GiNaC::exmap values;
-    for (const GeometryParameter& g : given_.model.geometry) values[g.symbol] = g.value;
+    const std::set<std::string> names = uncertain_names(given_);
+    std::size_t next = 0;
+    for (const GeometryParameter& g : given_.model.geometry)
+      values[g.symbol] = !uncertain.empty() && names.contains(g.name)
+                             ? g.value + part_ * (exact_number(uncertain[next++]) - g.value)
+                             : g.value;
     for (std::size_t i = 0; i < given_.model.pose.size(); ++i) {
       const auto parameter = std::ranges::find_if(
           given_.motion.parameters,
           [&](const MotionParameter& p) { return p.symbol.is_equal(given_.model.pose[i].symbol); });
       const auto k = std::size_t(parameter - given_.motion.parameters.begin());
       const ex from = closure_.start_pose[i];
-      values[given_.model.pose[i].symbol] = parameter == given_.motion.parameters.end()
-                                                ? given_.motion.pose[i]
-                                                : from + part_ * (exact_number(towards[k]) - from);
+      const bool has_error = !given_.motion.error.empty() && !given_.motion.error[i].is_zero();
+      const ex error =
+          has_error && !uncertain.empty() ? part_ * exact_number(uncertain[next++]) : ex(0);
+      values[given_.model.pose[i].symbol] =
+          error + (parameter == given_.motion.parameters.end()
+                       ? given_.motion.pose[i]
+                       : from + part_ * (exact_number(towards[k]) - from));
     }
     for (const ex& equation : closure_.equations) equations_.push_back(equation.subs(values));
     for (const ex& condition : given_.model.must_be_defined)
@@ -76,16 +90,51 @@ class LineModel {
   std::vector<ex> equations_, conditions_;
 };
 
+/// The row of the inverse that is largest: where the matrix is nearly singular, all are multiples of
+/// it. Empty if there is no inverse.
+std::vector<double> left_null_vector(std::span<const Interval> matrix, std::size_t n) {
+  std::vector<double> middles;
+  for (const Interval& entry : matrix) middles.push_back(mid(entry));
+  // At the fold itself there is no inverse: a little beside it there is.
+  for (std::size_t i = 0; i < n; ++i) middles[i * n + i] += kBeside * std::fabs(middles[i * n + i]);
+  const auto inverse = approx_inverse_of(middles, n);
+  std::vector<double> best;
+  double most = 0;
+  for (std::size_t i = 0; inverse && i < n; ++i) {
+    double size = 0;
+    for (std::size_t j = 0; j < n; ++j) size = std::hypot(size, (*inverse)[i * n + j]);
+    if (!(size > most)) continue;
+    most = size;
+    best.assign(inverse->begin() + std::ptrdiff_t(i * n),
+                inverse->begin() + std::ptrdiff_t((i + 1) * n));
+  }
+  for (double& x : best) x /= most;
+  return best;
+}
+
 class FoldSearch {
  public:
   FoldSearch(const PreparedClosure& prepared, const std::vector<double>& towards,
-             const SearchOptions& search, const FormingWatch& watch)
+             const std::vector<double>& uncertain, const SearchOptions& search,
+             const FormingWatch& watch)
       : prepared_(prepared),
         towards_(towards),
         search_(options(search)),
         watch_(watch),
-        line_(prepared, towards),
+        line_(prepared, towards, uncertain),
         n_(prepared.shape.unknowns) {}
+
+  /// Returns where the fold is on the line, approximately, wherever that is.
+  struct Place {
+    double part;
+    std::vector<double> unknowns;
+  };
+  std::optional<Place> place() {
+    if (!follow_line() || !solve()) return std::nullopt;
+    Place found{mid(solution_[0]), {}};
+    for (std::size_t i = 0; i < n_; ++i) found.unknowns.push_back(mid(solution_[1 + i]));
+    return found;
+  }
 
   std::optional<Fold> find() {
     if (!follow_line() || !solve()) return std::nullopt;
@@ -280,8 +329,47 @@ class FoldSearch {
 }  // namespace
 
 std::optional<Fold> find_fold(const PreparedClosure& prepared, const std::vector<double>& towards,
-                              const SearchOptions& search, const FormingWatch& watch) {
-  return FoldSearch(prepared, towards, search, watch).find();
+                              const std::vector<double>& uncertain, const SearchOptions& search,
+                              const FormingWatch& watch) {
+  return FoldSearch(prepared, towards, uncertain, search, watch).find();
+}
+
+/// With w, wᵀΦ_p = 0 at the fold, it moves by δt = −wᵀΦ_g δg / wᵀΦ_x d along the line with direction d.
+std::optional<std::vector<double>> nearest_corner(const PreparedClosure& prepared,
+                                                  const std::vector<double>& towards,
+                                                  const SearchOptions& search,
+                                                  const FormingWatch& watch) {
+  const std::size_t n = prepared.shape.unknowns, m = prepared.shape.variables;
+  const std::vector<double>& from = prepared.near_start.variables;
+  std::vector<double> beyond, direction(m, 0.0);
+  for (std::size_t k = 0; k < towards.size(); ++k) {
+    direction[k] = kPartBeyond * (towards[k] - from[k]);
+    beyond.push_back(from[k] + direction[k]);
+  }
+  const auto fold = FoldSearch(prepared, beyond, {}, search, watch).place();
+  if (!fold) return std::nullopt;
+  SystemBoxes::Box at;
+  for (std::size_t k = 0; k < m; ++k) at.emplace_back(from[k] + fold->part * direction[k]);
+  for (const double p : fold->unknowns) at.emplace_back(p);
+  const FloatingPointScope nearest(FloatingPointRounding::kNearest);
+  SystemBoxes system(prepared.problem, prepared.scaling, prepared.shape);
+  system.evaluate({&at, 1});
+  const auto found = system.at(0);
+  const std::vector<double> w =
+      found ? left_null_vector(found->by_unknown, n) : std::vector<double>();
+  if (w.empty()) return std::nullopt;
+  std::vector<double> along(m, 0.0);
+  double line = 0;
+  for (std::size_t k = 0; k < m; ++k) {
+    for (std::size_t j = 0; j < n; ++j) along[k] += w[j] * mid(found->by_variable[j * m + k]);
+    line += along[k] * direction[k];
+  }
+  std::vector<double> corner;
+  for (std::size_t k = prepared.shape.parameters; k < m; ++k) {
+    const Interval range = prepared.problem.inner[k].value_or(prepared.problem.outer[k]);
+    corner.push_back(along[k] / line > 0 ? range.hi : range.lo);
+  }
+  return corner;
 }
 
 }  // namespace regulus

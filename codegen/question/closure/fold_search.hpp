@@ -22,15 +22,25 @@ struct Fold {
 ///
 ///     Φ(x(t), p) = 0,   Φ_p(x(t), p)·v = 0,   n·v = 1
 ///
-/// in (t, p, v) has a certain solution, by the test of branch_tube.hpp; uncertain quantities have
-/// the middles of their ranges. The fold is on the branch if tubes lead to it: along the line, and
-/// from there, where Φ_p becomes singular, along the unknown that moves most in place of t.
+/// in (t, p, v) has a certain solution, by the test of branch_tube.hpp. The fold is on the branch if
+/// tubes lead to it: along the line, and from there, where Φ_p becomes singular, along the unknown
+/// that moves most in place of t.
 ///
-/// Shape     towards: by motion parameter, within the ranges.
+/// Shape     towards: by motion parameter, within the ranges. uncertain: the values of the other
+///           variables at the end of the line, within theirs; it begins at their middles. Empty: they
+///           stay there.
 /// Ensures   nullopt if nothing is shown.
 /// Throws    the exceptions of prepare_closure().
 [[nodiscard]] std::optional<Fold> find_fold(const PreparedClosure& prepared,
                                             const std::vector<double>& towards,
+                                            const std::vector<double>& uncertain,
                                             const SearchOptions& search, const FormingWatch& watch);
+
+/// Returns values of the uncertain quantities, at ends of their ranges, for which the fold beyond
+/// `towards` is nearest to the start, to first order; nullopt if there is no fold near there.
+[[nodiscard]] std::optional<std::vector<double>> nearest_corner(const PreparedClosure& prepared,
+                                                                const std::vector<double>& towards,
+                                                                const SearchOptions& search,
+                                                                const FormingWatch& watch);
 
 }  // namespace regulus

@@ -216,7 +216,8 @@ int ShellSession::prepare_again() {
   CommandLine line = parsed(asked_, {"check"});
   adopt(line);
   // The kernel of a motion along way-points depends on their file, and is made for each check.
-  if (read_request(line.check->model).motion.waypoints) return 0;
+  const Request request = read_request(line.check->model);
+  if (request.motion.waypoints || request.model.closure) return 0;
   const PreparedSearch p = prepare(line.check->model, line.check->search);
   const StageSeconds spent = p.seconds_spent();
   const std::size_t functions = p.parts.compiled + p.parts.known;

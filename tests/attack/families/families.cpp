@@ -31,6 +31,7 @@ constexpr Family kFamilies[] = {
     {"huge", "ranges of 2^60, subnormal ranges", huge_or_subnormal},
     {"scaled", "rows and columns times powers of two", badly_scaled},
     {"refused", "not a model", refused},
+    {"closure", "branches of equations, their folds and flat places", closure},
     {"rectangular", "more rows than columns", rectangular},
     {"composition", "dense products with one singular factor", composition},
     {"hexapod", "six legs with a planted singular pose", hexapod_singular},

@@ -51,6 +51,8 @@ Attack thin(std::uint64_t seed);
 Attack huge_or_subnormal(std::uint64_t seed);
 Attack badly_scaled(std::uint64_t seed);
 Attack refused(std::uint64_t seed);
+// Equations: closures.cpp
+Attack closure(std::uint64_t seed);
 // Shapes: shapes.cpp, hexapods.cpp
 Attack rectangular(std::uint64_t seed);
 Attack composition(std::uint64_t seed);

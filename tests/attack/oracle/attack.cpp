@@ -41,6 +41,7 @@ std::string robot(const ModelSource& model) {
   std::string text = "\n[pose]\n";
   for (const PoseEntry& entry : model.pose) text += entry.name + " = \"m\"\n";
   text += table("geometry", model.geometry, false) + table("let", model.let, true);
+  if (!model.closure.empty()) return text + table("closure", model.closure, false);
   text += "\n[matrix]\nrows = [\n";
   for (const auto& row : model.rows) text += "  " + list_of(row, written) + ",\n";
   text += "]\n";

@@ -70,6 +70,7 @@ struct ModelSource {
   std::vector<NamedText> let;       ///< expressions
   std::vector<std::vector<Cell>> rows;
   std::vector<Cell> row_scale;
+  std::vector<NamedText> closure;  ///< TOML; `rows` is then what the oracle knows of its matrix
   std::optional<Hexapod> hexapod;  ///< replaces pose names, geometry, let and rows
   std::string parameters;          ///< TOML of the inline table; empty: none
   std::vector<NamedText> error;    ///< TOML

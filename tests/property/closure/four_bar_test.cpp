@@ -129,6 +129,24 @@ TEST(FourBar, KeepsItsBranchForAllLengthsWithinTolerances) {
   }
 }
 
+/// With other lengths within the tolerance, the motion reaches a toggle: that of the least diagonal.
+TEST(FourBar, ReachesAToggleForSomeLengthsWithinTolerances) {
+  const FourBar linkage{0.2, 0.35355, 0.25, 0.45};
+  const Checked checked = check(linkage.text(1, -2, 2.3, 0.05));
+  ASSERT_EQ(checked.verdict(), Verdict::kSingularity);
+  const Fold& fold = checked.found.folds.front();
+  const double theta = mid(fold.place[0]);
+  EXPECT_TRUE(linkage.is_between_toggles(theta));  // of the middles
+  // Some lengths within the tolerance have a toggle there.
+  const auto room = [&](double da, double db) {
+    FourBar other = linkage;
+    other.a += da, other.b += db;
+    return other.b + other.c - other.diagonal(theta);
+  };
+  EXPECT_LT(room(0.05, -0.05), 1e-9);
+  EXPECT_GT(room(-0.05, 0.05), 0);
+}
+
 TEST(FourBar, HasTheSameTubesForAnyNumberOfThreads) {
   const FourBar linkage{0.2, 0.35355, 0.25, 0.45};
   const std::string text = linkage.text(1, -2.31, 2.31);

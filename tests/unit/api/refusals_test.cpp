@@ -41,6 +41,8 @@ std::string message_of(const std::function<void()>& action) {
     action();
   } catch (const regulus::UsageError& error) {
     return error.what();
+  } catch (const regulus::InputError& error) {
+    return error.what();
   }
   return "no error";
 }
@@ -91,6 +93,84 @@ TEST(Refusals, OfALoadNameTheThreshold) {
   };
   EXPECT_EQ(message_of(threshold),
             "alpha: forces have no threshold; change the limits in [actuators]");
+}
+
+Question crank() {
+  return Question::of_text(R"toml(regulus = 1
+name = "crank"
+[pose]
+x = "m"
+[closure]
+unknowns = { phi = "rad" }
+equations = ["x - 2*sin(phi)"]
+start = { x = 0, phi = 0 }
+[motion.m]
+x = [-1, 1]
+)toml",
+                           "crank");
+}
+
+/// A question about a closure, by its kind, and how C++ asks it.
+struct AskOfClosure {
+  regulus::Kind kind;
+  void (*ask)(const Question& question);
+};
+
+TEST(Refusals, OfAClosureAreThoseOfTheTable) {
+  using regulus::Kind;
+  const AskOfClosure all[] = {
+      {Kind::kClosureLimitMargin,
+       [](const Question& q) {
+         regulus::MarginOptions options;
+         options.parameter = "x=0:1";
+         options.quantity.quantity = "x";
+         options.limit = "2";
+         static_cast<void>(regulus::margin(q, options));
+       }},
+      {Kind::kClosureBound,
+       [](const Question& q) {
+         regulus::BoundOptions options;
+         options.quantity.quantity = "x";
+         static_cast<void>(regulus::bound(q, options));
+       }},
+      {Kind::kClosureLoad,
+       [](const Question& q) { static_cast<void>(regulus::check_load(q, "")); }},
+      {Kind::kClosureLoadPaving,
+       [](const Question& q) { static_cast<void>(regulus::locate_load(q)); }},
+  };
+  for (const AskOfClosure& one : all) {
+    const auto why = regulus::refusal(one.kind, regulus::Service::kAnswer);
+    ASSERT_TRUE(why) << name(one.kind);
+    EXPECT_EQ(message_of([&] { one.ask(crank()); }), *why) << name(one.kind);
+  }
+}
+
+TEST(Refusals, OfAClosureNameTheOption) {
+  SearchOptions search;
+  search.method = regulus::Method::kReg;
+  EXPECT_THAT(message_of([&] { static_cast<void>(regulus::check(crank(), search)); }),
+              testing::StartsWith("method: for a [closure]"));
+}
+
+TEST(Refusals, OfFiniteErrorsAreOfOtherModels) {
+  regulus::BoundOptions options;
+  options.quantity.quantity = "error";
+  options.quantity.is_finite = true;
+  EXPECT_EQ(message_of([&] { static_cast<void>(regulus::bound(bead(), options)); }),
+            regulus::refusal(regulus::Kind::kFiniteErrors, regulus::Service::kAnswer));
+}
+
+TEST(Refusals, OfAClosureComeBeforeTheServiceIsAskedFor) {
+  regulus::LocateOptions options;
+  options.certificate = "c.cert";
+  EXPECT_THAT(message_of([&] { static_cast<void>(regulus::locate(crank(), options)); }),
+              HasSubstr("[closure]"));
+}
+
+TEST(Refusals, OfAClosureReachKernelsAndPreparedQuestions) {
+  EXPECT_THAT(message_of([] { regulus::Kernel kernel(crank()); }), HasSubstr("[closure]"));
+  EXPECT_THAT(message_of([] { regulus::PreparedQuestion prepared(crank()); }),
+              HasSubstr("[closure]"));
 }
 
 TEST(Refusals, SpeakNoWordOfTheCommandLine) {
