@@ -111,6 +111,12 @@ std::string regular_theorem(const Question& question, bool has_pieces) {
       check + " pieces");
 }
 
+void refuse_other_claims(const Question& question) {
+  if (question.load)
+    throw Unfinished("a claim about forces within limits cannot be written as a theorem");
+  if (question.closure) throw Unfinished("a claim about a closure cannot be written as a theorem");
+}
+
 void refuse_quantity(const Question& question) {
   if (question.quantity)
     throw Unfinished(
@@ -126,6 +132,7 @@ std::string trajectory(Lines& lines) {
   Question question;
   read_question(first, question);
   if (question.singular) throw Rejection("a singular pose lies on one piece: there are several");
+  refuse_other_claims(question);
   refuse_quantity(question);
   const CoqQuestion coq = coq_question(lines_of(pieces.question_of(0)), question, pieces.names);
   std::vector<CoqItem> values;
@@ -167,8 +174,7 @@ std::string read_and_write(Lines& lines, CoqStatement statement) {
   Question question;
   lines.keep();
   read_question(lines, question);
-  if (question.load)
-    throw Unfinished("a claim about forces within limits cannot be written as a theorem");
+  refuse_other_claims(question);
   if (statement == CoqStatement::kForce) return force(question, lines.take_kept());
   if (question.is_piecewise) return trajectory(lines);
   refuse_quantity(question);

@@ -28,6 +28,7 @@ inline constexpr const char* kFeasibleLeaf = "feasible";
 inline constexpr const char* kInfeasibleLeaf = "infeasible";
 inline constexpr const char* kUndecidedLeaf = "undecided";
 inline constexpr const char* kOutsideLeaf = "outside";
+inline constexpr const char* kTubeLeaf = "tube";   ///< of a claim about a closure
 inline constexpr const char* kLowerEnd = "lower";  ///< a coordinate that is the end of its range
 inline constexpr const char* kUpperEnd = "upper";
 inline constexpr const char* kEndOfRoot = "-";  ///< in a shard: the end of a range of box 0
@@ -64,7 +65,11 @@ inline constexpr std::size_t kMostLoadRanges = 10;   ///< components of a load t
 inline constexpr std::size_t kMostLines = 20000;     ///< of the header
 inline constexpr std::size_t kMostPieces = 1 << 20;  ///< of a trajectory
 inline constexpr std::size_t kMostPieceNames = 512;
-inline constexpr std::size_t kMostOpen = 1 << 22;  ///< boxes that wait at one time
+inline constexpr std::size_t kMostUnknowns = 32;          ///< of a closure
+inline constexpr std::size_t kMostTubes = 1 << 20;        ///< leaves of a proof about a closure
+inline constexpr std::size_t kMostTubeNumbers = 1 << 25;  ///< of all its tubes
+inline constexpr std::size_t kDeepestTube = 1000;         ///< splits above a leaf of it
+inline constexpr std::size_t kMostOpen = 1 << 22;         ///< boxes that wait at one time
 inline constexpr std::size_t kMostShards = 1 << 20;
 inline constexpr std::uint64_t kLeastShardSize = 4096;  ///< that can be asked for, in bytes
 
@@ -149,6 +154,13 @@ struct ClaimedBound {
   const char* const beyond =
       is_attained ? (b.side == kLeast ? " <= " : " >= ") : (b.side == kLeast ? " > " : " < ");
   return value + beyond + b.bound + place;
+}
+
+/// Returns the claim about a closure of as many equations as the set has rows in words.
+[[nodiscard]] inline std::string describe_closure_claim(const ClaimedSet& set) {
+  return "the mechanism has exactly one configuration on its branch, and the " +
+         std::to_string(set.rows) + " equations are defined and regular there, " +
+         describe_place(set, true) + " of the variety";
 }
 
 /// Returns a claim about singularity in words. Nothing but these functions words a claim.

@@ -38,9 +38,9 @@ std::pair<std::string_view, std::string_view> ConstantLines::two_parts(
   return {text.substr(0, at), text.substr(at + mark.size())};
 }
 
-NodeId ConstantLines::constant(const char* kind, std::size_t number, std::string_view text) {
+NodeId ConstantLines::constant(const char* kind, std::string_view name, std::string_view text) {
   const NodeId node = parse(text, {}, q_.graph);
-  q_.stated.emplace(std::string(kind) + ' ' + std::to_string(number),
+  q_.stated.emplace(std::string(kind) + ' ' + std::string(name),
                     StatedValue{node, lines_.number(), std::string(text)});
   return node;
 }

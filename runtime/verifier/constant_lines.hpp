@@ -26,8 +26,11 @@ class ConstantLines {
   /// Returns the texts before and after `mark` in rest_of(key).
   [[nodiscard]] std::pair<std::string_view, std::string_view> two_parts(
       std::string_view key, std::string_view mark) const;
-  /// Returns the node of a text, and records it as the stated value "KIND NUMBER".
-  [[nodiscard]] NodeId constant(const char* kind, std::size_t number, std::string_view text);
+  /// Returns the node of a text, and records it as the stated value "KIND NAME" or "KIND NUMBER".
+  [[nodiscard]] NodeId constant(const char* kind, std::string_view name, std::string_view text);
+  [[nodiscard]] NodeId constant(const char* kind, std::size_t number, std::string_view text) {
+    return constant(kind, std::to_string(number), text);
+  }
   /// Reads `count` lines `KEY E`, from the current one on; "KEY I" are their stated values.
   [[nodiscard]] std::vector<NodeId> list(const char* key, std::size_t count);
   /// Reads the lines `wrench`, one for each column, and `wrench-ball`, from the current one on.

@@ -57,7 +57,8 @@ void LeafProver::begin(bool looks_for_points) {
   points_tried_ = sign_ = 0;
 }
 
-void LeafProver::prove(const Box& box, LeafClaim) {
+void LeafProver::prove(const Leaf& leaf) {
+  const Box& box = leaf.box;
   const std::uint64_t before = boxes_;
   waiting_.assign(1, box);
   while (!waiting_.empty()) {

@@ -15,7 +15,7 @@ class LeafProver final : public Prover {
   LeafProver(Question& question, const Variety& variety, const Options& options, WorkClock& clock);
 
   void begin(bool looks_for_points) override;
-  void prove(const Box& box, LeafClaim claim) override;
+  void prove(const Leaf& leaf) override;
 
  private:
   [[nodiscard]] bool is_regular_exactly(const Box& box, std::uint64_t boxes_of_leaf);

@@ -56,7 +56,7 @@ void LeafProofs::prove(Prover& prover, Batch& batch) try {
   prover.begin(batch.looks_for_points);
   for (const Leaf& leaf : batch.leaves) {
     const std::uint64_t before = prover.boxes();
-    prover.prove(leaf.box, leaf.claim);
+    prover.prove(leaf);
     batch.boxes.push_back(prover.boxes() - before);
   }
   batch.shown.has_met_variety = prover.has_met_variety();

@@ -17,13 +17,6 @@
 
 namespace regulus::verifier {
 
-struct Leaf {
-  Box box;
-  std::string name;  ///< for messages
-  std::size_t line;
-  LeafClaim claim = LeafClaim::kWhole;
-};
-
 /// The facts that some leaves have shown together.
 struct Shown {
   std::uint64_t leaves = 0;

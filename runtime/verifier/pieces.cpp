@@ -83,6 +83,7 @@ class PieceChecker {
       throw Rejection(piece(k) + ": line " + std::to_string(head.number()) +
                       " of its question: " + why.what());
     }
+    if (question.closure) throw Unfinished("a closure has no pieces");
     if (question.singular) throw Rejection("a singular pose lies on one piece: there are several");
     if (k == 0) describe(question);
     question.graph.end_of_file();

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "runtime/verifier/variety.hpp"
 #include "runtime/verifier/verify.hpp"
@@ -19,6 +21,17 @@ enum class LeafClaim {
   kOutside,     ///< PAVING: no point of the leaf is in the variety
 };
 
+/// The numbers of a tube, as a leaf of a closure states them: x₀, c, S row by row, r.
+using TubeNumbers = std::vector<double>;
+
+struct Leaf {
+  Box box;
+  std::string name;  ///< for messages
+  std::size_t line;
+  LeafClaim claim = LeafClaim::kWhole;
+  const TubeNumbers* tube = nullptr;  ///< of a closure, with the claim kWhole
+};
+
 class Prover {
  public:
   Prover() = default;
@@ -30,9 +43,9 @@ class Prover {
   /// any others. `looks_for_points`: a point of the variety is wanted.
   virtual void begin(bool looks_for_points) = 0;
 
-  /// Returns if the claim holds at every point of the box. Throws Rejection if it is shown to be
+  /// Returns if the claim holds at every point of the leaf. Throws Rejection if it is shown to be
   /// false somewhere in the variety, Unfinished if neither is shown.
-  virtual void prove(const Box& box, LeafClaim claim) = 0;
+  virtual void prove(const Leaf& leaf) = 0;
 
   /// Returns true if some part of a leaf was not outside the variety.
   [[nodiscard]] bool has_met_variety() const noexcept { return has_met_variety_; }

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "runtime/verifier/algebra.hpp"
+#include "runtime/verifier/closure_lines.hpp"
 #include "runtime/verifier/load_lines.hpp"
 #include "runtime/verifier/quantity_lines.hpp"
 
@@ -42,10 +43,11 @@ class QuestionReader {
     }
     read_poses();
     keep_names();
+    if (is("unknown")) read_unknown_lines(lines_, q_, commanded_, actual_);
     read_model();
     read_motion();
     if (q_.load) read_load_lines(lines_, q_);
-    if (!q_.load && is("quantity")) read_quantity_lines(lines_, q_);
+    if (!q_.load && !q_.closure && is("quantity")) read_quantity_lines(lines_, q_);
     if (lines_.text() != "proof") throw Rejection("expected the line 'proof'");
     if (claim != q_.claim())
       throw Rejection("the claim is not about this matrix and set: expected '" + q_.claim() + "'");
@@ -230,6 +232,15 @@ class QuestionReader {
       if (!cut(rest_of("let"), " = ", name, value)) throw Rejection("expected 'let NAME = …'");
       declare(actual_, name, parse(value, actual_, q_.graph));
     }
+    if (q_.closure)
+      read_equation_lines(lines_, q_, actual_);
+    else
+      read_matrix();
+    read_list("defined", actual_, q_.defined);
+  }
+
+  void read_matrix() {
+    std::string_view name, value;
     const std::string shape = take("matrix");
     if (!cut(shape, " ", name, value)) throw Rejection("expected 'matrix ROWS COLUMNS'");
     q_.rows = read_count(name, format::kMostRows);
@@ -244,7 +255,6 @@ class QuestionReader {
     read_list("scale", actual_, q_.scale);
     if (!q_.scale.empty() && q_.scale.size() != q_.rows)
       throw Rejection("the number of scales differs from the number of rows");
-    read_list("defined", actual_, q_.defined);
   }
 
   void read_motion() {
@@ -351,6 +361,7 @@ format::ClaimedSet Question::claimed_set() const {
 std::string Question::claim() const {
   if (load) return format::describe_load_claim(claimed_set(), load->verdict);
   if (quantity) return quantity->claim;
+  if (closure) return format::describe_closure_claim(claimed_set());
   return format::describe_claim(claimed_set(), singular);
 }
 

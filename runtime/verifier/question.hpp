@@ -107,6 +107,15 @@ struct QuantityLines {
   std::vector<NodeId> row_scales, unscaled;
 };
 
+/// The equations that close a mechanism, and the branch of their solutions. FORMAT.md, "Closures".
+/// The unknowns are variables of the graph, numbered after those of the question.
+struct ClosureLines {
+  std::vector<std::string> names;      ///< by unknown
+  std::vector<NodeId> middle, radius;  ///< by unknown; constant expressions
+  std::vector<NodeId> start;           ///< by motion parameter; constant expressions
+  std::vector<NodeId> equations;
+};
+
 /// An expression with its line.
 struct StatedValue {
   NodeId node = kNoNode;
@@ -138,12 +147,14 @@ struct Question {
   /// A claim about a bound has this. The matrix and the variables are those of the model, until
   /// border() puts in those of the bound.
   std::optional<QuantityLines> quantity;
+  /// A claim about a closure has this. There is no matrix; `rows` and `columns` count the equations.
+  std::optional<ClosureLines> closure;
 
   // For the comparison with a model file.
   /// The stated values, by kind and name: "alpha ", "lower x", "upper x", "value a", "spread a",
   /// "pose x", "error x", "entry 0", "scale 0", "constraint 0", "reach 0", "wrench 0",
   /// "wrench-spread 0", "wrench-ball 0", "least 0", "largest 0", "motor-error 0", "stiffness 0",
-  /// "factor 0".
+  /// "factor 0", "unknown p", "unknown-radius p", "start x", "equation 0".
   std::map<std::string, StatedValue, std::less<>> stated;
   Scope actual;     ///< names of constants and of poses with their errors
   Scope commanded;  ///< names of parameters, constants and commanded poses

@@ -11,11 +11,13 @@ constexpr std::uint64_t kProductsOfEnds = 1 << 16;
 constexpr long kBits = 256;  ///< of constants that must have a value
 constexpr int kMostSimplified = 1 << 10;
 
-/// Returns the expression of each variable that has one value only; kNoNode for the others.
+/// Returns the expression of each variable that has one value only; kNoNode for the others, and for
+/// the unknowns after them.
 std::vector<NodeId> single_values(Question& question) {
-  std::vector<NodeId> result(question.variables.size(), kNoNode);
+  const std::size_t unknowns = question.closure ? question.closure->equations.size() : 0;
+  std::vector<NodeId> result(question.variables.size() + unknowns, kNoNode);
   const std::vector<NodeId> none;
-  for (std::size_t k = 0; k < result.size(); ++k) {
+  for (std::size_t k = 0; k < question.variables.size(); ++k) {
     const Variable& v = question.variables[k];
     AlgebraBudget budget(kProductsOfEnds);
     Algebra algebra(question.graph, none, Algebra::Form::kFull, budget);
@@ -109,6 +111,7 @@ void put_in_single_values(Question& q) {
   Rewriting rewriting(q);
   for (auto* roots : {&q.matrix, &q.scale, &q.defined, &q.motion_defined, &q.constraints})
     rewriting.rewrite(*roots);
+  if (q.closure) rewriting.rewrite(q.closure->equations);
   if (q.quantity) {
     rewriting.rewrite(q.quantity->model_matrix);
     rewriting.rewrite(q.quantity->row_scales);

@@ -19,7 +19,9 @@ void SplittingProver::begin(bool looks_for_points) {
   points_tried_ = 0;
 }
 
-void SplittingProver::prove(const Box& box, LeafClaim claim) {
+void SplittingProver::prove(const Leaf& leaf) {
+  const Box& box = leaf.box;
+  const LeafClaim claim = leaf.claim;
   const std::uint64_t before = boxes_;
   waiting_.assign(1, box);
   while (!waiting_.empty()) {

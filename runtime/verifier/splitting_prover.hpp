@@ -14,7 +14,7 @@ class SplittingProver : public Prover {
       : q_(question), variety_(variety), options_(options), clock_(clock) {}
 
   void begin(bool looks_for_points) final;
-  void prove(const Box& box, LeafClaim claim) final;
+  void prove(const Leaf& leaf) override;
 
  protected:
   [[nodiscard]] virtual BoxAnswer decide(const Box& box, LeafClaim claim) = 0;

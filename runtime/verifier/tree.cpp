@@ -11,11 +11,14 @@ class TreeChecker {
  public:
   TreeChecker(Lines& lines, Question& question, const Variety& variety, const Options& options,
               Verification& counts)
-      : question_(question),
+      : lines_(lines),
+        question_(question),
         counts_(counts),
         clock_(options, counts),
+        branch_(question.closure ? std::make_unique<BranchTree>(question, variety, options, clock_)
+                                 : nullptr),
         proofs_(question, variety, options, clock_, counts),
-        reader_(lines, question, open_, proofs_, clock_) {
+        reader_(lines, question, open_, proofs_, clock_, branch_.get()) {
     open_.boxes.emplace(0, variety.outer);
   }
 
@@ -25,6 +28,7 @@ class TreeChecker {
     reader_.require_tiling();
     reader_.require_end(shown.leaves);
     require_poses(question_, shown, counts_);
+    if (branch_) branch_->check(lines_, counts_);
   }
 
   Shown check_piece() {
@@ -34,10 +38,12 @@ class TreeChecker {
   }
 
  private:
+  Lines& lines_;
   Question& question_;
   Verification& counts_;
   OpenBoxes open_;
   WorkClock clock_;
+  const std::unique_ptr<BranchTree> branch_;  ///< of a closure
   LeafProofs proofs_;
   TreeReader reader_;
 };

@@ -22,7 +22,9 @@ LeafClaim claim_of(const Question& question, std::string_view word) {
   const bool is_about_load = question.load.has_value();
   const bool paves = is_about_load && question.load->verdict == format::kPaving;
   const bool is_rule = std::find(kRules.begin(), kRules.end(), word) != kRules.end();
-  if (!is_about_load && is_rule) return LeafClaim::kWhole;
+  if (question.closure && word == format::kTubeLeaf) return LeafClaim::kWhole;
+  if (question.closure && word == format::kOutsideLeaf) return LeafClaim::kOutside;
+  if (!is_about_load && !question.closure && is_rule) return LeafClaim::kWhole;
   if (is_about_load && word == format::kFeasibleLeaf) return LeafClaim::kWhole;
   if (is_about_load && word == format::kOutsideLeaf)
     return paves ? LeafClaim::kOutside : LeafClaim::kWhole;
@@ -66,7 +68,7 @@ void TreeReader::read_boxes() {
     const auto words = words_of(lines_.text());
     if (words.size() == 4 && words[0] == "s")
       split(words);
-    else if (words.size() == 3 && words[0] == "l")
+    else if ((words.size() == 3 || (branch_ != nullptr && words.size() > 3)) && words[0] == "l")
       leaf(words);
     else
       return;
@@ -81,6 +83,7 @@ TreeReader::Iterator TreeReader::find(std::string_view text) {
 
 void TreeReader::split(const std::vector<std::string_view>& words) {
   const auto parent = find(words[1]);
+  const std::uint64_t number = parent->first;
   Box lower = std::move(parent->second);
   open_.boxes.erase(parent);
   const std::size_t k = read_count(words[2], format::kMostVariables);
@@ -88,6 +91,7 @@ void TreeReader::split(const std::vector<std::string_view>& words) {
   if (k >= lower.size()) throw Rejection("there is no variable " + std::string(words[2]));
   if (!(lower[k].lo < at && at < lower[k].hi)) throw Rejection("the split is not inside the box");
   if (open_.boxes.size() > format::kMostOpen) throw Unfinished("too many boxes are open");
+  if (branch_ != nullptr) branch_->split(number, k, at);
   Box upper = lower;
   lower[k].hi = upper[k].lo = at;
   open_.boxes.emplace(open_.next++, std::move(lower));
@@ -100,6 +104,7 @@ void TreeReader::leaf(const std::vector<std::string_view>& words) {
   Leaf leaf{std::move(box->second),
             "leaf " + std::string(words[1]) + " (" + std::string(words[2]) + ")", lines_.number(),
             claim};
+  if (branch_ != nullptr) leaf.tube = branch_->add_leaf(box->first, words, leaf.line);
   open_.boxes.erase(box);
   proofs_.add(lines_, std::move(leaf));
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "runtime/verifier/branch_tree.hpp"
 #include "runtime/verifier/leaf_proofs.hpp"
 
 namespace regulus::verifier {
@@ -21,10 +22,15 @@ struct OpenBoxes {
 
 class TreeReader {
  public:
-  /// All must outlive this object.
+  /// All must outlive this object. `branch` receives the tree; only that of a closure needs one.
   TreeReader(Lines& lines, const Question& question, OpenBoxes& open, LeafProofs& proofs,
-             WorkClock& clock)
-      : lines_(lines), question_(question), open_(open), proofs_(proofs), clock_(clock) {}
+             WorkClock& clock, BranchTree* branch = nullptr)
+      : lines_(lines),
+        question_(question),
+        open_(open),
+        proofs_(proofs),
+        clock_(clock),
+        branch_(branch) {}
 
   /// Reads up to the first line that is neither a split nor a leaf, and waits until all leaves
   /// before it are proved. Throws Rejection or Unfinished, for the first line that is wrong.
@@ -50,6 +56,7 @@ class TreeReader {
   OpenBoxes& open_;
   LeafProofs& proofs_;
   WorkClock& clock_;
+  BranchTree* branch_;
 };
 
 /// Throws Unfinished if the leaves of a whole tree are about no pose; notes it if they may be.

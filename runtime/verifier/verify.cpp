@@ -3,6 +3,7 @@
 
 #include "runtime/files/sha256.hpp"
 #include "runtime/verifier/bordered_matrix.hpp"
+#include "runtime/verifier/model/closure_comparison.hpp"
 #include "runtime/verifier/model/model_comparison.hpp"
 #include "runtime/verifier/model/waypoints.hpp"
 #include "runtime/verifier/pieces.hpp"
@@ -17,6 +18,10 @@ namespace {
 
 /// A trajectory has a singular pose on one of its pieces; other claims are about all of them.
 void compare(Question& question, const Options& options, Verification& result) {
+  if (question.closure && question.matrix.empty()) {
+    Question with_variables = with_unknowns(question);
+    return compare(with_variables, options, result);
+  }
   const WrittenValues model = read_model_values(options.model_text);
   const WaypointComparison waypoints(model, question.motion, options.model_name, options.waypoints);
   if (!waypoints.is_named()) return compare_with_model(question, model, options, result);
@@ -40,6 +45,8 @@ void check(Lines& lines, Question& question, const Options& options, Verificatio
   read_question(lines, question);
   if (question.is_index && question.singular)
     throw Rejection("an index is for the proof of a claim about all poses");
+  if (question.is_index && question.closure)
+    throw Unfinished("the proof about a closure must be in one file");
   if (question.is_piecewise) return check_pieces(lines, question.is_index, options, result);
   const std::vector<std::string> head = lines.take_kept();
   result.claim = question.claim();
@@ -121,6 +128,8 @@ std::string describe(const Verification& v) {
   if (v.leaves > 0)
     line("leaves", std::to_string(v.leaves) + ", in " + std::to_string(v.boxes) + " boxes");
   line("paved", describe_paved(v));
+  if (v.links > 0)
+    line("links", std::to_string(v.links) + " pairs of neighbours with one configuration");
   if (v.numbers > 0)
     line("numbers",
          std::to_string(v.numbers) + " values and expressions of the model file compared");

@@ -66,6 +66,7 @@ struct Verification {
   std::uint64_t leaves = 0;
   std::uint64_t boxes = 0;                                ///< into which the leaves were cut
   std::array<std::uint64_t, kPavedWords.size()> paved{};  ///< of a paving: its leaves by claim
+  std::uint64_t links = 0;               ///< of a closure: pairs of leaves of one branch
   std::size_t numbers = 0;               ///< values of the model file that were compared
   std::vector<std::string> differences;  ///< those that options have set to other values
   std::string note;                      ///< more information about a claim that was verified

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "runtime/existence/branch_tube.hpp"
@@ -70,13 +71,35 @@ class PlantedSystem {
     return v;
   }
 
+  /// Returns the equations in the names p0, p1, … and x0, x1, …; all numbers are multiples of 2⁻¹⁴.
+  [[nodiscard]] std::vector<std::string> equations() const {
+    std::vector<std::string> result;
+    for (std::size_t i = 0; i < n_; ++i) {
+      std::string sum = "0";
+      for (std::size_t j = 0; j < n_; ++j) {
+        const std::string from_g = "(" + name('p', j) + " - (" + text(g_[j]) + "))";
+        const std::string from_h = "(" + name('p', j) + " - (" + text(h_[j]) + "))";
+        std::string f = from_g;
+        if (kinds_[j] == Kind::kTwo) f = from_g + "*" + from_h;
+        if (kinds_[j] == Kind::kDouble) f = from_g + "^2";
+        if (kinds_[j] == Kind::kNone) f = "(" + from_g + "^2 + 1/256)";
+        if (kinds_[j] == Kind::kSine) f = "sin" + from_g;
+        sum += " + " + number(A_[i * n_ + j]) + "*" + f;
+      }
+      result.push_back(sum);
+    }
+    return result;
+  }
+
   /// Returns the number of roots in the tube over x; nullopt if π is not known well enough.
   [[nodiscard]] std::optional<std::size_t> count_roots(const BranchTube& tube,
                                                        const std::vector<double>& x) const {
     std::size_t product = 1;
     const std::vector<Exact> exact(x.begin(), x.end());
     for (std::size_t j = 0; j < n_; ++j) {
-      const auto count = count_of(j, tube, exact);
+      const double turns = std::round(
+          (tube.center[j] - mid(at(g_[j], std::vector<Interval>(x.begin(), x.end())))) / kPi.lo);
+      const auto count = count_of(j, tube, exact, turns);
       if (!count) return std::nullopt;
       product *= *count;
     }
@@ -127,6 +150,16 @@ class PlantedSystem {
     for (std::size_t k = 0; k < m_; ++k) sum = sum + Number(c[2 + k]) * x[k];
     return sum;
   }
+  static std::string name(char letter, std::size_t k) { return letter + std::to_string(k); }
+  static std::string number(double x) {
+    return "(" + std::to_string(std::lround(x * 0x1p14)) + "/16384)";
+  }
+  [[nodiscard]] std::string text(const Curve& c) const {
+    std::string sum = number(c[0]);
+    if (m_ > 0) sum += " + " + number(c[1]) + "*x0^2";
+    for (std::size_t k = 0; k < m_; ++k) sum += " + " + number(c[2 + k]) + "*" + name('x', k);
+    return sum;
+  }
   [[nodiscard]] static Interval slope(const Curve& c, const std::vector<Interval>& x,
                                       std::size_t k) {
     const Interval linear(c[2 + k]);
@@ -134,7 +167,8 @@ class PlantedSystem {
   }
 
   [[nodiscard]] std::optional<std::size_t> count_of(std::size_t j, const BranchTube& tube,
-                                                    const std::vector<Exact>& x) const {
+                                                    const std::vector<Exact>& x,
+                                                    double turns) const {
     Exact middle(tube.center[j]);
     for (std::size_t k = 0; k < m_; ++k)
       middle = middle + Exact(tube.slopes[j * m_ + k]) * (x[k] - Exact(tube.at[k]));
@@ -146,7 +180,7 @@ class PlantedSystem {
     if (kinds_[j] != Kind::kSine) return static_cast<std::size_t>(is_in(g));
     std::size_t count = 0;
     for (int turn = -9; turn <= 9; ++turn) {
-      const Exact times(turn);
+      const Exact times(turns + turn);
       const bool is_in_with_less = is_in(g + times * Exact(kPi.lo));
       if (is_in_with_less != is_in(g + times * Exact(kPi.hi))) return std::nullopt;
       count += is_in_with_less;

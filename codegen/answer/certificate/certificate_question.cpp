@@ -201,8 +201,9 @@ CertifiedQuestion certified_question(const Request& request,
                                      const std::set<std::string>& uncertain) {
   require_distinct_names(request);
   const format::ClaimedSet set = claimed_set(request, uncertain);
-  return {QuestionText(request, uncertain).text(), format::describe_claim(set, false),
-          format::describe_claim(set, true)};
+  const std::string regular = request.model.closure ? format::describe_closure_claim(set)
+                                                    : format::describe_claim(set, false);
+  return {QuestionText(request, uncertain).text(), regular, format::describe_claim(set, true)};
 }
 
 std::string certificate_obstacle(const CertifiedQuestion& question, bool singular) {

@@ -14,6 +14,7 @@
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/place_text.hpp"
 #include "codegen/answer/report/question_report.hpp"
+#include "codegen/model/reduced_note.hpp"
 #include "codegen/question/engine/choices.hpp"
 #include "codegen/question/engine/settings.hpp"
 
@@ -165,7 +166,8 @@ const char* json_name(Verdict verdict) {
 }
 
 std::string describe_size(const SearchSubject& p) {
-  return fmt::format("full {}×{} {}", p.labels.rows, p.labels.columns, name(p.labels.matrix_kind));
+  return fmt::format("{} {}×{} {}", full_or_reduced(p.labels.matrix_notes), p.labels.rows,
+                     p.labels.columns, name(p.labels.matrix_kind));
 }
 
 const char* describe_pose(const SearchSubject& p) {

@@ -5,6 +5,7 @@
 #include "codegen/model/constants.hpp"
 #include "codegen/model/exact/domain.hpp"
 #include "codegen/model/file/sections.hpp"
+#include "codegen/model/reduced_note.hpp"
 
 namespace regulus {
 namespace {
@@ -69,13 +70,16 @@ void read_row_scale(ModelReading& reading, const TomlEntry& entry) {
 }  // namespace
 
 void read_matrix(ModelReading& reading, const TomlEntry& matrix) {
-  static const std::array<std::string, 3> kKeys = {"rows", "row_scale", "twist"};
+  static const std::array<std::string, 4> kKeys = {"rows", "row_scale", "twist", "reduced"};
   (void)reading.toml.entries(matrix, kKeys);
   read_rows(reading, reading.toml.required(matrix, "rows"));
   const TomlEntry scale = reading.toml.optional(matrix, "row_scale");
   if (scale.node) read_row_scale(reading, scale);
   const TomlEntry twist = reading.toml.optional(matrix, "twist");
   if (twist.node) read_twist_names(reading, twist);
+  const TomlEntry reduced = reading.toml.optional(matrix, "reduced");
+  if (reduced.node)
+    reading.model.matrix_notes.push_back(std::string(kReduced) + reading.toml.label(reduced));
 }
 
 }  // namespace regulus

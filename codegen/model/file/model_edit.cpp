@@ -4,7 +4,11 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <vector>
 
+#include "codegen/model/degrees.hpp"
+#include "codegen/model/exact/ginac_text.hpp"
+#include "codegen/model/file/model_file.hpp"
 #include "codegen/model/file/source_lines.hpp"
 #include "codegen/model/file/toml_limits.hpp"
 #include "codegen/model/file/written.hpp"
@@ -33,6 +37,111 @@ std::string replaced(const std::string& text, const toml::node* node, const std:
          written(std::string_view(expression)) + text.substr(lines.offset(end.line, end.column));
 }
 
+using GiNaC::ex;
+
+std::string quoted(const ex& value) { return written(std::string_view(formula_text(value))); }
+
+/// The lines of [geometry] and [let] for the anchors. Coordinates of a ball are a list.
+class Anchors {
+ public:
+  /// `own`: the constants that the file itself declares come first.
+  Anchors(const Model& model, std::size_t own) : model_(model) {
+    for (std::size_t i = own; i < model.geometry.size(); ++i) {
+      const GeometryParameter& g = model.geometry[i];
+      if (g.ball < 0)
+        geometry_ += g.name + " = { value = " + quoted(g.value) +
+                     ", tolerance = " + quoted(g.tolerance) + group(g.group);
+      else if (model.balls[std::size_t(g.ball)].members.front() == i)
+        add_ball(model.balls[std::size_t(g.ball)]);
+    }
+  }
+
+  [[nodiscard]] const std::string& geometry() const { return geometry_; }
+  [[nodiscard]] const std::string& let() const { return let_; }
+
+ private:
+  static std::string group(const std::string& name) { return ", group = \"" + name + "\" }\n"; }
+
+  void add_ball(const ToleranceBall& ball) {
+    const std::string name = "anchor_" + model_.geometry[ball.members.front()].name;
+    std::string values;
+    for (std::size_t i = 0; i < ball.members.size(); ++i) {
+      const GeometryParameter& g = model_.geometry[ball.members[i]];
+      values += (i > 0 ? ", " : "") + quoted(g.value);
+      let_ += g.name + " = \"" + name + '_' + std::to_string(i + 1) + "\"\n";
+    }
+    geometry_ +=
+        name + " = { value = [" + values + "], radius = " + quoted(ball.radius) + group(ball.group);
+  }
+
+  const Model& model_;
+  std::string geometry_, let_;
+};
+
+/// Pose parameters in degrees stand for angles in expressions of a file.
+std::string entry(const Model& model, const ex& value) {
+  GiNaC::exmap angles;
+  for (const PoseParameter& p : model.pose)
+    if (is_in_degrees(p.unit)) angles[p.symbol] = p.symbol / one_degree();
+  return quoted(value.subs(angles, GiNaC::subs_options::no_pattern));
+}
+
+std::string pose_and_matrix(const Model& model) {
+  std::string text = "[pose]\n";
+  for (const PoseParameter& p : model.pose) text += p.name + " = \"" + p.unit + "\"\n";
+  text += "\n[matrix]\ntwist = [";
+  for (const TwistComponent& t : model.twist) text += '"' + t.name + "\", ";
+  text += "]\nrows = [\n";
+  for (unsigned i = 0; i < model.matrix.rows(); ++i) {
+    text += "  [";
+    for (unsigned j = 0; j < model.matrix.cols(); ++j)
+      text += entry(model, model.matrix(i, j)) + (j + 1 < model.matrix.cols() ? ", " : "],\n");
+  }
+  text += "]\nrow_scale = [\n";
+  for (const ex& scale : model.row_scale) text += "  " + entry(model, scale) + ",\n";
+  return text + "]\n";
+}
+
+[[noreturn]] void refuse(const std::string& table) {
+  throw InputError::statement("", 0, table + " has no line of its own",
+                              "edit changes the whole text", "");
+}
+
+/// Puts lines below the line of a table's name, or makes the table.
+void add_to_table(std::vector<std::string>& lines, const toml::table& document,
+                  const std::string& table, const std::string& more) {
+  const std::string header = "[" + table + "]";
+  if (!document.contains(table)) {
+    lines.push_back(header + "\n" + more);
+    return;
+  }
+  const auto at = std::ranges::find_if(
+      lines, [&](const std::string& line) { return line.starts_with(header); });
+  if (at == lines.end()) refuse(header);
+  *at += (at->ends_with('\n') ? "" : "\n") + more;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size() - 1) + 1;
+    lines.push_back(text.substr(begin, end - begin));
+    begin = end;
+  }
+  return lines;
+}
+
+/// The constants that the file itself declares.
+std::size_t own_constants(const toml::table& document) {
+  std::size_t count = 0;
+  if (const toml::table* geometry = document["geometry"].as_table())
+    for (const auto& [key, node] : *geometry) {
+      const toml::node* value = node.is_table() ? node.as_table()->get("value") : &node;
+      count += value != nullptr && value->is_array() ? value->as_array()->size() : 1;
+    }
+  return count;
+}
+
 }  // namespace
 
 std::string with_entry(const std::string& text, int i, int j, const std::string& expression) {
@@ -58,6 +167,28 @@ std::vector<std::string> let_names(const std::string& text) {
   if (const toml::table* let = model["let"].as_table())
     for (const auto& [key, node] : *let) names.emplace_back(key.str());
   return names;
+}
+
+bool is_gough(const std::string& text) { return document(text).contains("gough"); }
+
+std::string with_matrix_of_gough(const std::string& text) {
+  const Model model = parse_model(text, "");
+  const toml::table file = document(text);
+  std::vector<std::string> lines = lines_of(text);
+  const toml::table& gough = *file["gough"].as_table();
+  const std::size_t first = gough.source().begin.line;
+  std::size_t last = first;
+  for (const auto& [key, node] : gough) last = std::max<std::size_t>(last, node.source().end.line);
+  if (first == 0 || !lines.at(first - 1).starts_with("[gough]")) refuse("[gough]");
+  for (std::size_t line = first; line <= last; ++line) lines[line - 1].clear();
+  lines[first - 1] = pose_and_matrix(model);
+  const Anchors anchors(model, own_constants(file));
+  if (!lines.back().empty() && !lines.back().ends_with('\n')) lines.back() += '\n';
+  add_to_table(lines, file, "geometry", anchors.geometry());
+  if (!anchors.let().empty()) add_to_table(lines, file, "let", anchors.let());
+  std::string result;
+  for (const std::string& line : lines) result += line;
+  return result;
 }
 
 }  // namespace regulus

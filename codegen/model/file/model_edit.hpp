@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Replaces one expression of a model file and leaves the rest of the text as it is.
+// Replaces one expression of a model file, or its six legs by their matrix, and leaves the rest of the
+// text as it is.
 #pragma once
 
 #include <string>
@@ -18,5 +19,13 @@ namespace regulus {
 
 /// Returns the names of its sub-expressions.
 [[nodiscard]] std::vector<std::string> let_names(const std::string& text);
+
+/// True if the model file describes its robot by [gough].
+[[nodiscard]] bool is_gough(const std::string& text);
+
+/// Returns the text with [pose], constants and [matrix] in place of [gough]: the same question, with the
+/// same names and groups, and no drawing. All other lines stay. Throws InputError if [gough],
+/// [geometry] or [let] are not tables with a line of their own.
+[[nodiscard]] std::string with_matrix_of_gough(const std::string& text);
 
 }  // namespace regulus

@@ -2,6 +2,7 @@
 // regulus-mpi: the searches of regulus by many processes.
 #include <unistd.h>
 
+#include <algorithm>
 #include <cfenv>
 #include <csignal>
 #include <cstdlib>
@@ -9,8 +10,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "codegen/model/file/installed_models.hpp"
 #include "codegen/question/engine/settings.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/exit_code.hpp"
@@ -77,23 +80,28 @@ int lead(Communicator& communicator, CommandLine& line, const std::vector<RankId
 
 /// Reads the model once for all ranks, so that all have the same. Mistakes in the words are reported
 /// before the other ranks begin. Returns the start of all ranks.
-Start read_start(CommandLine& line) {
+Start read_start(CommandLine& line, std::vector<std::string> words) {
   Start start;
   if (line.exit_code) start.exit_code = line.exit_code;
   if (line.exit_code || line.verify) return start;
   const int code = report_errors(
       [&] {
-        with_search(line, [&start](auto& command) {
+        with_search(line, [&start, &words](auto& command) {
           if (!command.search.filters.empty())
             throw UsageError("--filter: a filter runs in one process only; use regulus");
           static_cast<void>(settings_from(command.search));
           static_cast<void>(question_of(command));
+          const std::string typed =
+              std::exchange(command.model.path, find_model(command.model.path));
+          if (const auto at = std::ranges::find(words, typed); at != words.end())
+            *at = command.model.path;
           start.model = model_text(command.model);
         });
         return 0;
       },
       kName);
   if (code != 0) start.exit_code = code;
+  start.words = std::move(words);
   return start;
 }
 
@@ -109,8 +117,8 @@ Start begin_together(Communicator& communicator, const std::vector<std::string>&
   Start start;
   if (communicator.is_first()) {
     CommandLine line = parse(words);
-    start = read_start(line);
-    start.words = words;
+    start = read_start(line, words);
+    if (start.words.empty()) start.words = words;
   }
   return read_start_text(communicator.broadcast(write_start(start)));
 }

@@ -184,7 +184,10 @@ int ShellSession::change_expression(const Words& words) {
   require_model();
   if (words[1] == "entry") {
     if (words.size() < 5) refuse(rest_of(words, 0), "set entry ROW COLUMN EXPRESSION");
-    take(with_entry(asked_.text, position(words[2]), position(words[3]), rest_of(words, 4)));
+    const bool has_legs = is_gough(asked_.text);
+    const std::string text = has_legs ? with_matrix_of_gough(asked_.text) : asked_.text;
+    take(with_entry(text, position(words[2]), position(words[3]), rest_of(words, 4)));
+    if (has_legs) std::cerr << "note       the six legs of [gough] are now rows of [matrix]\n";
   } else {
     if (words.size() < 4) refuse(rest_of(words, 0), "set let NAME EXPRESSION");
     take(with_let(asked_.text, words[2], rest_of(words, 3)));

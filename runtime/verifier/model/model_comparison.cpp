@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "runtime/verifier/model/closure_comparison.hpp"
 #include "runtime/verifier/model/load_comparison.hpp"
 #include "runtime/verifier/model/motion_comparison.hpp"
 #include "runtime/verifier/model/question_comparer.hpp"
@@ -118,6 +119,13 @@ class ModelComparison {
 
   /// Returns false if the section that describes the robot was not compared.
   bool compare_robot() {
+    if (q_.closure) {
+      for (const char* other : {"matrix.", "gough.", "legs.", "serial."})
+        if (has_below(values_, other))
+          comparer_.leave_out({"[closure]", 0, ""}, "the robot is described twice");
+      compare_closure(comparer_);
+      return true;
+    }
     if (section_) {
       if (has_below(values_, "matrix.") || has_below(values_, "pose."))
         comparer_.leave_out({"[matrix] or [pose]", 0, ""}, "the robot is described twice");
@@ -198,7 +206,8 @@ class ModelComparison {
                                                            "regulus",   "serial",
                                                            "source",    "twist"};
     for (const auto& [place, written] : values_)
-      if (!kKnown.contains(place.substr(0, place.find_first_of(".["))))
+      if (!kKnown.contains(place.substr(0, place.find_first_of(".["))) &&
+          !(q_.closure && place.starts_with("closure.")))
         comparer_.leave_out(comparer_.place_of(place), "this reader does not know it");
     if (has("regulus") && values_.at("regulus").text != "1")
       comparer_.leave_out(comparer_.place_of("regulus"), "another version of the format");

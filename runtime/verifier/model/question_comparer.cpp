@@ -69,7 +69,8 @@ FilePlace QuestionComparer::place_of(const std::string& place) const {
 /// True for the range, the value and the error of a pose parameter in degrees.
 bool QuestionComparer::is_number_of_degrees(const std::string& stated) const {
   const std::string kind = kind_of(stated), name = stated.substr(kind.size() + 1);
-  return (kind == "lower" || kind == "upper" || kind == "pose" || kind == "error") &&
+  return (kind == "lower" || kind == "upper" || kind == "pose" || kind == "error" ||
+          kind == "start") &&
          degrees_.contains(name);
 }
 
@@ -111,8 +112,9 @@ void QuestionComparer::compare(const FilePlace& from, NodeId value, const std::s
                                const std::string& option) {
   used_.insert(stated);
   const std::string kind = kind_of(stated);
-  if (kind == "entry" || kind == "scale") expressions_of_model_.push_back(value);
-  if (kind == "entry" || kind == "value") definedness_.require(named(from), value);
+  const bool is_entry = kind == "entry" || kind == "equation";
+  if (is_entry || kind == "scale") expressions_of_model_.push_back(value);
+  if (is_entry || kind == "value") definedness_.require(named(from), value);
   const StatedValue found = stated_or_zero(from, stated);
   switch (equality(q_, value, found.node)) {
     case Equality::kDifferent:

@@ -53,8 +53,13 @@ inline Result run(const Question& question, const SearchOptions& search) {
   return quickest(prepare(question.options(), search), settings_from(search));
 }
 
+/// How a cell is run: with the defaults of the command, or as the paper describes its search:
+/// entries by natural evaluation, without derivatives; determinants by expansion; one thread.
+enum class Manner { kDefaults, kAsInThePaper };
+
 /// Searches for at most `seconds`; 0: no limit.
-inline Result run(const PaperTable& table, const PaperCell& cell, double seconds) {
+inline Result run(const PaperTable& table, const PaperCell& cell, double seconds,
+                  Manner manner = Manner::kDefaults, Bisection bisection = Bisection::kImpact) {
   Question question{std::string("models/") + table.model + ".toml", cell.motion};
   if (*cell.tolerance != '\0')
     question.tolerances.push_back(std::string("base,platform=") + cell.tolerance);
@@ -62,6 +67,12 @@ inline Result run(const PaperTable& table, const PaperCell& cell, double seconds
   search.method = choice_of<Method>("--method", cell.method);
   search.uncertainty = choice_of<Uncertainty>("--uncertainty", cell.uncertainty);
   search.time_limit = seconds;
+  search.bisection = bisection;
+  if (manner == Manner::kAsInThePaper) {
+    search.entries = Entries::kNatural;
+    search.determinant = Determinant::kExpansion;
+    search.threads = 1;
+  }
   const PreparedSearch preparation = prepare(question.options(), search);
   return solve(preparation.problem(), settings_from(search));
 }

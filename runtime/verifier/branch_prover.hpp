@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Proves leaves of a claim about a closure: each by the tube that it states.
+#pragma once
+
+#include "runtime/verifier/branch_test.hpp"
+#include "runtime/verifier/splitting_prover.hpp"
+
+namespace regulus::verifier {
+
+class BranchProver final : public SplittingProver {
+ public:
+  BranchProver(Question& question, const Variety& variety, const Options& options, WorkClock& clock)
+      : SplittingProver(question, variety, options, clock),
+        variety_(variety),
+        test_(question),
+        outside_(question, variety),
+        motion_(question, question.motion_defined) {}
+
+  void prove(const Leaf& leaf) override {
+    tube_ = leaf.tube;
+    SplittingProver::prove(leaf);
+  }
+
+ private:
+  [[nodiscard]] BoxAnswer decide(const Box& box, LeafClaim claim) override;
+  [[nodiscard]] std::optional<std::size_t> variable_to_split(const Box& box) const override;
+  [[nodiscard]] std::string contradiction(const Box& point, LeafClaim claim) override;
+
+  const Variety& variety_;
+  BranchTest test_;
+  Outside outside_;
+  Evaluation motion_;
+  const TubeNumbers* tube_ = nullptr;  ///< of the leaf
+  std::vector<double> impact_;         ///< for the last box
+  bool is_hopeless_ = false;           ///< the tube does not hold even at its middle
+};
+
+}  // namespace regulus::verifier

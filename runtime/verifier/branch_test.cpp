@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/verifier/branch_test.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/verifier/derivative.hpp"
+#include "runtime/verifier/outside.hpp"
+#include "runtime/verifier/rounding.hpp"
+#include "runtime/verifier/slopes.hpp"
+
+namespace regulus::verifier {
+namespace {
+
+constexpr int kMostSteps = 30;
+constexpr double kSmallStep = 0x1p-36;    ///< of Newton's method, in parts of the scale
+constexpr double kSmallRadius = 0x1p-20;  ///< of a small box, in parts of the scale
+
+std::vector<Interval> points_of(const std::vector<double>& numbers) {
+  std::vector<Interval> result;
+  for (const double x : numbers) result.push_back(point(x));
+  return result;
+}
+
+Box joined(const Box& places, const std::vector<Interval>& unknowns) {
+  Box box = places;
+  box.insert(box.end(), unknowns.begin(), unknowns.end());
+  return box;
+}
+
+std::vector<Interval> about(const std::vector<double>& middle, const std::vector<double>& radius) {
+  std::vector<Interval> box;
+  for (std::size_t i = 0; i < middle.size(); ++i)
+    box.push_back(point(middle[i]) + Interval{-radius[i], radius[i]});
+  return box;
+}
+
+/// |a| has no derivative at a = 0, though its slopes are bounded: 1/a must have a value, too.
+std::vector<NodeId> kinks_of(Graph& graph, const std::vector<NodeId>& derivatives) {
+  const NodeId one = graph.number("1");
+  std::vector<NodeId> result;
+  for (const NodeId id : ingredients(graph, derivatives)) {
+    const Node node = graph.nodes()[std::size_t(id)];
+    if (node.op == Op::kSign) result.push_back(graph.add(Op::kDivide, one, node.a));
+  }
+  return result;
+}
+
+}  // namespace
+
+BranchTest::BranchTest(Question& q)
+    : q_(q),
+      m_(q.variables.size()),
+      n_(q.closure->equations.size()),
+      all_(m_ + n_),
+      first_(n_ * all_) {
+  const std::vector<NodeId>& equations = q.closure->equations;
+  std::vector<Differentiator> by;
+  for (std::size_t k = 0; k < all_; ++k) by.emplace_back(q.graph, k);
+  for (std::size_t j = 0; j < n_; ++j)
+    for (std::size_t k = 0; k < all_; ++k) first_[j * all_ + k] = by[k].of(equations[j]);
+  const std::vector<NodeId> kinks = kinks_of(q.graph, first_);
+  try {
+    for (std::size_t j = 0; j < n_; ++j)
+      for (std::size_t k = 0; k < all_; ++k)
+        for (std::size_t l = k; l < all_; ++l) {
+          const NodeId first = first_[j * all_ + k];
+          second_.push_back(first == kNoNode ? kNoNode : by[l].of(first));
+        }
+    rates_.emplace(q, second_);
+  } catch (const Unfinished&) {
+    second_.clear();  // too many operations; the test of first order needs none of them
+  }
+  equations_.emplace(q, equations);
+  derivatives_.emplace(q, first_);
+  over_.emplace(q, join({&equations, &first_, &kinks, &q.defined}));
+}
+
+bool BranchTest::take(Evaluation& evaluation, const std::vector<NodeId>& nodes, const Box& box,
+                      Values& values) {
+  values.clear();
+  if (!is_moderate(box) || !evaluation.run(box)) return false;
+  for (const NodeId node : nodes) values.push_back(evaluation.value(node));
+  return is_moderate(values);
+}
+
+/// Takes K ≈ Φ_p⁻¹ at the middle of a small box (any other K would be as sound), and bounds KΦ and
+/// the derivatives over it.
+bool BranchTest::bound_center(const Box& point) {
+  Values values;
+  if (!take(*derivatives_, first_, point, center_) ||
+      !take(*equations_, q_.closure->equations, point, values))
+    return false;
+  std::vector<double> A;
+  for (std::size_t j = 0; j < n_; ++j)
+    for (std::size_t l = 0; l < n_; ++l) A.push_back(mid(center_[j * all_ + m_ + l]));
+  if (!approx_left_inverse(A, n_, n_, K_) || !is_moderate(K_)) return false;
+  value_.clear();
+  for (std::size_t i = 0; i < n_; ++i) value_.push_back(times_inverse(i, values, 1, 0));
+  return true;
+}
+
+/// Row i of K times a column.
+Interval BranchTest::times_inverse(std::size_t i, const Values& columns, std::size_t count,
+                                   std::size_t at) const {
+  Interval sum;
+  for (std::size_t j = 0; j < n_; ++j) sum = sum + K_[j * n_ + i] * columns[j * count + at];
+  return sum;
+}
+
+/// |K·M − (0, I)|, entry i, k.
+double BranchTest::left_side(std::size_t i, const Values& M, std::size_t k) const {
+  const Interval entry = times_inverse(i, M, all_, k);
+  return mag(k == m_ + i ? entry - point(1.0) : entry);
+}
+
+std::vector<Interval> BranchTest::middle_of(const TubeNumbers& tube, const Box& box) const {
+  std::vector<Interval> result;
+  for (std::size_t i = 0; i < n_; ++i) {
+    Interval sum = point(tube[m_ + i]);
+    for (std::size_t k = 0; k < m_; ++k) sum = sum + slope(tube, i, k) * (box[k] - point(tube[k]));
+    result.push_back(sum);
+  }
+  return result;
+}
+
+/// The derivatives by variables become those along the tube: Φ_x + Φ_p S.
+BranchTest::Values BranchTest::along(const TubeNumbers& tube, Values derivatives) const {
+  for (std::size_t row = 0; row < derivatives.size(); row += all_)
+    for (std::size_t k = 0; k < m_; ++k)
+      for (std::size_t l = 0; l < n_; ++l)
+        derivatives[row + k] = derivatives[row + k] + slope(tube, l, k) * derivatives[row + m_ + l];
+  return derivatives;
+}
+
+/// Bounds how much each entry of K times along(derivatives) changes from the centre to any point of
+/// the tube. Both derivatives are along the tube.
+std::vector<double> BranchTest::changes(const TubeNumbers& tube,
+                                        const std::vector<double>& reach) const {
+  std::vector<Values> rates(all_, Values(n_ * all_));  // by the first direction
+  std::size_t next = 0;
+  for (std::size_t j = 0; j < n_; ++j) {
+    Values square(all_ * all_), turned(all_ * all_);
+    for (std::size_t k = 0; k < all_; ++k)
+      for (std::size_t l = k; l < all_; ++l)
+        square[k * all_ + l] = square[l * all_ + k] = second_values_[next++];
+    square = along(tube, std::move(square));
+    for (std::size_t k = 0; k < all_; ++k)
+      for (std::size_t l = 0; l < all_; ++l) turned[l * all_ + k] = square[k * all_ + l];
+    turned = along(tube, std::move(turned));
+    for (std::size_t k = 0; k < all_; ++k)
+      for (std::size_t l = 0; l < all_; ++l) rates[k][j * all_ + l] = turned[k * all_ + l];
+  }
+  std::vector<double> result(n_ * all_);
+  for (std::size_t i = 0; i < n_; ++i)
+    for (std::size_t k = 0; k < all_; ++k) {
+      Interval sum;
+      for (std::size_t l = 0; l < all_; ++l)
+        sum = sum + point(mag(times_inverse(i, rates[l], all_, k))) * point(reach[l]);
+      result[i * all_ + k] = sum.hi;
+    }
+  return result;
+}
+
+/// Compares the left side of the test with r, and |E|r with r.
+bool BranchTest::is_in(const TubeNumbers& tube, const std::vector<double>& reach,
+                       bool is_second_order) {
+  const Values over = along(tube, first_values_), center = along(tube, center_);
+  std::vector<double> change;
+  if (is_second_order) change = changes(tube, reach);
+  impact_.assign(m_, 0.0);
+  bool is_proved = true;
+  for (std::size_t i = 0; i < n_; ++i) {
+    Interval sum = point(mag(value_[i])), contraction;
+    for (std::size_t k = 0; k < all_; ++k) {
+      double all = left_side(i, over, k), mean = all;
+      if (is_second_order) {
+        const Interval at_center = point(left_side(i, center, k));
+        mean = std::min(mean, (at_center + 0.5 * point(change[i * all_ + k])).hi);
+        all = std::min(all, (at_center + point(change[i * all_ + k])).hi);
+      }
+      const Interval part = point(mean) * point(reach[k]);
+      sum = sum + part;
+      if (k >= m_) contraction = contraction + point(all) * point(reach[k]);
+      if (k < m_) impact_[k] = std::max(impact_[k], part.hi / reach[m_ + i]);
+    }
+    is_proved = is_proved && sum.hi < reach[m_ + i] && contraction.hi < reach[m_ + i];
+  }
+  return is_proved;
+}
+
+bool BranchTest::has_one_solution(const Box& box, const TubeNumbers& tube) {
+  impact_.clear();
+  const std::span<const double> radius = radius_of(tube);
+  const bool is_tube = std::ranges::all_of(radius, [](double r) { return r > 0.0; });
+  if (!is_tube || !is_moderate(tube) || !is_moderate(box)) return false;
+  // The same tube with the middle of the box in the place of x₀.
+  Box middle;
+  std::vector<Interval> step;
+  std::vector<double> reach;
+  for (const Interval x : box) {
+    middle.push_back(point(mid(x)));
+    step.push_back(x - middle.back());
+    reach.push_back(mag(step.back()));
+  }
+  reach.insert(reach.end(), radius.begin(), radius.end());
+  const std::vector<Interval> center = middle_of(tube, middle);
+  std::vector<Interval> unknowns;
+  for (std::size_t i = 0; i < n_; ++i) {
+    Interval p = center[i] + Interval{-radius[i], radius[i]};
+    for (std::size_t k = 0; k < m_; ++k) p = p + slope(tube, i, k) * step[k];
+    unknowns.push_back(p);
+  }
+  const Box all = joined(box, unknowns);
+  if (!bound_center(joined(middle, center)) || !take(*over_, first_, all, first_values_))
+    return false;
+  if (is_in(tube, reach, false)) return true;
+  return rates_ && take(*rates_, second_, all, second_values_) && is_in(tube, reach, true);
+}
+
+bool BranchTest::has_no_solution(const Box& place, const TubeNumbers& tube) {
+  if (!is_moderate(tube)) return false;
+  const std::span<const double> radius = radius_of(tube);
+  const std::vector<Interval> center = middle_of(tube, place);
+  std::vector<Interval> unknowns;
+  for (std::size_t i = 0; i < n_; ++i)
+    unknowns.push_back(center[i] + Interval{-radius[i], radius[i]});
+  if (!bound_center(joined(place, center)) ||
+      !take(*over_, first_, joined(place, unknowns), first_values_))
+    return false;
+  // KΦ(x, c + ρ) is in KΦ(x, c) + KΦ_p ρ: is it different from 0 in some component?
+  for (std::size_t i = 0; i < n_; ++i) {
+    Interval most;
+    for (std::size_t l = 0; l < n_; ++l)
+      most = most + point(mag(times_inverse(i, first_values_, all_, m_ + l))) * point(radius[l]);
+    if (mig(value_[i]) > most.hi) return true;
+  }
+  return false;
+}
+
+bool BranchTest::has_one_solution(const Box& place, const std::vector<double>& middle,
+                                  const std::vector<double>& outer,
+                                  const std::vector<double>& inner) {
+  if (!is_moderate(outer) || !bound_center(joined(place, points_of(middle))) ||
+      !take(*over_, first_, joined(place, about(middle, outer)), first_values_))
+    return false;
+  for (std::size_t i = 0; i < n_; ++i) {
+    Interval sum = point(mag(value_[i]));
+    for (std::size_t l = 0; l < n_; ++l)
+      sum = sum + point(left_side(i, first_values_, m_ + l)) * point(outer[l]);
+    if (!(sum.hi < inner[i] && inner[i] <= outer[i])) return false;
+  }
+  return true;
+}
+
+std::optional<SolutionBox> BranchTest::solution_near(const Box& place, std::vector<double> start,
+                                                     std::span<const double> scale) {
+  SolutionBox solution{std::move(start), std::vector<double>(n_)};
+  std::vector<double>& p = solution.middle;
+  bool is_small = false;
+  for (int step = 0; step < kMostSteps && !is_small; ++step) {
+    if (!bound_center(joined(place, points_of(p)))) return std::nullopt;
+    is_small = true;
+    for (std::size_t i = 0; i < n_; ++i) {
+      const double correction = mid(value_[i]);
+      is_small = is_small && std::fabs(correction) <= kSmallStep * scale[i];
+      p[i] -= correction;
+    }
+  }
+  if (!bound_center(joined(place, points_of(p)))) return std::nullopt;
+  for (std::size_t i = 0; i < n_; ++i)
+    solution.radius[i] = 2.0 * mag(value_[i]) + kSmallRadius * scale[i];
+  if (!has_one_solution(place, p, solution.radius, solution.radius)) return std::nullopt;
+  return solution;
+}
+
+Place BranchTest::place_of(const SolutionBox& solution, const TubeNumbers& tube,
+                           const Box& place) const {
+  const std::vector<Interval> middle = middle_of(tube, place);
+  const std::span<const double> radius = radius_of(tube);
+  const std::vector<Interval> box = about(solution.middle, solution.radius);
+  bool is_inside = true;
+  for (std::size_t i = 0; i < n_; ++i) {
+    const Interval distance = box[i] - middle[i];
+    if (is_bounded(distance) && mig(distance) > radius[i]) return Place::kOutside;
+    is_inside = is_inside && mag(distance) <= radius[i];
+  }
+  return is_inside ? Place::kInside : Place::kUnknown;
+}
+
+}  // namespace regulus::verifier

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// The test that a system of equations has exactly one solution in a tube, at every place of a box.
+// PROOF.md, "Closures", derives it.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "runtime/verifier/evaluation.hpp"
+#include "runtime/verifier/linear_algebra.hpp"
+#include "runtime/verifier/prover.hpp"
+
+namespace regulus::verifier {
+
+/// A small box of the unknowns.
+struct SolutionBox {
+  std::vector<double> middle, radius;
+};
+
+enum class Place { kInside, kOutside, kUnknown };
+
+class BranchTest {
+ public:
+  /// Adds derivatives to the question's graph. The question must outlive this object.
+  explicit BranchTest(Question& question);
+
+  /// Ensures   true only if at each place of the box the equations have exactly one solution in the
+  ///           tube, and in all of the tube they and the expressions that must be defined have
+  ///           values, and the derivatives by the unknowns exist and are a regular matrix.
+  [[nodiscard]] bool has_one_solution(const Box& box, const TubeNumbers& tube);
+  /// After it was false: how much each variable adds to the left side; empty if nothing is known.
+  [[nodiscard]] const std::vector<double>& impact() const noexcept { return impact_; }
+
+  /// Returns true only if the equations have no solution in the tube at any place of a small box.
+  [[nodiscard]] bool has_no_solution(const Box& place, const TubeNumbers& tube);
+
+  /// Returns a small box in which the equations have exactly one solution at each place of `place`,
+  /// a small box. It is looked for near `start`, to a small part of `scale`.
+  [[nodiscard]] std::optional<SolutionBox> solution_near(const Box& place,
+                                                         std::vector<double> start,
+                                                         std::span<const double> scale);
+
+  /// Ensures   true only if, at each place of `place`, there is exactly one solution within `outer`
+  ///           of `middle`, and it is within `inner` of it.
+  [[nodiscard]] bool has_one_solution(const Box& place, const std::vector<double>& middle,
+                                      const std::vector<double>& outer,
+                                      const std::vector<double>& inner);
+
+  /// Encloses the middle line c + S(x − x₀) of a tube at the places of a box.
+  [[nodiscard]] std::vector<Interval> middle_of(const TubeNumbers& tube, const Box& box) const;
+  /// Tells where a box of unknowns lies: in the tube at all places of `place`, or outside at all.
+  [[nodiscard]] Place place_of(const SolutionBox& solution, const TubeNumbers& tube,
+                               const Box& place) const;
+  /// The radius of a tube.
+  [[nodiscard]] std::span<const double> radius_of(const TubeNumbers& tube) const {
+    return std::span(tube).last(n_);
+  }
+
+ private:
+  /// Matrices with a row for each equation, and a column for each variable and then each unknown.
+  using Values = std::vector<Interval>;
+
+  [[nodiscard]] double slope(const TubeNumbers& tube, std::size_t i, std::size_t k) const {
+    return tube[m_ + n_ + i * m_ + k];
+  }
+  [[nodiscard]] static bool take(Evaluation& evaluation, const std::vector<NodeId>& nodes,
+                                 const Box& box, Values& values);
+  [[nodiscard]] bool bound_center(const Box& point);
+  [[nodiscard]] double left_side(std::size_t i, const Values& over, std::size_t k) const;
+  [[nodiscard]] Interval times_inverse(std::size_t i, const Values& columns, std::size_t count,
+                                       std::size_t at) const;
+  [[nodiscard]] Values along(const TubeNumbers& tube, Values derivatives) const;
+  [[nodiscard]] std::vector<double> changes(const TubeNumbers& tube,
+                                            const std::vector<double>& reach) const;
+  [[nodiscard]] bool is_in(const TubeNumbers& tube, const std::vector<double>& reach,
+                           bool is_second_order);
+
+  Question& q_;
+  const std::size_t m_, n_, all_;  ///< variables, unknowns, both
+  std::vector<NodeId> first_,
+      second_;  ///< second_: of each equation the upper triangle, row by row
+  std::optional<Evaluation> equations_, derivatives_, over_, rates_;
+
+  // For one box.
+  Matrix K_;      ///< column by column
+  Values value_;  ///< K Φ at the centre, by unknown
+  Values center_, first_values_, second_values_;
+  std::vector<double> impact_;
+};
+
+}  // namespace regulus::verifier

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+// PROOF.md, "Closures", shows that links between neighbours and the start are enough.
+#include "runtime/verifier/branch_tree.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "runtime/verifier/proof.hpp"
+
+namespace regulus::verifier {
+namespace {
+
+constexpr long kBits = 128;
+/// Pairs of boxes that are visited, for each that may be evaluated.
+constexpr std::uint64_t kSteps = 16;
+
+Interval enclosure(const Graph& graph, NodeId node) {
+  const auto value = evaluate(graph, {node}, {}, kBits);
+  const Interval x = value ? (*value)[0].enclosure() : everything();
+  if (!is_bounded(x)) throw Unfinished("a value of the start has no certain value");
+  return x;
+}
+
+}  // namespace
+
+void BranchTree::split(std::uint64_t number, std::size_t variable, double at) {
+  const std::uint32_t depth = nodes_[number].depth + 1;
+  if (depth > format::kDeepestTube) throw Unfinished("the tree is too deep");
+  if (nodes_.size() > 4 * format::kMostTubes) throw Unfinished("there are too many boxes");
+  nodes_[number].variable = std::int32_t(variable);
+  nodes_[number].next = std::uint32_t(nodes_.size());
+  nodes_[number].at = at;
+  nodes_.resize(nodes_.size() + 2, Node{.depth = depth});
+}
+
+const TubeNumbers* BranchTree::add_leaf(std::uint64_t number,
+                                        const std::vector<std::string_view>& words,
+                                        std::size_t line) {
+  const bool is_tube = words[2] == format::kTubeLeaf;
+  const std::size_t m = q_.variables.size(), n = q_.closure->equations.size();
+  const std::size_t count = is_tube ? m + n + n * m + n : 0;
+  if (words.size() != 3 + count)
+    throw Rejection("expected " + std::to_string(count) + " numbers after the word '" +
+                    std::string(words[2]) + "'");
+  if (!is_tube) return nullptr;
+  numbers_ += count;
+  if (tubes_.size() == format::kMostTubes || numbers_ > format::kMostTubeNumbers)
+    throw Unfinished("there are too many tubes");
+  TubeNumbers& tube = tubes_.emplace_back();
+  for (const std::string_view word : std::span(words).subspan(3)) tube.push_back(read_double(word));
+  if (!std::all_of(tube.end() - std::ptrdiff_t(n), tube.end(), [](double r) { return r > 0.0; }))
+    throw Rejection("a radius of a tube is not positive");
+  lines_of_.push_back(line);
+  nodes_[number].next = std::uint32_t(tubes_.size());
+  return &tube;
+}
+
+void BranchTree::check(Lines& lines, Verification& result) {
+  lines_ = &lines;
+  test_.emplace(q_);
+  joined_to_.resize(tubes_.size());
+  std::iota(joined_to_.begin(), joined_to_.end(), 0U);
+  Box box = variety_.outer;
+  check_start();
+  link(0, box);
+  require_connection();
+  lines.name_line(0);
+  result.links = links_;
+}
+
+void BranchTree::give_up(std::size_t tube, bool is_rejection, const std::string& why) {
+  lines_->name_line(lines_of_[tube]);
+  if (is_rejection) throw Rejection(why);
+  throw Unfinished(why);
+}
+
+/// Links all neighbours in a box.
+void BranchTree::link(std::size_t number, Box& box) {
+  const Node& node = nodes_[number];
+  if (is_leaf(node)) return;
+  const auto cut = std::size_t(node.variable);
+  const Interval whole = box[cut];
+  box[cut] = {whole.lo, node.at};
+  link(node.next, box);
+  box[cut] = {node.at, whole.hi};
+  link(node.next + 1, box);
+  box[cut] = point(node.at);
+  link_across(node.next, node.next + 1, cut, box);
+  box[cut] = whole;
+}
+
+/// Links the leaves of two boxes that share a part of their faces, `common`, at a cut.
+void BranchTree::link_across(std::size_t lower, std::size_t upper, std::size_t cut, Box& common) {
+  clock_.tick();
+  if (++steps_ / kSteps > options_.max_boxes) throw Unfinished("there are too many neighbours");
+  if (!is_leaf(nodes_[lower])) return descend(lower, upper, true, cut, common);
+  if (!is_leaf(nodes_[upper])) return descend(upper, lower, false, cut, common);
+  const std::uint32_t a = nodes_[lower].next, b = nodes_[upper].next;
+  if (a != 0 && b != 0) require_link(a - 1, b - 1, common);
+}
+
+/// Goes on with the parts of one of the two boxes that have a share in the common face.
+void BranchTree::descend(std::size_t number, std::size_t other, bool is_lower, std::size_t cut,
+                         Box& common) {
+  const Node& node = nodes_[number];
+  const auto on = [&](std::size_t part) {
+    is_lower ? link_across(part, other, cut, common) : link_across(other, part, cut, common);
+  };
+  const auto variable = std::size_t(node.variable);
+  if (variable == cut) return on(is_lower ? node.next + 1 : node.next);
+  const Interval whole = common[variable];
+  if (whole.lo < node.at) {
+    common[variable].hi = std::min(whole.hi, node.at);
+    on(node.next);
+    common[variable] = whole;
+  }
+  if (node.at < whole.hi) {
+    common[variable].lo = std::max(whole.lo, node.at);
+    on(node.next + 1);
+    common[variable] = whole;
+  }
+}
+
+/// Shows that two tubes have the same solution at a place of the face of their boxes.
+void BranchTree::require_link(std::size_t a, std::size_t b, const Box& face) {
+  const std::string names =
+      "the tubes of lines " + std::to_string(lines_of_[a]) + " and " + std::to_string(lines_of_[b]);
+  Box place;
+  for (const Interval x : face) place.push_back(point(mid(x)));
+  std::vector<double> start, scale;
+  for (const Interval p : test_->middle_of(tubes_[a], place)) start.push_back(mid(p));
+  for (std::size_t i = 0; i < start.size(); ++i)
+    scale.push_back(std::min(test_->radius_of(tubes_[a])[i], test_->radius_of(tubes_[b])[i]));
+  const auto solution = test_->solution_near(place, start, scale);
+  if (!solution || test_->place_of(*solution, tubes_[a], place) != Place::kInside)
+    give_up(a, false, names + ": no configuration was found where their boxes meet");
+  const Place of_other = test_->place_of(*solution, tubes_[b], place);
+  if (of_other != Place::kInside)
+    give_up(b, of_other == Place::kOutside,
+            names + (of_other == Place::kOutside ? " have" : " may have") +
+                " different configurations where their boxes meet");
+  ++links_;
+  joined_to_[root_of(std::uint32_t(a))] = root_of(std::uint32_t(b));
+}
+
+/// The uncertain quantities and the errors are at their middles, which their ranges contain.
+Box BranchTree::start_place() const {
+  Box place;
+  for (std::size_t k = 0; k < q_.variables.size(); ++k) {
+    const Variable& v = q_.variables[k];
+    const Interval range = variety_.outer[k];
+    if (v.kind != VariableKind::kParameter) {
+      const Interval middle = 0.5 * (enclosure(q_.graph, v.lo) + enclosure(q_.graph, v.hi));
+      place.push_back({std::max(middle.lo, range.lo), std::min(middle.hi, range.hi)});
+      continue;
+    }
+    place.push_back(enclosure(q_.graph, q_.closure->start[k]));
+    if (place[k].hi < range.lo || place[k].lo > range.hi)
+      throw Rejection("the start is not within the range of " + v.name);
+    if (place[k].lo < range.lo || place[k].hi > range.hi)
+      throw Unfinished("the start may not be within the range of " + v.name);
+  }
+  return place;
+}
+
+/// The one configuration within the radius of the start must be that of each leaf in which the
+/// start may be.
+void BranchTree::check_start() {
+  const Box place = start_place();
+  std::vector<double> middle, outer, inner;
+  std::vector<Interval> start;
+  for (std::size_t i = 0; i < q_.closure->middle.size(); ++i) {
+    start.push_back(enclosure(q_.graph, q_.closure->middle[i]));
+    const Interval radius = enclosure(q_.graph, q_.closure->radius[i]);
+    if (!(radius.hi > 0.0)) throw Rejection("a radius of the start is not positive");
+    middle.push_back(mid(start[i]));
+    const Interval off = point(mag(start[i] - point(middle[i])));
+    outer.push_back((radius + off).hi);
+    inner.push_back((radius - off).lo);
+  }
+  if (!test_->has_one_solution(place, middle, outer, inner))
+    throw Unfinished("it was not shown that the start is near to exactly one configuration");
+  const auto solution = test_->solution_near(place, middle, inner);
+  bool is_near = solution.has_value();
+  for (std::size_t i = 0; is_near && i < middle.size(); ++i)
+    is_near = mag(point(solution->middle[i]) - point(middle[i]) +
+                  Interval{-solution->radius[i], solution->radius[i]}) <= inner[i];
+  if (!is_near) throw Unfinished("the configuration at the start was not found");
+  require_start(0, place, *solution);
+}
+
+void BranchTree::require_start(std::size_t number, const Box& place, const SolutionBox& solution) {
+  const Node& node = nodes_[number];
+  if (!is_leaf(node)) {
+    const Interval x = place[std::size_t(node.variable)];
+    if (x.lo <= node.at) require_start(node.next, place, solution);
+    if (x.hi >= node.at) require_start(node.next + 1, place, solution);
+    return;
+  }
+  if (node.next == 0) throw Rejection("the start is in a leaf without a tube");
+  const Place where = test_->place_of(solution, tubes_[node.next - 1], place);
+  if (where == Place::kOutside)
+    give_up(node.next - 1, true, "the tube has another configuration than the start");
+  if (where == Place::kUnknown)
+    give_up(node.next - 1, false, "the tube may have another configuration than the start");
+}
+
+std::uint32_t BranchTree::root_of(std::uint32_t tube) {
+  while (joined_to_[tube] != tube) tube = joined_to_[tube] = joined_to_[joined_to_[tube]];
+  return tube;
+}
+
+/// All tubes have the configuration of the first one.
+void BranchTree::require_connection() {
+  for (std::uint32_t tube = 1; tube < tubes_.size(); ++tube)
+    if (root_of(tube) != root_of(0))
+      give_up(tube, false,
+              "no chain of neighbours joins the tube of line " + std::to_string(lines_of_[0]) +
+                  " to this one");
+}
+
+}  // namespace regulus::verifier

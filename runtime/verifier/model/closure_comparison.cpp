@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/verifier/model/closure_comparison.hpp"
+
+#include <algorithm>
+
+#include "runtime/verifier/evaluation.hpp"
+
+namespace regulus::verifier {
+namespace {
+
+constexpr long kBits = 4096;
+
+bool is_degrees(const std::string& unit) { return unit == "deg" || unit == "°"; }
+
+class ClosureComparison {
+ public:
+  explicit ClosureComparison(QuestionComparer& comparer)
+      : comparer_(comparer),
+        q_(comparer.question()),
+        values_(comparer.values()),
+        closure_(*q_.closure) {}
+
+  void run() {
+    compare_names();
+    for (std::size_t i = 0; i < closure_.equations.size(); ++i)
+      require(equation(i), "equation " + std::to_string(i), q_.actual);
+    if (values_.contains(equation(closure_.equations.size())))
+      comparer_.refuse(comparer_.place_of(equation(closure_.equations.size())), "fewer equations");
+    for (const std::string& name : closure_.names) compare_unknown(name);
+    compare_start();
+    require_known_keys();
+  }
+
+ private:
+  static std::string equation(std::size_t i) {
+    return "closure.equations[" + std::to_string(i) + ']';
+  }
+
+  void require(const std::string& place, const std::string& stated, const Scope& scope) {
+    if (!values_.contains(place))
+      comparer_.refuse_model("the file has no '" + place + "', but the certificate a line '" +
+                             stated.substr(0, stated.find(' ')) + '\'');
+    comparer_.compare_at(place, stated, scope);
+  }
+
+  /// Returns the values in a table, in the order of the file.
+  [[nodiscard]] std::vector<std::pair<std::string, WrittenValue>> table(
+      const std::string& prefix) const {
+    std::vector<std::pair<std::string, WrittenValue>> result;
+    for (auto at = values_.lower_bound(prefix);
+         at != values_.end() && at->first.starts_with(prefix); ++at)
+      result.emplace_back(at->first.substr(prefix.size()), at->second);
+    std::ranges::sort(result, {}, [](const auto& entry) { return entry.second.number; });
+    return result;
+  }
+
+  void compare_names() {
+    std::vector<std::string> names;
+    for (const auto& [name, unit] : table("closure.unknowns.")) {
+      names.push_back(name);
+      if (is_degrees(unit.text))
+        throw Unfinished("the certificate cannot be compared with a file whose unknown " + name +
+                         " is in degrees");
+    }
+    if (names != closure_.names)
+      comparer_.refuse_model("its unknowns are not those of the certificate, in their order");
+  }
+
+  void compare_unknown(const std::string& name) {
+    const std::string start = "closure.start." + name, radius = "closure.radius." + name;
+    const Scope none;
+    require(start, "unknown " + name, none);
+    if (values_.contains(radius)) return require(radius, "unknown-radius " + name, none);
+    const FilePlace from{radius, 0, "not given"};
+    if (const NodeId usual = usual_radius(name); usual != kNoNode)
+      comparer_.compare(from, usual, "unknown-radius " + name, "");
+    else
+      comparer_.leave_out(from, "it is not certain whether the start is greater than 1");
+  }
+
+  /// Without an entry it is 1/100 of a radian, or of the greater of 1 and the start's magnitude.
+  NodeId usual_radius(const std::string& name) {
+    Graph& graph = q_.graph;
+    const NodeId hundredth = graph.number("0.01");
+    if (values_.at("closure.unknowns." + name).text == "rad") return hundredth;
+    const NodeId start = q_.stated.at("unknown " + name).node;
+    const NodeId size = graph.add(Op::kAbs, start);
+    const auto above =
+        evaluate(graph, {graph.add(Op::kSubtract, size, graph.number("1"))}, {}, kBits);
+    if (above && arb_is_positive((*above)[0].get()) != 0)
+      return graph.add(Op::kMultiply, hundredth, size);
+    return above && arb_is_nonpositive((*above)[0].get()) != 0 ? hundredth : kNoNode;
+  }
+
+  /// A pose parameter that is none of the motion is at its value at the start, too.
+  void compare_start() {
+    const Scope none;
+    for (const auto& [name, written] : table("closure.start.")) {
+      const std::string place = "closure.start." + name;
+      if (q_.stated.contains("unknown " + name)) continue;
+      if (q_.stated.contains("start " + name))
+        require(place, "start " + name, none);
+      else if (q_.stated.contains("pose " + name))
+        comparer_.compare_at(place, "pose " + name, none);
+      else
+        comparer_.leave_out(comparer_.place_of(place),
+                            "the certificate has no such pose parameter");
+    }
+  }
+
+  /// `range` is where the solver looks; it is no part of the claim.
+  void require_known_keys() {
+    for (const auto& [key, written] : table("closure.")) {
+      const std::string word = key.substr(0, key.find_first_of(".["));
+      const bool is_known = word == "unknowns" || word == "equations" || word == "start" ||
+                            word == "radius" || word == "range";
+      if (!is_known)
+        comparer_.leave_out(comparer_.place_of("closure." + key), "this reader does not know it");
+    }
+    for (const auto& [name, written] : table("closure.radius."))
+      if (std::ranges::find(closure_.names, name) == closure_.names.end())
+        comparer_.leave_out(comparer_.place_of("closure.radius." + name), "it is no unknown");
+  }
+
+  QuestionComparer& comparer_;
+  Question& q_;
+  const WrittenValues& values_;
+  const ClosureLines& closure_;
+};
+
+}  // namespace
+
+Question with_unknowns(const Question& question) {
+  Question result = question;
+  const ClosureLines& closure = *question.closure;
+  for (std::size_t i = 0; i < closure.names.size(); ++i) {
+    Graph& graph = result.graph;
+    result.variables.push_back({closure.names[i], VariableKind::kParameter,
+                                graph.add(Op::kSubtract, closure.middle[i], closure.radius[i]),
+                                graph.add(Op::kAdd, closure.middle[i], closure.radius[i])});
+    result.actual.emplace(closure.names[i],
+                          graph.add(Op::kVariable, int(question.variables.size() + i)));
+  }
+  result.matrix = closure.equations;
+  return result;
+}
+
+void compare_closure(QuestionComparer& comparer) { ClosureComparison(comparer).run(); }
+
+}  // namespace regulus::verifier

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The solver's certificates about closures, proved by the verifier and compared with their models.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "codegen/model/file/model_file.hpp"
+#include "codegen/question/closure/closure_certificate.hpp"
+#include "codegen/question/closure/closure_report.hpp"
+#include "runtime/verifier/verify.hpp"
+#include "tests/property/closure/four_bars.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace regulus {
+namespace {
+
+using test::FourBar;
+
+/// Returns the certificate of a model; empty if nothing is proved.
+std::string certified(const std::string& model) {
+  SearchOptions search;
+  search.engine = Engine::kInterpreted;
+  search.threads = 1;
+  search.time_limit = 60;
+  ModelOptions options;
+  options.motion = "m";
+  PreparedClosure prepared = prepare_closure(read_request(model, options), 0, search, {});
+  const ClosureFinding found = check_closure(prepared, search, {}, nullptr);
+  const test::TemporaryDirectory directory;
+  const std::string path = (directory.path() / "certificate").string();
+  const ProofStatus status = certify_branch(path, prepared, found.searched, {});
+  std::ostringstream text;
+  if (status.is_written()) text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+verifier::Verification verified(const std::string& certificate, const std::string& model = "") {
+  verifier::Options options;
+  options.model_text = model;
+  options.model_name = "model.toml";
+  std::istringstream stream(certificate);
+  return verifier::verify(stream, options);
+}
+
+TEST(ACertificateOfAFourBar, IsVerifiedAndComparedWithItsModel) {
+  std::mt19937 random(3);
+  int proved = 0;
+  for (int count = 0; count < 25; ++count) {
+    const FourBar linkage = test::random_four_bar(random);
+    std::uniform_real_distribution<double> angle(-3, 3), reach(0.1, 1.5);
+    const double start = angle(random);
+    if (!linkage.is_between_toggles(start, 0.05)) continue;
+    const double tolerance = count % 3 == 0 ? 0.001 : 0;
+    const std::string model =
+        linkage.text(start, start - reach(random), start + reach(random), tolerance);
+    const std::string certificate = certified(model);
+    if (certificate.empty()) continue;
+    ++proved;
+    const verifier::Verification v = verified(certificate, model);
+    EXPECT_EQ(v.outcome, verifier::Outcome::kVerified) << model << describe(v);
+    // The mirrored linkage has the same equations, and another start.
+    FourBar mirror = linkage;
+    mirror.is_open = !mirror.is_open;
+    const std::string other = mirror.text(start, start - 1e-3, start + 1e-3, tolerance);
+    EXPECT_EQ(verified(certificate, other).outcome, verifier::Outcome::kRejected);
+    const auto start_of = [](const std::string& text) {
+      const std::size_t at = text.find("\nunknown ");
+      return text.substr(at, text.find("\nstart ") - at);
+    };
+    std::string forged = certificate;
+    const std::string mirrored = certified(other);
+    if (mirrored.empty()) continue;
+    forged.replace(forged.find(start_of(forged)), start_of(forged).size(), start_of(mirrored));
+    EXPECT_NE(verified(forged).outcome, verifier::Outcome::kVerified) << forged;
+  }
+  EXPECT_GE(proved, 6);
+}
+
+}  // namespace
+}  // namespace regulus
