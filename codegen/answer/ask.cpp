@@ -3,14 +3,28 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <type_traits>
 
 #include "codegen/answer/page_of_answers.hpp"
+#include "codegen/model/request.hpp"
 #include "codegen/question/margin/margin_question.hpp"
 
 namespace regulus {
+namespace {
 
-std::unique_ptr<Answer> ask(const Asked& asked, const Services& services) {
+/// A pipe gives the text of the model only once, and several steps of a question read it.
+Asked with_piped_text(Asked asked) {
+  ModelOptions& model = std::visit([](auto& one) -> ModelOptions& { return one.model; }, asked);
+  std::error_code error;
+  const auto status = std::filesystem::status(model.path, error);
+  if (!model.text && (status.type() == std::filesystem::file_type::fifo ||
+                      status.type() == std::filesystem::file_type::character))
+    model.text = model_text(model);
+  return asked;
+}
+
+std::unique_ptr<Answer> ask_by_kind(const Asked& asked, const Services& services) {
   return std::visit(
       [&services](const auto& one) -> std::unique_ptr<Answer> {
         // A question without an overload of its own would become an Asked again.
@@ -20,8 +34,15 @@ std::unique_ptr<Answer> ask(const Asked& asked, const Services& services) {
       asked);
 }
 
-std::unique_ptr<Answer> ask_and_show(const Asked& asked, const Services& services) {
-  if (services.page.empty()) return ask(asked, services);
+}  // namespace
+
+std::unique_ptr<Answer> ask(const Asked& asked, const Services& services) {
+  return ask_by_kind(with_piped_text(asked), services);
+}
+
+std::unique_ptr<Answer> ask_and_show(const Asked& given, const Services& services) {
+  const Asked asked = with_piped_text(given);
+  if (services.page.empty()) return ask_by_kind(asked, services);
   ModelOptions model = std::visit([](const auto& one) { return one.model; }, asked);
   // A range LO:HI is no value that a model could be read with.
   if (const auto* margin = std::get_if<AskMargin>(&asked))

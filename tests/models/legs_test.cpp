@@ -23,7 +23,7 @@ std::string motions_of(const std::string& model) {
 
 class Twins : public testing::TestWithParam<const char*> {};
 
-TEST_P(Twins, HaveTheVerdictsAndBoxesOfTheWrittenMatrix) {
+TEST_P(Twins, HaveTheVerdictsOfTheWrittenMatrixInNoMoreBoxes) {
   const std::string name = GetParam();
   const ShippedModel written(name);
   const TemporaryDirectory folder;
@@ -36,7 +36,7 @@ TEST_P(Twins, HaveTheVerdictsAndBoxesOfTheWrittenMatrix) {
         run_command({REGULUS_BINARY_DIR "/bin/regulus", "check", path, motion.name, "--json"})
             .output);
     EXPECT_EQ(got["verdict"], expected["verdict"]) << motion.name;
-    EXPECT_EQ(got["boxes"], expected["boxes"]) << motion.name;
+    EXPECT_LE(got["boxes"], expected["boxes"]) << motion.name;
   }
 }
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "codegen/kernel/formulation/form_candidates.hpp"
 #include "codegen/kernel/symbolic/print.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/model/mechanism/singular_factors.hpp"
@@ -58,7 +59,13 @@ class Explainer {
       : f_(formulate(model, motion, options.formulation)),
         module_(lower(f_)),
         options_(options),
-        factors_(singular_factors(model)) {}
+        factors_(singular_factors(model)),
+        candidates_(f_, options.formulation.rewriting) {
+    form_matrix_of_product();
+    if (!options.kernel) return;
+    kernel_ = formulate(model, motion, *options.kernel);
+    module_ = lower(*kernel_);
+  }
 
   Explanation explanation() {
     if (options_.part == ExplainPart::kAll)
@@ -160,13 +167,41 @@ class Explainer {
     line("");
   }
 
+  /// A of K·A as written: the model's matrix, scaled, after the column operations that were kept.
+  void form_matrix_of_product() {
+    for (int i = 0; i < f_.rows; ++i)
+      for (int j = 0; j < f_.columns; ++j)
+        matrix_.push_back(f_.scaling.apply(f_.natural_matrix[at(i, j, f_.columns)], i, j));
+    if (!f_.column_trials) return;
+    changed_ = matrix_;
+    for (const AppliedOperation& o : f_.column_trials->kept)
+      for (int i = 0; i < f_.rows; ++i) {
+        Expression& target = changed_[at(i, o.target, f_.columns)];
+        target = target + o.multiplier * changed_[at(i, o.source, f_.columns)];
+      }
+  }
+
+  [[nodiscard]] static std::string width_text(const std::optional<double>& width) {
+    return width ? fmt::format("{:.4g}", *width) : "-";
+  }
+
   void entry(const std::string& name, const Expression& natural, const Expression& form,
              const EntryStatistics& statistics) {
     line("  {}", name);
     line("    form 1, as written: {}", shortened(natural, options_.longest));
-    line("      occurrences: {}", to_text(statistics.natural));
+    line("      occurrences: {}", to_text(count_occurrences(natural)));
     line("    form 2, {}: {}", statistics.passes, shortened(form, options_.longest));
     line("      occurrences: {}", to_text(statistics.rewritten));
+    line("    compared, with the width over the motion and K of its middle");
+    bool listed = false;
+    for (const FormCandidate& c : candidates_.of(natural)) {
+      line("      {:<32}width {:>10}, {} occurrences{}", c.passes, width_text(c.width),
+           total(c.occurrences), c.passes == statistics.passes ? ": kept" : "");
+      listed = listed || c.passes == statistics.passes;
+    }
+    if (!listed)
+      line("      {:<32}width {:>10}, {} occurrences: kept", statistics.passes,
+           width_text(candidates_.width(form)), total(statistics.rewritten));
   }
 
   void left_entries() {
@@ -178,7 +213,7 @@ class Explainer {
         Expressions natural;
         for (int j = 0; j < f_.rows; ++j)
           natural.push_back(point(point_name(i + 1, j + 1)) *
-                            f_.scaling.apply(f_.natural_matrix[at(j, c, f_.columns)], j, c));
+                            (changed_.empty() ? matrix_ : changed_)[at(j, c, f_.columns)]);
         const std::size_t k = at(i, c, f_.columns);
         entry(fmt::format("(K·A)({},{})", i + 1, c + 1), sum(std::move(natural)),
               f_.left_product[k], statistics[k]);
@@ -195,8 +230,7 @@ class Explainer {
       for (int c = 0; c < (options_.all_entries ? f_.rows : 1); ++c) {
         Expressions natural;
         for (int j = 0; j < f_.columns; ++j)
-          natural.push_back(point(point_name(j + 1, c + 1)) *
-                            f_.scaling.apply(f_.natural_matrix[at(r, j, f_.columns)], r, j));
+          natural.push_back(point(point_name(j + 1, c + 1)) * matrix_[at(r, j, f_.columns)]);
         const std::size_t k = at(r, c, f_.rows);
         entry(fmt::format("(A·K)({},{})", r + 1, c + 1), sum(std::move(natural)),
               f_.right_product[k], statistics[k]);
@@ -234,12 +268,13 @@ class Explainer {
   }
 
   void functions() {
-    line("Functions of the kernel");
+    line("Functions of the kernel{}", kernel_ ? " that a check with this method calls" : "");
+    const auto& statistics = (kernel_ ? *kernel_ : f_).statistics;
     for (const Function& function : module_.functions) {
       const auto operations =
           std::count_if(function.program.nodes.begin(), function.program.nodes.end(), is_operation);
       std::map<std::string, int> passes;
-      for (const EntryStatistics& entry : f_.statistics.at(function.name)) ++passes[entry.passes];
+      for (const EntryStatistics& entry : statistics.at(function.name)) ++passes[entry.passes];
       std::string chosen;
       for (const auto& [name, count] : passes)
         chosen += fmt::format("{}{} {}", chosen.empty() ? "" : ", ", name, count);
@@ -256,6 +291,9 @@ class Explainer {
   Module module_;
   const ExplainOptions options_;
   const std::vector<SingularFactor> factors_;
+  std::optional<Formulation> kernel_;
+  Expressions matrix_, changed_;
+  FormCandidates candidates_;
   std::string text_;
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "codegen/kernel/formulation/formulation.hpp"
@@ -15,7 +16,9 @@ struct ExplainOptions {
   ExplainPart part = ExplainPart::kAll;
   bool all_entries = false;  ///< every entry of K·A and A·K, not only one row and one column
   FormulationOptions formulation;  ///< matrix and products are always formed
-  std::size_t longest = 1200;      ///< characters of one expression; a cut is marked
+  /// The kernel whose functions are listed; nullopt: what `formulation` forms.
+  std::optional<FormulationOptions> kernel;
+  std::size_t longest = 1200;  ///< characters of one expression; a cut is marked
 };
 
 struct Explanation {

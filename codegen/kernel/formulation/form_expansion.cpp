@@ -8,11 +8,11 @@
 
 namespace regulus {
 
-std::vector<int> Formulator::rows_of_variables() const {
+std::vector<int> Formulator::rows_of_variables() {
   std::map<std::string, std::set<int>> rows;
   if (options_.rows)
     for (std::size_t e = 0; e < forms_.rewritten.size(); ++e)
-      for (const auto& [name, count] : count_occurrences(forms_.rewritten[e]))
+      for (const auto& [name, count] : count_occurrences(revealed(forms_.rewritten[e])))
         rows[name].insert(static_cast<int>(e) / result_.columns);
   std::vector<int> result;
   for (const Variable& v : result_.variables) {
@@ -23,7 +23,7 @@ std::vector<int> Formulator::rows_of_variables() const {
   return result;
 }
 
-bool Formulator::has_row_quantity() const {
+bool Formulator::has_row_quantity() {
   return std::ranges::any_of(rows_of_variables(), [](int row) { return row != Expansion::kNoRow; });
 }
 
@@ -58,9 +58,13 @@ Formulator::MatrixForms Formulator::nominal_forms(const std::map<std::string, Ex
   MatrixForms A;
   A.natural = substitute(forms_.natural, value_of);
   A.formed = substitute(forms_.formed, value_of);
+  if (parts_) {
+    A.natural = A.formed;
+    for (Expression& formed : A.formed) formed = parts_->hide(formed);
+  }
   for (const Expression& formed : A.formed) {
-    A.expanded.push_back(rewriter_.expand(formed));
-    A.rewritten.push_back(rewriter_.rewrite(formed).expression);
+    A.expanded.push_back(of_products().expand(formed));
+    A.rewritten.push_back(of_products().rewrite(formed).expression);
   }
   return A;
 }
@@ -68,8 +72,7 @@ Formulator::MatrixForms Formulator::nominal_forms(const std::map<std::string, Ex
 void Formulator::form_expansion_of(const std::vector<Entry>& row) {
   ExpansionForms& x = *result_.expansion;
   std::vector<PolynomialDifferentiator> by;
-  for (const Variable& v : result_.variables)
-    by.emplace_back(v.name, rewriter_.atoms(), rewriter_.expander());
+  for (const Variable& v : result_.variables) by.push_back(differentiator(v.name));
   const auto touches_one_row = [&](std::size_t v) {
     return x.row_of_variable[v] != Expansion::kNoRow;
   };
@@ -92,7 +95,7 @@ void Formulator::form_expansion_of(const std::vector<Entry>& row) {
 void Formulator::append_column(DerivativeIndex place, const Polynomial& p,
                                const std::string& function, DerivativeForms& to) {
   if (p.is_zero()) return;
-  const Rewritten form = rewriter_.nested_form(p);
+  const Rewritten form = of_products().nested_form(p);
   append_rows({form.expression}, {{{}, counted(form.expression), form.passes}}, to.forms,
               result_.statistics[function]);
   for (place.row = 0; place.row < result_.columns; ++place.row) to.places.push_back(place);
@@ -104,7 +107,7 @@ void Formulator::form_row_derivatives(int i, int j, std::vector<PolynomialDiffer
   const auto append = [&](const DerivativeIndex& place, const Polynomial& p,
                           const std::string& function, DerivativeForms& to) {
     if (p.is_zero()) return;
-    const Rewritten form = rewriter_.quick_form(p);
+    const Rewritten form = of_products().quick_form(p);
     to.places.push_back(place);
     to.forms.push_back(form.expression);
     result_.statistics[function].push_back({{}, counted(form.expression), form.passes});

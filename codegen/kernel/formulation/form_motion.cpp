@@ -50,7 +50,8 @@ void Formulator::collect_must_be_defined() {
 
 void Formulator::append_partial(const GiNaC::ex& e, Expressions& to) {
   for (const Expression& partial : substitution_.partial_operations(e)) {
-    Expression form = rewriter_.with_rewritten_arguments(partial);
+    Expression form =
+        rewriter_.with_rewritten_arguments(parts_ ? parts_->sharpened(partial) : partial);
     if (!form.is_total()) to.push_back(std::move(form));
   }
 }

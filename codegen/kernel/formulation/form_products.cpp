@@ -10,12 +10,12 @@ Formulator::Entry Formulator::combine(const MatrixForms& A, const std::vector<st
   Expressions natural, rewritten;
   for (std::size_t j = 0; j < points.size(); ++j) {
     const Expression k = point(points[j]);
-    const AtomProduct atom(1, rewriter_.atoms().coefficient_atom(k));
+    const AtomProduct atom(1, of_products().atoms().coefficient_atom(k));
     for (const PolynomialTerm& term : A.expanded[entries[j]].terms())
       terms.push_back(
           {Monomial{term.monomial.variables, multiply(term.monomial.coefficients, atom)},
            term.factor});
-    rewriter_.atoms().spend(1 + A.expanded[entries[j]].terms().size());
+    of_products().atoms().spend(1 + A.expanded[entries[j]].terms().size());
     natural.push_back(k * A.natural[entries[j]]);
     rewritten.push_back(k * A.rewritten[entries[j]]);
   }
@@ -41,7 +41,7 @@ void Formulator::append_best_forms(const std::vector<Entry>& row, const std::str
   Expressions forms;
   std::vector<EntryStatistics> statistics;
   for (const Entry& entry : row) {
-    const Rewritten form = rewriter_.best_form(entry.polynomial, &entry.rewritten);
+    const Rewritten form = best_form(entry.polynomial, &entry.rewritten);
     forms.push_back(form.expression);
     statistics.push_back({counted(entry.natural), counted(form.expression), form.passes});
   }
@@ -56,11 +56,11 @@ void Formulator::form_left_product() {
 
 void Formulator::form_left_derivatives(const std::vector<Entry>& row) {
   for (const Variable& v : result_.variables) {
-    PolynomialDifferentiator by(v.name, rewriter_.atoms(), rewriter_.expander());
+    PolynomialDifferentiator by = differentiator(v.name);
     Expressions forms;
     std::vector<EntryStatistics> statistics;
     for (const Entry& entry : row) {
-      const Rewritten form = rewriter_.best_form(by.derivative(entry.polynomial));
+      const Rewritten form = best_form(by.derivative(entry.polynomial));
       forms.push_back(form.expression);
       statistics.push_back({{}, counted(form.expression), form.passes});
     }
@@ -118,7 +118,7 @@ void Formulator::form_right_product() {
       entries.push_back(index(r * result_.columns + j));
     }
     const Entry entry = combine(forms_, points, entries);
-    const Rewritten form = rewriter_.best_form(entry.polynomial, &entry.rewritten);
+    const Rewritten form = best_form(entry.polynomial, &entry.rewritten);
     const EntryStatistics of_entry = {counted(entry.natural), counted(form.expression),
                                       form.passes};
     for (int c = 1; c <= result_.rows; ++c) {

@@ -36,9 +36,11 @@ FormulationOptions with_detail(FormulationOptions options, FormDetail detail) {
 }
 
 Formulation formed(const Model& model, const Motion& motion, const FormulationOptions& options,
-                   FormDetail detail, std::uint64_t budget, const FormingWatch* watch) {
+                   FormDetail detail, bool hides_parts, std::uint64_t budget,
+                   const FormingWatch* watch) {
   WorkMeter meter(budget, watch);
-  Formulation result = Formulator(model, motion, with_detail(options, detail), meter, watch).run();
+  Formulation result =
+      Formulator(model, motion, with_detail(options, detail), hides_parts, meter, watch).run();
   result.detail = detail;
   result.work = meter.spent();
   return result;
@@ -59,15 +61,18 @@ Formulation formulate(const Model& model, const Motion& motion, const Formulatio
   require_matrix(model);
   // A determinant in closed form is always expanded, and has a budget of its own.
   if (options.determinant)
-    return formed(model, motion, options, FormDetail::kFull, WorkMeter::kNoLimit, watch);
+    return formed(model, motion, options, FormDetail::kFull, false, WorkMeter::kNoLimit, watch);
   FormulationOptions adapted = options;
-  if (has_roots_or_quotients(model, motion, watch))
+  const bool has_parts = has_roots_or_quotients(model, motion, watch);
+  if (has_parts)
     adapted.rewriting.most_terms = std::min(options.rewriting.most_terms, kMostTermsOfAPart);
   for (const FormDetail detail : {FormDetail::kFull, FormDetail::kSmallParts}) try {
-      return formed(model, motion, adapted, detail, options.forming_budget, watch);
+      const bool hides_parts =
+          has_parts && options.rewriting.rewrite && detail == FormDetail::kFull;
+      return formed(model, motion, adapted, detail, hides_parts, options.forming_budget, watch);
     } catch (const OverBudget&) {
     }
-  return formed(model, motion, adapted, FormDetail::kAsWritten, WorkMeter::kNoLimit, watch);
+  return formed(model, motion, adapted, FormDetail::kAsWritten, false, WorkMeter::kNoLimit, watch);
 }
 
 void set_shape(const Model& model, const Motion& motion, const Substitution& substitution,

@@ -35,7 +35,7 @@ bool uses_matrix(const FormulationOptions& f) {
 }
 
 Formulator::Formulator(const Model& model, const Motion& motion, const FormulationOptions& options,
-                       WorkMeter& meter, const FormingWatch* watch)
+                       bool hides_parts, WorkMeter& meter, const FormingWatch* watch)
     : model_(model),
       motion_(motion),
       options_(options),
@@ -48,12 +48,20 @@ Formulator::Formulator(const Model& model, const Motion& motion, const Formulati
           weighted(options.rewriting, substitution_.variables()), &meter) {
   set_shape(model, motion, substitution_, result_);
   typical_ = with_typical_ranges(result_.variables);
+  if (!hides_parts) return;
+  RewriteOptions wide = weighted(options.rewriting, result_.variables);
+  wide.most_terms = RewriteOptions().most_terms;
+  wide.squares_roots = true;
+  wide_.emplace(substitution_.names(), point_names(result_.columns, result_.rows), wide, &meter);
+  parts_.emplace(typical_, *wide_, rewriter_);
 }
 
 Formulation Formulator::run() {
   form_matrix();
+  if (parts_) hide_parts();
   if (options_.right_product && result_.rows == result_.columns) form_right_product();
-  if (options_.columns != ColumnSearch::kNone && options_.rewriting.rewrite) change_columns();
+  if (options_.columns != ColumnSearch::kNone && options_.rewriting.rewrite && !parts_)
+    change_columns();
   if (options_.matrix_derivatives) form_matrix_derivatives();
   const bool expands = options_.expansion != ExpansionForm::kNone && !result_.variables.empty();
   const bool at_nominal =
@@ -63,11 +71,49 @@ Formulation Formulator::run() {
   if (options_.determinant) form_determinant();
   form_row_scale();
   form_motion();
+  if (parts_) reveal_parts();
   collect_must_be_defined();
   if (!options_.matrix) result_.matrix.clear();
   if (!options_.left_product) result_.left_product.clear();
   if (!options_.counts_occurrences) result_.statistics.clear();
   return std::move(result_);
+}
+
+void Formulator::hide_parts() {
+  entries_ = std::move(forms_.expanded);
+  forms_.expanded.clear();
+  forms_.rewritten.clear();
+  for (Expression& entry : forms_.natural) {
+    entry = parts_->hide(entry);
+    forms_.expanded.push_back(wide_->expand(entry));
+    forms_.rewritten.push_back(wide_->rewrite(entry).expression);
+  }
+}
+
+PolynomialDifferentiator Formulator::differentiator(const std::string& variable) {
+  return {variable, of_products().atoms(), of_products().expander(), parts_ ? &*parts_ : nullptr};
+}
+
+Rewritten Formulator::best_form(const Polynomial& p, const Expression* natural) {
+  constexpr std::size_t kMostMergedTerms = 300;
+  if (parts_ && p.terms().size() > kMostMergedTerms) return wide_->nested_form(p);
+  return of_products().best_form(p, natural);
+}
+
+Expression Formulator::revealed(const Expression& e) { return parts_ ? parts_->reveal(e) : e; }
+
+void Formulator::reveal_parts() {
+  const auto reveal = [this](Expressions& forms) {
+    for (Expression& form : forms) form = parts_->reveal(form);
+  };
+  for (Expressions* forms :
+       {&result_.left_product, &result_.left_derivatives, &result_.right_product})
+    reveal(*forms);
+  if (!result_.expansion) return;
+  ExpansionForms& x = *result_.expansion;
+  for (Expressions* forms :
+       {&x.product, &x.first.forms, &x.second.forms, &x.row_first.forms, &x.row_second.forms})
+    reveal(*forms);
 }
 
 void Formulator::form_natural_matrix() {
@@ -136,7 +182,7 @@ void Formulator::change_column(const AppliedOperation& operation) {
 void Formulator::form_matrix_derivatives() {
   for (const Variable& v : result_.variables) {
     PolynomialDifferentiator by(v.name, rewriter_.atoms(), rewriter_.expander());
-    for (const Polynomial& entry : forms_.expanded) {
+    for (const Polynomial& entry : parts_ ? entries_ : forms_.expanded) {
       const Rewritten form = rewriter_.best_form(by.derivative(entry));
       result_.matrix_derivatives.push_back(form.expression);
       result_.statistics["matrix_derivatives"].push_back(

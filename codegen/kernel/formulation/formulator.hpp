@@ -3,10 +3,12 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "codegen/kernel/formulation/formulation.hpp"
+#include "codegen/kernel/formulation/matrix_parts.hpp"
 #include "codegen/kernel/formulation/substitution.hpp"
 #include "codegen/kernel/symbolic/derivative.hpp"
 #include "codegen/kernel/symbolic/evaluate.hpp"
@@ -27,8 +29,10 @@ void set_shape(const Model& model, const Motion& motion, const Substitution& sub
 class Formulator {
  public:
   /// `meter` counts the terms that are formed, `watch` may be null; both outlive this object.
+  /// `hides_parts`: products with K and their derivatives are formed with symbols for parts of A
+  /// (matrix_parts.hpp), and are multiplied out.
   Formulator(const Model& model, const Motion& motion, const FormulationOptions& options,
-             WorkMeter& meter, const FormingWatch* watch);
+             bool hides_parts, WorkMeter& meter, const FormingWatch* watch);
 
   /// Throws InputError, ClosedFormError, OverBudget and FormingStopped.
   Formulation run();
@@ -49,6 +53,17 @@ class Formulator {
     Expression rewritten;  // with the entries of A rewritten
   };
 
+  [[nodiscard]] Rewriter& of_products() { return wide_ ? *wide_ : rewriter_; }
+  /// Writes A with symbols for its parts.
+  void hide_parts();
+  /// Returns ∂/∂variable of products and of A as it is in them.
+  [[nodiscard]] PolynomialDifferentiator differentiator(const std::string& variable);
+  /// Returns the best of the forms of p and `natural`. Angles are not merged in long polynomials
+  /// with symbols for parts, because that takes too long.
+  Rewritten best_form(const Polynomial& p, const Expression* natural = nullptr);
+  [[nodiscard]] Expression revealed(const Expression& e);
+  /// Puts the parts in the place of their symbols.
+  void reveal_parts();
   void form_natural_matrix();
   [[nodiscard]] bool may_have_threshold() const;
   void form_matrix();
@@ -81,8 +96,8 @@ class Formulator {
   void form_right_product();
   /// Returns for each variable the only row in which it occurs, if it is an uncertain quantity, or
   /// Expansion::kNoRow.
-  [[nodiscard]] std::vector<int> rows_of_variables() const;
-  [[nodiscard]] bool has_row_quantity() const;
+  [[nodiscard]] std::vector<int> rows_of_variables();
+  [[nodiscard]] bool has_row_quantity();
   void form_expansion(bool at_nominal);
   /// Returns A with uncertain quantities at the given values.
   MatrixForms nominal_forms(const std::map<std::string, Expression>& values);
@@ -109,6 +124,9 @@ class Formulator {
   Substitution substitution_;
   std::vector<Variable> typical_;  // with the ranges by which choices are made
   Rewriter rewriter_;
+  std::optional<Rewriter> wide_;  // of products, if they are formed with symbols for parts
+  std::optional<MatrixParts> parts_;
+  std::vector<Polynomial> entries_;  // of A, multiplied out over the variables
   std::map<int, Replacer> row_replacers_;
   MatrixForms forms_;  // of A
   Formulation result_;

@@ -49,7 +49,8 @@ Expression Differentiator::derivative(const Expression& e) {
 Expression Differentiator::computed(const Expression& e) {
   switch (e.kind()) {
     case ExpressionKind::kVariable:
-      return Expression(e.name() == variable_ ? 1 : 0);
+      if (e.name() == variable_) return Expression(1);
+      return symbols_ == nullptr ? Expression(0) : symbols_->derivative(e.name(), variable_);
     case ExpressionKind::kPower: {
       const Expression& base = e.operands()[0];
       const Expression inner = derivative(base);
@@ -116,7 +117,9 @@ Polynomial PolynomialDifferentiator::derivative(const Polynomial& p) {
 const Polynomial& PolynomialDifferentiator::of_atom(Atom a) {
   const auto found = known_.find(a);
   if (found != known_.end()) return found->second;
-  const Expression derived = differentiator_.derivative(atoms_->variable_expression(a));
+  // A copy: the derivative of a symbol may add atoms, and their list then moves.
+  const Expression atom = atoms_->variable_expression(a);
+  const Expression derived = differentiator_.derivative(atom);
   std::optional<Polynomial> p = expander_->expand(derived);
   return known_.emplace(a, p ? std::move(*p) : expander_->atom(derived)).first->second;
 }

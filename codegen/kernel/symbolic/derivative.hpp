@@ -10,6 +10,18 @@
 
 namespace regulus {
 
+/// The derivatives of symbols that stand for functions of the variables.
+class DerivativesOfSymbols {
+ public:
+  DerivativesOfSymbols() = default;
+  DerivativesOfSymbols(const DerivativesOfSymbols&) = delete;
+  DerivativesOfSymbols& operator=(const DerivativesOfSymbols&) = delete;
+  virtual ~DerivativesOfSymbols() = default;
+  /// Returns 0 for a symbol that stands for itself.
+  [[nodiscard]] virtual Expression derivative(const std::string& symbol,
+                                              const std::string& variable) = 0;
+};
+
 /// ∂/∂variable by the chain rule, one shared result for each shared sub-expression.
 ///
 /// Ensures   exact wherever the expression is differentiable. The derivative may be defined where
@@ -18,7 +30,9 @@ namespace regulus {
 ///           that the function is defined.
 class Differentiator {
  public:
-  explicit Differentiator(std::string with_respect_to) : variable_(std::move(with_respect_to)) {}
+  /// `symbols`: null, or it outlives this object.
+  explicit Differentiator(std::string with_respect_to, DerivativesOfSymbols* symbols = nullptr)
+      : variable_(std::move(with_respect_to)), symbols_(symbols) {}
 
   [[nodiscard]] Expression derivative(const Expression& e);
 
@@ -28,14 +42,19 @@ class Differentiator {
   Expression of_call(const Expression& e);
 
   std::string variable_;
+  DerivativesOfSymbols* symbols_;
   std::unordered_map<Expression, Expression, ExpressionHash> known_;
 };
 
 /// ∂/∂variable of polynomials over one table of atoms, through the derivatives of the atoms.
 class PolynomialDifferentiator {
  public:
-  PolynomialDifferentiator(std::string with_respect_to, const AtomTable& atoms, Expander& expander)
-      : differentiator_(std::move(with_respect_to)), atoms_(&atoms), expander_(&expander) {}
+  /// `symbols`: see Differentiator.
+  PolynomialDifferentiator(std::string with_respect_to, const AtomTable& atoms, Expander& expander,
+                           DerivativesOfSymbols* symbols = nullptr)
+      : differentiator_(std::move(with_respect_to), symbols),
+        atoms_(&atoms),
+        expander_(&expander) {}
 
   [[nodiscard]] Polynomial derivative(const Polynomial& p);
 

@@ -9,6 +9,14 @@ namespace {
 // Higher powers stay atoms, because their expansion would only add occurrences.
 constexpr int kLargestExpandedExponent = 8;
 
+/// The square of the root of a rational number.
+std::optional<cln::cl_RA> square_of(const Expression& e) {
+  if (e.kind() != ExpressionKind::kCall || e.function() != Call::kSqrt) return std::nullopt;
+  const Expression& radicand = e.operands()[0];
+  if (radicand.kind() != ExpressionKind::kConstant || minusp(radicand.value())) return std::nullopt;
+  return radicand.value();
+}
+
 }  // namespace
 
 std::optional<Polynomial> Expander::expand(const Expression& e) {
@@ -57,7 +65,28 @@ std::optional<Polynomial> Expander::bounded_product(const Polynomial& a,
   const std::size_t terms = a.terms().size() * b.terms().size();
   if (terms > most_terms_) return std::nullopt;
   atoms_->spend(1 + terms);
-  return a * b;
+  return squares_roots_ ? with_squared_roots(a * b) : a * b;
+}
+
+Polynomial Expander::with_squared_roots(const Polynomial& p) const {
+  std::vector<PolynomialTerm> terms = p.terms();
+  bool changed = false;
+  for (PolynomialTerm& term : terms) {
+    AtomProduct& atoms = term.monomial.coefficients;
+    for (std::size_t i = 0; i + 1 < atoms.size();) {
+      const std::optional<cln::cl_RA> square =
+          atoms[i] == atoms[i + 1] ? square_of(atoms_->coefficient_expression(atoms[i]))
+                                   : std::nullopt;
+      if (!square) {
+        ++i;
+        continue;
+      }
+      term.factor = term.factor * *square;
+      atoms.erase(i, 2);
+      changed = true;
+    }
+  }
+  return changed ? Polynomial(std::move(terms)) : p;
 }
 
 std::optional<Polynomial> Expander::expand_product(const Expressions& factors) {

@@ -61,9 +61,10 @@ struct Group {
 /// Writes expressions as polynomials.
 class Expander {
  public:
-  /// Expansions with more terms than `most_terms` are given up.
-  explicit Expander(AtomTable& atoms, std::size_t most_terms = 20000)
-      : atoms_(&atoms), most_terms_(most_terms) {}
+  /// Expansions with more terms than `most_terms` are given up. `squares_roots`: √c·√c of a
+  /// rational c is c, so that the coordinates of a unit vector meet in like terms.
+  explicit Expander(AtomTable& atoms, std::size_t most_terms = 20000, bool squares_roots = false)
+      : atoms_(&atoms), most_terms_(most_terms), squares_roots_(squares_roots) {}
 
   /// Returns the same function, multiplied out; none if it has too many terms.
   [[nodiscard]] std::optional<Polynomial> expand(const Expression& e);
@@ -78,9 +79,11 @@ class Expander {
   std::optional<Polynomial> expand_power(const Expression& e);
   [[nodiscard]] std::optional<Polynomial> bounded_product(const Polynomial& a,
                                                           const Polynomial& b) const;
+  [[nodiscard]] Polynomial with_squared_roots(const Polynomial& p) const;
 
   AtomTable* atoms_;
   std::size_t most_terms_;
+  bool squares_roots_;
   std::unordered_map<Expression, std::optional<Polynomial>, ExpressionHash> known_;
 };
 

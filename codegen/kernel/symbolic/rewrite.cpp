@@ -84,7 +84,9 @@ bool evidently_nonnegative(const Expression& e) {
 Rewriter::Rewriter(const std::vector<std::string>& variables,
                    const std::vector<std::string>& points, const RewriteOptions& options,
                    WorkMeter* meter)
-    : options_(options), atoms_(variables, points, meter), expander_(atoms_, options.most_terms) {}
+    : options_(options),
+      atoms_(variables, points, meter),
+      expander_(atoms_, options.most_terms, options.squares_roots) {}
 
 Rewritten Rewriter::rewrite(const Expression& e) {
   const Expression natural = prepared(e);

@@ -19,6 +19,7 @@ struct RewriteOptions {
   std::size_t most_terms = 20000;  ///< an expression that expands to more stays one indeterminate
   HornerOptions nesting;           ///< if `horner`; the order is chosen by trial
   Weights weights;                 ///< of the variables' occurrences, to compare forms
+  bool squares_roots = false;      ///< see Expander
 };
 
 /// A form and the passes that found it.
@@ -61,6 +62,11 @@ class Rewriter {
   [[nodiscard]] Rewritten nested_form(const Polynomial& p);
   /// Returns the Horner form of p if the options allow it, without a search for a better one.
   [[nodiscard]] Rewritten quick_form(const Polynomial& p);
+
+  /// Sets the weight of a variable's occurrences, for the forms to come.
+  void weigh(const std::string& name, std::uint64_t weight) {
+    options_.weights.insert_or_assign(name, weight);
+  }
 
   [[nodiscard]] AtomTable& atoms() noexcept { return atoms_; }
   [[nodiscard]] Expander& expander() noexcept { return expander_; }

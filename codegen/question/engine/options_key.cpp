@@ -10,12 +10,14 @@ namespace {
 // until it is in the key.
 
 void add(KeyParts& parts, const RewriteOptions& options) {
-  const auto& [rewrite, horner, trigonometric, most_terms, nesting, weights] = options;
+  const auto& [rewrite, horner, trigonometric, most_terms, nesting, weights, squares_roots] =
+      options;
   const auto& [order, factor, complete_squares] = nesting;
   for (const bool flag : {rewrite, horner, trigonometric, factor, complete_squares})
     parts.add(flag);
   parts.add(static_cast<int>(order));
   parts.add(std::to_string(most_terms));
+  parts.add(squares_roots);
   parts.begin_list(weights.size());
   for (const auto& [name, weight] : weights) {
     parts.add(name);

@@ -160,10 +160,13 @@ void add_explain_options(CLI::App& app, ExplainCommand& command) {
                "Show every entry, not only the first of each kind, and each in full");
   app.add_option(
          "--stage", command.stage,
-         "What to show: all forms, only the matrix, only the occurrences, or the C++ text of the "
-         "kernel")
-      ->check(CLI::IsMember({"forms", "matrix", "occurrences", "text"}))
+         "What to show: all forms, only the matrix, only the occurrences, the C++ text of the "
+         "kernel, or values over the motion's box: M(B), K·M(B), the determinant by each method")
+      ->check(CLI::IsMember({"forms", "matrix", "occurrences", "text", "box"}))
       ->capture_default_str();
+  app.add_flag_callback(
+      "--box", [&command] { command.stage = "box"; },
+      "The same as --stage box; --range changes the box");
   add_method_options(app, command.method, command.symbolic_budget);
   app.add_flag("--json", command.output.json,
                "Print one JSON object on standard output: model, motion, stage, text");

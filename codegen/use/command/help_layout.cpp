@@ -20,11 +20,11 @@ using OptionNames = std::vector<std::string>;
 const OptionNames& names_in(const std::string& group) {
   static const std::map<std::string, OptionNames> kNames = {
       {kQuestion,
-       {"range", "tolerance", "alpha",         "waypoints",    "tube",   "scale",  "grow",
-        "load",  "twist",     "leg",           "freedom",      "min",    "signed", "finite",
-        "norm",  "quantity",  "limit",         "bound",        "margin", "paving", "model",
-        "base",  "tip",       "cut",           "actuated",     "snap",   "stage",  "all",
-        "name",  "namespace", "beyond-limits", "allow-options"}},
+       {"range", "tolerance", "alpha",     "waypoints",     "tube",         "scale",  "grow",
+        "load",  "twist",     "leg",       "freedom",       "min",          "signed", "finite",
+        "norm",  "quantity",  "limit",     "bound",         "margin",       "paving", "model",
+        "base",  "tip",       "cut",       "actuated",      "snap",         "stage",  "box",
+        "all",   "name",      "namespace", "beyond-limits", "allow-options"}},
       {kBudget,
        {"time-limit", "max-boxes", "threads", "gap", "resolution", "precision", "symbolic-budget"}},
       {kOutput,
@@ -82,6 +82,8 @@ constexpr std::array<Examples, 12> kExamples = {
      {"explain",
       "  regulus explain robot_1 wide_15\n"
       "      the forms of the first entries, and their occurrences\n"
+      "  regulus explain robot_1 wide_15 --box --range x=-1:1\n"
+      "      the matrix and its determinant over a box, by each method\n"
       "  regulus explain robot_1 wide_15 --stage text\n"
       "      the C++ text of the kernel\n"},
      {"generate", "  regulus generate robot_1 wide_15 --output kernel\n"},

@@ -83,7 +83,8 @@ bool warns_of_proof(const Answer& answer) {
   return report.is_object() && report.contains("certificate_note");
 }
 
-void add_search_options(Random& random, std::vector<std::string>& words) {
+/// `has_methods`: there is more than one for the model.
+void add_search_options(Random& random, bool has_methods, std::vector<std::string>& words) {
   const auto add = [&](std::initializer_list<std::string> more) {
     words.insert(words.end(), more);
   };
@@ -92,6 +93,7 @@ void add_search_options(Random& random, std::vector<std::string>& words) {
   else
     add({"--engine", "interpreted"});
   add({"--threads", random.one_in(8) ? "2" : "1"});
+  if (!has_methods) return;
   if (random.one_in(4))
     add({"--method",
          random.pick(
@@ -169,7 +171,7 @@ std::vector<std::string> check_words(const Attack& attack, const std::string& mo
   std::vector<std::string> words{"regulus", "check",   model_path,      "m",
                                  "--json",  "--quiet", "--certificate", certificate_path};
   Random random("command" + attack.family, attack.seed);
-  add_search_options(random, words);
+  add_search_options(random, attack.model.closure.empty(), words);
   words.insert(words.end(), attack.options.begin(), attack.options.end());
   return words;
 }
