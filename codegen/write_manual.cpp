@@ -24,12 +24,16 @@ bool write(const std::filesystem::path& path, const std::string& text) {
 
 int main(int argc, char** argv) {
   using namespace regulus;
-  if (argc != 2) return 64;
-  if (std::string_view(argv[1]) == "--what-works") {
+  const std::string_view word = argc == 2 ? argv[1] : "";
+  if (word == "--what-works") {
     std::cout << what_works();
     return std::cout.flush() ? 0 : 74;
   }
-  const std::filesystem::path share = argv[1];
+  if (word.empty() || word.starts_with("-")) {
+    std::cerr << "usage: regulus_write_manual FOLDER | --what-works\n";
+    return word == "--help" || word == "-h" ? 0 : 64;
+  }
+  const std::filesystem::path share = word;
   const std::vector<CommandEntry> table = command_table(ShellSession::commands());
   bool written = write(share / "bash-completion/completions/regulus", bash_completion(table)) &&
                  write(share / "zsh/site-functions/_regulus", zsh_completion(table));

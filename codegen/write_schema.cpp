@@ -19,7 +19,10 @@ bool write(const char* path, const std::string& text) {
 
 int main(int argc, char** argv) {
   using namespace regulus;
-  if (argc != 4) return 64;
+  if (argc != 4) {
+    std::cerr << "usage: regulus_write_schema SCHEMA TYPESCRIPT PYTHON\n";
+    return 64;
+  }
   const bool written = write(argv[1], json_schema().dump(1) + '\n') &&
                        write(argv[2], typescript_types()) && write(argv[3], python_types());
   if (!written) std::cerr << "cannot write the files of the schema\n";

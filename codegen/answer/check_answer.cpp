@@ -82,7 +82,7 @@ class VarietyCheck final : public CheckAnswer {
   }
 
  private:
-  /// Where atan2 jumps on the motion, the matrix is followed on both sides.
+  /// Follows the matrix on both sides where atan2 jumps on the motion.
   void decide_by_sides(const Services& services, Observer* display) {
     const CutSides sides(prepared_.stages->request());
     if (sides.is_empty()) return;

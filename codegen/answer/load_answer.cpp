@@ -10,6 +10,7 @@
 #include "codegen/answer/picture/pictures.hpp"
 #include "codegen/answer/picture/way_picture.hpp"
 #include "codegen/answer/refusals.hpp"
+#include "codegen/answer/refused_paving.hpp"
 #include "codegen/answer/report/paving_options.hpp"
 #include "codegen/answer/report/progress.hpp"
 #include "codegen/answer/report/report_text.hpp"
@@ -256,9 +257,9 @@ std::unique_ptr<LoadAnswer> ask(const AskLoad& asked, const Services& services) 
 }
 
 std::unique_ptr<LoadPavingAnswer> ask(const AskLoadPaving& asked, const Services& services) {
-  for (const std::string& picture : services.pictures.files) require_picture_format(picture);
   refuse_changed_options(option_refusals_of_loads(), asked.model, asked.search);
   refuse_services(Kind::kLoadPaving, asked.model, asked.search, services);
+  refuse_paving(asked.resolution, asked.model, asked.search, services);
   set_outputs_aside(asked.model, asked.search, services);
   Stopwatch watch;
   std::optional<Request> along = read_trajectory(asked.model, watch_of(services, asked.search));

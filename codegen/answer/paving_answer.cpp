@@ -14,6 +14,7 @@
 #include "codegen/answer/picture/pictures.hpp"
 #include "codegen/answer/picture/way_picture.hpp"
 #include "codegen/answer/refusals.hpp"
+#include "codegen/answer/refused_paving.hpp"
 #include "codegen/answer/report/kept_search.hpp"
 #include "codegen/answer/report/paving_options.hpp"
 #include "codegen/answer/report/paving_report.hpp"
@@ -209,8 +210,8 @@ class WayPaving final : public PavingAnswer {
 }  // namespace
 
 std::unique_ptr<PavingAnswer> ask(const AskPaving& asked, const Services& services) {
-  for (const std::string& picture : services.pictures.files) require_picture_format(picture);
   refuse_services(Kind::kPaving, asked.model, asked.search, services);
+  refuse_paving(asked.resolution, asked.model, asked.search, services);
   set_outputs_aside(asked.model, asked.search, services);
   Stopwatch watch;
   std::optional<Request> along =

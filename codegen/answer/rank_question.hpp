@@ -13,7 +13,7 @@
 
 namespace regulus {
 
-/// What the next searches of another process are about, formed by this one.
+/// This process forms what the next searches of another one are about.
 class RankQuestion {
  public:
   RankQuestion() = default;

@@ -138,7 +138,7 @@ class PieceChecker {
   void compare_rest(Question& question, std::size_t k, const std::vector<std::string>& compared,
                     CutSides* sides) {
     Verification of_piece;
-    compare_with_model(question, model_, options_, of_piece, compared, sides);
+    compare_with_file(question, model_, options_, of_piece, compared, sides);
     if (k == 0) result_.numbers += of_piece.numbers;
     for (const std::string& difference : of_piece.differences)
       if (std::ranges::find(result_.differences, difference) == result_.differences.end())

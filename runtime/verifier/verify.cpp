@@ -24,13 +24,13 @@ void compare(Question& question, const Options& options, Verification& result) {
   }
   const WrittenValues model = read_model_values(options.model_text);
   const WaypointComparison waypoints(model, question.motion, options.model_name, options.waypoints);
-  if (!waypoints.is_named()) return compare_with_model(question, model, options, result);
+  if (!waypoints.is_named()) return compare_with_file(question, model, options, result);
   if (!question.singular && waypoints.pieces() != 1)
     throw OtherModel("the certificate is not about " + waypoints.file() +
                      ": it is about one piece, and the file has " +
                      std::to_string(waypoints.pieces()));
   waypoints.require_some_piece(question);
-  compare_with_model(question, model, options, result, waypoints.compared_keys(question));
+  compare_with_file(question, model, options, result, waypoints.compared_keys(question));
 }
 
 /// Returns the SHA-256 of the lines of an index from its second line to `proof`.

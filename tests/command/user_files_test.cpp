@@ -171,6 +171,35 @@ TEST_F(UserFiles, ABracketIsSaidAlthoughItsCheckpointCannotBeWritten) {
   }
 }
 
+/// An option that the question cannot have leaves the outputs of an earlier run where they are.
+TEST_F(UserFiles, WhatAPavingCannotHaveIsRefusedBeforeAnythingIsMoved) {
+  write_file(file("way.csv"), "x,y,phi\n0,14,0\n1,15,0\n");
+  const Words paved = {"locate", kPlanar, "regular"};
+  const Words along = {"locate", kPlanar, "regular", "--waypoints", file("way.csv")};
+  const Words loaded = {"locate", model_path("cable_8"), "hall", "--load", "weight"};
+  for (const auto& [asked, options, what] : {
+           std::tuple(along, Words{"--picture", file("way.vtu")}, "boxes in space"),
+           {along, {"--picture", file("z.svg"), "--axes", "x,y"}, "has no ranges"},
+           {along, {"--resolution", "2"}, "expected a number above 0"},
+           {paved, {"--picture", file("z.svg"), "--axes", "x,q"}, "'q' is not a parameter"},
+           {paved, {"--picture", file("z.svg"), "--slices", "phi=1"}, "expected p=N"},
+           {paved, {"--picture", file("z.vtu"), "--range", "x=0"}, "this motion has 2"},
+           {paved, {"--axes", "x,y"}, "--axes needs --picture"},
+           {paved, {"--resolution", "0"}, "expected a number above 0"},
+           {loaded, {"--picture", file("z.svg"), "--axes", "x,q"}, "'q' is not a parameter"},
+       }) {
+    for (const char* name : {"z", "z.svg", "way.vtu"}) write_file(file(name), name);
+    Words words = asked;
+    words.insert(words.end(), {"--certificate", file("z")});
+    words.insert(words.end(), options.begin(), options.end());
+    const CommandResult result = regulus(words);
+    EXPECT_EQ(result.exit_code, 64) << result.errors;
+    EXPECT_THAT(result.errors, HasSubstr(what));
+    for (const char* name : {"z", "z.svg", "way.vtu"})
+      EXPECT_EQ(file_contents(file(name)), name) << what;
+  }
+}
+
 TEST_F(UserFiles, TwoOutputsOfOneNameAreRefusedBeforeAnythingIsMoved) {
   const auto expect_refused = [this](const Words& words, const std::string& what) {
     for (const char* name : {"z", "z.old"}) write_file(file(name), name);

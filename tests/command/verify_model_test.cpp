@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/cached_command.hpp"
@@ -11,8 +12,11 @@ namespace regulus::test {
 namespace {
 
 using nlohmann::json;
+using testing::AllOf;
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::SizeIs;
 
 class VerifyModel : public testing::Test {
  protected:
@@ -82,18 +86,24 @@ TEST_F(VerifyModel, ReportsWhatOptionsHaveChanged) {
   certify(kPlanar, {"regular", "--tolerance", "base=0.1", "--range", "x=-1:2", "--alpha", "1/50"});
   const json changed = report(kPlanar);
   EXPECT_EQ(changed["outcome"], "verified") << changed;
+  const auto is = [](const std::string& place, const std::string& now) {
+    return AllOf(HasSubstr(place), HasSubstr("but the certificate has '" + now + '\''));
+  };
   EXPECT_THAT(changed["differences"],
-              ElementsAre("range x -1 : 2 instead of -2 : 4", "tolerance base 1/10 instead of 0",
-                          "alpha 1/50 instead of 0"));
+              AllOf(SizeIs(6), Contains(is("motion.regular.alpha is '0'", "1/50")),
+                    Contains(is("motion.regular.x[0] is '-2'", "-1")),
+                    Contains(is("motion.regular.x[1] is '4'", "2")),
+                    Contains(is("geometry.a3.tolerance is '0'", "1/10"))));
   EXPECT_THAT(verify(kPlanar, {"--allow-options"}).errors,
-              HasSubstr("with range x -1 : 2 instead of -2 : 4, tolerance base 1/10"));
+              HasSubstr("differs    motion.regular.alpha is '0'"));
 }
 
 /// The singular poses of the file are outside of the range of the proof.
 TEST_F(VerifyModel, RefusesWhatOptionsHaveChangedUnlessItMayDiffer) {
   certify(kPlanar, {"crossing", "--range", "phi=-1/4:-1/8"});
   EXPECT_TRUE(is_verified_without_the_model());
-  expect_refused(kPlanar, "it has range phi -1/4 : -1/8 instead of -1/12*pi : 1/3*pi");
+  expect_refused(kPlanar,
+                 "but the certificate has '-1/4' in line 10; the option allow-options takes");
   EXPECT_EQ(verify(kPlanar, {"--quiet"}).output, "REJECTED\n");
   EXPECT_EQ(verify(kPlanar, {"--quiet", "--allow-options"}).output, "VERIFIED\n");
 }
@@ -103,23 +113,24 @@ TEST_F(VerifyModel, ConfirmsAParameterThatAnOptionSetFree) {
   EXPECT_EQ(report(kRobot1)["outcome"], "verified");
   certify(kPlanar, {"circle", "--range", "phi=-4*deg:-3*deg"});
   EXPECT_THAT(report(kPlanar)["differences"],
-              ElementsAre("range phi -1/45*pi : -1/60*pi instead of -1/36*pi"));
+              ElementsAre(HasSubstr("the certificate has '-1/45*pi'"),
+                          HasSubstr("the certificate has '-1/60*pi'")));
 }
 
 /// After each change the certificate is consistent, true, and verified by itself.
 TEST_F(VerifyModel, RefusesAnotherRobotUnderTheSameHash) {
-  const std::pair<const char*, const char*> changes[] = {
-      {"constant a2_1 = 1591/100", "constant a2_1 = 1590/100"},
-      {"constant side_12 = 426/25", "constant side_12 = 427/25"},
-      {"model planar 3-RPR", "model planar 3-PRR"},
-      {"entry 0", "entry 1/1000000"},
-      {"\nproof\n", "\nconstraint x - 3\nproof\n"},
+  const std::array<const char*, 3> changes[] = {
+      {"constant a2_1 = 1591/100", "constant a2_1 = 1590/100", "geometry.a2.value[0] is '15.91'"},
+      {"constant side_12 = 426/25", "constant side_12 = 427/25", "geometry.side_12"},
+      {"model planar 3-RPR", "model planar 3-PRR", "name is 'planar 3-RPR'"},
+      {"entry 0", "entry 1/1000000", "matrix.rows"},
+      {"\nproof\n", "\nconstraint x - 3\nproof\n", "states 'constraint'"},
   };
-  for (const auto& [from, to] : changes) {
+  for (const auto& [from, to, place] : changes) {
     certify(kPlanar, {"regular"});
     tamper(from, to);
     EXPECT_TRUE(is_verified_without_the_model()) << to;
-    expect_refused(kPlanar, "where the model file gives");
+    expect_refused(kPlanar, place);
   }
 }
 
@@ -127,22 +138,29 @@ TEST_F(VerifyModel, RefusesAMotionWithLessControlErrorOrFewerConstraints) {
   certify(kPlanar, {"circle"});
   tamper("+- 1/100", "+- 1/1000");
   EXPECT_TRUE(is_verified_without_the_model());
-  expect_refused(kPlanar, "where the model file gives 'pose x = ");
+  expect_refused(kPlanar, "motion.circle.error.x is ");
 
   certify(kPlanar, {"reach"});
   std::string text = file_contents(certificate_);
   const std::size_t at = text.find("\nconstraint ");
   text.erase(at, text.find('\n', at + 1) - at);
   write_file(certificate_, text);
-  expect_refused(kPlanar, "where the model file gives 'constraint ");
+  expect_refused(kPlanar, "motion.reach.constraints[0] is");
 }
 
+/// An option sets a whole group.
 TEST_F(VerifyModel, RefusesAToleranceThatOneOfAGroupDoesNotHave) {
-  certify(kPlanar, {"regular", "--tolerance", "base=0.1"});
-  tamper("uncertain a3_2 = 10 +- 1/10", "constant a3_2 = 10");
-  tamper("value of the 6 uncertain", "value of the 5 uncertain");
-  EXPECT_TRUE(is_verified_without_the_model());
-  expect_refused(kPlanar, "reads 'constant a3_2 = 10'");
+  const char* const of_one = "uncertain a3_2 = 10 +- 1/10";
+  for (const auto& [to, quantities] :
+       {std::pair("constant a3_2 = 10", "5"), {"uncertain a3_2 = 10 +- 1/20", "6"}}) {
+    certify(kPlanar, {"regular", "--tolerance", "base=0.1"});
+    EXPECT_EQ(verify(kPlanar, {"--quiet", "--allow-options"}).output, "VERIFIED\n");
+    tamper(of_one, to);
+    tamper("value of the 6 uncertain", std::string("value of the ") + quantities + " uncertain");
+    EXPECT_TRUE(is_verified_without_the_model());
+    EXPECT_THAT(std::string(report(kPlanar)["reason"]),
+                HasSubstr("and another value for others of the same group"));
+  }
 }
 
 /// The form that `margin` writes at the lower end of a tolerance.
@@ -158,12 +176,16 @@ TEST_F(VerifyModel, TakesAQuantityOfNoSpreadForAConstant) {
 TEST_F(VerifyModel, RefusesAMotionThatTheModelDoesNotHave) {
   certify(kPlanar, {"regular"});
   tamper("motion regular", "motion regulax");
-  expect_refused(kPlanar, "'regular'");
+  expect_refused(kPlanar, "the file has no motion 'regulax'");
 }
 
 TEST_F(VerifyModel, RefusesAnotherFile) {
   certify(kPlanar, {"regular"});
   expect_refused(kRobot1, "SHA-256");
+  // The same values, and another comment.
+  const std::string copy = directory_.path() / "copy.toml";
+  write_file(copy, file_contents(kPlanar) + "# later\n");
+  expect_refused(copy, "SHA-256");
 }
 
 TEST_F(VerifyModel, SaysWhatIsWrongWithFiles) {

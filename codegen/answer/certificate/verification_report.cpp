@@ -16,8 +16,7 @@ const char* json_name(verifier::Outcome outcome) {
 }  // namespace
 
 nlohmann::ordered_json json_verification(const VerificationRequest& request,
-                                         const Verified& verified) {
-  const verifier::Verification& v = verified.verification;
+                                         const verifier::Verification& v) {
   nlohmann::ordered_json report = {{"outcome", json_name(v.outcome)},
                                    {"reason", v.reason},
                                    {"claim", v.claim},
@@ -36,7 +35,7 @@ nlohmann::ordered_json json_verification(const VerificationRequest& request,
   report["certificate"] = request.path;
   report["model_file"] = nullptr;
   if (!request.model.empty()) report["model_file"] = request.model;
-  report["differences"] = verified.differences;
+  report["differences"] = v.differences;
   report["numbers_compared"] = v.numbers;
   return report;
 }

@@ -9,6 +9,6 @@ namespace regulus {
 
 /// Returns the report of `regulus verify --json`. Its texts may have any bytes.
 [[nodiscard]] nlohmann::ordered_json json_verification(const VerificationRequest& request,
-                                                       const Verified& verified);
+                                                       const verifier::Verification& v);
 
 }  // namespace regulus

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "runtime/verifier/verify.hpp"
 
@@ -15,15 +14,10 @@ struct VerificationRequest {
   std::string waypoints{};  ///< the file of way-points that check took; empty: none
   /// Ranges, tolerances, alpha and larger control errors may be other than the file's; they are listed.
   bool allows_options = false;
-  verifier::Options options{};  ///< its path, model and overridden values are set by verify_file
-};
-
-struct Verified {
-  verifier::Verification verification;
-  std::vector<std::string> differences;  ///< from the model file
+  verifier::Options options{};  ///< its path, model and way-points are set by verify_file
 };
 
 /// Throws    FileError if a file cannot be read, InputError for the model file.
-[[nodiscard]] Verified verify_file(const VerificationRequest& request);
+[[nodiscard]] verifier::Verification verify_file(const VerificationRequest& request);
 
 }  // namespace regulus

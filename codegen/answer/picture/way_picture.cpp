@@ -90,7 +90,7 @@ void add_legends(Plot& plot, const DrawnStretches& paving) {
 
 }  // namespace
 
-WayPictures::WayPictures(const PictureRequest& request) {
+void require_way_pictures(const PictureRequest& request) {
   const bool has_choice = !request.axes.empty() || !request.slices.empty();
   if (has_choice || request.shade != Shade::kWorst)
     throw UsageError(fmt::format(
@@ -104,6 +104,10 @@ WayPictures::WayPictures(const PictureRequest& request) {
           "--picture {}: boxes in space need three motion parameters with ranges; a motion along "
           "way-points is drawn as .svg, .pdf or .png",
           file));
+}
+
+WayPictures::WayPictures(const PictureRequest& request) {
+  require_way_pictures(request);
   for (const std::string& file : request.files)
     drawings_.push_back({file, std::make_unique<Gnuplot>(file)});
 }

@@ -14,7 +14,7 @@
 
 namespace regulus {
 
-/// What is drawn.
+/// A paving to be drawn.
 struct DrawnStretches {
   std::string title;
   const Trajectory& trajectory;
@@ -22,10 +22,13 @@ struct DrawnStretches {
   ClaimWord word;
 };
 
+/// Throws UsageError for options that such a picture does not have.
+void require_way_pictures(const PictureRequest& request);
+
 class WayPictures {
  public:
   /// Opens the files and starts gnuplot, so that errors are reported before the search. Throws
-  /// UsageError for options that such a picture does not have, FileError.
+  /// FileError, and what require_way_pictures throws.
   explicit WayPictures(const PictureRequest& request);
 
   /// Throws FileError if a picture cannot be written.

@@ -32,7 +32,7 @@ Clock::time_point time_after(double seconds) {
   return Clock::now() + std::chrono::duration_cast<Clock::duration>(limit);
 }
 
-/// What the tree does not know. Outcomes that are not in order yet would have to be trusted.
+/// Keeps what the tree does not know. Outcomes that are not in order yet would have to be trusted.
 SearchState without_claims(SearchState state) {
   state.early = {};
   return state;

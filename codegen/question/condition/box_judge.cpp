@@ -19,6 +19,14 @@ void keep_attained(BoxFinding& finding, const std::vector<Interval>& point,
   if (shown.condition > known) finding.attained.emplace(ConditionWitness{point, std::move(shown)});
 }
 
+void find_bound(RotatedBoxes& boxes, std::size_t lane, BoxFinding& finding) {
+  const std::optional<RotatedBox> rotated = boxes.rotated(lane);
+  finding.is_undefined = !rotated;
+  if (rotated) finding.bound = bound_condition(*rotated);
+  // Perhaps constraints exclude the box: all variables must become small to show it.
+  if (!boxes.matrices().is_inhabited(lane)) finding.bound.impact.clear();
+}
+
 BoxJudge::BoxJudge(const ConditionQuestion& question)
     : problem_(question.problem),
       rotated_(question.problem, question.scaling),
@@ -32,11 +40,7 @@ void BoxJudge::judge(std::span<const Box> boxes, std::span<BoxFinding> findings,
     BoxFinding& finding = findings[lane];
     finding.is_outside = matrices_.is_outside(lane);
     if (finding.is_outside) continue;
-    const std::optional<RotatedBox> rotated = rotated_.rotated(lane);
-    finding.is_undefined = !rotated;
-    if (rotated) finding.bound = bound_condition(*rotated);
-    // Perhaps constraints exclude the box: all variables must become small to show it.
-    if (!matrices_.is_inhabited(lane)) finding.bound.impact.clear();
+    find_bound(rotated_, lane, finding);
     if (attained == kInfinity) {
       finding.bound.growth.clear();
       continue;

@@ -30,6 +30,11 @@ struct BoxFinding {
   std::optional<ConditionWitness> attained{};
 };
 
+/// Bounds κ over the box of a lane, which has been evaluated and is not outside.
+///
+/// Rounding  MXCSR at nearest.
+void find_bound(RotatedBoxes& boxes, std::size_t lane, BoxFinding& finding);
+
 /// Notes κ at a point, if it is above `attained` and what the finding has.
 ///
 /// Shape     A row-major; encloses the matrix of the problem's kernel there.

@@ -21,7 +21,8 @@ void PathJudge::judge(std::span<const Box> boxes, std::span<BoxFinding> findings
     const Box& box = boxes[lane];
     finding.is_outside = path_.is_beyond(box) || matrices_.is_outside(lane);
     if (finding.is_outside) continue;
-    find_bound(box, lane, finding);
+    find_bound(rotated_, lane, finding);
+    finding.bound.impact = path_.impact(box, finding.bound.impact);
     if (attained == kInfinity || PathVariety::is_group(box[0])) continue;
     if (!(finding.bound.upper > attained)) continue;
     places.push_back(path_.place(box, {}));
@@ -34,15 +35,6 @@ void PathJudge::judge(std::span<const Box> boxes, std::span<BoxFinding> findings
     const std::size_t count = std::min<std::size_t>(kLanes, places.size() - first);
     show(std::span(places).subspan(first, count), std::span(of).subspan(first, count), attained);
   }
-}
-
-void PathJudge::find_bound(const Box& box, std::size_t lane, BoxFinding& finding) {
-  const std::optional<RotatedBox> rotated = rotated_.rotated(lane);
-  finding.is_undefined = !rotated;
-  if (rotated) finding.bound = bound_condition(*rotated);
-  // Perhaps constraints exclude the box: all variables must become small to show it.
-  if (!matrices_.is_inhabited(lane)) finding.bound.impact.clear();
-  finding.bound.impact = path_.impact(box, finding.bound.impact);
 }
 
 void PathJudge::show(std::span<const Box> places, std::span<BoxFinding* const> of,

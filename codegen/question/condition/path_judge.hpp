@@ -45,7 +45,6 @@ class PathJudge {
   [[nodiscard]] static double& bound(BoxFinding& finding) { return finding.bound.upper; }
 
  private:
-  void find_bound(const Box& box, std::size_t lane, BoxFinding& finding);
   void show(std::span<const Box> places, std::span<BoxFinding* const> of, double attained);
 
   const PathVariety& path_;

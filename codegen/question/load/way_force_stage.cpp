@@ -33,7 +33,7 @@ class WayForceGoal {
   }
   [[nodiscard]] bool has_ended() const { return open_.empty(); }
 
-  /// Of rounds of an earlier run only the parts are judged that it says to be held or outside.
+  /// In rounds of an earlier run it judges only the parts that are said to be held or outside.
   void fill(std::vector<std::vector<Interval>>& boxes, std::uint64_t) {
     while (boxes.empty() && !course_.must_pause()) {
       take_parts();

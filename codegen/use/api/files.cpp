@@ -15,8 +15,8 @@ namespace regulus {
 
 namespace {
 
-ProofOutcome outcome_of(const Verified& verified) {
-  switch (verified.verification.outcome) {
+ProofOutcome outcome_of(const verifier::Verification& verification) {
+  switch (verification.outcome) {
     case verifier::Outcome::kVerified:
       return ProofOutcome::kVerified;
     case verifier::Outcome::kRejected:
@@ -35,11 +35,10 @@ Confirmation verify(const std::string& path, const VerifyOptions& options) {
   request.options.threads = options.threads;
   request.options.time_limit = options.time_limit;
   if (options.max_boxes > 0) request.options.max_boxes = options.max_boxes;
-  const Verified verified = verify_file(request);
-  const verifier::Verification& verification = verified.verification;
+  const verifier::Verification verification = verify_file(request);
   // Labels are untrusted bytes.
-  return {outcome_of(verified), verification.claim, verification.reason,
-          report_text(json_verification(request, verified), 2)};
+  return {outcome_of(verification), verification.claim, verification.reason,
+          report_text(json_verification(request, verification), 2)};
 }
 
 Imported import_file(const std::string& path, const ImportOptions& options) {

@@ -6,9 +6,9 @@
 #include "codegen/model/file/read_file.hpp"
 #include "codegen/model/import/import.hpp"
 #include "codegen/support/errors.hpp"
-#include "codegen/use/command/answer.hpp"
 #include "codegen/use/command/commands.hpp"
 #include "codegen/use/command/import_output.hpp"
+#include "codegen/use/command/terminal.hpp"
 
 namespace regulus {
 

@@ -10,11 +10,11 @@
 #include "codegen/answer/page_of_answers.hpp"
 #include "codegen/answer/report/report_text.hpp"
 #include "codegen/question/margin/prepared_margin.hpp"
-#include "codegen/use/command/answer.hpp"
 #include "codegen/use/command/commands.hpp"
 #include "codegen/use/command/interrupt.hpp"
 #include "codegen/use/command/run_question.hpp"
 #include "codegen/use/command/shared_options.hpp"
+#include "codegen/use/command/terminal.hpp"
 
 namespace regulus {
 namespace {

@@ -10,8 +10,8 @@
 #include "codegen/answer/ask.hpp"
 #include "codegen/answer/report/report_text.hpp"
 #include "codegen/support/errors.hpp"
-#include "codegen/use/command/answer.hpp"
 #include "codegen/use/command/interrupt.hpp"
+#include "codegen/use/command/terminal.hpp"
 
 namespace regulus {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "codegen/answer/certificate/verification_report.hpp"
 #include "codegen/answer/report/report_text.hpp"
-#include "codegen/use/command/answer.hpp"
 #include "codegen/use/command/commands.hpp"
+#include "codegen/use/command/terminal.hpp"
 
 namespace regulus {
 namespace {
@@ -35,17 +35,6 @@ VerificationRequest request_of(const VerifyCommand& command, const VerifiedPart&
   return request;
 }
 
-std::string model_lines(const VerifyCommand& command, const Verified& verified) {
-  if (command.model.empty() || verified.verification.outcome == Outcome::kRejected) return "";
-  std::string lines = "question   that of " + command.model;
-  const char* begin = ", with ";
-  for (const std::string& difference : verified.differences) {
-    lines += begin + difference;
-    begin = ", ";
-  }
-  return lines + '\n';
-}
-
 }  // namespace
 
 void prove_part(const VerifyCommand& command, const VerifiedPart& part) {
@@ -54,14 +43,15 @@ void prove_part(const VerifyCommand& command, const VerifiedPart& part) {
 
 int run_verify(const VerifyCommand& command, const VerifiedPart& part) {
   const VerificationRequest request = request_of(command, part);
-  const Verified verified = verify_file(request);
+  const Verification verification = verify_file(request);
   if (request.options.progress) std::cerr << "\r\033[K";
-  const Verification& verification = verified.verification;
+  const bool is_of_model = !command.model.empty() && verification.outcome == Outcome::kVerified;
   if (!command.output.quiet)
-    print_report(verifier::describe(verification) + model_lines(command, verified));
+    print_report(verifier::describe(verification) +
+                 (is_of_model ? "question   that of " + command.model + '\n' : ""));
   if (command.output.json)
     // Labels are untrusted bytes.
-    std::cout << report_text(json_verification(request, verified), command.output.json_indent)
+    std::cout << report_text(json_verification(request, verification), command.output.json_indent)
               << '\n';
   else
     print_answer(verifier::name(verification.outcome), static_cast<int>(verification.outcome));

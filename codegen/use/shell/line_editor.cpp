@@ -17,7 +17,7 @@
 #include <histedit.h>
 #endif
 
-#include "codegen/use/command/answer.hpp"
+#include "codegen/use/command/terminal.hpp"
 #include "codegen/use/shell/shell_completion.hpp"
 
 namespace regulus {

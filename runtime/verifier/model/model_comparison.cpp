@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "runtime/files/sha256.hpp"
 #include "runtime/verifier/model/closure_comparison.hpp"
 #include "runtime/verifier/model/load_comparison.hpp"
 #include "runtime/verifier/model/motion_comparison.hpp"
@@ -220,12 +221,37 @@ class ModelComparison {
   const std::set<std::string> compared_;  ///< the keys that are compared elsewhere
 };
 
+void require_labels(const Question& question, const WrittenValues& values, const Options& options) {
+  const auto refuse = [&options](const std::string& why) {
+    throw OtherModel("the certificate is not about " + options.model_name + ": " + why);
+  };
+  if (question.sha256 != "-" && question.sha256 != sha256(options.model_text))
+    refuse("the SHA-256 of that file differs");
+  const auto name = values.find("name");
+  const bool is_plain = name != values.end() && name->second.text.find('\\') == std::string::npos;
+  if (is_plain && name->second.text != question.model)
+    refuse("line " + std::to_string(name->second.line) + ": name is '" + name->second.text +
+           "', but the certificate has '" + question.model + "'");
+}
+
 }  // namespace
 
 void compare_with_model(Question& question, const WrittenValues& values, const Options& options,
                         Verification& result, const std::vector<std::string>& compared,
                         CutSides* sides) {
   ModelComparison(question, values, options, result, compared, sides).run();
+}
+
+void compare_with_file(Question& question, const WrittenValues& values, const Options& options,
+                       Verification& result, const std::vector<std::string>& compared,
+                       CutSides* sides) {
+  try {
+    compare_with_model(question, values, options, result, compared, sides);
+  } catch (const Unfinished&) {
+    require_labels(question, values, options);
+    throw;
+  }
+  require_labels(question, values, options);
 }
 
 }  // namespace regulus::verifier

@@ -26,4 +26,10 @@ void compare_with_model(Question& question, const WrittenValues& values, const O
                         Verification& result, const std::vector<std::string>& compared = {},
                         CutSides* sides = nullptr);
 
+/// The same. Then throws OtherModel, also instead of Unfinished, unless the labels of the question are
+/// those of the file: its name, and its SHA-256 or "-".
+void compare_with_file(Question& question, const WrittenValues& values, const Options& options,
+                       Verification& result, const std::vector<std::string>& compared = {},
+                       CutSides* sides = nullptr);
+
 }  // namespace regulus::verifier

@@ -25,6 +25,12 @@ std::string named(const FilePlace& from) {
   return from.place + (from.line == 0 ? "" : ", line " + std::to_string(from.line));
 }
 
+/// Returns "'1/20' in line 12".
+std::string quoted(const StatedValue& stated) {
+  const std::string line = stated.line == 0 ? "" : " in line " + std::to_string(stated.line);
+  return '\'' + shortened(stated.text) + '\'' + line;
+}
+
 std::string kind_of(const std::string& stated) { return stated.substr(0, stated.find(' ')); }
 
 /// What is 0 if it is not stated.
@@ -116,6 +122,7 @@ void QuestionComparer::compare(const FilePlace& from, NodeId value, const std::s
   if (is_entry || kind == "scale") expressions_of_model_.push_back(value);
   if (is_entry || kind == "value") definedness_.require(named(from), value);
   const StatedValue found = stated_or_zero(from, stated);
+  if (option.starts_with("tolerance ")) groups_[option].emplace_back(from, found);
   switch (equality(q_, value, found.node)) {
     case Equality::kDifferent:
       return differ(from, found, option);
@@ -135,14 +142,24 @@ bool QuestionComparer::may_differ(const std::string& option) const {
 void QuestionComparer::differ(const FilePlace& from, const StatedValue& stated,
                               const std::string& option) {
   if (!may_differ(option)) {
-    std::string line = stated.line == 0 ? "" : " in line " + std::to_string(stated.line);
-    refuse(from, '\'' + shortened(stated.text) + '\'' + line);
+    const std::string hint =
+        option.empty() ? "" : "; the option allow-options takes what options have changed";
+    refuse(from, quoted(stated) + hint);
   }
-  // An option sets all members of a group alike.
+  changed_.insert(option);
+  // The coordinates of a point share the place of their tolerance.
   std::string difference = at_line(from.line) + from.place + " is '" + shortened(from.text) +
                            "', but the certificate has '" + shortened(stated.text) + '\'';
   if (std::ranges::find(result_.differences, difference) == result_.differences.end())
     result_.differences.push_back(std::move(difference));
+}
+
+/// An option sets all members of a group alike.
+void QuestionComparer::require_equal_tolerances() {
+  for (const std::string& option : changed_)
+    for (const auto& [from, stated] : groups_[option])
+      if (equality(q_, groups_[option].front().second.node, stated.node) != Equality::kEqual)
+        refuse(from, quoted(stated) + ", and another value for others of the same group");
 }
 
 void QuestionComparer::refuse(const FilePlace& from, const std::string& stated) {
@@ -217,6 +234,7 @@ void QuestionComparer::compare_balls() const {
 }
 
 void QuestionComparer::finish(bool has_balls) {
+  require_equal_tolerances();
   if (has_balls) compare_balls();
   for (std::string& sentence : definedness_.missing()) left_out_.push_back(std::move(sentence));
   for (const auto& [key, stated] : q_.stated)

@@ -2,8 +2,10 @@
 // Compares single values of a model file with what a certificate states, and knows what is left.
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "runtime/verifier/model/cut_sides.hpp"
@@ -79,6 +81,7 @@ class QuestionComparer final : public SectionComparer {
   void differ(const FilePlace& from, const StatedValue& stated, const std::string& option);
   [[nodiscard]] bool is_number_of_degrees(const std::string& stated) const;
   void compare_balls() const;
+  void require_equal_tolerances();
 
   Question& q_;
   const WrittenValues& values_;
@@ -90,8 +93,10 @@ class QuestionComparer final : public SectionComparer {
   const Scope no_names_;
   FileExpressions expressions_;
   Definedness definedness_;
-  std::set<std::string> used_;             ///< keys of Question::stated
-  std::vector<std::string> left_out_;      ///< sentences
+  std::set<std::string> used_;     ///< keys of Question::stated
+  std::set<std::string> changed_;  ///< the options that have changed a value
+  std::map<std::string, std::vector<std::pair<FilePlace, StatedValue>>> groups_;  ///< by option
+  std::vector<std::string> left_out_;                                             ///< sentences
   std::set<std::set<std::string>> balls_;  ///< of the file, by the names of the coordinates
   std::vector<NodeId> expressions_of_model_;
 };

@@ -138,8 +138,11 @@ class Run {
  private:
   void prepare(const Base& base) {
     const std::string model = model_of(base);
-    const auto certificate = answer_about(base, model, folder_.path()).certificate;
+    auto certificate = answer_about(base, model, folder_.path()).certificate;
     if (!certificate) throw std::runtime_error(std::string("no certificate of ") + base.name);
+    // The sum of the file would refuse each change of it, whatever else is compared.
+    const std::size_t sum = certificate->find("\nsha256 ") + 8;
+    certificate->replace(sum, certificate->find('\n', sum) - sum, "-");
     // The search may have read another file of way-points: it is written again.
     genuine_.push_back({&base, model, *certificate, {}});
     genuine_.back().answer = verify_about(base, *certificate, model, folder_.path());

@@ -289,7 +289,7 @@ TEST_P(Shards, AreVerifiedTogetherAndOnlyTogether) {
     const std::string name = fs::path(cut.path).filename();
     if (GetParam().claim.is_repeatable) expect_same_proof(cut, path("whole" + name.substr(3)));
     VerificationRequest request{cut.path, model_, "", true, {}};
-    const Verification v = verify_file(request).verification;
+    const Verification v = verify_file(request);
     EXPECT_EQ(v.outcome, Outcome::kVerified) << v.reason;
     EXPECT_GT(v.numbers, 0U);
   }

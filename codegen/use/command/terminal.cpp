@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/use/command/answer.hpp"
+#include "codegen/use/command/terminal.hpp"
 
 #include <unistd.h>
 
