@@ -69,6 +69,8 @@ class ClosureCheck final : public CheckAnswer {
     proof = certify_branch(services.certificate, prepared_, found_.searched,
                            {nullptr, services.shard_size});
     if (proof.is_lost()) lost.push_back(proof.obstacle());
+    if (proof.is_wanted() && found_.is_refuted())
+      proof.set_obstacle("a singular configuration of a [closure] has no certificate");
     result = check_result(prepared_, found_);
     for (const VariableLabel& variable : prepared_.preparation.labels.variables)
       variables.push_back(variable.name);

@@ -35,6 +35,8 @@ constexpr std::string_view kNoCheckpointOfFiniteErrors =
 constexpr std::string_view kNoRanksOfClosures =
     "the search over a [closure] runs in one process only; use regulus";
 constexpr std::string_view kNoPageOfClosures = "a page does not show a [closure]; ask check";
+constexpr std::string_view kNoShardsOfClosures =
+    "the boxes of a branch are linked, so its proof is one file; leave the shards out";
 constexpr std::string_view kNoProofOfPavings =
     "where the branch of a [closure] is certain has no proof; ask check for one";
 constexpr std::string_view kNoFiniteErrors =
@@ -58,6 +60,7 @@ constexpr Refusal kRefusals[] = {
     {kWayLoad, kTheorem, kNoTheorem},
     {kWayLoadPaving, kTheorem, kNoTheorem},
     {kWayDatasheet, kTheorem, kNoWayTheorem},
+    {kClosureCheck, kShards, kNoShardsOfClosures},
     {kClosureCheck, kTheorem, kNoTheoremOfClosures},
     {kClosureCheck, kRanks, kNoRanksOfClosures},
     {kClosureCheck, kPage, kNoPageOfClosures},
@@ -66,6 +69,7 @@ constexpr Refusal kRefusals[] = {
     {kClosurePaving, kTheorem, kNoProofOfPavings},
     {kClosurePaving, kRanks, kNoRanksOfClosures},
     {kClosurePaving, kPage, kNoPageOfClosures},
+    {kClosureMargin, kShards, kNoShardsOfClosures},
     {kClosureMargin, kTheorem, kNoTheoremOfClosures},
     {kClosureMargin, kCheckpoint, kNoCheckpointOfMargins},
     {kClosureMargin, kRanks, kNoRanksOfClosures},
