@@ -2,6 +2,8 @@
 // The files of a question, and what every answer does with its services.
 #pragma once
 
+#include <exception>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,5 +30,15 @@ void set_outputs_aside(const ModelOptions& model, const SearchOptions& search,
 [[nodiscard]] FormingWatch watch_of(const Services& services, const SearchOptions& search);
 /// Returns what says whether a terminal shows the progress.
 [[nodiscard]] OutputOptions display_of(const Services& services);
+
+/// Returns what `read` returns; nothing if it throws. A question is refused before the files of an
+/// earlier run are set aside. What is wrong with the model is said afterwards, when it is read again:
+/// no file of another model may stay under its name.
+template <class Read>
+[[nodiscard]] auto if_readable(const Read& read) -> decltype(read()) try {
+  return read();
+} catch (const std::exception&) {
+  return std::nullopt;
+}
 
 }  // namespace regulus

@@ -258,7 +258,7 @@ std::optional<std::string_view> refusal(Kind kind, Service service) {
 void refuse_services(Kind kind, const ModelOptions& model, const SearchOptions& search,
                      const Services& services) {
   const FormingWatch watch = watch_of(services, search);
-  if (const std::optional<Request> closed = read_closure(model, watch)) {
+  if (const auto closed = if_readable([&] { return read_closure(model, watch); })) {
     refuse_services_of(of_closure(kind), search, services);
     refuse_changed_options(kOptionsOfClosures, model, search);
     if (closed->motion.trajectory) throw UsageError(std::string(kNoWayOfClosures));
@@ -267,7 +267,8 @@ void refuse_services(Kind kind, const ModelOptions& model, const SearchOptions& 
   refuse_services_of(kind, search, services);
   const Kind along = along_way(kind);
   if (!refusal(along, kAnswer) && !has_refused_service(along, search, services)) return;
-  if (read_trajectory(model, watch)) refuse_services_of(along, search, services);
+  if (if_readable([&] { return read_trajectory(model, watch); }))
+    refuse_services_of(along, search, services);
 }
 
 void refuse_changed_options(std::span<const OptionRefusal> refused, const ModelOptions& model,

@@ -34,11 +34,12 @@ void refuse_paving(const std::string& resolution, const ModelOptions& model,
   for (const std::string& file : pictures.files) require_picture_format(file);
   if (pictures.files.empty() && pictures.axes.empty() && pictures.slices.empty()) return;
   const FormingWatch watch = watch_of(services, search);
-  const Request request = read_request(model, &watch);
-  if (request.motion.trajectory)
+  const auto request = if_readable([&] { return std::optional(read_request(model, &watch)); });
+  if (!request) return;
+  if (request->motion.trajectory)
     require_way_pictures(pictures);
   else
-    require_pictures(pictures, request.motion);
+    require_pictures(pictures, request->motion);
 }
 
 }  // namespace regulus

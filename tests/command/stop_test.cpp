@@ -80,9 +80,9 @@ class Stop : public testing::TestWithParam<StoppedQuestion> {
     if (result.exit_code == 2) {
       EXPECT_THAT(result.output,
                   AnyOf(HasSubstr("POSSIBLE PROBLEM"), HasSubstr("possible-problem"),
-                        HasSubstr("NOTHING KNOWN"), HasSubstr("SAFE UP TO"), HasSubstr("AT LEAST"),
-                        HasSubstr("AT MOST"), HasSubstr("BELOW"), HasSubstr("BETWEEN"),
-                        HasSubstr("quantity")))
+                        HasSubstr("NOTHING KNOWN"), HasSubstr("SAFE UP TO"),
+                        HasSubstr("NOT SAFE AT"), HasSubstr("AT LEAST"), HasSubstr("AT MOST"),
+                        HasSubstr("BELOW"), HasSubstr("BETWEEN"), HasSubstr("quantity")))
           << when << '\n'
           << result.errors;
     }
