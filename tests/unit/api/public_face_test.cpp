@@ -3,8 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
+#include <random>
 #include <stdexcept>
 
 #include "codegen/use/api/regulus.hpp"
@@ -118,6 +121,86 @@ TEST(PublicFace, APreparedQuestionForgetsNoRangeAfterAnError) {
         prepared.check(Question(outside).range("x", "2", "exp(10000)").range("y", "2", "3"))));
     EXPECT_EQ(prepared.check(outside).verdict, Verdict::kNoSingularity);
   }
+}
+
+/// Whether the ranges hold a pose on the circle of radius 1, in multiples of 1/8.
+bool meets_circle(const std::vector<Interval>& ranges) {
+  double nearest = 0, farthest = 0;
+  for (const Interval& x : ranges) {
+    const double near = std::max({0.0, x.lo, -x.hi}), far = std::max(-x.lo, x.hi);
+    nearest += near * near, farthest += far * far;
+  }
+  return nearest <= 1 && 1 <= farthest;
+}
+
+TEST(PublicFace, APreparedQuestionTakesRangesOfDoubles) {
+  const Question outside(circle(), "outside");
+  regulus::PreparedQuestion prepared(outside, interpreted());
+  ASSERT_EQ(prepared.parameters(), (std::vector<std::string>{"x", "y"}));
+  std::mt19937 random(3);
+  std::uniform_int_distribution<int> eighths(-16, 16);
+  int singular = 0;
+  for (int step = 0; step < 300; ++step) {
+    std::vector<Interval> ranges;
+    for (int k = 0; k < 2; ++k) {
+      const auto [lo, hi] = std::minmax({eighths(random), eighths(random)});
+      ranges.emplace_back(lo / 8.0, hi / 8.0);
+    }
+    const bool meets = meets_circle(ranges);
+    singular += meets ? 1 : 0;
+    EXPECT_EQ(prepared.check(ranges).verdict,
+              meets ? Verdict::kSingularity : Verdict::kNoSingularity)
+        << ranges[0].lo << ' ' << ranges[0].hi << ' ' << ranges[1].lo << ' ' << ranges[1].hi;
+    if (step % 10 == 0) {
+      EXPECT_EQ(prepared.check(outside).verdict, Verdict::kNoSingularity);
+    }
+  }
+  EXPECT_GT(singular, 50);
+  EXPECT_LT(singular, 250);
+}
+
+/// Tolerances and threshold are those of the question that was prepared, whatever was asked since.
+TEST(PublicFace, RangesOfDoublesAreThoseOfTheQuestionThatWasPrepared) {
+  const Question outside = Question(circle(), "outside").tolerance("platform", "1/2").alpha("2");
+  regulus::PreparedQuestion prepared(outside, interpreted());
+  const std::vector<Interval> far = {{2, 3}, {0, 1}}, near = {{1.75, 3}, {0, 1}};
+  const auto verdict = [&](const auto& asked) { return prepared.check(asked).verdict; };
+  // The determinant's least value is 4 − 9/4.
+  EXPECT_EQ(verdict(far), Verdict::kSingularity);
+  EXPECT_EQ(verdict(Question(outside).tolerance("platform", "1/4").range("x", "2", "3")),
+            Verdict::kNoSingularity);
+  EXPECT_EQ(verdict(far), Verdict::kSingularity);
+  EXPECT_EQ(verdict(std::vector<Interval>{{2.25, 3}, {0, 1}}), Verdict::kNoSingularity);
+  EXPECT_EQ(verdict(Question(circle(), "outside").range("x", "3/2", "3").range("y", "0", "1")),
+            Verdict::kNoSingularity);
+  EXPECT_EQ(verdict(near), Verdict::kSingularity);
+}
+
+TEST(PublicFace, APreparedQuestionRefusesRangesThatAreNone) {
+  const double infinite = std::numeric_limits<double>::infinity(),
+               none = std::numeric_limits<double>::quiet_NaN();
+  regulus::PreparedQuestion prepared(Question(circle(), "outside"), interpreted());
+  for (const std::vector<Interval>& wrong : {std::vector<Interval>{},
+                                             {{2, 3}},
+                                             {{2, 3}, {2, 3}, {2, 3}},
+                                             {{2, 3}, {none, 3}},
+                                             {{2, 3}, {3, 2}},
+                                             {{2, infinite}, {2, 3}}})
+    EXPECT_THROW(static_cast<void>(prepared.check(wrong)), regulus::UsageError);
+  EXPECT_EQ(prepared.check(std::vector<Interval>{{2, 3}, {2, 3}}).verdict, Verdict::kNoSingularity);
+}
+
+TEST(PublicFace, RangesOfDoublesStayWithinTheLimitsOfJoints) {
+  const Question arm = Question::of_text(
+      "regulus = 1\nname = \"arm\"\n[serial]\njoints = [\n"
+      "  { name = \"a\", type = \"revolute\" },\n"
+      "  { name = \"b\", type = \"revolute\", xyz = [1, 0, 0], axis = [0, 1, 0] },\n"
+      "]\n[motion.limits]\na = [-1, 1]\nb = [0.5, 1]\n[motion.part]\na = [0, 1]\nb = [0.5, 1]\n",
+      "arm.toml", "part");
+  regulus::PreparedQuestion prepared(arm, interpreted());
+  static_cast<void>(prepared.check(std::vector<Interval>{{-1, 1}, {0.5, 1}}));
+  EXPECT_THROW(static_cast<void>(prepared.check(std::vector<Interval>{{-1, 1.0000001}, {0.5, 1}})),
+               regulus::InputError);
 }
 
 TEST(PublicFace, BoundsAQuantity) {
