@@ -40,6 +40,8 @@ set(floors
     "codegen/question/margin"
     "codegen/question/way"
     "codegen/question/bound codegen/question/condition codegen/question/load codegen/question/closure"
+    "codegen/question/solve/solutions"
+    "codegen/question/solve"
     "codegen/answer/picture codegen/answer/page"
     "codegen/answer"
     "codegen/use/api"
