@@ -137,6 +137,16 @@ constexpr Key kFiniteErrors[] = {
     {"obstacle", "text?", "why there is no bound"},
 };
 
+constexpr Key kSolve[] = {
+    {"solution_units", "text{}", "by unknown"},
+    {"solutions", "solution[]", "pairwise different"},
+    {"open_boxes", "enclosure{}[]", "that may hold others"},
+    {"complex_solutions", "count?", "of a count: those that were certified"},
+    {"how", "text?", "completeness is shown; null: it is not"},
+    {"obstacle", "text?", "why completeness is not shown"},
+    {"stopped_by", "text?", "the limit that ended the search"},
+};
+
 constexpr Key kDatasheet[] = {
     {"interrupted", "flag"},
     {"bounds", "sheet_entry[]"},
@@ -197,6 +207,7 @@ const std::vector<ObjectKind>& report_kinds() {
       {"bound", "bound", {kNotes, kBound}, kOfBound},
       {"finite_error", "bound error --finite", {kFiniteErrors}, kOfBracket},
       {"datasheet", "datasheet", {kDatasheet}, kOfBracket},
+      {"solutions", "solve", {kSolve}, "complete|none|incomplete"},
       {"forces",
        "check --load and locate --load",
        {kForces, kSubject, kNonempty, kBlocking, kForceShares, kCertificate},
