@@ -119,6 +119,7 @@ constexpr Key kBranch[] = {
 };
 constexpr Key kFold[] = {
     {"parameters", "enclosure{}"},
+    {"uncertain", "enclosure{}"},
     {"unknowns", "enclosure{}"},
     {"direction", "enclosure{}", "of the unknowns, with the motors locked"},
     {"on_branch", "flag", "configurations of the motion lead to it from the start"},
