@@ -61,6 +61,7 @@ constexpr Key kCertificate[] = {
     {"certificate_note?", "text", "why the verifier may not finish"},
 };
 constexpr Key kCheck[] = {
+    {"kernel", "edited_kernel?", "the text whose functions the claim is about; null: the model's"},
     {"filters", "filter[]"},
     {"leaves", "count{}", "certified boxes by the test that certified them"},
     {"nearest_singular?", "nearest_singular", "where the matrix is nearest to losing rank"},
@@ -137,6 +138,16 @@ constexpr Key kFiniteErrors[] = {
     {"obstacle", "text?", "why there is no bound"},
 };
 
+constexpr Key kSolve[] = {
+    {"solution_units", "text{}", "by unknown"},
+    {"solutions", "solution[]", "pairwise different"},
+    {"open_boxes", "enclosure{}[]", "that may hold others"},
+    {"complex_solutions", "count?", "of a count: those that were certified"},
+    {"how", "text?", "completeness is shown; null: it is not"},
+    {"obstacle", "text?", "why completeness is not shown"},
+    {"stopped_by", "text?", "the limit that ended the search"},
+};
+
 constexpr Key kDatasheet[] = {
     {"interrupted", "flag"},
     {"bounds", "sheet_entry[]"},
@@ -183,12 +194,11 @@ const std::vector<ObjectKind>& report_kinds() {
        kOfMatrix},
       {"margin",
        "margin",
-       {kReason, kNotes, kMethod, kBracket, kClosure, kNonempty, kWitness, kEndCertificates},
+       {kReason, kNotes, kMethod, kBracket, kClosure, kNonempty, kWitness, kEndProofs},
        kOfBracket},
       {"path_margin",
        "margin of a motion along way-points",
-       {kReason, kWay, kWayMatrix, kMethod, kBracket, kNonempty, kSegment, kWitness,
-        kEndCertificates},
+       {kReason, kWay, kWayMatrix, kMethod, kBracket, kNonempty, kSegment, kWitness, kEndProofs},
        kOfBracket},
       {"limit_margin",
        "margin --quantity --limit",
@@ -197,6 +207,7 @@ const std::vector<ObjectKind>& report_kinds() {
       {"bound", "bound", {kNotes, kBound}, kOfBound},
       {"finite_error", "bound error --finite", {kFiniteErrors}, kOfBracket},
       {"datasheet", "datasheet", {kDatasheet}, kOfBracket},
+      {"solutions", "solve", {kSolve}, "complete|none|incomplete"},
       {"forces",
        "check --load and locate --load",
        {kForces, kSubject, kNonempty, kBlocking, kForceShares, kCertificate},

@@ -19,6 +19,13 @@ constexpr std::string_view kNoBoxes = "a picture is of the boxes of a paving; as
 constexpr std::string_view kOneMethod = "for a load there is one method; leave the option out";
 constexpr std::string_view kOneMethodOfClosures =
     "for a [closure] there is one method; leave the option out";
+constexpr std::string_view kOneKernel =
+    "only check, over ranges and without a load, takes the text of a kernel; leave the option out";
+constexpr std::string_view kNoProofOfTexts =
+    "a proof file is about the model, and not about the text of a kernel; leave one of the two out";
+constexpr std::string_view kNoPageOfTexts =
+    "a page proves again what the model says, and not the text of a kernel; leave one of the two "
+    "out";
 constexpr std::string_view kNoTheorem =
     "Coq proves what the regularity of a matrix says; regulus-verify proves this";
 constexpr std::string_view kNoClosure =
@@ -46,6 +53,21 @@ constexpr std::string_view kNoFiniteErrors =
 constexpr std::string_view kNoProofOfFiniteErrors =
     "finite errors have no proof in a file; ask check for one of the branch";
 constexpr std::string_view kNoWayTheorem = "Coq has the theorem about a force over ranges alone";
+
+constexpr std::string_view kNoProofOfSolutions =
+    "a list of all solutions has no proof in a file; leave the certificate out";
+constexpr std::string_view kNoCheckpointOfSolutions =
+    "a search for all solutions keeps no checkpoint; leave it out";
+constexpr std::string_view kNoRanksOfSolutions =
+    "a search for all solutions runs in one process only; use regulus";
+constexpr std::string_view kNoPageOfSolutions =
+    "a page does not show a list of solutions; leave the page out";
+constexpr std::string_view kNoWayOfSolutions =
+    "solutions are those at one place; name a motion that has one, or give its values by at";
+constexpr std::string_view kNoBoxesOfSolutions =
+    "a picture is of the boxes of a paving, not of solutions";
+constexpr std::string_view kOneMethodOfSolutions =
+    "all solutions are found by one method; leave the option out";
 
 using enum Kind;
 using enum Service;
@@ -88,6 +110,21 @@ constexpr Refusal kRefusals[] = {
     {kClosureFiniteErrors, kCheckpoint, kNoCheckpointOfFiniteErrors},
     {kClosureFiniteErrors, kRanks, kNoRanksOfClosures},
     {kClosureFiniteErrors, kPage, kNoPageOfClosures},
+    {kWaySolve, kAnswer, kNoWayOfSolutions},
+    {kSolve, kProof, kNoProofOfSolutions},
+    {kSolve, kShards, kNoProofOfSolutions},
+    {kSolve, kTheorem, kNoProofOfSolutions},
+    {kSolve, kCheckpoint, kNoCheckpointOfSolutions},
+    {kSolve, kRanks, kNoRanksOfSolutions},
+    {kSolve, kPage, kNoPageOfSolutions},
+    {kSolve, kPicture, kNoBoxesOfSolutions, false},
+    {kClosureSolve, kProof, kNoProofOfSolutions},
+    {kClosureSolve, kShards, kNoProofOfSolutions},
+    {kClosureSolve, kTheorem, kNoProofOfSolutions},
+    {kClosureSolve, kCheckpoint, kNoCheckpointOfSolutions},
+    {kClosureSolve, kRanks, kNoRanksOfSolutions},
+    {kClosureSolve, kPage, kNoPageOfSolutions},
+    {kClosureSolve, kPicture, kNoBoxesOfSolutions, false},
     // What has no boxes has no picture.
     {kCheck, kPicture, kNoBoxes, false},
     {kMargin, kPicture, kNoBoxes, false},
@@ -110,6 +147,7 @@ constexpr Refusal kRefusals[] = {
 
 constexpr OptionRefusal kOptionsOfLoads[] = {
     {"alpha", "forces have no threshold; change the limits in [actuators]"},
+    {"kernel", kOneKernel},
     {"filter", "a filter tests a matrix, not forces"},
     {"method", kOneMethod},
     {"determinant", kOneMethod},
@@ -122,6 +160,7 @@ constexpr OptionRefusal kOptionsOfLoads[] = {
 };
 
 constexpr OptionRefusal kOptionsOfClosures[] = {
+    {"kernel", kOneKernel},
     {"filter", "a filter tests a matrix, not equations"},
     {"method", kOneMethodOfClosures},
     {"determinant", kOneMethodOfClosures},
@@ -131,6 +170,19 @@ constexpr OptionRefusal kOptionsOfClosures[] = {
     {"precision", kOneMethodOfClosures},
     {"symbolic-budget", kOneMethodOfClosures},
     {"without", kOneMethodOfClosures},
+};
+
+constexpr OptionRefusal kOptionsOfSolutions[] = {
+    {"alpha", "solutions have no threshold; leave it out"},
+    {"filter", "a filter tests a matrix, not equations"},
+    {"method", kOneMethodOfSolutions},
+    {"determinant", kOneMethodOfSolutions},
+    {"entries", kOneMethodOfSolutions},
+    {"bisect", kOneMethodOfSolutions},
+    {"uncertainty", kOneMethodOfSolutions},
+    {"precision", kOneMethodOfSolutions},
+    {"symbolic-budget", kOneMethodOfSolutions},
+    {"without", kOneMethodOfSolutions},
 };
 
 /// The same question along way-points, and of a model with a closure.
@@ -147,6 +199,7 @@ std::vector<std::string_view> changed_options(const ModelOptions& model,
     if (differs) changed.push_back(option);
   };
   add("alpha", !model.alpha.empty());
+  add("kernel", search.kernel != usual.kernel);
   add("filter", search.filters != usual.filters);
   add("method", search.method != usual.method);
   add("determinant", search.determinant != usual.determinant);
@@ -183,7 +236,19 @@ bool has_refused_service(Kind kind, const SearchOptions& search, const Services&
   });
 }
 
+/// Only a search of one motion's own kernel, in one process, can take another text for it.
+void refuse_text(Kind kind, const SearchOptions& search, const Services& services) {
+  if (search.kernel.empty()) return;
+  if (kind != kCheck || search.workers != nullptr)
+    throw UsageError(fmt::format("{}kernel: {}", services.dashes, kOneKernel));
+  if (!services.certificate.empty())
+    throw UsageError(fmt::format("{}certificate: {}", services.dashes, kNoProofOfTexts));
+  if (!services.page.empty())
+    throw UsageError(fmt::format("{}page: {}", services.dashes, kNoPageOfTexts));
+}
+
 void refuse_services_of(Kind kind, const SearchOptions& search, const Services& services) {
+  refuse_text(kind, search, services);
   if (const auto why = refusal(kind, kAnswer)) throw UsageError(std::string(*why));
   for (const RequestedService& request : requested(search, services))
     if (const auto why = refusal(kind, request.service))
@@ -233,7 +298,8 @@ std::string name(Kind kind) {
       "margin",       "margin --quantity",
       "bound",        "bound condition --norm 2",
       "check --load", "locate --load",
-      "datasheet",    "bound error --finite"};
+      "datasheet",    "bound error --finite",
+      "solve"};
   const auto number = std::size_t(kind);
   static constexpr std::array<const char*, 3> kAbout = {"", ", along way-points", ", of a closure"};
   return std::string(kNames[number % kVarieties]) + kAbout[number / kVarieties];
@@ -248,6 +314,8 @@ std::string_view name(Service service) {
 std::span<const Refusal> refusals() { return kRefusals; }
 std::span<const OptionRefusal> option_refusals_of_loads() { return kOptionsOfLoads; }
 std::span<const OptionRefusal> option_refusals_of_closures() { return kOptionsOfClosures; }
+
+std::span<const OptionRefusal> option_refusals_of_solutions() { return kOptionsOfSolutions; }
 
 std::optional<std::string_view> refusal(Kind kind, Service service) {
   for (const Refusal& row : kRefusals)

@@ -58,7 +58,7 @@ constexpr const char* kShellFooter =
     "line\n"
     "set keep-going on, it continues.\n"
     "Exit: the code of that error, otherwise of the last check, locate, margin,\n"
-    "bound, datasheet or verify.";
+    "bound, datasheet, solve or verify.";
 
 constexpr const char* kReportFooter =
     "The page needs no network and no other file. It proves the verdict again in the browser, as "
@@ -112,6 +112,9 @@ void add_paving_options(CLI::App& app, LocateCommand& command) {
                       .description(""))
       ->type_name("{worst,share}")
       ->default_str("worst");
+  app.add_flag("--robot", command.pictures.robot,
+               "Draw the robot over the map, at the middle of the ranges: a model whose [drawing] "
+               "is in a plane");
 }
 
 void add_margin_options(CLI::App& app, MarginCommand& command) {
@@ -190,6 +193,7 @@ CommandTables::CommandTables(const std::string& shell_commands) : app(kDescripti
   add_margin();
   add_bound();
   add_datasheet();
+  add_solve();
   add_report();
   explain_command = app.add_subcommand(
       "explain", "Show the symbolic forms and the occurrences of each variable before and after");
@@ -240,6 +244,7 @@ void CommandTables::add_check() {
   add_waypoint_options(*check_command, check.model);
   add_search_options(*check_command, check.search);
   add_filter_option(*check_command, check.search);
+  add_kernel_option(*check_command, check.search);
   add_certificate_option(*check_command, check.certificate, kCheckCertificate);
   add_shard_option(*check_command, check.shard_size);
   add_checkpoint_options(*check_command, check.checkpoint);
