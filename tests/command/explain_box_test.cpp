@@ -15,14 +15,14 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-constexpr const char* kModel =
+constexpr const char* kMatrixOfBox =
     "regulus = 1\nname = \"small\"\n[pose]\nx = \"m\"\ny = \"m\"\n"
     "[matrix]\nrows = [[\"x + y^2\", \"y\"], [\"-y\", \"1 + x\"]]\n"
     "[motion.m]\nx = [1, 2]\ny = [0, 1]\n[motion.wide]\nx = [-3, 2]\ny = [-1, 1]\n";
 
 class ExplainBox : public testing::Test {
  protected:
-  ExplainBox() { write_file(model_, kModel); }
+  ExplainBox() { write_file(model_, kMatrixOfBox); }
 
   [[nodiscard]] json evaluation(const std::vector<std::string>& more) const {
     std::vector<std::string> words = {kCommand, "explain", model_, "m", "--box", "--json"};
