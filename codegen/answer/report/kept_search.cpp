@@ -59,11 +59,10 @@ void correct(Checkpoint& from, const RetoldTree& told, const RestoredTree& tree)
   state.filter_boxes = told.filter_boxes;
   state.witness = told.witness;
   state.witness_reason = told.witness_reason;
-  if (told.blocked && !state.blocked) {
-    state.blocked = true;
+  state.blocked = told.blocked.has_value();
+  if (told.blocked) {
     state.blocked_reason = told.blocked_reason;
     state.blocking_box = tree.box(*told.blocked);
-    state.boxes_when_blocked = state.statistics.boxes;
   }
   if (told.reopened.empty()) return;
   state.units.clear();  // they do not have these boxes
@@ -189,7 +188,7 @@ void KeptSearch::save(const SearchState& state, const OpenBoxes& open) {
   for (std::size_t i = 0; i < open.size(); ++i)
     tree_.add_open(open.at(i).id, std::numeric_limits<double>::infinity());
   file_->known()[place_][kState] =
-      write_checkpoint(question_, without_claims(state), open, std::nullopt);
+      write_checkpoint(question_, without_claims(state), open);
   file_->keep(tree_, place_);
 }
 
