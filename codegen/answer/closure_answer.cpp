@@ -21,7 +21,6 @@
 #include "codegen/question/margin/margin_run.hpp"
 #include "codegen/question/margin/prepared_margin.hpp"
 #include "codegen/question/way/path_attempts.hpp"
-#include "codegen/support/errors.hpp"
 #include "runtime/problem/observers.hpp"
 
 namespace regulus {
@@ -90,7 +89,7 @@ class ClosureCheck final : public CheckAnswer {
   std::string checkpoint_line_;
 };
 
-/// Where is the branch certain, and where does it end? Boxes are told when they are linked.
+/// The answer says where the branch is certain, and where it ends. Boxes are told when they are linked.
 class ClosurePaving final : public PavingAnswer {
  public:
   ClosurePaving(Request request, double model_seconds, const AskPaving& asked,
@@ -168,9 +167,6 @@ class ClosureMargin final : public MarginAnswer {
         search_(asked.search),
         gap_(read_gap(asked.gap)),
         request_(std::move(request), question_) {
-    if (!services.checkpoint.path.empty())
-      throw UsageError(services.dashes +
-                       "checkpoint: the bracket of a closure is not continued; leave it out");
     services.begin_search();
     HeldFiles held;
     const OutputOptions display = display_of(services);
@@ -222,8 +218,6 @@ class FiniteErrorAnswer final : public BoundAnswer {
   FiniteErrorAnswer(Request request, const AskBound& asked, const Services& services)
       : request_(std::move(request)), search_(asked.search), gap_(read_gap(asked.gap)) {
     const std::vector<std::size_t> unknowns = unknowns_of(request_, asked.quantity, asked.limit);
-    if (!services.certificate.empty() || !services.checkpoint.path.empty())
-      throw UsageError("finite errors have no certificate and no checkpoint yet; leave them out");
     services.begin_search();
     SearchDisplay display(display_of(services));
     found_ = bound_finite_errors(request_, unknowns, gap_, search_, watch_of(services, search_),

@@ -3,6 +3,7 @@
 
 #include "codegen/answer/outputs.hpp"
 #include "codegen/answer/picture/picture_options.hpp"
+#include "codegen/answer/picture/robot_shape.hpp"
 #include "codegen/answer/picture/way_picture.hpp"
 #include "codegen/answer/report/paving_options.hpp"
 #include "codegen/model/exact/certain_sign.hpp"
@@ -12,17 +13,18 @@ namespace regulus {
 namespace {
 
 /// Refuses what no picture over these ranges can have: names and ranges of the search are enough.
-void require_pictures(const PictureRequest& pictures, const Motion& motion) {
+void require_pictures(const PictureRequest& pictures, const Request& request) {
   SearchSubject subject;
   PavingOptions paving;
-  for (const MotionParameter& p : motion.parameters) {
+  for (const MotionParameter& p : request.motion.parameters) {
     if (certain_sign(p.range.hi - p.range.lo) == CertainSign::kPositive)
       paving.axes.push_back(subject.labels.variables.size());
     subject.labels.variables.push_back({p.name, p.unit});
     subject.variety.outer.push_back(
         {enclose_constant(p.range.lo, p.name).lo, enclose_constant(p.range.hi, p.name).hi});
   }
-  static_cast<void>(resolve_pictures(pictures, paving, subject));
+  const PictureOptions options = resolve_pictures(pictures, paving, subject);
+  if (options.robot) require_robot_shape(request, subject, options);
 }
 
 }  // namespace
@@ -32,14 +34,15 @@ void refuse_paving(const std::string& resolution, const ModelOptions& model,
   if (!resolution.empty()) static_cast<void>(read_resolution(resolution));
   const PictureRequest& pictures = services.pictures;
   for (const std::string& file : pictures.files) require_picture_format(file);
-  if (pictures.files.empty() && pictures.axes.empty() && pictures.slices.empty()) return;
+  if (pictures.files.empty() && pictures.axes.empty() && pictures.slices.empty() && !pictures.robot)
+    return;
   const FormingWatch watch = watch_of(services, search);
   const auto request = if_readable([&] { return std::optional(read_request(model, &watch)); });
   if (!request) return;
   if (request->motion.trajectory)
     require_way_pictures(pictures);
   else
-    require_pictures(pictures, request->motion);
+    require_pictures(pictures, *request);
 }
 
 }  // namespace regulus

@@ -159,8 +159,8 @@ struct ClaimedBound {
 /// Returns the claim about a closure of as many equations as the set has rows in words.
 [[nodiscard]] inline std::string describe_closure_claim(const ClaimedSet& set) {
   return "the mechanism has exactly one configuration on its branch, and the " +
-         std::to_string(set.rows) + " equations are defined and regular there, " +
-         describe_place(set, true) + " of the variety";
+         (set.rows == 1 ? "equation is" : std::to_string(set.rows) + " equations are") +
+         " defined and regular there, " + describe_place(set, true) + " of the variety";
 }
 
 /// Returns a claim about singularity in words. Nothing but these functions words a claim.

@@ -46,13 +46,14 @@ TEST_F(PictureFile, ShowsAPlaneWithItsUnitsAndLegend) {
       draw("plane.svg", {kPlanar, "crossing", "--range", "x=0", "--axes", "y,phi"});
   EXPECT_EQ(result_.exit_code, 1);
   EXPECT_THAT(svg, AllOf(HasSubstr("planar 3-RPR, crossing"), HasSubstr("x = 0"),
-                         HasSubstr("phi (rad)"), HasSubstr("free "), HasSubstr("singular ")));
+                         HasSubstr("phi (deg)"), HasSubstr("<title>planar 3-RPR, crossing</title>"),
+                         HasSubstr("free "), HasSubstr("singular ")));
   EXPECT_LT(svg.size(), 60000u);
 }
 
 TEST_F(PictureFile, SaysWhichRangesAreProjected) {
   const std::string svg = draw("projected.svg", {kPlanar, "crossing", "--resolution", "1/8"});
-  EXPECT_THAT(svg, HasSubstr("phi in [-0.261799, 1.0472] rad: the worst of them"));
+  EXPECT_THAT(svg, HasSubstr("phi in [−15, 60] deg: the worst of them"));
 }
 
 TEST_F(PictureFile, ShowsTheDeterminantOverATrajectory) {
@@ -86,8 +87,9 @@ TEST_F(PictureFile, ShowsSlicesSideBySide) {
   const std::string svg = draw("slices.svg", {kPlanar, "crossing", "--resolution", "1/8",
                                               "--slices", "phi=4", "--axes", "y,x"});
   EXPECT_EQ(result_.exit_code, 1) << result_.errors;
-  EXPECT_THAT(svg, AllOf(HasSubstr("phi = -0.098"), HasSubstr("phi = 0.88"), HasSubstr(">y<"),
-                         HasSubstr("parts of the 3-D volume"), Not(HasSubstr("the worst of"))));
+  EXPECT_THAT(svg,
+              AllOf(HasSubstr("phi = −5.625 deg"), HasSubstr("phi = 50.625 deg"), HasSubstr(">y<"),
+                    HasSubstr("parts of the 3-D volume"), Not(HasSubstr("the worst of"))));
 }
 
 TEST_F(PictureFile, ShowsWhichShareIsFree) {
@@ -253,7 +255,7 @@ TEST(Gnuplot, ReportsItsComplaint) {
   const TemporaryDirectory folder;
   Gnuplot gnuplot((folder.path() / "p.svg").string());
   try {
-    gnuplot.draw("plot nonsense(\n");
+    gnuplot.draw("plot nonsense(\n", "");
     FAIL();
   } catch (const FileError& error) {
     EXPECT_THAT(error.what(), AllOf(HasSubstr("could not draw"), HasSubstr("nonsense")));
@@ -271,9 +273,10 @@ TEST(Gnuplot, LeavesThePictureThatWasThereUntilItHasAnother) {
   std::ofstream(file) << "an earlier picture, longer than what is drawn now";
   { const Gnuplot gnuplot(file.string()); }
   EXPECT_THAT(text_of_picture(file), HasSubstr("an earlier picture"));
-  Gnuplot(file.string()).draw("set terminal svg\nplot x\n");
+  Gnuplot(file.string()).draw("set terminal svg\nplot x\n", "x < y & z");
   EXPECT_THAT(text_of_picture(file), testing::Not(HasSubstr("picture")));
-  EXPECT_THAT(text_of_picture(file), HasSubstr("</svg>"));
+  EXPECT_THAT(text_of_picture(file),
+              AllOf(HasSubstr("<title>x &lt; y &amp; z</title>"), HasSubstr("</svg>")));
 }
 
 TEST(Gnuplot, LeavesNoFileWithoutAPicture) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// For every motion of every model, the report of a warm run is that of the cold run.
+// For every motion of every model that is compiled, the report of a warm run is that of the cold
+// run.
 #include <gtest/gtest.h>
 
 #include "codegen/model/file/model_file.hpp"
@@ -21,8 +22,9 @@ std::vector<Question> every_question() {
   std::vector<Question> questions;
   for (const auto& file : std::filesystem::directory_iterator(REGULUS_SOURCE_DIR "/models")) {
     if (file.path().extension() != ".toml") continue;
-    for (const Motion& motion : load_model(file.path()).motions)
-      questions.push_back({file.path(), motion.name});
+    const Model model = load_model(file.path());
+    if (model.closure) continue;  // nothing is compiled for it
+    for (const Motion& motion : model.motions) questions.push_back({file.path(), motion.name});
   }
   return questions;
 }

@@ -13,7 +13,7 @@ cmake_minimum_required(VERSION 3.25)
 set(floors
     "runtime/files"
     "runtime/interval"
-    "runtime/kernel runtime/regularity runtime/existence"
+    "runtime/kernel runtime/regularity runtime/existence runtime/solutions"
     "runtime/machine runtime/problem"
     "runtime/cluster runtime/evaluation"
     "runtime/witness"
@@ -40,6 +40,8 @@ set(floors
     "codegen/question/margin"
     "codegen/question/way"
     "codegen/question/bound codegen/question/condition codegen/question/load codegen/question/closure"
+    "codegen/question/solve/solutions"
+    "codegen/question/solve"
     "codegen/answer/picture codegen/answer/page"
     "codegen/answer"
     "codegen/use/api"

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string_view>
 
 #include "codegen/answer/report/number_text.hpp"
@@ -28,13 +29,27 @@ std::string superscript(int number) {
   return text;
 }
 
+/// Returns the distance of ticks: 1, 2 or 5 times a power of ten, or a usual number of degrees.
+double step_of(double width, int most_ticks, bool is_angle) {
+  if (is_angle)
+    for (const double degrees : {1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 90.0, 180.0})
+      if (width > most_ticks && width <= most_ticks * degrees) return degrees;
+  const double power = std::pow(10.0, std::floor(std::log10(width / most_ticks)));
+  for (const double digit : {1.0, 2.0, 5.0})
+    if (width <= most_ticks * digit * power) return digit * power;
+  return 10 * power;
+}
+
 }  // namespace
 
-Axis::Axis(Interval range, const std::string& name, const std::string& unit) : range_(range) {
-  std::string scale = unit_suffix(unit);
+Axis::Axis(Interval range, const std::string& name, const std::string& unit, int most_ticks)
+    : range_(range), is_angle_(unit == "rad"), most_ticks_(most_ticks) {
+  if (is_angle_) factor_ = 180 / std::numbers::pi;
+  std::string scale = unit_suffix(is_angle_ ? "deg" : unit);
   if (!scale.empty()) scale.erase(0, 1);
-  if (const int exponent = exponent_of(range); exponent != 0) {
-    factor_ = std::pow(10.0, -exponent);
+  const Interval shown(range.lo * factor_, range.hi * factor_);
+  if (const int exponent = exponent_of(shown); exponent != 0) {
+    factor_ *= std::pow(10.0, -exponent);
     scale = fmt::format("× 10{}{}{}", superscript(exponent), scale.empty() ? "" : " ", scale);
   }
   label_ = scale.empty() ? name : fmt::format("{} ({})", name, scale);
@@ -45,13 +60,25 @@ std::string Axis::ends(Interval x) const {
 }
 
 std::string Axis::range_command(const char* axis) const {
-  return fmt::format("set {}range [{:.9g}:{:.9g}]\n", axis, range_.lo * factor_,
-                     range_.hi * factor_);
+  const double lo = range_.lo * factor_, hi = range_.hi * factor_;
+  std::string command = fmt::format("set {}range [{:.9g}:{:.9g}]\n", axis, lo, hi);
+  if (const double width = hi - lo; most_ticks_ > 0 && width > 0 && std::isfinite(width))
+    command += fmt::format("set {}tics {:.9g}\n", axis, step_of(width, most_ticks_, is_angle_));
+  return command;
 }
 
-Axis axis_of(const SearchSubject& p, std::size_t variable) {
+Axis axis_of(const SearchSubject& p, std::size_t variable, int most_ticks) {
   const VariableLabel& label = p.labels.variables[variable];
-  return {p.variety.outer[variable], label.name, label.unit};
+  return {p.variety.outer[variable], label.name, label.unit, most_ticks};
+}
+
+std::string drawn_text(const VariableLabel& variable, const Interval& value) {
+  const bool is_angle = variable.unit == "rad";
+  const double factor = is_angle ? 180 / std::numbers::pi : 1;
+  const std::string ends = short_interval({value.lo * factor, value.hi * factor});
+  std::string text = fmt::format("{}{}", ends, unit_suffix(is_angle ? "deg" : variable.unit));
+  for (std::size_t at; (at = text.find('-')) < ends.size();) text.replace(at, 1, "−");
+  return fmt::format("{} {} {}", variable.name, ends.front() == '[' ? "in" : "=", text);
 }
 
 }  // namespace regulus

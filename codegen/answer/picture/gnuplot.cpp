@@ -39,6 +39,17 @@ bool is_whole(const std::string& drawing, const std::string& file) {
   return std::string_view(drawing).substr(0, end).ends_with(ending);
 }
 
+/// gnuplot names every SVG after itself.
+std::string titled(std::string drawing, const std::string& title) {
+  constexpr std::string_view kOwn = "<title>Gnuplot</title>";
+  const std::size_t at = drawing.find(kOwn);
+  if (at == std::string::npos) return drawing;
+  std::string text;
+  for (const char c : title)
+    text += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
+  return drawing.replace(at, kOwn.size(), "<title>" + text + "</title>");
+}
+
 }  // namespace
 
 Gnuplot::Gnuplot(const std::string& picture) : picture_(picture), file_(opened(picture)) {
@@ -93,12 +104,12 @@ std::string Gnuplot::complaint() const {
   return size > 0 ? ":\n" + std::string(text.data(), std::size_t(size)) : "";
 }
 
-void Gnuplot::draw(const std::string& commands) {
+void Gnuplot::draw(const std::string& commands, const std::string& title) {
   const bool sent = send_all(commands);
   shutdown(input_, SHUT_WR);
   if (process_->wait() != 0 || !sent)
     throw FileError("gnuplot could not draw " + picture_ + complaint());
-  const std::string picture = drawing();
+  const std::string picture = titled(drawing(), title);
   if (!is_whole(picture, picture_))
     throw FileError("gnuplot did not finish " + picture_ +
                     "; look for a limit of file size (ulimit -f) or of memory" + complaint());

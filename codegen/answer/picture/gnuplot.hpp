@@ -20,9 +20,9 @@ class Gnuplot {
   Gnuplot(const Gnuplot&) = delete;
   Gnuplot& operator=(const Gnuplot&) = delete;
 
-  /// Sends the commands, waits for the end and writes the picture. Throws FileError, with gnuplot's
-  /// message if gnuplot fails.
-  void draw(const std::string& commands);
+  /// Sends the commands, waits for the end and writes the picture; `title` is the name of an SVG.
+  /// Throws FileError, with gnuplot's message if gnuplot fails.
+  void draw(const std::string& commands, const std::string& title);
 
   /// Returns an expression for a text: parts in single quotes, inside which nothing but the quote is
   /// special, and the variable of kQuoteCommand for each quote. Removes control characters; a

@@ -6,6 +6,7 @@
 
 #include "codegen/answer/picture/gnuplot.hpp"
 #include "codegen/answer/picture/plot.hpp"
+#include "codegen/answer/picture/robot_shape.hpp"
 
 namespace regulus {
 namespace {
@@ -84,7 +85,8 @@ void add_share_legends(Plot& plot, const PictureOptions& options, const Volumes&
 
 std::string map_commands(const PreparedSearch& p, const PictureOptions& options,
                          const Volumes& volumes, const Canvas& canvas, bool has_legend) {
-  Plot plot(axis_of(p, options.drawn[0]), axis_of(p, options.drawn[1]));
+  const int most_ticks = options.slices.empty() ? 8 : 4;
+  Plot plot(axis_of(p, options.drawn[0], most_ticks), axis_of(p, options.drawn[1], most_ticks));
   const VariableLabel& across = p.labels.variables[options.drawn[0]];
   const VariableLabel& up = p.labels.variables[options.drawn[1]];
   const Interval x = plot.across().range(), y = plot.up().range();
@@ -97,6 +99,7 @@ std::string map_commands(const PreparedSearch& p, const PictureOptions& options,
     add_claims(plot, canvas);
     if (has_legend) add_legends(plot, options, volumes);
   }
+  if (options.robot) add_robot_shape(plot, p, options, canvas.slice());
   return "set ylabel " + Gnuplot::quoted(plot.up().label()) + '\n' +
          (equal ? "set size ratio -1\n" : "") + plot.commands();
 }

@@ -41,11 +41,6 @@ std::string terminal(const std::string& file, Grid grid) {
       720 * across, 580 * up);
 }
 
-std::string value_text(const VariableLabel& variable, double value) {
-  return fmt::format("{} = {}{}", variable.name, short_interval(Interval(value)),
-                     unit_suffix(variable.unit));
-}
-
 /// Returns the motion parameters that are not drawn, with their values or ranges.
 std::vector<std::string> describe_others(const PreparedSearch& p, const PictureOptions& options) {
   std::vector<std::string> words;
@@ -56,8 +51,7 @@ std::vector<std::string> describe_others(const PreparedSearch& p, const PictureO
     if (!is_motion(variable) || is_cut || std::ranges::count(options.drawn, k) != 0) continue;
     const bool ranges = std::ranges::count(options.paving.axes, k) != 0;
     projected = projected || ranges;
-    words.push_back(fmt::format("{} {} {}{}", variable.name, ranges ? "in" : "=",
-                                short_interval(p.variety.outer[k]), unit_suffix(variable.unit)));
+    words.push_back(drawn_text(variable, p.variety.outer[k]));
   }
   if (projected)
     words.back() += options.shade == Shade::kShare
@@ -81,8 +75,7 @@ std::vector<std::string> wrapped(const std::vector<std::string>& words) {
 }
 
 std::string title(const PreparedSearch& p, const PictureOptions& options) {
-  std::string text =
-      Gnuplot::quoted(fmt::format("{}, {}{}", p.labels.model, p.labels.motion, options.subject));
+  std::string text = Gnuplot::quoted(picture_title(p, options));
   for (const std::string& line : wrapped(describe_others(p, options)))
     text += ".newline." + Gnuplot::quoted(line);
   return text + '\n';
@@ -116,15 +109,16 @@ std::string slice_pictures(const PreparedSearch& p, const PictureOptions& option
       title(p, options);
   for (const Canvas& canvas : canvases) {
     const VariableLabel& variable = p.labels.variables[canvas.slice()->axis];
-    text += "set title " + Gnuplot::quoted(value_text(variable, canvas.slice()->value)) + '\n' +
-            map_commands(p, options, volumes, canvas, &canvas == &canvases.front()) + "unset key\n";
+    text += "set title " + Gnuplot::quoted(drawn_text(variable, Interval(canvas.slice()->value))) +
+            '\n' + map_commands(p, options, volumes, canvas, &canvas == &canvases.front()) +
+            "unset key\n";
   }
   return text + "unset multiplot\n";
 }
 
 std::string head(const std::string& file, Grid grid, const std::string& across,
                  const std::string& legend) {
-  return "set encoding utf8\n" + terminal(file, grid) + "newline = \"\\n\"\n" +
+  return "set encoding utf8\nset minussign\n" + terminal(file, grid) + "newline = \"\\n\"\n" +
          Gnuplot::kQuoteCommand + "set xlabel " + Gnuplot::quoted(across) +
          "\nset key at screen 0.5, screen 0.02 center bottom horizontal Left reverse samplen 1.5 " +
          (legend.empty() ? "" : "title " + Gnuplot::quoted(legend)) +
@@ -137,6 +131,10 @@ std::string head(const std::string& file, Grid grid, const std::string& across,
 std::string picture_head(const std::string& file, const std::string& across,
                          const std::string& legend) {
   return head(file, {}, across, legend);
+}
+
+std::string picture_title(const PreparedSearch& p, const PictureOptions& options) {
+  return fmt::format("{}, {}{}", p.labels.model, p.labels.motion, options.subject);
 }
 
 std::string picture_commands(const std::string& file, const PreparedSearch& p,

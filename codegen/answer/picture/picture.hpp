@@ -16,6 +16,10 @@ namespace regulus {
 [[nodiscard]] std::string picture_head(const std::string& file, const std::string& across,
                                        const std::string& legend);
 
+/// Returns the name of a picture: model, motion and subject.
+[[nodiscard]] std::string picture_title(const PreparedSearch& preparation,
+                                        const PictureOptions& options);
+
 /// `canvases`: one for each slice, or one.
 [[nodiscard]] std::string picture_commands(const std::string& file,
                                            const PreparedSearch& preparation,

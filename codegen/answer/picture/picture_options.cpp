@@ -96,11 +96,12 @@ bool is_grid_file(const std::string& file) { return file.ends_with(".vtu"); }
 
 PictureOptions resolve_pictures(const PictureRequest& request, const PavingOptions& paving,
                                 const SearchSubject& p) {
-  PictureOptions options{paving, paving.axes, {}, request.shade};
+  PictureOptions options{paving, paving.axes, {}, request.shade, request.robot};
   if (request.files.empty()) {
     for (const auto& [option, text] :
          {std::pair{"--axes", &request.axes}, std::pair{"--slices", &request.slices}})
       if (!text->empty()) throw UsageError(fmt::format("{} needs --picture", option));
+    if (request.robot) throw UsageError("--robot needs --picture");
   }
   if (!request.slices.empty()) {
     options.slices = parse_slices(request.slices, p, paving.axes);

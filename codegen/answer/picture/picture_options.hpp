@@ -26,6 +26,7 @@ struct PictureOptions {
   std::vector<std::size_t> drawn;  ///< the motion parameters along the axes: two, or the only one
   std::vector<Slice> slices;       ///< a map for each of them; empty: one map
   Shade shade = Shade::kWorst;
+  bool robot = false;  ///< drawn over the map
   WordOfClaim word = name;
   std::string subject{};  ///< of the question, for the title; empty: model and motion say it
 };

@@ -19,6 +19,7 @@ struct PictureRequest {
   std::string axes{};    ///< "p,q"; empty: the first two that are not single values nor sliced
   std::string slices{};  ///< "p=N"; empty: one picture of all values
   Shade shade = Shade::kWorst;
+  bool robot = false;  ///< draw the robot, too
 };
 
 }  // namespace regulus

@@ -55,7 +55,8 @@ std::vector<Observer*> Pictures::observers() {
 void Pictures::draw(const Volumes& volumes) {
   for (Drawing& drawing : drawings_)
     drawing.gnuplot->draw(
-        picture_commands(drawing.file, preparation_, options_, volumes, canvases_));
+        picture_commands(drawing.file, preparation_, options_, volumes, canvases_),
+        picture_title(preparation_, options_));
   const std::string text = boxes_ ? boxes_->text() : "";
   for (GridFile& grid : grids_)
     with_file(grid.name, [&] {

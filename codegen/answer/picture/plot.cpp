@@ -38,6 +38,25 @@ void Plot::add_level(double y, bool broken) {
                                ends.substr(0, ends.find(' ')), broken ? " dashtype 2" : ""));
 }
 
+void Plot::add_path(std::vector<PlacePoint> points, PathStyle path) {
+  if (points.empty()) return;
+  const bool is_body = path == PathStyle::kBase || path == PathStyle::kPlatform;
+  if (is_body) points.push_back(points.front());
+  const std::string block = fmt::format("$path{}", ++paths_);
+  blocks_ += block + " << EOD\n";
+  for (const PlacePoint& p : points)
+    blocks_ += fmt::format("{:.6g} {:.6g}\n", p.across * across_.factor(), p.up * up_.factor());
+  blocks_ += "EOD\n";
+  if (is_body)
+    parts_.push_back(fmt::format(
+        "{} with filledcurves closed fillcolor rgb '{}' fillstyle transparent solid 0.5 noborder "
+        "notitle",
+        block, path == PathStyle::kBase ? "#404040" : "#ffffff"));
+  parts_.push_back(fmt::format(
+      "{} with linespoints linewidth {} pointtype 7 pointsize {} linecolor rgb '#202020' notitle",
+      block, is_body ? 1.5 : 3, path == PathStyle::kPlace ? 1.2 : 0.6));
+}
+
 void Plot::add_legend(const std::string& colour, const std::string& text) {
   parts_.push_back(fmt::format(
       "keyentry with boxes fillcolor rgb '{}' fillstyle solid 1 border rgb '#404040' title {}",

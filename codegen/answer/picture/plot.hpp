@@ -3,6 +3,7 @@
 // their colours, legends.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,14 @@
 #include "runtime/search/paving.hpp"
 
 namespace regulus {
+
+/// A place in the units of the axes.
+struct PlacePoint {
+  double across = 0, up = 0;
+};
+
+/// What a line shows; a place is one point.
+enum class PathStyle : std::uint8_t { kBase, kPlatform, kRod, kPlace };
 
 /// A plot that grows layer by layer. Later layers are drawn over earlier ones.
 class Plot {
@@ -24,6 +33,8 @@ class Plot {
 
   /// Adds a horizontal line; a broken one if `broken`.
   void add_level(double y, bool broken);
+  /// Adds a line through points, with a dot on each; the edge of a body is closed and shaded.
+  void add_path(std::vector<PlacePoint> points, PathStyle path);
   /// Adds a line of the legend.
   void add_legend(const std::string& colour, const std::string& text);
 
@@ -36,6 +47,7 @@ class Plot {
   std::string name_, colour_, lines_;  ///< of the layer that is open
   std::string blocks_;
   std::vector<std::string> parts_;
+  std::size_t paths_ = 0;
 };
 
 /// Returns the colour of a claim, after Okabe and Ito, for readers who cannot distinguish red and

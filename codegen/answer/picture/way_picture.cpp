@@ -92,11 +92,12 @@ void add_legends(Plot& plot, const DrawnStretches& paving) {
 
 void require_way_pictures(const PictureRequest& request) {
   const bool has_choice = !request.axes.empty() || !request.slices.empty();
-  if (has_choice || request.shade != Shade::kWorst)
+  if (has_choice || request.shade != Shade::kWorst || request.robot)
     throw UsageError(fmt::format(
         "--{}: a motion along way-points has no ranges; its picture has a row for each segment",
         !request.axes.empty()     ? "axes"
         : !request.slices.empty() ? "slices"
+        : request.robot           ? "robot"
                                   : "shade"));
   for (const std::string& file : request.files)
     if (is_grid_file(file))
@@ -114,7 +115,7 @@ WayPictures::WayPictures(const PictureRequest& request) {
 
 void WayPictures::draw(const DrawnStretches& paving) {
   for (Drawing& drawing : drawings_)
-    drawing.gnuplot->draw(way_picture_commands(drawing.file, paving));
+    drawing.gnuplot->draw(way_picture_commands(drawing.file, paving), paving.title);
 }
 
 std::string way_picture_commands(const std::string& file, const DrawnStretches& paving) {
@@ -124,7 +125,7 @@ std::string way_picture_commands(const std::string& file, const DrawnStretches& 
   Plot plot({{0, double(rows.a_row())},
              is_one ? "part of the segment" : "segments from the first of the row",
              ""},
-            {{-double(rows.count()), 0}, is_one ? "segment" : "first segment of the row", ""});
+            {{-double(rows.count()), 0}, is_one ? "segment" : "first segment of the row", "", 0});
   for (const Claim claim : kDrawingOrder) {
     plot.begin_layer(name(claim), colour_of(claim));
     for (const PathStretch& stretch : paving.stretches)

@@ -14,7 +14,7 @@ namespace regulus {
 struct FormCandidate {
   std::string passes;  ///< "natural", "collect", "horner", "angles + horner" …
   Occurrences occurrences;
-  /// Of the enclosure over the motion's box, with K of its middle; nullopt: not defined all over it.
+  /// The width over the motion's box, with K of its middle; nullopt: it is not defined all over it.
   std::optional<double> width;
 };
 

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/model/import/body_graph.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+
+#include "codegen/model/names.hpp"
+#include "codegen/support/errors.hpp"
 
 namespace regulus {
 namespace {
@@ -35,6 +40,16 @@ double gap_between(const Point& a, const Point& b) {
 Point exact(const std::array<WrittenNumber, 3>& v) { return {v[0].value, v[1].value, v[2].value}; }
 
 }  // namespace
+
+void require_independent(const Connection& connection, const std::string& file) {
+  if (!connection.mimics) return;
+  throw InputError::statement(
+      file, connection.line,
+      fmt::format("joint {} of a leg follows joint {} (mimic)", in_quotes(connection.name),
+                  in_quotes(*connection.mimics)),
+      "the joints of legs move as the loops let them; write the equations of this robot as a "
+      "[closure]");
+}
 
 BodyGraph::BodyGraph(const Mechanism& mechanism) {
   place_links(mechanism);
@@ -93,9 +108,9 @@ void BodyGraph::connect(const Mechanism& mechanism) {
   for (const ImportedJoint& joint : mechanism.joints) {
     if (joint.type == JointType::kFixed || is_free(joint)) continue;
     const Placement frame = compose(placements_.at(joint.parent), placement_of(joint.origin));
-    connections_.push_back({joint.name, kind_of(joint), body_.at(joint.parent),
-                            body_.at(joint.child), frame.p,
-                            reduced(times(frame.R, exact(joint.axis))), joint.line});
+    connections_.push_back(
+        {joint.name, kind_of(joint), body_.at(joint.parent), body_.at(joint.child), frame.p,
+         reduced(times(frame.R, exact(joint.axis))), joint.line, 0, joint.mimics});
   }
   for (const ImportedLoop& loop : mechanism.loops) {
     const Point point = moved(placements_.at(loop.first), exact(loop.anchor));
@@ -107,7 +122,8 @@ void BodyGraph::connect(const Mechanism& mechanism) {
                             point,
                             {},
                             loop.line,
-                            gap});
+                            gap,
+                            {}});
   }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,11 @@ struct Connection {
   Point axis;                         ///< of a revolute or prismatic joint
   int line = 0;
   double gap = 0;  ///< between its two sides with every joint at zero, beyond rounding
+  std::optional<std::string> mimics{};  ///< the joint that this one follows
 };
+
+/// @throws InputError for a joint of a leg that follows another: the legs move by the loops alone.
+void require_independent(const Connection& connection, const std::string& file);
 
 class BodyGraph {
  public:

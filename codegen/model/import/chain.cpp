@@ -164,9 +164,10 @@ class ChainFinder {
                            const std::set<std::string>& passed) const {
     std::vector<std::string> others;
     for (const std::string& tip : tips) {
-      const auto leader =
-          std::ranges::find(mechanism_.joints, parent_.at(tip)->mimics, &ImportedJoint::name);
-      const bool follows = !parent_.at(tip)->mimics.empty() && leader != mechanism_.joints.end();
+      const auto leader = std::ranges::find_if(mechanism_.joints, [&](const ImportedJoint& joint) {
+        return joint.name == parent_.at(tip)->mimics;
+      });
+      const bool follows = leader != mechanism_.joints.end();
       if (!follows || !passed.contains(leader->child)) others.push_back(tip);
     }
     if (!others.empty()) tips = std::move(others);
@@ -216,10 +217,10 @@ class ChainFinder {
             fmt::format("joint {} of the arm has the type {}", in_quotes(joint->name),
                         in_quotes(joint->type_name)),
             "an arm has revolute, continuous, prismatic and fixed joints; choose another --base");
-      if (moves(*joint) && !joint->mimics.empty() && !follows_a_leader(*joint, chain))
+      if (moves(*joint) && joint->mimics && !follows_a_leader(*joint, chain))
         refuse(joint->line,
                fmt::format("joint {} of the arm follows joint {} (mimic)", in_quotes(joint->name),
-                           in_quotes(joint->mimics)),
+                           in_quotes(*joint->mimics)),
                "only a joint of the arm that follows none may be followed, with a multiplier and "
                "an offset; choose --base and --tip without it");
     }
@@ -227,7 +228,7 @@ class ChainFinder {
 
   static bool follows_a_leader(const ImportedJoint& follower, const Chain& chain) {
     return follower.rule && std::ranges::any_of(chain.joints, [&](const ImportedJoint* j) {
-             return j->name == follower.mimics && moves(*j) && j->mimics.empty();
+             return j->name == follower.mimics && moves(*j) && !j->mimics;
            });
   }
 

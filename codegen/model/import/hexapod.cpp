@@ -135,6 +135,7 @@ class HexapodFinder {
                                   "each end, with six freedoms "
                                   "in all");
     };
+    for (const Connection& joint : joints) require_independent(joint, file_);
     const auto slides = [](const Connection& c) { return c.kind == ConnectionKind::kPrismatic; };
     const auto other = [](const Connection& c) { return c.kind == ConnectionKind::kOther; };
     if (std::ranges::count_if(joints, slides) != 1) refuse("has not one joint that slides");

@@ -101,7 +101,7 @@ std::string chain_line(const Chain& chain) {
   const auto fixed = std::ranges::count_if(
       chain.joints, [](const ImportedJoint* j) { return j->type == JointType::kFixed; });
   const auto followers = std::ranges::count_if(chain.joints, [](const ImportedJoint* j) {
-    return j->type != JointType::kFixed && !j->mimics.empty();
+    return j->type != JointType::kFixed && j->mimics;
   });
   return fmt::format("from {} to {}: {} joints that move, {} fixed{}", in_quotes(chain.base),
                      in_quotes(chain.tip),

@@ -49,7 +49,7 @@ struct ImportedJoint {
   Pose origin;
   std::array<WrittenNumber, 3> axis = {whole(0), whole(0), whole(1)};
   std::optional<JointLimits> limits;
-  std::string mimics;                   ///< the joint that this one follows; empty: none
+  std::optional<std::string> mimics{};  ///< the joint that this one follows
   std::optional<FollowingRule> rule{};  ///< nullopt for a rule of another kind
   int line = 0;
 };

@@ -139,6 +139,7 @@ class PlanarFinder {
                 "{:.4g} m apart",
                 next.gap),
             "draw the robot closed, or describe it with [legs]");
+      require_independent(next, file_);
       add(joints, next);
       body = next.first == body ? next.second : next.first;
       if (body == to) return joints;

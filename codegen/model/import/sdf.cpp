@@ -159,7 +159,7 @@ class SdfReader {
     if (const auto given = mimic.child("multiplier"))
       rule.multiplier =
           numbers_.component(one_word(given->text()), given->place("multiplier" + of));
-    const auto leader = types_.find(joint.mimics);
+    const auto leader = types_.find(*joint.mimics);
     const WrittenNumber reference =
         number("reference", leader == types_.end() ? joint.type : leader->second);
     rule.offset = number("offset", joint.type);

@@ -53,7 +53,7 @@ std::vector<const ImportedJoint*> written_joints(const Chain& chain) {
 
 /// Returns the name of a joint that has its own value; of another, which joint it follows, and how.
 std::string value_text(const ImportedJoint& joint, const std::string& name) {
-  if (joint.mimics.empty()) return fmt::format("name = \"{}\"", name);
+  if (!joint.mimics) return fmt::format("name = \"{}\"", name);
   std::string text = fmt::format("mimic = \"{}\"", name);
   if (!joint.rule->multiplier.value.is_equal(1))
     text += ", multiplier = " + toml_number(joint.rule->multiplier);
@@ -72,7 +72,7 @@ std::string joint_text(const ImportedJoint& joint, const std::string& name) {
   const bool is_default =
       joint.axis[0].is_zero() && joint.axis[1].is_zero() && joint.axis[2].value.is_equal(1);
   if (!is_default) text += ", axis = " + toml_list(joint.axis);
-  return text + (joint.mimics.empty() ? " },\n" : " }, # " + in_quotes(joint.name) + "\n");
+  return text + (!joint.mimics ? " },\n" : " }, # " + in_quotes(joint.name) + "\n");
 }
 
 }  // namespace
@@ -90,10 +90,10 @@ std::string serial_text(const Chain& chain, const std::string& file, Identifiers
   std::map<std::string, std::string> names;
   const std::vector<const ImportedJoint*> written = written_joints(chain);
   for (const ImportedJoint* joint : written)
-    if (moves(*joint) && joint->mimics.empty()) names[joint->name] = identifiers.of(joint->name);
+    if (moves(*joint) && !joint->mimics) names[joint->name] = identifiers.of(joint->name);
   for (const ImportedJoint* joint : written) {
-    const bool leads = joint->mimics.empty();
-    const std::string name = moves(*joint) ? names.at(leads ? joint->name : joint->mimics) : "";
+    const bool leads = !joint->mimics;
+    const std::string name = moves(*joint) ? names.at(leads ? joint->name : *joint->mimics) : "";
     joints += joint_text(*joint, name);
     if (!moves(*joint) || !leads) continue;
     const auto [range, remark] = range_of(*joint, chain, file, notes);

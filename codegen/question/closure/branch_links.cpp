@@ -79,9 +79,7 @@ class Linker {
 
   /// The box of the start has one solution, which a leaf holds.
   bool begin() {
-    std::vector<Interval> place = start_.place;
-    for (std::size_t k = place.size(); k < question_.shape.variables; ++k)
-      place.emplace_back(question_.start.variables[k]);
+    const std::vector<Interval>& place = start_.place;
     if (!has_one_start(place)) {
       links_.obstacle = "the values of 'start' are not shown to be near exactly one configuration";
       return false;
@@ -174,7 +172,7 @@ class Linker {
     }
   }
 
-  /// Where a tube is of another branch than its neighbour on this one, one is looked for from there.
+  /// Replaces tubes of another branch that have a neighbour on this one, from where it is.
   void mend(const MustStop& must_stop) {
     for (bool has_changed = true; has_changed && !must_stop();) {
       has_changed = false;

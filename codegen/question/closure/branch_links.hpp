@@ -14,7 +14,7 @@ namespace regulus {
 /// The place where a branch begins: its configuration there is the only one within the radius of the
 /// values. Each number encloses the exact one.
 struct BranchStart {
-  std::vector<Interval> place;   ///< by motion parameter
+  std::vector<Interval> place;   ///< by variable; of uncertain ones their middles
   std::vector<Interval> values;  ///< by unknown
   std::vector<Interval> radius;  ///< by unknown, positive
 };
@@ -39,6 +39,6 @@ struct BranchLinks {
 ///
 /// Rounding  outward; MXCSR at nearest.
 [[nodiscard]] BranchLinks link_branch(const ClosureQuestion& question, BranchTree& tree,
-                                      const BranchStart& start, const std::atomic<bool>* interrupt);
+                                      const BranchStart& start, const MustStop& must_stop);
 
 }  // namespace regulus

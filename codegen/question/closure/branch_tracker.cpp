@@ -15,7 +15,7 @@ constexpr int kMostEvaluations = 4000, kMostCorrections = 12;
 constexpr double kPartOfStep = 0x1p-4, kPartOfCorrection = 0x1p-2;
 /// Newton's method has ended, relative to 1 or to the unknown.
 constexpr double kSmall = 0x1p-42;
-/// Where rounding makes corrections this large, they do not become smaller.
+/// Rounding keeps corrections as large as that where the system is nearly singular.
 constexpr double kNoise = 0x1p-24;
 constexpr int kCorrectionsBeforeNoise = 3;
 

@@ -32,7 +32,7 @@ MarginStep ClosureAttempts::at(const MarginValue& value, const PlannedAttempt& p
 void ClosureAttempts::certify(const MarginValue& value, const Checked& checked, Verdict verdict) {
   if (!proofs_.are_wanted() || verdict == Verdict::kPossibleProblem) return;
   if (verdict == Verdict::kSingularity)
-    return proofs_.set_no_singular("a singular configuration of a closure has no certificate yet");
+    return proofs_.set_no_singular("a singular configuration of a [closure] has no certificate");
   const ProofStatus written = certify_branch(proofs_.safe_file(), checked.prepared,
                                              checked.found.searched, proofs_.placing());
   if (written.is_lost())

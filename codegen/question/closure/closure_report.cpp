@@ -30,7 +30,7 @@ void tell_start(const PreparedClosure& prepared, const ClosureFinding& found, Fa
   const Closure& closure = *prepared.request.model.closure;
   Json place = Json::object(), unknowns = Json::object();
   std::string at, values;
-  for (std::size_t k = 0; k < prepared.start.place.size(); ++k) {
+  for (std::size_t k = 0; k < prepared.shape.parameters; ++k) {
     const MotionParameter& p = prepared.request.motion.parameters[k];
     place[p.name] = json_interval(prepared.start.place[k]);
     at += fmt::format("{}{} = {:.9g}{}", at.empty() ? "" : ", ", p.name,
@@ -49,14 +49,6 @@ void tell_start(const PreparedClosure& prepared, const ClosureFinding& found, Fa
       {{"start", std::move(place)}, {"unknowns", std::move(unknowns)}, {"certain", is_certain}},
       "branch",
       fmt::format("through {} with {}{}", at, values, is_certain ? "" : ", approximately"));
-}
-
-std::string reason_of(const ClosureFinding& found) {
-  if (found.searched.branch.is_empty) return describe(Reason::kEmptyVariety);
-  if (!found.searched.branch.is_complete && found.searched.branch.reason == Reason::kWidth)
-    return "a box at the minimum width has no certain branch: it may end there, or be singular";
-  return found.searched.branch.is_complete ? found.searched.links.obstacle
-                                           : describe(found.searched.branch.reason);
 }
 
 /// Returns "theta = 2.31381557986 rad (132.571867 deg)": the digits are certain.
@@ -123,6 +115,14 @@ std::vector<double> at_the_border(const PreparedClosure& prepared, std::vector<d
 }
 
 }  // namespace
+
+std::string reason_of(const ClosureFinding& found) {
+  if (found.searched.branch.is_empty) return describe(Reason::kEmptyVariety);
+  if (!found.searched.branch.is_complete && found.searched.branch.reason == Reason::kWidth)
+    return "a box at the minimum width has no certain branch: it may end there, or be singular";
+  return found.searched.branch.is_complete ? found.searched.links.obstacle
+                                           : describe(found.searched.branch.reason);
+}
 
 ClosureFinding check_closure(PreparedClosure& prepared, const SearchOptions& search,
                              const FormingWatch& watch, Observer* progress,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an answer about a closure tells.
+// Asks about a closure, and tells what was found.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace regulus {
 
-/// What was found about a closure: the search, and a singular configuration if it led to one.
+/// The search over a branch, and the singular configurations that it led to.
 struct ClosureFinding {
   ClosureResult searched;
   std::vector<Fold> folds{};
@@ -44,6 +44,9 @@ void tell_leaves(const PreparedClosure& prepared, const ClosureFinding& found, O
 
 /// Returns the finding in the terms of a check.
 [[nodiscard]] Result check_result(const PreparedClosure& prepared, const ClosureFinding& found);
+
+/// Returns why the branch is not proved.
+[[nodiscard]] std::string reason_of(const ClosureFinding& found);
 
 /// Returns the claim, or why there is none, in words.
 [[nodiscard]] std::string describe_claim(const PreparedClosure& prepared,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "codegen/answer/certificate/certificate_question.hpp"
 #include "codegen/answer/report/question_report.hpp"
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/closure_start.hpp"
@@ -13,7 +14,7 @@
 namespace regulus {
 namespace {
 
-/// Of the time; the rest is for the links.
+/// The search has this part of the time; the links have the rest.
 constexpr double kPartOfSearch = 0.9;
 
 /// The kernel needs the entries of the matrix and their derivatives, and no product.
@@ -59,7 +60,7 @@ void relabel(PreparedSearch& p, const Request& request, const ClosedSystem& syst
   p.variety.inner.resize(system.shape.variables);
 }
 
-void fill_start(PreparedClosure& prepared, const Problem& problem) {
+void fill_start(PreparedClosure& prepared) {
   const Closure& closure = *prepared.request.model.closure;
   BranchStart& start = prepared.start;
   for (const GiNaC::ex& x : start_of(prepared.request.model, prepared.request.motion))
@@ -72,9 +73,11 @@ void fill_start(PreparedClosure& prepared, const Problem& problem) {
     prepared.ranges.push_back(hull(enclose_constant(closure.ranges[i].lo, "range." + name),
                                    enclose_constant(closure.ranges[i].hi, "range." + name)));
   }
+  const std::set<std::string> uncertain = uncertain_names(prepared.request);
+  for (const GeometryParameter& g : prepared.request.model.geometry)
+    if (uncertain.contains(g.name)) start.place.push_back(enclose_constant(g.value, g.name));
+  start.place.resize(prepared.shape.variables, Interval(0.0));  // the errors
   for (const Interval& x : start.place) prepared.near_start.variables.push_back(mid(x));
-  for (std::size_t k = start.place.size(); k < prepared.shape.variables; ++k)
-    prepared.near_start.variables.push_back(mid(problem.outer[k]));
 }
 
 }  // namespace
@@ -89,7 +92,7 @@ std::optional<Request> read_closure(const ModelOptions& options, const FormingWa
 PreparedClosure prepare_closure(Request request, double model_seconds, const SearchOptions& search,
                                 const FormingWatch& watch) {
   if (!request.motion.alpha.is_zero())
-    throw UsageError("a closure has no threshold yet; leave alpha out");
+    throw UsageError("a [closure] has no threshold; leave alpha out");
   PreparedClosure prepared;
   ClosedSystem system = close(request);
   prepared.shape = system.shape;
@@ -100,7 +103,7 @@ PreparedClosure prepare_closure(Request request, double model_seconds, const Sea
   prepared.problem.idle.clear();
   prepared.scaling = prepared.preparation.stages->formulation().scaling;
   prepared.request = std::move(request);
-  fill_start(prepared, prepared.problem);
+  fill_start(prepared);
   relabel(prepared.preparation, prepared.request, system);
   return prepared;
 }

@@ -18,7 +18,7 @@ class ErrorRequestBuilder {
     const std::set<std::string> uncertain = uncertain_names(given);
     std::vector<PoseParameter> pose;
     std::vector<ex> start;
-    GiNaC::exmap actual;
+    GiNaC::exmap actual, commanded;
     for (const MotionParameter& p : given.motion.parameters) {
       pose.push_back({p.symbol, p.name, p.unit});
       start.push_back(start_of_parameter(given, p));
@@ -26,7 +26,7 @@ class ErrorRequestBuilder {
     parameters_ = pose.size();
     for (std::size_t i = 0; i < given.model.pose.size(); ++i) {
       const PoseParameter& q = given.model.pose[i];
-      actual[q.symbol] = given.motion.pose[i];
+      actual[q.symbol] = commanded[q.symbol] = given.motion.pose[i];
       if (given.motion.error.empty() || given.motion.error[i].is_zero()) continue;
       const GiNaC::realsymbol error("error_" + q.name);
       actual[q.symbol] = given.motion.pose[i] + error;
@@ -48,6 +48,8 @@ class ErrorRequestBuilder {
                   [&](const GeometryParameter& g) { return uncertain.contains(g.name); });
     for (ex& equation : closure.equations) equation = equation.subs(actual);
     for (ex& condition : model.must_be_defined) condition = condition.subs(actual);
+    for (auto* conditions : {&motion.constraints, &motion.reach, &motion.must_be_defined})
+      for (ex& condition : *conditions) condition = condition.subs(commanded);
     model.pose = pose;
     closure.start_pose = start;
     motion.pose.clear();

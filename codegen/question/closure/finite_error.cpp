@@ -23,7 +23,8 @@ struct ErrorFinding {
 struct ErrorQuestion {
   const Problem& problem;
   ClosureQuestion closure;
-  std::size_t parameters;  ///< of the motion
+  std::size_t parameters;                ///< of the motion
+  const std::vector<Interval>& nominal;  ///< by variable: encloses its value without errors
 };
 
 /// A judge of boxes (runtime/search/box_judges.hpp).
@@ -43,7 +44,7 @@ class ErrorJudge {
     std::vector<Box> nominal(boxes.begin(), boxes.end());
     for (Box& box : nominal)
       for (std::size_t k = question_.parameters; k < question_.closure.shape.parameters; ++k)
-        box[k] = Interval(question_.closure.start.variables[k]);
+        box[k] = question_.nominal[k];
     found.assign(boxes.size(), {});
     judge_.judge(nominal, found, horizon);
     for (std::size_t i = 0; i < boxes.size(); ++i) findings[i].nominal = std::move(found[i]);
@@ -204,14 +205,18 @@ class ErrorGoal {
       const bool is_shared = k < question_.parameters && actual->at[k] == nominal->at[k];
       const Interval reach = box.at.box[k] - Interval(actual->at[k]);
       if (k < question_.parameters && !is_shared) return std::nullopt;
-      if (is_shared) slope -= Interval(nominal->slopes[i * m + k]);
-      const Interval part = slope * reach;
-      sum += part;
+      const Interval of_nominal(nominal->slopes[i * m + k]);
+      if (is_shared) slope -= of_nominal;
+      // The nominal value need not be the centre of its tube.
+      const Interval off = is_shared
+                               ? Interval(0.0)
+                               : of_nominal * (question_.nominal[k] - Interval(nominal->at[k]));
+      sum += slope * reach - off;
       for (const int side : {0, 1}) {
         const bool is_upper = (mid(slope) >= 0) == (side == 1);
-        const double end = inner_end(box.at.box[k], k, is_upper);
-        vertex[side].emplace_back(end);
-        at_vertex[side] += slope * (Interval(end) - Interval(actual->at[k]));
+        const Interval end = inner_end(box.at.box[k], k, is_upper);
+        vertex[side].push_back(end);
+        at_vertex[side] += slope * (end - Interval(actual->at[k])) - off;
       }
     }
     // The linear part is attained at a vertex; what a split makes smaller is the remainder.
@@ -232,11 +237,11 @@ class ErrorGoal {
     return k < finding.impact.size() ? finding.impact[k] : 0;
   }
 
-  /// A place of the true range.
-  [[nodiscard]] double inner_end(const Interval& range, std::size_t k, bool is_upper) const {
+  /// A place of the true range, or what encloses its only value.
+  [[nodiscard]] Interval inner_end(const Interval& range, std::size_t k, bool is_upper) const {
     const std::optional<Interval>& inner = question_.problem.inner[k];
-    const double end = is_upper ? range.hi : range.lo;
-    return inner ? std::clamp(end, inner->lo, inner->hi) : end;
+    if (!inner) return range;
+    return Interval(std::clamp(is_upper ? range.hi : range.lo, inner->lo, inner->hi));
   }
 
   BoxCourse& course_;
@@ -294,13 +299,12 @@ FiniteErrors bound_finite_errors(const Request& request, const std::vector<std::
   if (!branch.is_proved()) {
     found.obstacle = checked.is_refuted()
                          ? "within the errors the branch reaches a singular configuration"
-                     : branch.branch.is_complete ? branch.links.obstacle
-                                                 : "the branch is not certain over all errors: " +
-                                                       std::string(describe(branch.branch.reason));
+                         : reason_of(checked);
     found.folds = checked.folds;
     return found;
   }
-  const ErrorQuestion question{prepared.problem, prepared.question(), errors.parameters};
+  const ErrorQuestion question{prepared.problem, prepared.question(), errors.parameters,
+                               prepared.start.place};
   const Closure& closure = *request.model.closure;
   for (const std::size_t i : unknowns) {
     FiniteError& error = found.unknowns.emplace_back();

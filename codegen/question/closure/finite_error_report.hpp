@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an answer about finite errors tells.
+// Tells brackets of finite errors.
 #pragma once
 
 #include <string>

@@ -366,8 +366,9 @@ std::optional<std::vector<double>> nearest_corner(const PreparedClosure& prepare
   }
   std::vector<double> corner;
   for (std::size_t k = prepared.shape.parameters; k < m; ++k) {
-    const Interval range = prepared.problem.inner[k].value_or(prepared.problem.outer[k]);
-    corner.push_back(along[k] / line > 0 ? range.hi : range.lo);
+    const std::optional<Interval>& range = prepared.problem.inner[k];
+    if (!range) return std::nullopt;
+    corner.push_back(along[k] / line > 0 ? range->hi : range->lo);
   }
   return corner;
 }

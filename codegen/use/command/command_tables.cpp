@@ -112,6 +112,9 @@ void add_paving_options(CLI::App& app, LocateCommand& command) {
                       .description(""))
       ->type_name("{worst,share}")
       ->default_str("worst");
+  app.add_flag("--robot", command.pictures.robot,
+               "Draw the robot over the map, at the middle of the ranges: a model whose [drawing] "
+               "is in a plane");
 }
 
 void add_margin_options(CLI::App& app, MarginCommand& command) {

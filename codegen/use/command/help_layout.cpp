@@ -29,7 +29,7 @@ const OptionNames& names_in(const std::string& group) {
        {"time-limit", "max-boxes", "threads", "gap", "resolution", "precision", "symbolic-budget"}},
       {kOutput,
        {"json", "quiet", "certificate", "shard-size", "checkpoint", "checkpoint-every", "output",
-        "page", "picture", "axes", "slices", "shade", "markdown", "depfile", "object"}},
+        "page", "picture", "axes", "slices", "shade", "robot", "markdown", "depfile", "object"}},
       {kResearch,
        {"method", "determinant", "entries", "bisect", "uncertainty", "without", "engine", "isa",
         "filter", "no-cache"}}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a command prints for a person, and the colours of a terminal.
+// Prints for people, in the colours of a terminal.
 #pragma once
 
 #include <string>

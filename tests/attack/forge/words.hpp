@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a word of a certificate or of a model file consists of.
+// Tells the characters of words in certificates and model files.
 #pragma once
 
 namespace regulus::attack {

@@ -101,7 +101,7 @@ TEST(ImportRefusal, JointsThatAnArmCannotHave) {
   EXPECT_THAT(input_error(robot(joint("i", "a", "b", "", "floating"))),
               HasSubstr("joint 'i' of the arm has the type 'floating'"));
   const std::string off_the_arm = joint("k", "a", "d");
-  for (const char* leader : {"j", "k", "nothing"})
+  for (const char* leader : {"j", "k", "nothing", ""})
     EXPECT_THAT(
         input_error(robot(joint("i", "a", "b") + off_the_arm +
                           joint("j", "b", "c",

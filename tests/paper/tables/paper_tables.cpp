@@ -103,7 +103,7 @@ std::string processor() {
   return "a processor without a name";
 }
 
-/// What takes too long to be run again each time.
+/// These cells take too long to be run again each time.
 void print_what_was_run_once() {
   std::cout
       << "\nRun once, in one thread of a machine that others used, by `regulus check robot_1 "

@@ -28,7 +28,7 @@ ModelOptions planar(const std::string& motion, const std::string& tolerance = ""
   return model;
 }
 
-/// What a head states, as numbers at one place of its set: "range x", "entry 3".
+/// A head states these numbers at one place of its set: "range x", "entry 3".
 using Values = std::map<std::string, double>;
 
 /// Returns a place in a range that depends on the name alone.

@@ -91,6 +91,14 @@ TEST(FiniteError, BoundsWhatTheClosedFormGivesOverAMotion) {
   }
 }
 
+/// A constraint speaks of a pose parameter whose value the motion gives.
+TEST(FiniteError, KeepsTheConstraintsOfTheMotion) {
+  const std::string pose =
+      "l1 = \"sqrt(50)\"\nl2 = \"sqrt(26)\"\nl3 = 5\nerror = { l1 = 0.01, l2 = 0.01, l3 = 0.01 }\n";
+  EXPECT_EQ(bound(rpr(pose + "constraints = [\"l1 - 8\"]\n")).obstacle, "");
+  EXPECT_NE(bound(rpr(pose + "constraints = [\"7 - l1\", \"l1 - 7\"]\n")).obstacle, "");
+}
+
 TEST(FiniteError, SaysIfTheBranchIsNotCertain) {
   const FiniteErrors found = bound(
       rpr("l1 = \"sqrt(50)\"\nl2 = \"sqrt(26)\"\nl3 = 5\nerror = { l1 = 1, l2 = 1, l3 = 1 }\n"));

@@ -147,6 +147,22 @@ TEST(FourBar, ReachesAToggleForSomeLengthsWithinTolerances) {
   EXPECT_GT(room(-0.05, 0.05), 0);
 }
 
+/// The branch starts at the middles of the uncertain quantities, which are no doubles.
+TEST(FourBar, StartsAtTheExactMiddlesOfItsTolerances) {
+  const FourBar linkage{0.2, 0.35355, 0.25, 0.45};
+  std::string text = linkage.text(1, -1.5, 2, 0.001);
+  for (const char* number : {"0.20000000000000001", "0.35354999999999998"}) {
+    const std::size_t at = text.find(number);
+    ASSERT_NE(at, std::string::npos);
+    text.replace(at, std::string(number).size(), number[2] == '2' ? "0.2" : "0.35355");
+  }
+  const Checked checked = check(text);
+  ASSERT_EQ(checked.verdict(), Verdict::kNoSingularity);
+  const std::vector<Interval>& place = checked.prepared.start.place;
+  ASSERT_EQ(place.size(), 3U);
+  for (const std::size_t k : {1U, 2U}) EXPECT_LT(place[k].lo, place[k].hi);
+}
+
 TEST(FourBar, HasTheSameTubesForAnyNumberOfThreads) {
   const FourBar linkage{0.2, 0.35355, 0.25, 0.45};
   const std::string text = linkage.text(1, -2.31, 2.31);
@@ -156,6 +172,48 @@ TEST(FourBar, HasTheSameTubesForAnyNumberOfThreads) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].tube, b[i].tube);
   EXPECT_EQ(one.found.searched.links.links, two.found.searched.links.links);
+}
+
+/// Returns a tube of the mirrored assembly over a box.
+BranchTube mirrored_tube(const FourBar& linkage, const PreparedClosure& prepared,
+                         const std::vector<Interval>& box) {
+  FourBar mirror = linkage;
+  mirror.is_open = !linkage.is_open;
+  const FourBar::Angles angles = mirror.at(mid(box[0]));
+  SystemBoxes system(prepared.problem, prepared.scaling, prepared.shape);
+  TubeFinder finder(system, prepared.shape, prepared.ranges);
+  const BranchPoint near{{mid(box[0])}, {angles.phi, angles.psi}};
+  const auto settled = settle(system, prepared.shape, {&near, 1});
+  const TubeTrial trial{{box[0]},
+                        {settled[0]->at.variables, settled[0]->at.unknowns, settled[0]->slopes, {}},
+                        settled[0]->inverse};
+  TubeFinding found;
+  finder.find({&trial, 1}, {&found, 1});
+  return found.tube.value();
+}
+
+/// A tube of the mirrored assembly is as good by itself. Links notice it, and put the right one in its
+/// place; at the start nothing can be put right.
+TEST(FourBar, IsNotJoinedWithItsMirroredAssembly) {
+  const FourBar linkage{0.2, 0.35355, 0.25, 0.45};
+  ModelOptions options;
+  options.motion = "m";
+  const PreparedClosure prepared =
+      prepare_closure(read_request(linkage.text(1, -2.2, 2.2), options), 0, options_with(), {});
+  const auto never = [] { return std::optional<Reason>(); };
+  const BranchTree tree = search_branch(prepared.question(), {}, nullptr).tree;
+  ASSERT_GT(tree.leaves().size(), 3U);
+  const std::vector<std::size_t> starts = tree.leaves_at(prepared.start.place);
+  for (std::size_t leaf = 0; leaf < tree.leaves().size(); ++leaf) {
+    BranchTree other = tree;
+    const BranchTube mirror = mirrored_tube(linkage, prepared, tree.leaves()[leaf].at.box);
+    other.replace(leaf, mirror);
+    const BranchLinks links = link_branch(prepared.question(), other, prepared.start, never);
+    const bool is_start = std::ranges::find(starts, leaf) != starts.end();
+    EXPECT_EQ(links.is_one_branch, !is_start) << leaf;
+    if (is_start) continue;
+    EXPECT_NE(other.leaves()[leaf].tube, mirror) << leaf;
+  }
 }
 
 /// Wherever it stops, the tubes and the number of boxes are those of a search without a stop.

@@ -84,6 +84,12 @@ TEST(Hexapod, IsRefusedIfACutIsOpen) {
       HasSubstr("is open where it was cut, with every joint at zero: the links are 0.01 m apart"));
 }
 
+TEST(Hexapod, IsRefusedIfAJointOfALegFollows) {
+  EXPECT_THAT(refusal(replaced(robot_text("hexapod.mjcf"), "<equality>",
+                               "<equality><joint joint1=\"slider_2\" joint2=\"slider_1\"/>")),
+              HasSubstr("joint 'slider_2' of a leg follows joint 'slider_1'"));
+}
+
 TEST(Hexapod, LeavesOtherLoopsToAMessage) {
   std::string text = robot_text("hexapod.mjcf");
   for (const char* leg : {"5", "6"}) {

@@ -104,6 +104,12 @@ TEST(APlanarStage, MayHaveALegOfVariableLength) {
               HasSubstr("a leg in the plane has the joints RPR ('motor_1', 'rod_1', 'connect')"));
 }
 
+TEST(APlanarStage, IsRefusedIfAJointOfALegFollows) {
+  EXPECT_THAT(refusal(with(kStage, "<equality>",
+                           "<equality><joint joint1=\"motor_2\" joint2=\"motor_1\"/>")),
+              HasSubstr("joint 'motor_2' of a leg follows joint 'motor_1'"));
+}
+
 TEST(APlanarStage, IsBentWhereItsModeIsTaken) {
   EXPECT_THAT(refusal(with(kStage, "pos=\"0.3 0 0\"><joint name=\"elbow_1\"",
                            "pos=\"0.15 0.2 0\"><joint name=\"elbow_1\"")),

@@ -283,6 +283,16 @@ TEST(Urdf, WritesJointsOfTheArmThatFollow) {
   EXPECT_EQ(model_of(text).pose.size(), 2U);
 }
 
+TEST(Urdf, HasNoFollowersOfAJointWithoutAName) {
+  const std::string joint = "<axis xyz='0 1 0'/><limit lower='-9' upper='9'/>";
+  const std::string last = imported(arm_with(second(joint, "revolute", ""))).model;
+  EXPECT_THAT(last, HasSubstr("first = [-1, 1]\n"));
+  EXPECT_THAT(last, Not(HasSubstr("mimic")));
+  const std::string leads = arm_with(second(joint));
+  const std::string first = std::string(leads).replace(leads.find("'first'"), 7, "''");
+  EXPECT_THAT(imported(first).model, Not(HasSubstr("mimic")));
+}
+
 TEST(Urdf, DoesNotChooseBetweenFingers) {
   const std::string hand = arm_with_followers() + finger("left", "") +
                            finger("right", "<mimic joint='left_finger'/>") + "</robot>";

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All solutions of a system, with a proof that there are no others. A search and a counting theorem
+// fill the same values, and one report tells them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/interval/interval.hpp"
+#include "runtime/problem/result.hpp"
+
+namespace regulus {
+
+/// A number of a solution: x, y, phi of a pose; q1 … q6 of a posture.
+struct SolvedUnknown {
+  std::string name, unit;  ///< "deg": the values are numbers of degrees
+  /// Its values are the same after this; 0: it does not turn. Solutions that differ by it are one.
+  double period = 0;
+};
+
+/// Whether a solution is within the limits of the model: of joints, of legs, of unknowns.
+enum class WithinLimits : std::uint8_t { kNoLimits, kWithin, kBeyond, kUnknown };
+
+/// A solution that is certain. Where quantities are uncertain, there is one for each of their values.
+struct CertainSolution {
+  std::vector<Interval> values;  ///< by unknown; each encloses the exact value
+  double condition = 0;          ///< of the matrix at the solution, in the 2-norm; approximately
+  /// The sign of the determinant of the matrix there: 1 or −1, which is certain; 0: not shown.
+  int sign = 0;
+  WithinLimits limits = WithinLimits::kNoLimits;
+  std::string beyond{};  ///< what is beyond its limits, in words: "q3 = 3.2 rad beyond [-3, 3] rad"
+};
+
+/// What is known about the number of solutions.
+enum class Completeness : std::uint8_t {
+  kComplete,    ///< these are all; none of them: there is no solution
+  kIncomplete,  ///< there may be others
+};
+
+struct Solutions {
+  std::vector<SolvedUnknown> unknowns;
+  std::vector<CertainSolution> found;  ///< pairwise different, in the order of their values
+  Completeness completeness = Completeness::kIncomplete;
+  /// How completeness is shown, as the end of a sentence: "by a search of 1201 boxes", or "by the
+  /// theorem that a Gough platform has at most 40 isolated complex poses (Ronga & Vust 1995)".
+  std::string how;
+  /// Why it is not shown; empty if it is: "infinitely many solutions, or one of several, near x = 3".
+  std::string obstacle;
+  /// Boxes that may hold others, by unknown; of a search that was not completed.
+  std::vector<std::vector<Interval>> open{};
+  /// Of a count: the solutions among complex numbers that were certified; nullopt: not counted.
+  std::optional<std::uint64_t> complex_found{};
+  std::uint64_t boxes = 0;  ///< of the search
+  double seconds = 0;
+  std::optional<Reason> stopped_by{};  ///< the limit that ended it
+};
+
+/// What is counted, and how the matrix is called whose determinant and condition are told.
+struct SolvedNoun {
+  std::string one, many;  ///< "pose", "poses"; "posture"; "configuration"
+  std::string matrix;     ///< "the derivatives of the equations by the unknowns"
+};
+
+}  // namespace regulus
