@@ -5,13 +5,15 @@
 #include <cmath>
 
 #include "runtime/solutions/dietmaier.hpp"
-#include "runtime/solutions/path_tracker.hpp"
+#include "runtime/solutions/dual_quaternion.hpp"
+#include "runtime/solutions/root_list.hpp"
 
 namespace regulus {
 
 namespace {
 
 constexpr std::size_t kUnknowns = 8;
+constexpr std::array<std::size_t, 1> kGroups{kUnknowns};
 
 /// A leg: w = y + x₀(b − a) + x × (a + b) − x·(b − a).
 template <class Number>
@@ -26,14 +28,6 @@ Leg<Number> leg_of(const std::array<Number, 3>& a, const std::array<Number, 3>& 
   Leg<Number> leg{{}, {}, square};
   for (std::size_t i = 0; i < 3; ++i) leg.difference[i] = b[i] - a[i], leg.sum[i] = a[i] + b[i];
   return leg;
-}
-
-template <class Number>
-using Quaternion = std::array<Number, 4>;
-
-template <class Number>
-Number dot(const Quaternion<Number>& p, const Quaternion<Number>& q) {
-  return p[0] * q[0] + p[1] * q[1] + p[2] * q[2] + p[3] * q[3];
 }
 
 /// u × v, where u is from component `from` on.
@@ -143,7 +137,7 @@ class PoseHomotopy final : public Homotopy {
   }
 
   [[nodiscard]] std::size_t unknowns() const noexcept override { return kUnknowns; }
-  [[nodiscard]] std::size_t groups() const noexcept override { return 1; }
+  [[nodiscard]] std::span<const std::size_t> groups() const noexcept override { return kGroups; }
 
   void evaluate(std::span<const Complex> z, Complex s, std::span<Complex> values,
                 std::span<Complex> derivatives, std::span<Complex> rates) const override {
@@ -196,30 +190,17 @@ std::array<Leg<Interval>, 6> scaled(const GoughLegs& legs, int exponent) {
   return result;
 }
 
-std::array<Complex, kUnknowns> start_of(const std::array<double, 7>& pose) {
-  const double* const t = pose.data();
-  const double* const q = t + 3;
-  return {Complex(q[0]),
-          Complex(q[1]),
-          Complex(q[2]),
-          Complex(q[3]),
-          Complex(-t[0] * q[1] - t[1] * q[2] - t[2] * q[3]),
-          Complex(t[0] * q[0] + t[1] * q[3] - t[2] * q[2]),
-          Complex(t[1] * q[0] + t[2] * q[1] - t[0] * q[3]),
-          Complex(t[2] * q[0] + t[0] * q[2] - t[1] * q[1])};
+std::vector<Complex> start_of(const std::array<double, 7>& pose) {
+  const Quaternion<double> t{0, pose[0], pose[1], pose[2]}, x{pose[3], pose[4], pose[5], pose[6]};
+  std::vector<Complex> start;
+  for (const auto& part : {x, t * x})
+    for (const double number : part) start.emplace_back(number);
+  return start;
 }
 
 /// No pose of a robot is in the plane at infinity of a patch that has nothing to do with it.
 constexpr std::array<double, kUnknowns> kPatch{0.871, -0.533, 0.617, 0.749,
                                                0.291, -0.411, 0.367, 0.229};
-
-std::vector<Complex> onto_patch(std::vector<Complex> z) {
-  Complex sum;
-  for (std::size_t i = 0; i < kUnknowns; ++i) sum += z[i] * Complex(kPatch[i]);
-  const Complex factor = inverse(sum);
-  for (Complex& x : z) x = x * factor;
-  return z;
-}
 
 /// x·x is not 0 in the box.
 bool certain_pose(const RootBox& root) {
@@ -244,48 +225,20 @@ GoughPose pose_of(const RootBox& root, int exponent) {
   return pose;
 }
 
-/// Arcs in the family of platforms, and how carefully they are followed.
-const std::array<TrackerOptions, 4> kArcs{
-    {{{0.6, 0.8}, 1e-5}, {{-0.28, -0.96}, 1e-6}, {{0.352, -0.936}, 1e-7}, {{-0.8, 0.6}, 1e-7}}};
-
-class PoseCount {
- public:
-  explicit PoseCount(const GoughLegs& legs)
-      : exponent_(exponent_of_size(legs)),
-        legs_(scaled(legs, exponent_)),
-        system_(legs_, kPatch),
-        homotopy_(legs_) {}
-
-  [[nodiscard]] GoughPoses count() {
-    for (const TrackerOptions& arc : kArcs) {
-      for (const auto& pose : dietmaier::kPoses)
-        if (const auto end = track(homotopy_, start_of(pose), arc)) add(*end);
-      if (roots_.size() >= kPosesOfGough) break;
-    }
-    GoughPoses found{{}, roots_.size()};
-    for (const RootBox& root : roots_)
-      if (root.is_real) found.poses.push_back(pose_of(root, exponent_));
-    return found;
-  }
-
- private:
-  void add(const std::vector<Complex>& near) {
-    const auto root = certify_root(system_, onto_patch(near));
-    if (root && certain_pose(*root) && std::ranges::all_of(roots_, [&](const RootBox& other) {
-          return certain_disjoint(*root, other);
-        }))
-      roots_.push_back(*root);
-  }
-
-  const int exponent_;
-  const std::array<Leg<Interval>, 6> legs_;
-  const PoseSystem system_;
-  const PoseHomotopy homotopy_;
-  std::vector<RootBox> roots_;
-};
-
 }  // namespace
 
-GoughPoses find_gough_poses(const GoughLegs& legs) { return PoseCount(legs).count(); }
+GoughPoses find_gough_poses(const GoughLegs& given) {
+  const int exponent = exponent_of_size(given);
+  const std::array<Leg<Interval>, 6> legs = scaled(given, exponent);
+  const PoseSystem system(legs, kPatch);
+  const PoseHomotopy homotopy(legs);
+  std::vector<std::vector<Complex>> starts;
+  for (const auto& pose : dietmaier::kPoses) starts.push_back(start_of(pose));
+  const std::vector<RootBox> roots = follow_roots(homotopy, starts, {system, kPatch, certain_pose});
+  GoughPoses found{{}, roots.size()};
+  for (const RootBox& root : roots)
+    if (root.is_real) found.poses.push_back(pose_of(root, exponent));
+  return found;
+}
 
 }  // namespace regulus
