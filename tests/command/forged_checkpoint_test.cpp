@@ -78,75 +78,66 @@ const std::vector<std::pair<std::string, double>> kZero = {{"x", std::sqrt(2.0)}
 const std::string kFourBar = model_path("four_bar");
 constexpr double kToggle = 2.3138160;  // rad: 132.5719°
 
+bool is_not_regular(const Told& told) { return is_not(told, "no-singularity"); }
+bool is_not_feasible(const Told& told) { return is_not(told, "feasible"); }
+bool is_open_at_zero(const Told& told) {
+  return claims_none(told, kZero, {"free", "feasible", "outside"});
+}
+bool is_open_at_toggles(const Told& told) {
+  return claims_none(told, {{"theta", kToggle}}, {"free", "outside"}) &&
+         claims_none(told, {{"theta", -kToggle}}, {"free", "outside"});
+}
+IsTrue is_proved_up_to(const char* key, double most) {
+  return [=](const Told& told) { return is_at_most(told, key, most); };
+}
+/// κ + 1/κ = ‖A‖²/|det A| = 45.1922/18.0961 at (1.3, 0).
+bool is_condition(const Told& told) {
+  return told.report.at("proved").is_null() || told.report.at("proved") >= 1.9964;
+}
+bool is_datasheet(const Told& told) {
+  return std::ranges::all_of(told.report.at("bounds"), [](const json& bound) {
+    if (bound.at("proved").is_null() || bound.at("attained").is_null()) return true;
+    const double proved = bound.at("proved"), attained = bound.at("attained");
+    const bool is_least = bound.at("least");
+    const bool is_sigma = bound.at("quantity").at("kind") == "sigma-min";
+    return (is_least ? proved <= attained : proved >= attained) && (!is_sigma || proved <= 0.31);
+  });
+}
+
+Words words_in(const char* text) {
+  std::istringstream in(text);
+  return {std::istream_iterator<std::string>(in), {}};
+}
+
 std::vector<Kind> kinds() {
-  const std::vector<std::string> base = {"--range",  "x=0:1.4", "--tolerance",
-                                         "base=0:1", "--gap",   "0.3"};
-  const auto with = [&](std::vector<std::string> words, std::vector<std::string> more) {
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
+  const auto touch = [](const char* name, const char* words, IsTrue is_true) {
+    return Kind{name, words_in(words), "x=0:1", std::move(is_true)};
   };
-  const auto free_of_zero = [](const Told& told) {
-    return claims_none(told, kZero, {"free", "feasible", "outside"});
-  };
-  const auto free_of_toggle = [](const Told& told) {
-    return claims_none(told, {{"theta", kToggle}}, {"free", "outside"}) &&
-           claims_none(told, {{"theta", -kToggle}}, {"free", "outside"});
+  const auto bar = [](const char* name, const char* command, const char* more, IsTrue is_true) {
+    Words words{command, kFourBar, "turn"};
+    for (const std::string& word : words_in(more)) words.push_back(word);
+    return Kind{name, std::move(words), "theta=-2:2", std::move(is_true)};
   };
   return {
-      {"check",
-       {"check", "touch", "all"},
-       "x=0:1",
-       [](const Told& told) { return is_not(told, "no-singularity"); }},
-      {"check_variables",
-       {"check", "touch", "all", "--tolerance", "base=0.001", "--uncertainty", "variables"},
-       "x=0:1",
-       [](const Told& told) { return is_not(told, "no-singularity"); }},
-      {"locate", {"locate", "touch", "all", "--resolution", "1/64"}, "x=0:1", free_of_zero},
-      {"check_load",
-       {"check", "touch", "all", "--load", "push"},
-       "x=0:1",
-       [](const Told& told) { return is_not(told, "feasible"); }},
-      {"locate_load",
-       {"locate", "touch", "all", "--load", "push", "--resolution", "1/64"},
-       "x=0:1",
-       free_of_zero},
-      {"margin", with({"margin", "touch", "all"}, base), "x=0:1",
-       [](const Told& told) { return is_at_most(told, "certified", 0.04); }},
-      {"margin_quantity",
-       with({"margin", "touch", "all", "--quantity", "sigma-min", "--limit", "0.01"}, base),
-       "x=0:1", [](const Told& told) { return is_at_most(told, "certified", 0.03); }},
-      {"bound",
-       {"bound", "touch", "all", "sigma-min", "--gap", "0.2", "--range", "x=0:1.3"},
-       "x=0:1",
-       [](const Told& told) { return is_at_most(told, "proved", 0.31); }},
-      {"condition",
-       {"bound", "touch", "all", "condition", "--norm", "2", "--gap", "0.05", "--range", "x=0:1.3"},
-       // κ + 1/κ = ‖A‖²/|det A| = 45.1922/18.0961 at (1.3, 0).
-       "x=0:1",
-       [](const Told& told) {
-         return told.report.at("proved").is_null() || told.report.at("proved") >= 1.9964;
-       }},
-      {"datasheet",
-       {"datasheet", "touch", "all", "--gap", "0.3", "--range", "x=0:1.3"},
-       "x=0:1",
-       [](const Told& told) {
-         return std::ranges::all_of(told.report.at("bounds"), [](const json& bound) {
-           if (bound.at("proved").is_null() || bound.at("attained").is_null()) return true;
-           const double proved = bound.at("proved"), attained = bound.at("attained");
-           const bool is_least = bound.at("least");
-           const bool is_sigma = bound.at("quantity").at("kind") == "sigma-min";
-           return (is_least ? proved <= attained : proved >= attained) &&
-                  (!is_sigma || proved <= 0.31);
-         });
-       }},
-      {"check_closure",
-       {"check", kFourBar, "turn"},
-       "theta=-2:2",
-       [](const Told& told) { return is_not(told, "no-singularity"); }},
-      {"locate_closure",
-       {"locate", kFourBar, "turn", "--resolution", "1/256"},
-       "theta=-2:2",
-       free_of_toggle},
+      touch("check", "check touch all", is_not_regular),
+      touch("check_variables", "check touch all --tolerance base=0.001 --uncertainty variables",
+            is_not_regular),
+      touch("locate", "locate touch all --resolution 1/64", is_open_at_zero),
+      touch("check_load", "check touch all --load push", is_not_feasible),
+      touch("locate_load", "locate touch all --load push --resolution 1/64", is_open_at_zero),
+      touch("margin", "margin touch all --range x=0:1.4 --tolerance base=0:1 --gap 0.3",
+            is_proved_up_to("certified", 0.04)),
+      touch("margin_quantity",
+            "margin touch all --range x=0:1.4 --tolerance base=0:1 --gap 0.3 --quantity sigma-min "
+            "--limit 0.01",
+            is_proved_up_to("certified", 0.03)),
+      touch("bound", "bound touch all sigma-min --gap 0.2 --range x=0:1.3",
+            is_proved_up_to("proved", 0.31)),
+      touch("condition", "bound touch all condition --norm 2 --gap 0.05 --range x=0:1.3",
+            is_condition),
+      touch("datasheet", "datasheet touch all --gap 0.3 --range x=0:1.3", is_datasheet),
+      bar("check_closure", "check", "", is_not_regular),
+      bar("locate_closure", "locate", "--resolution 1/256", is_open_at_toggles),
   };
 }
 
