@@ -210,7 +210,9 @@ Json json_kept_question(const PreparedSearch& p, const SearchOptions& search) {
   question.erase("pose_exact");
   question.erase("constraints_exact");
   question["uncertainty"] = word_of(search.uncertainty);
+  // These are not checked, so a run that continues must name them, too.
   for (const FilterFile& filter : p.filters) question["filters"].push_back(filter.sha256());
+  if (p.text) question["kernel"] = p.text->sha256;
   return question;
 }
 
