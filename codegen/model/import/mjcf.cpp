@@ -284,9 +284,13 @@ class MjcfReader {
   void add_loop(const XmlElement& element) {
     if (element.has("site1"))
       element.refuse("the loop is closed by sites", "write body1, body2 and anchor");
-    ImportedLoop loop{
-        element.name(), element.required("body1"), element.attribute("body2", "world"), {}, false,
-        element.line()};
+    ImportedLoop loop{element.name(),
+                      element.required("body1"),
+                      element.attribute("body2", "world"),
+                      {},
+                      false,
+                      element.line(),
+                      {}};
     for (const std::string& link : {loop.first, loop.second})
       if (!result_.has_link(link))
         element.refuse("there is no body " + in_quotes(link), "correct the name");

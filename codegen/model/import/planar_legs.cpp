@@ -324,29 +324,4 @@ std::string planar_text(const PlanarRobot& robot, std::vector<std::string>& note
   return text + motions_text(robot);
 }
 
-void refuse_closed_mechanism(const Mechanism& mechanism, const std::string& file) {
-  if (!has_loops(mechanism)) return;
-  const BodyGraph graph(mechanism);
-  std::size_t turning = 0, sliding = 0, others = 0, tied = 0;
-  std::set<std::size_t> bodies;
-  for (const Connection& c : graph.connections()) {
-    turning += c.kind == ConnectionKind::kRevolute;
-    sliding += c.kind == ConnectionKind::kPrismatic;
-    others += c.kind != ConnectionKind::kRevolute && c.kind != ConnectionKind::kPrismatic;
-    bodies.insert({c.first, c.second});
-  }
-  for (const std::size_t body : bodies) tied += graph.of_body(body).size() > 2;
-  const std::size_t loops = graph.connections().size() + 1 - bodies.size();
-  if (graph.connections().size() < bodies.size()) return;
-  const int line = mechanism.loops.empty() ? 0 : mechanism.loops.front().line;
-  throw InputError::statement(
-      file, line,
-      fmt::format("the file has a closed mechanism that is not known: {} bodies, {} loop{}; of its "
-                  "joints {} turn, {} slide, {} are others; {} bodies have three joints or more",
-                  bodies.size(), loops, loops == 1 ? "" : "s", turning, sliding, others, tied),
-      "platforms on six legs that slide, platforms on three legs in a plane, and five-bars are "
-      "read; describe other robots with [legs] or their matrix, or choose --base and --tip of an "
-      "arm that is no part of a loop");
-}
-
 }  // namespace regulus

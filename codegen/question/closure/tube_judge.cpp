@@ -20,16 +20,23 @@ constexpr double kFirstGrowth = 1.5, kGrowth = 1.25;
 constexpr double kRoom = 0.875;
 constexpr double kLeastRadius = 0x1p-44;  ///< relative to 1 or to the unknown
 
+bool has_room(const BranchTube& tube, const TubeImage& image, std::size_t i) {
+  return std::fmax(image.radius[i], image.change[i]) <= kRoom * tube.radius[i];
+}
+
 bool has_room(const BranchTube& tube, const TubeImage& image) {
   for (std::size_t i = 0; i < tube.radius.size(); ++i)
-    if (!(std::fmax(image.radius[i], image.change[i]) <= kRoom * tube.radius[i])) return false;
+    if (!has_room(tube, image, i)) return false;
   return has_one_solution(tube, image);
 }
 
-/// Returns for each parameter the most that it adds to an image, relative to all of it.
-std::vector<double> impact_of(const TubeImage& image, const ClosedShape& shape) {
+/// Returns for each parameter the most that it adds to the image of an unknown without room, relative
+/// to all of it. A loop that closes needs no split of what moves it alone.
+std::vector<double> impact_of(const BranchTube& tube, const TubeImage& image,
+                              const ClosedShape& shape) {
   std::vector<double> impact(shape.parameters, 0.0);
   for (std::size_t i = 0; i < shape.unknowns; ++i) {
+    if (has_room(tube, image, i)) continue;
     double all = 0;
     for (std::size_t k = 0; k < shape.variables; ++k) all += image.impact[i * shape.variables + k];
     for (std::size_t k = 0; k < shape.parameters; ++k)
@@ -87,7 +94,7 @@ void TubeFinder::find(std::span<const TubeTrial> trials, std::span<TubeFinding> 
           tube, trials[lane].box, trials[lane].inverse,
           {centers[lane]->value, over->by_unknown, over->by_variable, centers[lane]->by_unknown,
            centers[lane]->by_variable, over->rates_by_unknown, over->rates_by_variable});
-      if (trial == 0) finding.impact = impact_of(image, shape_);
+      finding.impact = impact_of(tube, image, shape_);
       if (trial > 0 && has_room(tube, image)) {
         finding.tube = std::move(tube);
         is_open[lane] = 0;
