@@ -141,11 +141,20 @@ class RobotCloser {
     std::size_t worst = 0;
     for (std::size_t i = 1; i < loops_.size(); ++i)
       if (pose_.gap_of_loop(i) > pose_.gap_of_loop(worst)) worst = i;
+    std::set<std::string> joints;
+    std::size_t freedoms = 0;
+    for (const LoopStep& step : graph_.loops[worst].steps) {
+      if (step.kind == LoopStep::Kind::kBall) freedoms += 3;
+      if (step.kind == LoopStep::Kind::kJoint)
+        ++freedoms, joints.insert(in_quotes(graph_.joints[step.joint].name));
+    }
     refuse(loops_[worst].line,
            fmt::format("{} cannot be closed: from the file's pose Newton's method ends where it is "
-                       "open by {:.3g}",
-                       loops_[worst].name, pose_.gap_of_loop(worst)),
-           "give a pose nearby, --at JOINT=VALUE, for motors or passive joints");
+                       "open by {:.3g}; {} freedoms of its joints ({}) meet six conditions",
+                       loops_[worst].name, pose_.gap_of_loop(worst), freedoms,
+                       fmt::join(joints, ", ")),
+           "give a pose nearby, --at JOINT=VALUE, for motors or passive joints, or correct the "
+           "joints");
   }
 
   void round_motors() {
@@ -315,9 +324,9 @@ class RobotCloser {
              "name the driven joints: --actuated JOINT,JOINT");
     for (const std::size_t v : unknowns_) add(robot.passive, v);
     for (const std::size_t row : rows) robot.equations.push_back(exact_[row].subs(names));
-    robot.summary =
-        fmt::format("{} loop{}: {} equations in as many passive joints; driven: {}", loops_.size(),
-                    loops_.size() == 1 ? "" : "s", rows.size(), quoted(motors_));
+    robot.summary = fmt::format("{} loop{}: {} equation{} in as many passive joints; driven: {}",
+                                loops_.size(), loops_.size() == 1 ? "" : "s", rows.size(),
+                                rows.size() == 1 ? "" : "s", quoted(motors_));
     for (const CutLoop& loop : loops_)
       if (!loop.at.empty())
         note(fmt::format("{}: cut at {}, whose angles are no unknowns", loop.name, loop.at));

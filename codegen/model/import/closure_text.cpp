@@ -31,13 +31,17 @@ std::string range_text(const ClosedJoint& joint) {
 }  // namespace
 
 std::string closure_text(const ClosedRobot& robot) {
-  std::string equations, start, home, around;
+  // The start is a solution but for rounding, and others may be near.
+  constexpr const char* kRadius = "1e-5";
+  std::string equations, start, radius, home, around;
   for (const GiNaC::ex& equation : robot.equations)
     equations += fmt::format("  \"{}\",\n", formula_text(equation));
   for (const auto* joints : {&robot.driven, &robot.passive})
     for (const ClosedJoint& joint : *joints)
       start +=
           fmt::format("{}{} = {}", start.empty() ? "" : ", ", joint.name, start_text(joint.value));
+  for (const ClosedJoint& joint : robot.passive)
+    radius += fmt::format("{}{} = {}", radius.empty() ? "" : ", ", joint.name, kRadius);
   for (const ClosedJoint& joint : robot.driven) {
     home += fmt::format("{} = {}\n", joint.name, start_text(joint.value));
     around += fmt::format("{} = {}\n", joint.name, range_text(joint));
@@ -45,10 +49,10 @@ std::string closure_text(const ClosedRobot& robot) {
   return fmt::format(
       "[pose] # the driven joints\n{}\n\n"
       "[closure] # the passive joints, and what closes the loops\n"
-      "unknowns = {{ {} }}\nequations = [\n{}]\nstart = {{ {} }}\n\n"
+      "unknowns = {{ {} }}\nequations = [\n{}]\nstart = {{ {} }}\nradius = {{ {} }}\n\n"
       "[motion.home]\n{}\n[motion.around_home] # a guess: give it the ranges of your robot\n{}",
-      units_text(robot.driven, "\n"), units_text(robot.passive, ", "), equations, start, home,
-      around);
+      units_text(robot.driven, "\n"), units_text(robot.passive, ", "), equations, start, radius,
+      home, around);
 }
 
 }  // namespace regulus

@@ -131,14 +131,6 @@ class PlanarFinder {
     std::size_t body = from;
     for (std::size_t steps = 0; steps < kLongestWalk; ++steps) {
       const Connection& next = graph_.connections()[connection];
-      if (next.gap > 0)
-        throw InputError::statement(
-            file_, next.line,
-            fmt::format(
-                "the loop is open where it was cut, with every joint at zero: the links are "
-                "{:.4g} m apart",
-                next.gap),
-            "draw the robot closed, or describe it with [legs]");
       require_independent(next, file_);
       add(joints, next);
       body = next.first == body ? next.second : next.first;

@@ -106,7 +106,7 @@ class ListReader {
       else
         refuse(line_, "there is no word between the commas");
       skip();
-      if (!take(',') && (at_ >= text_.size() || text_[at_] != ']'))
+      if (!take(',') && at_ < text_.size() && text_[at_] != ']')
         refuse(line_, "a comma is missing");
     }
     if (!words.empty()) value.groups.push_back(std::move(words));

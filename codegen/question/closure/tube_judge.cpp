@@ -18,7 +18,6 @@ constexpr int kTrials = 8;
 constexpr double kFirstGrowth = 1.5, kGrowth = 1.25;
 /// The room that is left to the rounding of the verifier, and so that neighbours overlap.
 constexpr double kRoom = 0.875;
-constexpr double kLeastRadius = 0x1p-44;  ///< relative to 1 or to the unknown
 
 bool has_room(const BranchTube& tube, const TubeImage& image, std::size_t i) {
   return std::fmax(image.radius[i], image.change[i]) <= kRoom * tube.radius[i];
@@ -30,17 +29,17 @@ bool has_room(const BranchTube& tube, const TubeImage& image) {
   return has_one_solution(tube, image);
 }
 
-/// Returns for each parameter the most that it adds to the image of an unknown without room, relative
-/// to all of it. A loop that closes needs no split of what moves it alone.
-std::vector<double> impact_of(const BranchTube& tube, const TubeImage& image,
+/// Returns for each variable the most that it adds to the first image of an unknown without room,
+/// relative to all of it. A loop that has a tube needs no split of what moves it alone.
+std::vector<double> impact_of(const TubeImage& first, const BranchTube& tube, const TubeImage& last,
                               const ClosedShape& shape) {
-  std::vector<double> impact(shape.parameters, 0.0);
+  std::vector<double> impact(shape.variables, 0.0);
   for (std::size_t i = 0; i < shape.unknowns; ++i) {
-    if (has_room(tube, image, i)) continue;
+    if (has_room(tube, last, i)) continue;
     double all = 0;
-    for (std::size_t k = 0; k < shape.variables; ++k) all += image.impact[i * shape.variables + k];
-    for (std::size_t k = 0; k < shape.parameters; ++k)
-      if (all > 0) impact[k] = std::fmax(impact[k], image.impact[i * shape.variables + k] / all);
+    for (std::size_t k = 0; k < shape.variables; ++k) all += first.impact[i * shape.variables + k];
+    for (std::size_t k = 0; k < shape.variables; ++k)
+      if (all > 0) impact[k] = std::fmax(impact[k], first.impact[i * shape.variables + k] / all);
   }
   return impact;
 }
@@ -60,8 +59,9 @@ SystemBoxes::Box TubeFinder::reach_of(const TubeTrial& trial,
   return reach;
 }
 
-void TubeFinder::find(std::span<const TubeTrial> trials, std::span<TubeFinding> findings) {
-  const std::size_t n = shape_.unknowns;
+/// The systems at x₀ and c.
+std::vector<std::optional<SystemBoxes::System>> TubeFinder::centers_of(
+    std::span<const TubeTrial> trials) {
   std::vector<SystemBoxes::Box> boxes;
   for (const TubeTrial& trial : trials) {
     SystemBoxes::Box& center = boxes.emplace_back();
@@ -71,7 +71,15 @@ void TubeFinder::find(std::span<const TubeTrial> trials, std::span<TubeFinding> 
   system_.evaluate(boxes);
   std::vector<std::optional<SystemBoxes::System>> centers;
   for (std::size_t lane = 0; lane < trials.size(); ++lane) centers.push_back(system_.at(lane));
+  return centers;
+}
+
+void TubeFinder::find(std::span<const TubeTrial> trials, std::span<TubeFinding> findings) {
+  const std::size_t n = shape_.unknowns;
+  const auto centers = centers_of(trials);
+  std::vector<SystemBoxes::Box> boxes(trials.size());
   std::vector<std::vector<double>> radius(trials.size(), std::vector<double>(n, 0.0));
+  std::vector<TubeImage> first(trials.size());
   std::vector<char> is_open(trials.size(), 1);
   for (int trial = 0; trial < kTrials; ++trial) {
     if (std::ranges::find(is_open, 1) == is_open.end()) return;
@@ -94,14 +102,15 @@ void TubeFinder::find(std::span<const TubeTrial> trials, std::span<TubeFinding> 
           tube, trials[lane].box, trials[lane].inverse,
           {centers[lane]->value, over->by_unknown, over->by_variable, centers[lane]->by_unknown,
            centers[lane]->by_variable, over->rates_by_unknown, over->rates_by_variable});
-      finding.impact = impact_of(tube, image, shape_);
+      if (trial == 0) first[lane] = image;
+      finding.impact = impact_of(first[lane], tube, image, shape_);
       if (trial > 0 && has_room(tube, image)) {
         finding.tube = std::move(tube);
         is_open[lane] = 0;
         continue;
       }
       for (std::size_t i = 0; i < n; ++i) {
-        const double least = kLeastRadius * std::fmax(1.0, std::fabs(tube.center[i]));
+        const double least = least_radius_ * std::fmax(1.0, std::fabs(tube.center[i]));
         radius[lane][i] = std::fmax(least, (trial == 0 ? kFirstGrowth : kGrowth) * image.radius[i]);
         if (!std::isfinite(radius[lane][i])) is_open[lane] = 0;
       }
@@ -136,13 +145,34 @@ void TubeJudge::judge(std::span<const Box> boxes, std::span<TubeFinding> finding
   if (trials.empty()) return;
   std::vector<TubeFinding> tubes(trials.size());
   finder_.find(trials, tubes);
+  measure_uncertainty(trials, tubes);
   for (std::size_t i = 0; i < trials.size(); ++i) findings[lanes[i]] = std::move(tubes[i]);
+}
+
+/// Halving the motion's ranges leads to no tube where there is none at their middles.
+void TubeJudge::measure_uncertainty(std::span<const TubeTrial> trials,
+                                    std::span<TubeFinding> tubes) {
+  const ClosedShape& shape = question_.shape;
+  if (shape.parameters == shape.variables) return;
+  std::vector<TubeTrial> still;
+  std::vector<std::size_t> of;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    if (tubes[i].tube || tubes[i].is_undefined) continue;
+    TubeTrial& trial = still.emplace_back(trials[i]);
+    for (std::size_t k = 0; k < shape.parameters; ++k) trial.box[k] = Interval(trial.tube.at[k]);
+    of.push_back(i);
+  }
+  if (still.empty()) return;
+  std::vector<TubeFinding> found(still.size());
+  finder_.find(still, found);
+  for (std::size_t i = 0; i < still.size(); ++i) tubes[of[i]].is_too_uncertain = !found[i].tube;
 }
 
 void TubeJudge::put(ByteWriter& to, const TubeFinding& finding) {
   to.put(finding.is_outside);
   to.put(finding.is_undefined);
   to.put(finding.is_lost);
+  to.put(finding.is_too_uncertain);
   to.put_list(std::span<const double>(finding.impact));
   to.put(finding.tube.has_value());
   if (!finding.tube) return;
@@ -157,9 +187,10 @@ TubeFinding TubeJudge::take(ByteReader& from, const ClosureQuestion& question) {
   finding.is_outside = from.take_flag();
   finding.is_undefined = from.take_flag();
   finding.is_lost = from.take_flag();
+  finding.is_too_uncertain = from.take_flag();
   finding.impact = from.take_list<double>();
   const std::size_t impacts = finding.impact.size();
-  if (impacts != 0 && impacts != question.shape.parameters) throw MalformedMessage();
+  if (impacts != 0 && impacts != m) throw MalformedMessage();
   if (!from.take_flag()) return finding;
   BranchTube& tube = finding.tube.emplace();
   tube.at = from.take_list_of<double>(m);
