@@ -310,6 +310,7 @@ class LegsReader {
       reading_.names.declare_expression(name, formula.text(), place);
     set_twist();
     set_rows(written.rows);
+    set_extensible_legs();
     for (const Formula& range : written.ranges) reading_.joint_ranges.push_back(parsed(range));
     reading_.model.drawing = std::make_shared<Drawing>(
         legs_drawing(written.points, [this](const Formula& f) { return parsed(f).value; }));
@@ -321,6 +322,28 @@ class LegsReader {
         parse_expression(formula.text(), reading_.names, toml_.place(entry_));
     reading_.count(term, entry_);
     return term;
+  }
+
+  /// If the motors set the lengths of all legs, and nothing else keeps the platform.
+  void set_extensible_legs() {
+    if (robot_.point || pose_ == Pose::kFixed || robot_.legs.size() != (robot_.planar ? 3U : 6U))
+      return;
+    for (std::size_t i = 0; i < robot_.legs.size(); ++i) {
+      const Leg& leg = robot_.legs[i];
+      if (leg.type->kind != LegKind::kTelescopic || leg.actuated != 2 || leg.type->is_hinged ||
+          leg.type->keeps_orientation) {
+        reading_.model.legs.clear();
+        return;
+      }
+      ExtensibleLeg& extensible = reading_.model.legs.emplace_back();
+      for (std::size_t axis = 0; axis < axes_; ++axis) {
+        std::string e(1, 'e');
+        e.append(std::to_string(i + 1)).append(1, '_').append(kCoordinates[axis]);
+        extensible.base[axis] = parsed(leg.base[axis]).value;
+        extensible.platform[axis] = parsed(leg.platform[axis]).value;
+        extensible.vector[axis] = parsed(unplaced(e)).value;
+      }
+    }
   }
 
   ex of_the_matrix(const Formula& formula) {
