@@ -67,17 +67,17 @@ Matrix3 transposed(const Matrix3& R) noexcept {
   return {R[0], R[3], R[6], R[1], R[4], R[7], R[2], R[5], R[8]};
 }
 
-Frame compose(const Frame& first, const Frame& second) noexcept {
+LinkFrame compose(const LinkFrame& first, const LinkFrame& second) noexcept {
   return {times(first.R, second.R), times(first.R, second.d) + first.d};
 }
 
-Frame inverse(const Frame& frame) noexcept {
+LinkFrame inverse(const LinkFrame& frame) noexcept {
   const Matrix3 back = transposed(frame.R);
   return {back, times(back, Vector3{0, 0, 0} - frame.d)};
 }
 
-Frame ArmJoint::moved(const Interval& value) const noexcept {
-  Frame frame;
+LinkFrame ArmJoint::moved(const Interval& value) const noexcept {
+  LinkFrame frame;
   if (turns)
     frame.R = turn(axis, value);
   else
@@ -91,8 +91,8 @@ Interval enclosed(const GiNaC::ex& number) {
   return enclose_constant(number, "a number of the arm");
 }
 
-Frame enclosed(const Placement& placement, const NominalGeometry& nominal) {
-  Frame frame;
+LinkFrame enclosed(const Placement& placement, const NominalGeometry& nominal) {
+  LinkFrame frame;
   for (unsigned i = 0; i < 3; ++i) {
     frame.d[i] = enclosed(nominal.at(placement.p[i]));
     for (unsigned j = 0; j < 3; ++j) frame.R[3 * i + j] = enclosed(nominal.at(placement.R(i, j)));
@@ -114,7 +114,7 @@ ArmChain enclose_chain(const Model& model) {
   return chain;
 }
 
-Frame enclose_target(const Model& model, const std::vector<GiNaC::ex>& tool) {
+LinkFrame enclose_target(const Model& model, const std::vector<GiNaC::ex>& tool) {
   const NominalGeometry nominal(model);
   const Placement place{rotation_roll_pitch_yaw(tool[3], tool[4], tool[5]),
                         {tool[0], tool[1], tool[2]}};
@@ -124,7 +124,7 @@ Frame enclose_target(const Model& model, const std::vector<GiNaC::ex>& tool) {
 ArmPosture posture_at(const ArmChain& chain, std::span<const Interval> values) {
   ArmPosture posture;
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    const Frame at = compose(posture.end, chain[i].origin);
+    const LinkFrame at = compose(posture.end, chain[i].origin);
     posture.axes.push_back(times(at.R, chain[i].axis));
     posture.origins.push_back(at.d);
     posture.end = compose(at, chain[i].moved(values[i]));

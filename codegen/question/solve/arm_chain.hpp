@@ -26,22 +26,22 @@ using Matrix3 = std::array<Interval, 9>;  ///< row-major
 [[nodiscard]] Matrix3 transposed(const Matrix3& R) noexcept;
 
 /// A rotation and a translation: x becomes Rx + d.
-struct Frame {
+struct LinkFrame {
   Matrix3 R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
   Vector3 d = {0, 0, 0};
 };
 
-[[nodiscard]] Frame compose(const Frame& first, const Frame& second) noexcept;
-[[nodiscard]] Frame inverse(const Frame& frame) noexcept;
+[[nodiscard]] LinkFrame compose(const LinkFrame& first, const LinkFrame& second) noexcept;
+[[nodiscard]] LinkFrame inverse(const LinkFrame& frame) noexcept;
 
 /// A joint that turns about, or slides along, an axis through the origin of its frame.
 struct ArmJoint {
   bool turns = true;
-  Frame origin;       ///< in the frame that the joint before moves
+  LinkFrame origin;   ///< in the frame that the joint before moves
   Vector3 axis = {};  ///< a unit vector
 
   /// Encloses what the joint does.
-  [[nodiscard]] Frame moved(const Interval& value) const noexcept;
+  [[nodiscard]] LinkFrame moved(const Interval& value) const noexcept;
 };
 
 using ArmChain = std::vector<ArmJoint>;
@@ -52,11 +52,11 @@ using ArmChain = std::vector<ArmJoint>;
 [[nodiscard]] ArmChain enclose_chain(const Model& model);
 
 /// Encloses the frame of the last joint when the tool is at x, y, z, roll, pitch, yaw.
-[[nodiscard]] Frame enclose_target(const Model& model, const std::vector<GiNaC::ex>& tool);
+[[nodiscard]] LinkFrame enclose_target(const Model& model, const std::vector<GiNaC::ex>& tool);
 
 /// The frame that the last joint moves, and each joint's axis and origin, all in the base.
 struct ArmPosture {
-  Frame end;
+  LinkFrame end;
   std::vector<Vector3> axes, origins;
 };
 [[nodiscard]] ArmPosture posture_at(const ArmChain& chain, std::span<const Interval> values);

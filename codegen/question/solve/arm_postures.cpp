@@ -119,7 +119,7 @@ class ArmSolver {
     if (at == free_.end()) throw UsageError("no joint " + in_quotes(name) + " is free to be held");
     const std::size_t i = *at;
     const auto k = std::size_t(at - free_.begin());
-    const Frame link = compose(chain_[k].origin, chain_[k].moved(values[i]));
+    const LinkFrame link = compose(chain_[k].origin, chain_[k].moved(values[i]));
     if (k + 1 < chain_.size())
       chain_[k + 1].origin = compose(link, chain_[k + 1].origin);
     else
@@ -187,7 +187,7 @@ class ArmSolver {
   }
 
   /// Returns false if neither is shown.
-  bool add_posture(Attempt& attempt, const Root& four, const ArmChain& loop, const Frame& end,
+  bool add_posture(Attempt& attempt, const Root& four, const ArmChain& loop, const LinkFrame& end,
                    std::size_t first) const {
     OppositeAxes axes(loop, end);
     const std::vector<RootSystem::Box> boxes = {four.values};
@@ -318,7 +318,7 @@ class ArmSolver {
   const Model& model_;
   const SolveRun& run_;
   ArmChain chain_;
-  Frame target_;
+  LinkFrame target_;
   std::vector<std::size_t> free_;  ///< by joint of the chain: its number in the pose
   const Problem problem_{};
   RootSettings settings_;

@@ -142,13 +142,13 @@ std::optional<RootSystem::Values> WholeArm::at(std::size_t lane) const {
   return values;
 }
 
-OppositeAxes::OppositeAxes(const ArmChain& chain, const Frame& target) {
-  const auto frame = [&](std::size_t joint) -> const Frame& { return chain[joint - 1].origin; };
+OppositeAxes::OppositeAxes(const ArmChain& chain, const LinkFrame& target) {
+  const auto frame = [&](std::size_t joint) -> const LinkFrame& { return chain[joint - 1].origin; };
   const auto axis = [&](std::size_t joint) -> const Vector3& { return chain[joint - 1].axis; };
   const Interval two(2.0);
 
   // The line in the frame of joint 1, then seen through joints 1 and 2.
-  const Frame back = inverse(frame(1));
+  const LinkFrame back = inverse(frame(1));
   const Vector3 g = times(back.R, target.d) + back.d;
   const Vector3 h = times(back.R, times(target.R, axis(6)));
   const Vector3 &d2 = frame(2).d, &d3 = frame(3).d;
@@ -216,20 +216,20 @@ std::optional<RootSystem::Values> OppositeAxes::at(std::size_t lane) const {
   return values;
 }
 
-std::array<double, 2> OppositeAxes::approx_others(const ArmChain& chain, const Frame& target,
+std::array<double, 2> OppositeAxes::approx_others(const ArmChain& chain, const LinkFrame& target,
                                                   std::span<const double> four) {
   const auto moved = [&](std::size_t joint, double value) {
     return compose(chain[joint].origin, chain[joint].moved(Interval(value)));
   };
-  const Frame before = compose(compose(moved(0, four[0]), moved(1, four[1])), chain[2].origin);
-  const Frame after = compose(compose(moved(3, four[2]), moved(4, four[3])), chain[5].origin);
-  const Frame seen = compose(inverse(before), target);
+  const LinkFrame before = compose(compose(moved(0, four[0]), moved(1, four[1])), chain[2].origin);
+  const LinkFrame after = compose(compose(moved(3, four[2]), moved(4, four[3])), chain[5].origin);
+  const LinkFrame seen = compose(inverse(before), target);
   const Point3 k = middle(chain[2].axis);
   const auto by_place = approx_angle(k, middle(after.d), middle(seen.d));
   const auto by_direction =
       approx_angle(k, middle(times(after.R, chain[5].axis)), middle(times(seen.R, chain[5].axis)));
   const double third = by_place.second > by_direction.second ? by_place.first : by_direction.first;
-  const Frame last =
+  const LinkFrame last =
       compose(inverse(compose(compose(before, chain[2].moved(Interval(third))), after)), target);
   const Point3 a = middle(chain[5].axis);
   std::size_t least = 0;
@@ -240,8 +240,8 @@ std::array<double, 2> OppositeAxes::approx_others(const ArmChain& chain, const F
   return {third, approx_angle(a, middle(across), middle(times(last.R, across))).first};
 }
 
-std::pair<ArmChain, Frame> rotated_loop(const ArmChain& chain, const Frame& target,
-                                        std::size_t first) {
+std::pair<ArmChain, LinkFrame> rotated_loop(const ArmChain& chain, const LinkFrame& target,
+                                            std::size_t first) {
   if (first == 0) return {chain, target};
   // O₁J₁…O₆J₆ = T is J₁O₂J₂…J₆(T⁻¹O₁) = I.
   ArmChain loop;
@@ -250,12 +250,12 @@ std::pair<ArmChain, Frame> rotated_loop(const ArmChain& chain, const Frame& targ
     if ((i + first) % kJoints == 0) joint.origin = compose(inverse(target), chain[0].origin);
     loop.push_back(joint);
   }
-  const Frame end = inverse(loop[0].origin);
-  loop[0].origin = Frame();
+  const LinkFrame end = inverse(loop[0].origin);
+  loop[0].origin = LinkFrame();
   return {loop, end};
 }
 
-void move_origins(ArmChain& chain, Frame& target) {
+void move_origins(ArmChain& chain, LinkFrame& target) {
   for (std::size_t i = 1; i < chain.size(); ++i) {
     // Along the axis, seen from the joint before: d + t·a is to be nearest to the line of b.
     const Point3 b = middle(chain[i - 1].axis), d = middle(chain[i].origin.d);
@@ -265,12 +265,12 @@ void move_origins(ArmChain& chain, Frame& target) {
     const double t =
         across < 1e-12 ? -approx_dot(d, a) : (ab * approx_dot(d, b) - approx_dot(d, a)) / across;
     if (!std::isfinite(t)) continue;
-    Frame shift;
+    LinkFrame shift;
     shift.d = Interval(t) * chain[i].axis;
-    Frame& next = i + 1 < chain.size() ? chain[i + 1].origin : target;
+    LinkFrame& next = i + 1 < chain.size() ? chain[i + 1].origin : target;
     chain[i].origin = compose(chain[i].origin, shift);
     if (i + 1 < chain.size()) {
-      Frame back;
+      LinkFrame back;
       back.d = Interval(-t) * chain[i].axis;
       next = compose(back, next);
     } else {

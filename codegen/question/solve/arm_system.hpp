@@ -15,7 +15,7 @@ inline constexpr std::size_t kJoints = 6;
 /// forward Jacobian is. Its trace tells them apart.
 class WholeArm final : public RootSystem {
  public:
-  WholeArm(const ArmChain& chain, const Frame& target) : chain_(chain), target_(target) {}
+  WholeArm(const ArmChain& chain, const LinkFrame& target) : chain_(chain), target_(target) {}
 
   void evaluate(std::span<const Box> boxes, bool) override {
     boxes_.assign(boxes.begin(), boxes.end());
@@ -25,7 +25,7 @@ class WholeArm final : public RootSystem {
 
  private:
   const ArmChain& chain_;
-  const Frame& target_;
+  const LinkFrame& target_;
   std::vector<Box> boxes_;
 };
 
@@ -45,7 +45,7 @@ using Bilinear = std::array<std::array<Interval, 3>, 3>;
 class OppositeAxes final : public RootSystem {
  public:
   /// Requires  six joints that turn.
-  OppositeAxes(const ArmChain& chain, const Frame& target);
+  OppositeAxes(const ArmChain& chain, const LinkFrame& target);
 
   void evaluate(std::span<const Box> boxes, bool has_rates) override {
     boxes_.assign(boxes.begin(), boxes.end());
@@ -55,7 +55,7 @@ class OppositeAxes final : public RootSystem {
 
   /// Returns the joints 3 and 6, approximately.
   [[nodiscard]] static std::array<double, 2> approx_others(const ArmChain& chain,
-                                                           const Frame& target,
+                                                           const LinkFrame& target,
                                                            std::span<const double> four);
 
  private:
@@ -70,11 +70,12 @@ class OppositeAxes final : public RootSystem {
 
 /// Returns the chain that begins `first` joints later in the loop, and its target: its joint i is
 /// joint (i + first) mod 6 of the given one, at the same values.
-[[nodiscard]] std::pair<ArmChain, Frame> rotated_loop(const ArmChain& chain, const Frame& target,
-                                                      std::size_t first);
+[[nodiscard]] std::pair<ArmChain, LinkFrame> rotated_loop(const ArmChain& chain,
+                                                          const LinkFrame& target,
+                                                          std::size_t first);
 
 /// Moves the origin of each joint along its axis to where it is nearest to the axis before, and the
 /// target with the last. The values of the joints stay.
-void move_origins(ArmChain& chain, Frame& target);
+void move_origins(ArmChain& chain, LinkFrame& target);
 
 }  // namespace regulus
