@@ -61,6 +61,7 @@ constexpr Key kCertificate[] = {
     {"certificate_note?", "text", "why the verifier may not finish"},
 };
 constexpr Key kCheck[] = {
+    {"kernel", "edited_kernel?", "the text whose functions the claim is about; null: the model's"},
     {"filters", "filter[]"},
     {"leaves", "count{}", "certified boxes by the test that certified them"},
     {"nearest_singular?", "nearest_singular", "where the matrix is nearest to losing rank"},

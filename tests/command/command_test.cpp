@@ -46,7 +46,7 @@ TEST(Command, ReportsEveryPromisedKeyAsJson) {
        {"verdict", "reason", "alpha", "method", "boxes", "max_frontier", "bits", "motion", "model",
         "model_sha256", "witness", "blocking_box", "seconds", "engine", "isa", "cache"})
     EXPECT_TRUE(report.contains(key)) << key;
-  for (const char* stage : {"model", "symbolic", "emit", "compile", "search", "total"})
+  for (const char* stage : {"model", "symbolic", "program", "search", "total"})
     EXPECT_TRUE(report["seconds"].contains(stage)) << stage;
   EXPECT_EQ(report["verdict"], "singularity");
   const json& witness = report["witness"];

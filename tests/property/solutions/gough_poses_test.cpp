@@ -126,6 +126,36 @@ TEST(ARandomHexapod, HasAllItsPosesInTheList) {
   EXPECT_GE(complete, 28);
 }
 
+/// A random platform whose legs meet in pairs, in a random order, at the platform or at the base.
+TEST(LegsThatMeetInPairs, HaveAllTheirPosesInTheList) {
+  RandomSource random(7);
+  int complete = 0;
+  for (int round = 0; round < 20; ++round) {
+    Platform robot = Platform::random(random);
+    std::array<std::size_t, 6> points{0, 0, 1, 1, 2, 2};
+    for (std::size_t i = 5; i > 0; --i) std::swap(points[i], points[random.below(i + 1)]);
+    const bool at_base = random.one_in(2);
+    Anchors& anchors = at_base ? robot.base : robot.platform;
+    const Anchors all = anchors;
+    for (std::size_t i = 0; i < 6; ++i) anchors[i] = all[points[i]];
+    const Pose<double> planted = random_pose(random, 1.5);
+    GoughLegs legs = robot.at(planted);
+    const GoughPoses general = find_gough_poses(legs);
+    EXPECT_LE(general.complex, 16U);
+    (at_base ? legs.base_point : legs.platform_point) = points;
+    const GoughPoses found = find_gough_poses(legs);
+    EXPECT_LE(found.complex, 16U);
+    EXPECT_EQ(found.most, 16U);
+    expect_legs(robot, legs, found);
+    if (!found.is_complete()) continue;
+    ++complete;
+    EXPECT_LE(general.poses.size(), found.poses.size());
+    EXPECT_TRUE(holds(found.poses, planted, 1e-6));
+    expect_nothing_missing(robot, legs, found, random, 100);
+  }
+  EXPECT_GE(complete, 18);
+}
+
 TEST(UncertainLegs, AreProvedForAllTheirLengths) {
   RandomSource random(4);
   int complete = 0;
