@@ -275,15 +275,23 @@ void bind_files(py::module_& module) {
   module.def(
       "import_file",
       [](const std::string& path, const std::string& base, const std::string& tip,
-         const std::vector<std::string>& cuts, const std::vector<std::string>& actuated,
+         const std::vector<std::string>& cuts, const std::vector<std::string>& welds,
+         const std::vector<std::string>& actuated, const std::vector<std::string>& at, bool closure,
          const std::string& snap) {
-        const Imported imported = run_there([=](const std::atomic<bool>&) {
-          return import_file(path, {base, tip, cuts, actuated, snap});
-        });
+        const ImportOptions options{.base = base,
+                                    .tip = tip,
+                                    .cuts = cuts,
+                                    .welds = welds,
+                                    .actuated = actuated,
+                                    .at = at,
+                                    .closure = closure,
+                                    .snap = snap};
+        const Imported imported =
+            run_there([=](const std::atomic<bool>&) { return import_file(path, options); });
         return std::pair(imported.model, imported.report());
       },
-      py::arg("path"), py::arg("base"), py::arg("tip"), py::arg("cuts"), py::arg("actuated"),
-      py::arg("snap"));
+      py::arg("path"), py::arg("base"), py::arg("tip"), py::arg("cuts"), py::arg("welds"),
+      py::arg("actuated"), py::arg("at"), py::arg("closure"), py::arg("snap"));
   module.def(
       "write_file",
       [](const py::bytes& path, const std::string& text) { write_file(std::string(path), text); },
