@@ -3,15 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
+#include <span>
 
 #include "runtime/solutions/dietmaier.hpp"
-#include "runtime/solutions/path_tracker.hpp"
+#include "runtime/solutions/dual_quaternion.hpp"
+#include "runtime/solutions/paired_legs.hpp"
+#include "runtime/solutions/root_list.hpp"
 
 namespace regulus {
 
 namespace {
 
 constexpr std::size_t kUnknowns = 8;
+constexpr std::array<std::size_t, 1> kGroups{kUnknowns};
 
 /// A leg: w = y + x₀(b − a) + x × (a + b) − x·(b − a).
 template <class Number>
@@ -26,14 +32,6 @@ Leg<Number> leg_of(const std::array<Number, 3>& a, const std::array<Number, 3>& 
   Leg<Number> leg{{}, {}, square};
   for (std::size_t i = 0; i < 3; ++i) leg.difference[i] = b[i] - a[i], leg.sum[i] = a[i] + b[i];
   return leg;
-}
-
-template <class Number>
-using Quaternion = std::array<Number, 4>;
-
-template <class Number>
-Number dot(const Quaternion<Number>& p, const Quaternion<Number>& q) {
-  return p[0] * q[0] + p[1] * q[1] + p[2] * q[2] + p[3] * q[3];
 }
 
 /// u × v, where u is from component `from` on.
@@ -123,16 +121,28 @@ class PoseSystem final : public PolynomialSystem {
   std::array<double, 8> patch_;
 };
 
-/// Legs that go from Dietmaier's to the given ones.
+/// A platform all of whose poses are known.
+struct KnownPlatform {
+  std::array<std::array<double, 3>, 6> base, platform;
+  std::array<double, 6> length;
+  std::span<const std::array<double, 7>> poses;
+};
+
+constexpr KnownPlatform kGeneral{dietmaier::kBase, dietmaier::kPlatform, dietmaier::kLength,
+                                 dietmaier::kPoses};
+constexpr KnownPlatform kPaired{paired_legs::kBase, paired_legs::kPlatform, paired_legs::kLength,
+                                paired_legs::kPoses};
+
+/// Legs that go from those of a known platform to the given ones.
 class PoseHomotopy final : public Homotopy {
  public:
-  explicit PoseHomotopy(const std::array<Leg<Interval>, 6>& legs) {
+  PoseHomotopy(const KnownPlatform& known, const std::array<Leg<Interval>, 6>& legs) {
     for (std::size_t i = 0; i < 6; ++i) {
       const auto point = [](const std::array<double, 3>& p) {
         return std::array<Complex, 3>{{{p[0], 0}, {p[1], 0}, {p[2], 0}}};
       };
-      start_[i] = leg_of(point(dietmaier::kBase[i]), point(dietmaier::kPlatform[i]),
-                         Complex(dietmaier::kLength[i] * dietmaier::kLength[i]));
+      start_[i] = leg_of(point(known.base[i]), point(known.platform[i]),
+                         Complex(known.length[i] * known.length[i]));
       const auto change = [](Interval end, Complex start) { return Complex(mid(end)) - start; };
       for (std::size_t k = 0; k < 3; ++k) {
         change_[i].difference[k] = change(legs[i].difference[k], start_[i].difference[k]);
@@ -143,7 +153,7 @@ class PoseHomotopy final : public Homotopy {
   }
 
   [[nodiscard]] std::size_t unknowns() const noexcept override { return kUnknowns; }
-  [[nodiscard]] std::size_t groups() const noexcept override { return 1; }
+  [[nodiscard]] std::span<const std::size_t> groups() const noexcept override { return kGroups; }
 
   void evaluate(std::span<const Complex> z, Complex s, std::span<Complex> values,
                 std::span<Complex> derivatives, std::span<Complex> rates) const override {
@@ -196,30 +206,17 @@ std::array<Leg<Interval>, 6> scaled(const GoughLegs& legs, int exponent) {
   return result;
 }
 
-std::array<Complex, kUnknowns> start_of(const std::array<double, 7>& pose) {
-  const double* const t = pose.data();
-  const double* const q = t + 3;
-  return {Complex(q[0]),
-          Complex(q[1]),
-          Complex(q[2]),
-          Complex(q[3]),
-          Complex(-t[0] * q[1] - t[1] * q[2] - t[2] * q[3]),
-          Complex(t[0] * q[0] + t[1] * q[3] - t[2] * q[2]),
-          Complex(t[1] * q[0] + t[2] * q[1] - t[0] * q[3]),
-          Complex(t[2] * q[0] + t[0] * q[2] - t[1] * q[1])};
+std::vector<Complex> start_of(const std::array<double, 7>& pose) {
+  const Quaternion<double> t{0, pose[0], pose[1], pose[2]}, x{pose[3], pose[4], pose[5], pose[6]};
+  std::vector<Complex> start;
+  for (const auto& part : {x, t * x})
+    for (const double number : part) start.emplace_back(number);
+  return start;
 }
 
 /// No pose of a robot is in the plane at infinity of a patch that has nothing to do with it.
 constexpr std::array<double, kUnknowns> kPatch{0.871, -0.533, 0.617, 0.749,
                                                0.291, -0.411, 0.367, 0.229};
-
-std::vector<Complex> onto_patch(std::vector<Complex> z) {
-  Complex sum;
-  for (std::size_t i = 0; i < kUnknowns; ++i) sum += z[i] * Complex(kPatch[i]);
-  const Complex factor = inverse(sum);
-  for (Complex& x : z) x = x * factor;
-  return z;
-}
 
 /// x·x is not 0 in the box.
 bool certain_pose(const RootBox& root) {
@@ -228,9 +225,11 @@ bool certain_pose(const RootBox& root) {
   return !contains_zero(square.re) || !contains_zero(square.im);
 }
 
-GoughPose pose_of(const RootBox& root, int exponent) {
-  std::array<Interval, 4> x, y;
+/// `is_back`: the root is the motion of the base as the platform sees it.
+GoughPose pose_of(const RootBox& root, int exponent, bool is_back) {
+  Quaternion<Interval> x, y;
   for (std::size_t i = 0; i < 4; ++i) x[i] = root[i].re, y[i] = root[4 + i].re;
+  if (is_back) x = conj(x), y = conj(y);
   const Interval square = sqr(x[0]) + sqr(x[1]) + sqr(x[2]) + sqr(x[3]);
   const auto moved = [&](std::size_t i, std::size_t j, std::size_t k) {
     const Interval t = x[0] * y[i] - y[0] * x[i] + (x[j] * y[k] - x[k] * y[j]);
@@ -244,48 +243,50 @@ GoughPose pose_of(const RootBox& root, int exponent) {
   return pose;
 }
 
-/// Arcs in the family of platforms, and how carefully they are followed.
-const std::array<TrackerOptions, 4> kArcs{
-    {{{0.6, 0.8}, 1e-5}, {{-0.28, -0.96}, 1e-6}, {{0.352, -0.936}, 1e-7}, {{-0.8, 0.6}, 1e-7}}};
+/// Legs in an order in which 0 and 1 have a point in common, 2 and 3, 4 and 5; nullopt: there is none.
+std::optional<std::array<std::size_t, 6>> pairs_of(const std::array<std::size_t, 6>& points) {
+  std::array<std::size_t, 6> order{0, 1, 2, 3, 4, 5};
+  std::ranges::stable_sort(order, std::less<>(), [&](std::size_t leg) { return points[leg]; });
+  const auto same = [&](std::size_t i) { return points[order[i]] == points[order[i + 1]]; };
+  const bool is_paired = same(0) && !same(1) && same(2) && !same(3) && same(4);
+  return is_paired ? std::optional(order) : std::nullopt;
+}
 
-class PoseCount {
- public:
-  explicit PoseCount(const GoughLegs& legs)
-      : exponent_(exponent_of_size(legs)),
-        legs_(scaled(legs, exponent_)),
-        system_(legs_, kPatch),
-        homotopy_(legs_) {}
-
-  [[nodiscard]] GoughPoses count() {
-    for (const TrackerOptions& arc : kArcs) {
-      for (const auto& pose : dietmaier::kPoses)
-        if (const auto end = track(homotopy_, start_of(pose), arc)) add(*end);
-      if (roots_.size() >= kPosesOfGough) break;
-    }
-    GoughPoses found{{}, roots_.size()};
-    for (const RootBox& root : roots_)
-      if (root.is_real) found.poses.push_back(pose_of(root, exponent_));
-    return found;
-  }
-
- private:
-  void add(const std::vector<Complex>& near) {
-    const auto root = certify_root(system_, onto_patch(near));
-    if (root && certain_pose(*root) && std::ranges::all_of(roots_, [&](const RootBox& other) {
-          return certain_disjoint(*root, other);
-        }))
-      roots_.push_back(*root);
-  }
-
-  const int exponent_;
-  const std::array<Leg<Interval>, 6> legs_;
-  const PoseSystem system_;
-  const PoseHomotopy homotopy_;
-  std::vector<RootBox> roots_;
+/// A platform in the terms of a known one of its family.
+struct Question {
+  const KnownPlatform& known;
+  GoughLegs legs;
+  bool is_back = false;  ///< base and platform have changed places
 };
+
+Question question_of(const GoughLegs& legs) {
+  const auto at_platform = pairs_of(legs.platform_point), at_base = pairs_of(legs.base_point);
+  if (!at_platform && !at_base) return {kGeneral, legs};
+  Question question{kPaired, {}, !at_platform};
+  const auto& order = at_platform ? *at_platform : *at_base;
+  for (std::size_t i = 0; i < 6; ++i) {
+    question.legs.base[i] = at_platform ? legs.base[order[i]] : legs.platform[order[i]];
+    question.legs.platform[i] = at_platform ? legs.platform[order[i]] : legs.base[order[i]];
+    question.legs.length[i] = legs.length[order[i]];
+  }
+  return question;
+}
 
 }  // namespace
 
-GoughPoses find_gough_poses(const GoughLegs& legs) { return PoseCount(legs).count(); }
+GoughPoses find_gough_poses(const GoughLegs& given) {
+  const Question question = question_of(given);
+  const int exponent = exponent_of_size(question.legs);
+  const std::array<Leg<Interval>, 6> legs = scaled(question.legs, exponent);
+  const PoseSystem system(legs, kPatch);
+  const PoseHomotopy homotopy(question.known, legs);
+  std::vector<std::vector<Complex>> starts;
+  for (const auto& pose : question.known.poses) starts.push_back(start_of(pose));
+  const std::vector<RootBox> roots = follow_roots(homotopy, starts, {system, kPatch, certain_pose});
+  GoughPoses found{{}, roots.size(), starts.size()};
+  for (const RootBox& root : roots)
+    if (root.is_real) found.poses.push_back(pose_of(root, exponent, question.is_back));
+  return found;
+}
 
 }  // namespace regulus

@@ -24,7 +24,7 @@ class Tracker {
         options_(options),
         n_(homotopy.unknowns()),
         groups_(homotopy.groups()),
-        equations_(n_ - groups_),
+        equations_(n_ - groups_.size()),
         z_(start.begin(), start.end()),
         values_(n_),
         rates_(n_),
@@ -59,12 +59,13 @@ class Tracker {
   }
 
   void normalize() {
-    const std::size_t width = n_ / groups_;
-    for (std::size_t g = 0; g < groups_; ++g) {
-      const auto group = std::span(z_).subspan(g * width, width);
+    std::size_t first = 0;
+    for (const std::size_t width : groups_) {
+      const auto group = std::span(z_).subspan(first, width);
       double sum = 0;
       for (const Complex& z : group) sum += norm(z);
       for (Complex& z : group) z = z * Complex(1 / std::sqrt(sum));
+      first += width;
     }
   }
 
@@ -76,13 +77,12 @@ class Tracker {
     homotopy_.evaluate(z, s, values_, matrix_, rates_);
     const Complex speed = gamma * reciprocal * reciprocal;
     for (std::size_t i = 0; i < equations_; ++i) rates_[i] = rates_[i] * speed;
-    const std::size_t width = n_ / groups_;
-    for (std::size_t g = 0; g < groups_; ++g) {
-      const std::size_t row = equations_ + g;
+    std::size_t first = 0, row = equations_;
+    for (const std::size_t width : groups_) {
       values_[row] = rates_[row] = {};
       std::fill_n(matrix_.begin() + static_cast<std::ptrdiff_t>(row * n_), n_, Complex{});
-      for (std::size_t i = g * width; i < (g + 1) * width; ++i)
-        matrix_[row * n_ + i] = conj(patch_[i]);
+      for (std::size_t i = first; i < first + width; ++i) matrix_[row * n_ + i] = conj(patch_[i]);
+      first += width, ++row;
     }
   }
 
@@ -133,7 +133,9 @@ class Tracker {
 
   const Homotopy& homotopy_;
   const TrackerOptions& options_;
-  const std::size_t n_, groups_, equations_;
+  const std::size_t n_;
+  const std::span<const std::size_t> groups_;
+  const std::size_t equations_;
   Point z_, patch_, values_, rates_, matrix_;
 };
 

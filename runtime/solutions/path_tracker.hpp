@@ -19,8 +19,8 @@ class Homotopy {
  public:
   virtual ~Homotopy() = default;
   [[nodiscard]] virtual std::size_t unknowns() const noexcept = 0;
-  /// Unknowns of a group are neighbours; all groups have the same size.
-  [[nodiscard]] virtual std::size_t groups() const noexcept = 0;
+  /// How many unknowns each group has; they are neighbours.
+  [[nodiscard]] virtual std::span<const std::size_t> groups() const noexcept = 0;
   /// Sets values F (by equation), derivatives F_z (row-major: by equation), and rates F_s.
   virtual void evaluate(std::span<const Complex> z, Complex s, std::span<Complex> values,
                         std::span<Complex> derivatives, std::span<Complex> rates) const = 0;
