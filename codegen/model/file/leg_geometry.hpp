@@ -3,9 +3,11 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <string>
 #include <vector>
 
+#include "codegen/model/drawing.hpp"
 #include "codegen/model/exact/exact_algebra.hpp"
 #include "codegen/model/file/quantities.hpp"
 #include "codegen/model/file/sections.hpp"
@@ -28,6 +30,13 @@ class LegGeometry {
   void read_tolerances();
   /// Refuses tolerances that no leg has a quantity for.
   void require_uses() const;
+  /// Sets the unit of the lengths that are read from then on, a label.
+  void set_unit(std::string unit) { unit_ = std::move(unit); }
+  /// Returns the drawing with the units of all lengths that were read.
+  [[nodiscard]] Drawing labelled(Drawing drawing) const {
+    drawing.units = units_;
+    return drawing;
+  }
   void set_coordinates(std::size_t count) { coordinates_ = count; }
 
   // `number`: of the leg, the end of the names. A point or a length may have a tolerance of its own:
@@ -84,6 +93,8 @@ class LegGeometry {
                                    {"axes", "n", "axis_tolerance", "axis"}}};
   bool balls_ = false;
   std::size_t coordinates_ = 3;
+  std::string unit_ = "1";
+  std::map<std::string, std::string> units_;
 };
 
 }  // namespace regulus
