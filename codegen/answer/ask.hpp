@@ -31,5 +31,6 @@ namespace regulus {
                                                     const Services& services);
 [[nodiscard]] std::unique_ptr<DatasheetAnswer> ask(const AskDatasheet& asked,
                                                    const Services& services);
+[[nodiscard]] std::unique_ptr<SolveAnswer> ask(const AskSolve& asked, const Services& services);
 
 }  // namespace regulus

@@ -68,7 +68,13 @@ struct AskDatasheet {
   bool markdown = false;
 };
 
-using Asked =
-    std::variant<AskCheck, AskPaving, AskMargin, AskBound, AskLoad, AskLoadPaving, AskDatasheet>;
+/// What are all configurations, poses or postures at one place?
+struct AskSolve {
+  ModelOptions model;
+  SearchOptions search;
+};
+
+using Asked = std::variant<AskCheck, AskPaving, AskMargin, AskBound, AskLoad, AskLoadPaving,
+                           AskDatasheet, AskSolve>;
 
 }  // namespace regulus

@@ -6,7 +6,7 @@
 
 namespace regulus {
 
-inline constexpr Key kEndCertificates[] = {
+inline constexpr Key kEndProofs[] = {
     {"certificates?", "end_files", "the file of each end, or null"},
     {"certificate_obstacles?", "end_obstacles", "why an end has none"},
 };

@@ -119,6 +119,7 @@ constexpr Key kBranch[] = {
 };
 constexpr Key kFold[] = {
     {"parameters", "enclosure{}"},
+    {"uncertain", "enclosure{}"},
     {"unknowns", "enclosure{}"},
     {"direction", "enclosure{}", "of the unknowns, with the motors locked"},
     {"on_branch", "flag", "configurations of the motion lead to it from the start"},
@@ -131,6 +132,13 @@ constexpr Key kFiniteError[] = {
     {"at", "enclosure{}", "the parameters and errors of the attained end"},
     {"closed", "flag"},
     {"boxes", "count"},
+};
+constexpr Key kSolution[] = {
+    {"values", "enclosure{}", "by unknown"},
+    {"determinant", "positive|negative|unknown", "its sign"},
+    {"condition", "approx?", "in the 2-norm; null: infinite"},
+    {"limits", "none|within|beyond|border", "those of the model"},
+    {"beyond", "text?", "what is beyond them"},
 };
 constexpr Key kNearest[] = {
     {"approximate", "flag"},
@@ -254,6 +262,7 @@ const std::vector<ObjectKind>& object_kinds() {
       {"branch", "where the branch of a closure starts", {kBranch}},
       {"fold", "a certified singular configuration of a closure", {kFold}},
       {"finite_error_of_unknown", "how far errors move it", {kFiniteError}},
+      {"solution", "a certain solution", {kSolution}},
       {"undefined", "a pose at which expressions have no value", {kPlace, kUndefined}},
       {"undefined_expression", "over that pose", {kExpression}},
       {"share", "of the ranges", {kShare}},
@@ -268,8 +277,8 @@ const std::vector<ObjectKind>& object_kinds() {
       {"vector_entry", "a member of it", {kVectorEntry}},
       {"component",
        "the bracket of a component, or its comparison with the limit",
-       {kComponent, kEndCertificates}},
-      {"component_margin", "the bracket of a component", {kComponentMargin, kEndCertificates}},
+       {kComponent, kEndProofs}},
+      {"component_margin", "the bracket of a component", {kComponentMargin, kEndProofs}},
       {"sheet_entry", "the bracket of a quantity", {kSheetEntry, kBound}},
       {"force_witness", "a wrench that is not held", {kForceWitness}},
       {"end_files", "of the ends of a bracket", {kEndFiles}},

@@ -140,6 +140,16 @@ constexpr Key kFiniteErrors[] = {
     {"obstacle", "text?", "why there is no bound"},
 };
 
+constexpr Key kSolve[] = {
+    {"solution_units", "text{}", "by unknown"},
+    {"solutions", "solution[]", "pairwise different"},
+    {"open_boxes", "enclosure{}[]", "that may hold others"},
+    {"complex_solutions", "count?", "of a count: those that were certified"},
+    {"how", "text?", "completeness is shown; null: it is not"},
+    {"obstacle", "text?", "why completeness is not shown"},
+    {"stopped_by", "text?", "the limit that ended the search"},
+};
+
 constexpr Key kDatasheet[] = {
     {"interrupted", "flag"},
     {"bounds", "sheet_entry[]"},
@@ -186,12 +196,11 @@ const std::vector<ObjectKind>& report_kinds() {
        kOfMatrix},
       {"margin",
        "margin",
-       {kReason, kNotes, kMethod, kBracket, kClosure, kNonempty, kWitness, kEndCertificates},
+       {kReason, kNotes, kMethod, kBracket, kClosure, kNonempty, kWitness, kEndProofs},
        kOfBracket},
       {"path_margin",
        "margin of a motion along way-points",
-       {kReason, kWay, kWayMatrix, kMethod, kBracket, kNonempty, kSegment, kWitness,
-        kEndCertificates},
+       {kReason, kWay, kWayMatrix, kMethod, kBracket, kNonempty, kSegment, kWitness, kEndProofs},
        kOfBracket},
       {"limit_margin",
        "margin --quantity --limit",
@@ -200,6 +209,7 @@ const std::vector<ObjectKind>& report_kinds() {
       {"bound", "bound", {kNotes, kBound}, kOfBound},
       {"finite_error", "bound error --finite", {kFiniteErrors}, kOfBracket},
       {"datasheet", "datasheet", {kDatasheet}, kOfBracket},
+      {"solutions", "solve", {kSolve}, "complete|none|incomplete"},
       {"forces",
        "check --load and locate --load",
        {kForces, kSubject, kNonempty, kBlocking, kForceShares, kCertificate},

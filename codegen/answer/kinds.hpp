@@ -9,6 +9,7 @@
 #include "codegen/answer/answer.hpp"
 #include "codegen/answer/certificate/proof_status.hpp"
 #include "codegen/question/load/force_claim.hpp"
+#include "codegen/question/solve/solutions.hpp"
 #include "runtime/interval/interval.hpp"
 #include "runtime/problem/result.hpp"
 #include "runtime/search/paving.hpp"
@@ -101,6 +102,16 @@ class LoadAnswer : public Answer {
 class LoadPavingAnswer : public LoadAnswer {
  public:
   Interval feasible{0, 1}, infeasible{0, 1}, undecided{0, 1}, outside{0, 1};
+};
+
+/// What are all solutions?
+class SolveAnswer : public Answer {
+ public:
+  Solutions solutions;
+  SolvedNoun noun;
+
+  [[nodiscard]] Word word() const override;
+  [[nodiscard]] std::string headline() const override;
 };
 
 class DatasheetAnswer : public Answer {

@@ -88,7 +88,7 @@ std::unique_ptr<Answer> ask_with_tree(const AskPaving& asked, const Services& se
 
 const char* kind_of(const Asked& asked) {
   static constexpr std::array<const char*, std::variant_size_v<Asked>> kWords = {
-      "check", "paving", "margin", "bound", "load", "load-paving", "datasheet"};
+      "check", "paving", "margin", "bound", "load", "load-paving", "datasheet", "solutions"};
   static_assert(kWords.back() != nullptr, "each question has a word");
   return kWords[asked.index()];
 }

@@ -138,6 +138,8 @@ class Topics {
     return bounded(request, quantity_of_part(request, topic_.part), std::nullopt, asked.search);
   }
 
+  Found operator()(const AskSolve&) const { return std::nullopt; }
+
  private:
   [[nodiscard]] SearchOptions forming(SearchOptions search) const {
     if (is_told_) search.time_limit = 0;

@@ -47,6 +47,21 @@ constexpr std::string_view kNoProofOfFiniteErrors =
     "finite errors have no proof in a file; ask check for one of the branch";
 constexpr std::string_view kNoWayTheorem = "Coq has the theorem about a force over ranges alone";
 
+constexpr std::string_view kNoProofOfSolutions =
+    "a list of all solutions has no proof in a file; leave the certificate out";
+constexpr std::string_view kNoCheckpointOfSolutions =
+    "a search for all solutions keeps no checkpoint; leave it out";
+constexpr std::string_view kNoRanksOfSolutions =
+    "a search for all solutions runs in one process only; use regulus";
+constexpr std::string_view kNoPageOfSolutions =
+    "a page does not show a list of solutions; leave the page out";
+constexpr std::string_view kNoWayOfSolutions =
+    "solutions are those at one place; name a motion that has one, or give its values by at";
+constexpr std::string_view kNoBoxesOfSolutions =
+    "a picture is of the boxes of a paving, not of solutions";
+constexpr std::string_view kOneMethodOfSolutions =
+    "all solutions are found by one method; leave the option out";
+
 using enum Kind;
 using enum Service;
 
@@ -88,6 +103,21 @@ constexpr Refusal kRefusals[] = {
     {kClosureFiniteErrors, kCheckpoint, kNoCheckpointOfFiniteErrors},
     {kClosureFiniteErrors, kRanks, kNoRanksOfClosures},
     {kClosureFiniteErrors, kPage, kNoPageOfClosures},
+    {kWaySolve, kAnswer, kNoWayOfSolutions},
+    {kSolve, kProof, kNoProofOfSolutions},
+    {kSolve, kShards, kNoProofOfSolutions},
+    {kSolve, kTheorem, kNoProofOfSolutions},
+    {kSolve, kCheckpoint, kNoCheckpointOfSolutions},
+    {kSolve, kRanks, kNoRanksOfSolutions},
+    {kSolve, kPage, kNoPageOfSolutions},
+    {kSolve, kPicture, kNoBoxesOfSolutions, false},
+    {kClosureSolve, kProof, kNoProofOfSolutions},
+    {kClosureSolve, kShards, kNoProofOfSolutions},
+    {kClosureSolve, kTheorem, kNoProofOfSolutions},
+    {kClosureSolve, kCheckpoint, kNoCheckpointOfSolutions},
+    {kClosureSolve, kRanks, kNoRanksOfSolutions},
+    {kClosureSolve, kPage, kNoPageOfSolutions},
+    {kClosureSolve, kPicture, kNoBoxesOfSolutions, false},
     // What has no boxes has no picture.
     {kCheck, kPicture, kNoBoxes, false},
     {kMargin, kPicture, kNoBoxes, false},
@@ -131,6 +161,19 @@ constexpr OptionRefusal kOptionsOfClosures[] = {
     {"precision", kOneMethodOfClosures},
     {"symbolic-budget", kOneMethodOfClosures},
     {"without", kOneMethodOfClosures},
+};
+
+constexpr OptionRefusal kOptionsOfSolutions[] = {
+    {"alpha", "solutions have no threshold; leave it out"},
+    {"filter", "a filter tests a matrix, not equations"},
+    {"method", kOneMethodOfSolutions},
+    {"determinant", kOneMethodOfSolutions},
+    {"entries", kOneMethodOfSolutions},
+    {"bisect", kOneMethodOfSolutions},
+    {"uncertainty", kOneMethodOfSolutions},
+    {"precision", kOneMethodOfSolutions},
+    {"symbolic-budget", kOneMethodOfSolutions},
+    {"without", kOneMethodOfSolutions},
 };
 
 /// The same question along way-points, and of a model with a closure.
@@ -233,7 +276,8 @@ std::string name(Kind kind) {
       "margin",       "margin --quantity",
       "bound",        "bound condition --norm 2",
       "check --load", "locate --load",
-      "datasheet",    "bound error --finite"};
+      "datasheet",    "bound error --finite",
+      "solve"};
   const auto number = std::size_t(kind);
   static constexpr std::array<const char*, 3> kAbout = {"", ", along way-points", ", of a closure"};
   return std::string(kNames[number % kVarieties]) + kAbout[number / kVarieties];
@@ -248,6 +292,8 @@ std::string_view name(Service service) {
 std::span<const Refusal> refusals() { return kRefusals; }
 std::span<const OptionRefusal> option_refusals_of_loads() { return kOptionsOfLoads; }
 std::span<const OptionRefusal> option_refusals_of_closures() { return kOptionsOfClosures; }
+
+std::span<const OptionRefusal> option_refusals_of_solutions() { return kOptionsOfSolutions; }
 
 std::optional<std::string_view> refusal(Kind kind, Service service) {
   for (const Refusal& row : kRefusals)

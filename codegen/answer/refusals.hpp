@@ -25,6 +25,7 @@ enum class Kind {
   kLoadPaving,
   kDatasheet,
   kFiniteErrors,  ///< bounds of errors that are not to first order
+  kSolve,         ///< all solutions
   // The same about a motion along way-points.
   kWayCheck,
   kWayPaving,
@@ -36,6 +37,7 @@ enum class Kind {
   kWayLoadPaving,
   kWayDatasheet,
   kWayFiniteErrors,
+  kWaySolve,
   // The same about a model that gives equations in [closure].
   kClosureCheck,
   kClosurePaving,
@@ -46,9 +48,10 @@ enum class Kind {
   kClosureLoad,
   kClosureLoadPaving,
   kClosureDatasheet,
-  kClosureFiniteErrors
+  kClosureFiniteErrors,
+  kClosureSolve
 };
-inline constexpr std::size_t kKinds = std::size_t(Kind::kClosureFiniteErrors) + 1;
+inline constexpr std::size_t kKinds = std::size_t(Kind::kClosureSolve) + 1;
 /// Returns "check --load, along way-points", for example.
 [[nodiscard]] std::string name(Kind kind);
 
@@ -75,6 +78,7 @@ struct OptionRefusal {
 };
 [[nodiscard]] std::span<const OptionRefusal> option_refusals_of_loads();
 [[nodiscard]] std::span<const OptionRefusal> option_refusals_of_closures();
+[[nodiscard]] std::span<const OptionRefusal> option_refusals_of_solutions();
 
 /// Throws    UsageError for the first service that is asked for and that the question does not have,
 ///           also if the motion is along way-points or the model has a closure. It comes before an

@@ -22,6 +22,9 @@ struct ModelOptions {
   /// Restrict every motion to the poses within reach. It does not change Motion::where: a search
   /// must say itself that the others are not safe.
   bool separates_reach = false;
+  /// "NAME=VALUE": the question is about one place. All pose parameters make a motion of their own if
+  /// none is named; otherwise they change it, as ranges do.
+  std::vector<std::string> at{};
   bool beyond_limits = false;  ///< the question may leave the limits of the joints
   /// Receives each note of the request as soon as it is read; empty: nothing.
   std::function<void(const std::string&)> warn{};

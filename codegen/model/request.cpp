@@ -37,6 +37,32 @@ void take_notes(Request& request, const ModelOptions& options) {
 
 }  // namespace
 
+namespace {
+
+/// A motion that holds every pose parameter at 0.
+Motion standing_motion(const Model& model) {
+  Motion motion;
+  motion.name = "at";
+  motion.pose.assign(model.pose.size(), 0);
+  motion.error.assign(model.pose.size(), 0);
+  return motion;
+}
+
+Motion asked_motion(const Model& model, const ModelOptions& options) {
+  std::vector<Assignment> given;
+  for (const std::string& at : options.at) given.push_back(split_assignment(at, "--at"));
+  const bool has_all = std::ranges::all_of(model.pose, [&given](const PoseParameter& p) {
+    return std::ranges::find(given, p.name, &Assignment::name) != given.end();
+  });
+  Motion motion = options.motion.empty() && has_all ? standing_motion(model)
+                                                    : find_motion(model, options.motion);
+  for (const Assignment& one : given)
+    from_option("--at", [&] { set_range(model, motion, one.name, one.value); });
+  return motion;
+}
+
+}  // namespace
+
 std::string model_text(const ModelOptions& options) {
   return options.text ? *options.text : read_model_text(options.path);
 }
@@ -78,7 +104,7 @@ Request read_request(std::string_view text, const ModelOptions& options,
     throw ReadingStopped(stopped.interrupted);
   }
   request.model.path = options.path;
-  from_option("MOTION", [&] { request.motion = find_motion(request.model, options.motion); });
+  from_option("MOTION", [&] { request.motion = asked_motion(request.model, options); });
   apply_changes(request, options);
   if (!options.waypoints.empty())
     follow_waypoints(request.model, request.motion, options.waypoints);

@@ -2,32 +2,11 @@
 #include "runtime/formal/coq_expression.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "runtime/verifier/infix_reader.hpp"
 
 namespace regulus::verifier {
 namespace {
-
-/// Coq refuses a file in which another word of its own is a name: it is never misread.
-constexpr auto kWordsOfCoq =
-    std::to_array<std::string_view>({"Axiom",       "CoFixpoint",   "Definition",  "Fixpoint",
-                                     "Hypothesis",  "IF",           "Leaf",        "Method",
-                                     "Name",        "None",         "Parameter",   "Proof",
-                                     "Prop",        "Qed",          "Question",    "SProp",
-                                     "Set",         "Some",         "Theorem",     "Type",
-                                     "Variable",    "as",           "at",          "check",
-                                     "cofix",       "cons",         "coordinates", "discriminated",
-                                     "else",        "end",          "exists",      "exists2",
-                                     "expression",  "fix",          "for",         "forall",
-                                     "force_below", "force_within", "fun",         "if",
-                                     "in",          "is",           "let",         "list",
-                                     "match",       "method",       "mod",         "nat",
-                                     "negative",    "nil",          "no_entry",    "no_singularity",
-                                     "nth",         "pair",         "piece",       "positive",
-                                     "question",    "return",       "singularity", "struct",
-                                     "then",        "true",         "using",       "where",
-                                     "with",        "within"});
 
 /// Takes the longest beginning of `text` of which every character satisfies `is_part`.
 template <class Predicate>
@@ -61,11 +40,7 @@ std::string take_number(std::string_view& text) {
 
 }  // namespace
 
-std::string coq_identifier(std::string_view name) {
-  const bool is_taken =
-      std::find(kWordsOfCoq.begin(), kWordsOfCoq.end(), name) != kWordsOfCoq.end();
-  return std::string(name) + (is_taken ? "'" : "");
-}
+std::string coq_identifier(std::string_view name) { return std::string("_").append(name); }
 
 std::string coq_expression(std::string_view text, const CoqNames& names) {
   std::string result;

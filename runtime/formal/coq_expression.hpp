@@ -11,8 +11,8 @@ namespace regulus::verifier {
 /// The Coq identifier of each name.
 using CoqNames = std::map<std::string, std::string, std::less<>>;
 
-/// Returns the name, with a prime if Coq or the library has a word of this name. No name of a
-/// certificate contains a prime, so no two names become one.
+/// Returns `_name`. Neither a word of Coq nor a name of the library that a written file uses begins
+/// so, whatever the model calls its quantities; and no two names become one.
 [[nodiscard]] std::string coq_identifier(std::string_view name);
 
 /// Returns an expression that `parse` accepts, in the notation of runtime/formal.

@@ -89,8 +89,10 @@ class QuestionWriter {
     }
   }
 
-  static std::string commanded(std::string_view name) { return std::string(name) + "'commanded"; }
-  static std::string error_of(std::string_view name) { return std::string(name) + "'error"; }
+  static std::string commanded(std::string_view name) {
+    return coq_identifier(name) + "'commanded";
+  }
+  static std::string error_of(std::string_view name) { return coq_identifier(name) + "'error"; }
 
   /// A shared expression may have the name of a parameter that the matrix does not use.
   std::string fresh(std::string identifier) {

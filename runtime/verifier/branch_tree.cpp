@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "runtime/verifier/proof.hpp"
+#include "runtime/verifier/single_values.hpp"
 
 namespace regulus::verifier {
 namespace {
@@ -159,6 +160,9 @@ Box BranchTree::start_place() const {
       throw Rejection("the start is not within the range of " + v.name);
     if (place[k].lo < range.lo || place[k].hi > range.hi)
       throw Unfinished("the start may not be within the range of " + v.name);
+    // Nothing depends on a variable of one value any more, so the start must have that value.
+    if (are_equal(q_.graph, v.lo, v.hi) && !are_equal(q_.graph, q_.closure->start[k], v.lo))
+      throw Unfinished("the start may not be at the only value of " + v.name);
   }
   return place;
 }

@@ -16,17 +16,9 @@ constexpr int kMostSimplified = 1 << 10;
 std::vector<NodeId> single_values(Question& question) {
   const std::size_t unknowns = question.closure ? question.closure->equations.size() : 0;
   std::vector<NodeId> result(question.variables.size() + unknowns, kNoNode);
-  const std::vector<NodeId> none;
   for (std::size_t k = 0; k < question.variables.size(); ++k) {
     const Variable& v = question.variables[k];
-    AlgebraBudget budget(kProductsOfEnds);
-    Algebra algebra(question.graph, none, Algebra::Form::kFull, budget);
-    try {
-      const NodeId difference = question.graph.add(Op::kSubtract, v.hi, v.lo);
-      if (v.hi == v.lo || algebra.vanishes(algebra.of(difference))) result[k] = v.lo;
-    } catch (const TooLarge&) {
-      result[k] = kNoNode;
-    }
+    if (are_equal(question.graph, v.hi, v.lo)) result[k] = v.lo;
   }
   return result;
 }
@@ -106,6 +98,18 @@ class Rewriting {
 };
 
 }  // namespace
+
+bool are_equal(Graph& graph, NodeId a, NodeId b) {
+  if (a == b) return true;
+  const std::vector<NodeId> none;
+  AlgebraBudget budget(kProductsOfEnds);
+  Algebra algebra(graph, none, Algebra::Form::kFull, budget);
+  try {
+    return algebra.vanishes(algebra.of(graph.add(Op::kSubtract, a, b)));
+  } catch (const TooLarge&) {
+    return false;
+  }
+}
 
 void put_in_single_values(Question& q) {
   Rewriting rewriting(q);

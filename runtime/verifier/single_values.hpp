@@ -15,4 +15,9 @@ namespace regulus::verifier {
 ///           the set.
 void put_in_single_values(Question& question);
 
+/// Returns true only if two constant expressions have the same value.
+///
+/// Requires  both have values.
+[[nodiscard]] bool are_equal(Graph& graph, NodeId a, NodeId b);
+
 }  // namespace regulus::verifier

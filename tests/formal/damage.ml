@@ -19,9 +19,12 @@ let pick l = List.nth l (Random.int (List.length l))
 
 (* ---- Files ---- *)
 
+let imports = String.concat ".\n" Reader.imports ^ ".\n"
+
 let declarations =
-  "Definition x := Name 0.\nDefinition y := Name 1.\nDefinition the_question : question := Question\n\
-  \  [(-1, 1); (0, 2)] [] "
+  imports
+  ^ "Definition _x := Name 0.\nDefinition _y := Name 1.\nDefinition the_question : question := Question\n\
+     \  [(-1, 1); (0, 2)] [] "
 
 let theorem statement proof =
   Printf.sprintf "\nTheorem the_claim : %s.\nProof.\n  apply (%s).\n  vm_cast_no_check (eq_refl true).\nQed.\n"
@@ -53,16 +56,16 @@ let threshold scales alpha =
 (* Singular at a point, along a line, at an end of the set; undefined at a point; not excluded. *)
 let false_questions =
   List.map (fun (c, m) -> question c m)
-    [ ("", "[[x; y]; [- y; x]]"); ("", "[[1; x]; [1; y]]"); ("", "[[x - 1/3; 0]; [0; 1]]");
-      ("", "[[x - 1; 0]; [0; 1]]"); ("", "[[sin x - x; 0]; [0; 1]]"); ("", "[[1; 1]; [1; 1]]");
-      ("", "[[x; 2*x]; [y; 2*y]; [1; 2]]"); ("", "[[1; 0]]"); ("", "[[1]; [0; 1]]");
-      ("", "[[1/x; 0]; [0; 1]]"); ("", "[[2 + sqrt(x + 9/10); 0]; [0; 1]]"); ("", "[[x/x; 0]; [0; 1]]");
-      ("x - 2", "[[x; 0]; [0; 1]]"); ("- x", "[[x; 0]; [0; 1]]"); ("1/x", "[[x; 0]; [0; 1]]") ]
+    [ ("", "[[_x; _y]; [- _y; _x]]"); ("", "[[1; _x]; [1; _y]]"); ("", "[[_x - 1/3; 0]; [0; 1]]");
+      ("", "[[_x - 1; 0]; [0; 1]]"); ("", "[[sin _x - _x; 0]; [0; 1]]"); ("", "[[1; 1]; [1; 1]]");
+      ("", "[[_x; 2*_x]; [_y; 2*_y]; [1; 2]]"); ("", "[[1; 0]]"); ("", "[[1]; [0; 1]]");
+      ("", "[[1/_x; 0]; [0; 1]]"); ("", "[[2 + sqrt(_x + 9/10); 0]; [0; 1]]"); ("", "[[_x/_x; 0]; [0; 1]]");
+      ("_x - 2", "[[_x; 0]; [0; 1]]"); ("- _x", "[[_x; 0]; [0; 1]]"); ("1/_x", "[[_x; 0]; [0; 1]]") ]
 
 (* Of |det| = x + 2 in [1, 3]. *)
 let false_thresholds =
-  List.map (fun (s, a) -> question "" "[[x + 2; 0]; [y; 1]]" ^ threshold s a)
-    [ ("", "1"); ("", "1 + 1e-6"); ("", "3"); ("1/2; 2", "1"); ("1/10; 1", "1/10"); ("1; x", "0"); ("", "1/0") ]
+  List.map (fun (s, a) -> question "" "[[_x + 2; 0]; [_y; 1]]" ^ threshold s a)
+    [ ("", "1"); ("", "1 + 1e-6"); ("", "3"); ("1/2; 2", "1"); ("1/10; 1", "1/10"); ("1; _x", "0"); ("", "1/0") ]
 
 (* ---- Trees ---- *)
 
@@ -139,7 +142,7 @@ let refuse_false_segments () =
     done
   in
   List.iter attack
-    [ "[[x + 2; 0]; [0; 1]]"; "[[x - 2; 0]; [0; 1]]"; "[[1/x; 0]; [0; 1]]"; "[[x; 0]]"; "[[x^2 + 1; 0]; [0; 1]]" ]
+    [ "[[_x + 2; 0]; [0; 1]]"; "[[_x - 2; 0]; [0; 1]]"; "[[1/_x; 0]; [0; 1]]"; "[[_x; 0]]"; "[[_x^2 + 1; 0]; [0; 1]]" ]
 
 let refuse_singular_robot name =
   let file = Reader.read (Files.read name) in
@@ -156,8 +159,8 @@ let see_small_changes () =
   let file matrix = question "" matrix ^ hints 2 Leaf ^ regular in
   expect "a regular matrix" (is_proved (file "[[1; 1]; [1; 1 + 1e-6]]"));
   expect "a singular matrix" (not (is_proved (file "[[1; 1]; [1; 1]]")));
-  expect "an entry within its bounds" (is_proved (file "[[x + 1 + 1e-6; 0]; [0; 1]]"));
-  expect "an entry beyond them" (not (is_proved (file "[[x + 1 - 1e-6; 0]; [0; 1]]")))
+  expect "an entry within its bounds" (is_proved (file "[[_x + 1 + 1e-6; 0]; [0; 1]]"));
+  expect "an entry beyond them" (not (is_proved (file "[[_x + 1 - 1e-6; 0]; [0; 1]]")))
 
 let refuse_missing_leaves name =
   let text = Files.read name in

@@ -43,6 +43,7 @@ function(expect_statement claim model)
 endfunction()
 
 expect_statement("no_singularity the_question" robot_1 T1_errors)
+expect_statement("no_singularity the_question" ../tests/formal/names all)
 file(WRITE ${WORK_DIR}/way.csv "x,y,phi\n8,4,0.3\n8.5,4.2,0.32\n8.6,4.6,0.35\n")
 expect_statement("Forall (fun piece => no_singularity (the_question piece)) pieces" planar_3rpr regular
                  --waypoints ${WORK_DIR}/way.csv)

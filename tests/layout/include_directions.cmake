@@ -13,7 +13,7 @@ cmake_minimum_required(VERSION 3.25)
 set(floors
     "runtime/files"
     "runtime/interval"
-    "runtime/kernel runtime/regularity runtime/existence"
+    "runtime/kernel runtime/regularity runtime/existence runtime/solutions"
     "runtime/machine runtime/problem"
     "runtime/cluster runtime/evaluation"
     "runtime/witness"

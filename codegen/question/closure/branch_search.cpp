@@ -22,8 +22,12 @@ class BranchGoal {
 
   BranchGoal(BoxCourse& course, const ClosureQuestion& question, const BranchSettings& settings,
              BranchTree& tree)
-      : course_(course), settings_(settings), tree_(tree) {
-    for (std::size_t k = 0; k < question.shape.parameters; ++k)
+      : course_(course),
+        settings_(settings),
+        tree_(tree),
+        parameters_(question.shape.parameters),
+        variables_(question.shape.variables) {
+    for (std::size_t k = 0; k < (settings.paves ? parameters_ : variables_); ++k)
       ranges_.push_back(width_ru(question.problem.outer[k]));
   }
 
@@ -104,20 +108,35 @@ class BranchGoal {
 
   [[nodiscard]] std::optional<std::size_t> variable_to_split(const TreeBox& box,
                                                              const TubeFinding& finding) const {
-    return choose_variable(box.box, ranges_, finding.impact,
-                           settings_.min_relative_width * kSlackOfWidth);
+    const bool begins_with_uncertain = finding.is_too_uncertain;
+    auto chosen = variable_among(box, finding, begins_with_uncertain);
+    return chosen ? chosen : variable_among(box, finding, !begins_with_uncertain);
+  }
+
+  /// Chooses one of the uncertain quantities, or else of the motion parameters.
+  [[nodiscard]] std::optional<std::size_t> variable_among(const TreeBox& box,
+                                                          const TubeFinding& finding,
+                                                          bool is_uncertain) const {
+    const std::size_t from = is_uncertain ? parameters_ : 0;
+    const std::size_t count = (is_uncertain ? ranges_.size() : parameters_) - from;
+    std::span<const double> impact = finding.impact;
+    if (!impact.empty()) impact = impact.subspan(from, count);
+    const auto chosen =
+        choose_variable(std::span(box.box).subspan(from), std::span(ranges_).subspan(from, count),
+                        impact, settings_.min_relative_width * kSlackOfWidth);
+    return chosen ? std::optional(from + *chosen) : std::nullopt;
   }
 
   /// A bit for each time that it was asked.
   void ask(const TreeBox& box, bool is_lost) {
-    const bool is_small = box.depth >= kSplitsBeforeAsking * ranges_.size();
+    const bool is_small = box.depth >= kSplitsBeforeAsking * std::max<std::size_t>(parameters_, 1);
     std::uint64_t ask = 0;
     if (is_lost && box.depth >= kSplitsBeforeDoubt) ask = 1;
     if (is_small) ask = is_lost ? 2 : 4;
     if (ask == 0 || (asked_ & ask) != 0 || !settings_.ask || result_.is_refuted) return;
     asked_ |= ask;
     std::vector<double> place;
-    for (std::size_t k = 0; k < ranges_.size(); ++k) place.push_back(mid(box.box[k]));
+    for (std::size_t k = 0; k < variables_; ++k) place.push_back(mid(box.box[k]));
     result_.is_refuted = settings_.ask(place, is_lost);
   }
 
@@ -139,7 +158,8 @@ class BranchGoal {
   BoxCourse& course_;
   const BranchSettings& settings_;
   BranchTree& tree_;
-  std::vector<double> ranges_;
+  const std::size_t parameters_, variables_;
+  std::vector<double> ranges_;  ///< of the variables that may be halved
   std::vector<TreeBox> open_, round_;
   bool is_blocked_ = false, all_outside_ = true;
   std::uint64_t asked_ = 0;

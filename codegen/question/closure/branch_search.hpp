@@ -12,11 +12,12 @@
 namespace regulus {
 
 struct BranchSettings : BoxSearchSettings {
-  /// Boxes are not split in a parameter narrower than this part of its range.
+  /// Boxes are not split in a variable narrower than this part of its range.
   double min_relative_width = 0x1p-32;
-  bool paves = false;  ///< decide every box, also after one that cannot be
-  /// Asked at most three times, about the middle of a small box without a tube; `is_lost`: no branch
-  /// was followed to it. True: the search ends.
+  /// Decide every box, also after one that cannot be, and keep the uncertain quantities whole.
+  bool paves = false;
+  /// Asked at most three times, about the middle of a small box without a tube, by variable;
+  /// `is_lost`: no branch was followed to it. True: the search ends.
   std::function<bool(const std::vector<double>& place, bool is_lost)> ask{};
 };
 
@@ -51,7 +52,7 @@ class BranchTree {
   void for_neighbours(const std::vector<Interval>& root,
                       const std::function<void(std::size_t a, std::size_t b,
                                                const std::vector<Interval>& face)>& visit) const;
-  /// Returns the leaves in which a place may lie. Shape: an interval for each parameter.
+  /// Returns the leaves in which a place may lie. Shape: an interval for each variable.
   [[nodiscard]] std::vector<std::size_t> leaves_at(std::span<const Interval> place) const;
 
  private:
@@ -71,7 +72,8 @@ struct BranchResult {
   double seconds = 0;
 };
 
-/// Finds a tube for every box of the variety. The result does not depend on threads or workers.
+/// Finds a tube for every box of the variety. It halves ranges of motion parameters, and those of
+/// uncertain quantities where that does not help. The result does not depend on threads or workers.
 /// `progress` may be null: a box with a tube is a leaf of Rule::kSecondOrder.
 ///
 /// Throws    the exceptions of the workers.

@@ -12,8 +12,8 @@ using GiNaC::ex;
 
 class SystemBuilder {
  public:
-  explicit SystemBuilder(const Request& request)
-      : given_(request), uncertain_(uncertain_names(request)) {}
+  SystemBuilder(const Request& request, bool by_variables)
+      : given_(request), uncertain_(uncertain_names(request)), by_variables_(by_variables) {}
 
   ClosedSystem build() {
     const Closure& closure = *given_.model.closure;
@@ -29,6 +29,7 @@ class SystemBuilder {
     add_pose();
     system_.shape.variables = model.pose.size();
     system_.shape.unknowns = closure.unknowns.size();
+    if (by_variables_) system_.shape.differentiated = system_.shape.variables;
     for (std::size_t i = 0; i < closure.unknowns.size(); ++i)
       add_variable(closure.unknowns[i], typical_range(closure.start[i]));
     write_matrix(closure);
@@ -88,11 +89,12 @@ class SystemBuilder {
   void write_matrix(const Closure& closure) {
     Model& model = system_.request.model;
     const std::size_t n = system_.shape.unknowns, m = system_.shape.variables;
-    model.matrix = GiNaC::matrix(unsigned(1 + n + m), unsigned(n));
+    const std::size_t derivatives = n + system_.shape.differentiated;
+    model.matrix = GiNaC::matrix(unsigned(1 + derivatives), unsigned(n));
     for (unsigned j = 0; j < n; ++j) {
       const ex equation = differentiable(closure.equations[j].subs(actual_));
       model.matrix(0, j) = equation;
-      for (std::size_t k = 0; k < n + m; ++k)
+      for (std::size_t k = 0; k < derivatives; ++k)
         model.matrix(unsigned(1 + k), j) = equation.diff(model.pose[k < n ? m + k : k - n].symbol);
     }
   }
@@ -109,6 +111,7 @@ class SystemBuilder {
 
   const Request& given_;
   const std::set<std::string> uncertain_;
+  const bool by_variables_;
   GiNaC::exmap commanded_, actual_;
   ClosedSystem system_;
 };
@@ -123,18 +126,18 @@ bool has_atan2(const ex& expression) {
 
 }  // namespace
 
-ClosedSystem close(const Request& request) {
+ClosedSystem close(const Request& request, bool by_variables) {
   for (const ex& equation : request.model.closure->equations)
     if (has_atan2(equation))
       throw UsageError(
           "an equation of [closure] has atan2, which jumps; write the equation with sin and cos");
-  return SystemBuilder(request).build();
+  return SystemBuilder(request, by_variables).build();
 }
 
 /// Appends the derivatives by unknowns and by variables.
 void SystemBoxes::take(std::span<const Interval> entries, std::vector<Interval>& by_unknown,
                        std::vector<Interval>& by_variable) const {
-  const std::size_t n = shape_.unknowns, m = shape_.variables;
+  const std::size_t n = shape_.unknowns, m = shape_.differentiated;
   for (std::size_t j = 0; j < n; ++j)
     for (std::size_t k = 0; k < n; ++k) by_unknown.push_back(entries[(1 + k) * n + j]);
   for (std::size_t j = 0; j < n; ++j)
@@ -148,7 +151,7 @@ std::optional<SystemBoxes::System> SystemBoxes::at(std::size_t lane) const {
   System system;
   system.value.assign(entries.begin(), entries.begin() + std::ptrdiff_t(n));
   take(entries, system.by_unknown, system.by_variable);
-  for (std::size_t by = 0; has_rates_ && by < m + n; ++by)
+  for (std::size_t by = m - shape_.differentiated; has_rates_ && by < m + n; ++by)
     take(boxes_.slope(lane, by), system.rates_by_unknown, system.rates_by_variable);
   return system;
 }

@@ -18,19 +18,20 @@ struct ClosedShape {
   std::size_t parameters = 0;  ///< of the motion
   std::size_t variables = 0;   ///< with the uncertain ones
   std::size_t unknowns = 0;
+  std::size_t differentiated = 0;  ///< variables with derivatives in the matrix: all or none
 };
 
 struct ClosedSystem {
   ClosedShape shape;
   /// A motion in a box of all variables. Its matrix has the equations in its first row, and in the
-  /// row of each unknown and then of each variable their derivatives by it.
+  /// row of each unknown, and then of each variable if it has them, their derivatives by it.
   Request request;
   std::vector<VariableLabel> labels;  ///< of the variables
 };
 
 /// Requires  request.model.closure; no motion along way-points.
 /// Throws    UsageError if an equation has atan2: it may jump, and its derivatives do not show it.
-[[nodiscard]] ClosedSystem close(const Request& request);
+[[nodiscard]] ClosedSystem close(const Request& request, bool by_variables = true);
 
 /// Evaluates a system over eight boxes at once. Each thread has its own.
 class SystemBoxes {
@@ -40,8 +41,9 @@ class SystemBoxes {
   struct System {
     std::vector<Interval> value;        ///< n
     std::vector<Interval> by_unknown;   ///< n×n, row-major
-    std::vector<Interval> by_variable;  ///< n×m, row-major
-    /// Their derivatives by each variable and then by each unknown, as in TubeSystem.
+    std::vector<Interval> by_variable;  ///< n×m, row-major; empty of a system without them
+    /// Their derivatives by each variable and then by each unknown, as in TubeSystem; by each
+    /// unknown alone of a system without derivatives by variables.
     std::vector<Interval> rates_by_unknown{}, rates_by_variable{};
   };
 

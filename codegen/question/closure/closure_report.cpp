@@ -49,7 +49,8 @@ void tell_start(const PreparedClosure& prepared, const ClosureFinding& found, Fa
       "branch",
       {{"start", std::move(place)}, {"unknowns", std::move(unknowns)}, {"certain", is_certain}},
       "branch",
-      fmt::format("through {} with {}{}", at, values, is_certain ? "" : ", approximately"));
+      fmt::format("through {}{}{}{}", at, at.empty() ? "" : " with ", values,
+                  is_certain ? "" : ", approximately"));
 }
 
 /// Returns "theta = 2.31381557986 rad (132.571867 deg)": the digits are certain.
@@ -61,14 +62,13 @@ std::string certain_words(const std::string& name, const Interval& value, const 
 
 Json json_fold(const PreparedClosure& prepared, const Fold& fold) {
   const Closure& closure = *prepared.request.model.closure;
-  Json place = Json::object(), unknowns = Json::object(), direction = Json::object();
-  for (std::size_t k = 0; k < fold.place.size(); ++k)
-    place[prepared.request.motion.parameters[k].name] = json_interval(fold.place[k]);
+  Json unknowns = Json::object(), direction = Json::object();
   for (std::size_t i = 0; i < closure.unknowns.size(); ++i) {
     unknowns[closure.unknowns[i].name] = json_interval(fold.unknowns[i]);
     direction[closure.unknowns[i].name] = json_interval(fold.direction[i]);
   }
-  return {{"parameters", std::move(place)},
+  return {{"parameters", json_parameters(prepared.preparation, fold.place)},
+          {"uncertain", json_uncertain(prepared.preparation, fold.place)},
           {"unknowns", std::move(unknowns)},
           {"direction", std::move(direction)},
           {"on_branch", fold.is_on_branch}};
@@ -77,17 +77,20 @@ Json json_fold(const PreparedClosure& prepared, const Fold& fold) {
 void say_fold(const PreparedClosure& prepared, const Fold& fold, Facts& facts) {
   const Closure& closure = *prepared.request.model.closure;
   std::string at, moved;
-  for (std::size_t k = 0; k < fold.place.size(); ++k) {
+  for (std::size_t k = 0; k < prepared.shape.parameters; ++k) {
     const MotionParameter& p = prepared.request.motion.parameters[k];
     at += (at.empty() ? "" : ", ") + certain_words(p.name, fold.place[k], p.unit);
   }
   for (std::size_t i = 0; i < closure.unknowns.size(); ++i) {
     const PoseParameter& unknown = closure.unknowns[i];
-    at += ", " + certain_words(unknown.name, fold.unknowns[i], unknown.unit);
+    at += (at.empty() ? "" : ", ") + certain_words(unknown.name, fold.unknowns[i], unknown.unit);
     moved += fmt::format("{}{} : {:.4g}", moved.empty() ? "" : ", ", unknown.name,
                          mid(fold.direction[i]));
   }
   facts.say(fold.is_on_branch ? "ends at" : "singular", at);
+  if (const auto values = describe_uncertain_values(prepared.preparation, fold.place);
+      !values.empty())
+    facts.say("", values);
   facts.say("", fmt::format("with the motors locked nothing resists a motion in the ratio {}{}",
                             moved, fold.is_on_branch ? "" : "; not shown to be on the branch"));
 }
@@ -133,7 +136,9 @@ ClosureFinding check_closure(PreparedClosure& prepared, const SearchOptions& sea
   const Deadline deadline(settings);
   settings.ask = [&](std::vector<double> place, bool is_lost) {
     const SearchOptions rest = within(search, deadline);
-    std::vector<double> uncertain;
+    const auto parameters = place.begin() + std::ptrdiff_t(prepared.shape.parameters);
+    std::vector<double> uncertain(parameters, place.end());
+    place.erase(parameters, place.end());
     if (!is_lost) {
       // The middles of the uncertain quantities have the branch: perhaps not all have it.
       if (prepared.shape.variables == prepared.shape.parameters) return false;

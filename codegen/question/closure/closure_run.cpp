@@ -70,9 +70,8 @@ void fill_start(PreparedClosure& prepared) {
     start.values.push_back(enclose_constant(closure.start[i], "start." + name));
     start.radius.push_back(enclose_constant(closure.start_radius[i], "radius." + name));
     prepared.near_start.unknowns.push_back(mid(start.values.back()));
-    prepared.ranges.push_back(hull(enclose_constant(closure.ranges[i].lo, "range." + name),
-                                   enclose_constant(closure.ranges[i].hi, "range." + name)));
   }
+  prepared.ranges = enclose_ranges(closure);
   const std::set<std::string> uncertain = uncertain_names(prepared.request);
   for (const GeometryParameter& g : prepared.request.model.geometry)
     if (uncertain.contains(g.name)) start.place.push_back(enclose_constant(g.value, g.name));
@@ -89,12 +88,22 @@ std::optional<Request> read_closure(const ModelOptions& options, const FormingWa
   return request.model.closure ? std::optional(std::move(request)) : std::nullopt;
 }
 
-PreparedClosure prepare_closure(Request request, double model_seconds, const SearchOptions& search,
-                                const FormingWatch& watch) {
+std::vector<Interval> enclose_ranges(const Closure& closure) {
+  std::vector<Interval> ranges;
+  for (std::size_t i = 0; i < closure.unknowns.size(); ++i) {
+    const std::string name = "range." + closure.unknowns[i].name;
+    ranges.push_back(hull(enclose_constant(closure.ranges[i].lo, name),
+                          enclose_constant(closure.ranges[i].hi, name)));
+  }
+  return ranges;
+}
+
+PreparedSystem prepare_system(Request request, double model_seconds, const SearchOptions& search,
+                              const FormingWatch& watch, bool by_variables) {
   if (!request.motion.alpha.is_zero())
     throw UsageError("a [closure] has no threshold; leave alpha out");
-  PreparedClosure prepared;
-  ClosedSystem system = close(request);
+  PreparedSystem prepared;
+  ClosedSystem system = close(request, by_variables);
   prepared.shape = system.shape;
   prepared.preparation = prepare(system.request, model_seconds, options_of_kernel(search), watch);
   prepared.preparation.kernel = std::make_unique<KernelOfClosure>(
@@ -103,12 +112,19 @@ PreparedClosure prepare_closure(Request request, double model_seconds, const Sea
   prepared.problem.idle.clear();
   prepared.scaling = prepared.preparation.stages->formulation().scaling;
   prepared.request = std::move(request);
-  fill_start(prepared);
   relabel(prepared.preparation, prepared.request, system);
   return prepared;
 }
 
-BranchSettings settings_of(const PreparedClosure& prepared, const SearchOptions& search,
+PreparedClosure prepare_closure(Request request, double model_seconds, const SearchOptions& search,
+                                const FormingWatch& watch) {
+  PreparedClosure prepared{
+      prepare_system(std::move(request), model_seconds, search, watch), {}, {}, {}};
+  fill_start(prepared);
+  return prepared;
+}
+
+BranchSettings settings_of(const PreparedSystem& prepared, const SearchOptions& search,
                            const std::atomic<bool>* interrupt) {
   BranchSettings settings;
   settings.threads = settings_from(search).threads;

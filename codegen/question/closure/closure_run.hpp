@@ -20,12 +20,27 @@ namespace regulus {
 [[nodiscard]] std::optional<Request> read_closure(const ModelOptions& options,
                                                   const FormingWatch& watch);
 
-struct PreparedClosure {
+/// The equations of a closure with the kernel of them and of their derivatives.
+struct PreparedSystem {
   Request request;
   ClosedShape shape;
   PreparedSearch preparation;  ///< of the kernel; its labels are those of the request
   MatrixScaling scaling;
   Problem problem;
+};
+
+/// Forms the kernel; `by_variables` as of close().
+///
+/// Requires  request.model.closure.
+/// Throws    UsageError for a threshold; the exceptions of prepare().
+[[nodiscard]] PreparedSystem prepare_system(Request request, double model_seconds,
+                                            const SearchOptions& search, const FormingWatch& watch,
+                                            bool by_variables = true);
+
+/// Encloses where the values of each unknown may be.
+[[nodiscard]] std::vector<Interval> enclose_ranges(const Closure& closure);
+
+struct PreparedClosure : PreparedSystem {
   BranchStart start;
   BranchPoint near_start;
   std::vector<Interval> ranges;  ///< by unknown: where its values may be
@@ -55,7 +70,7 @@ struct ClosureResult {
 };
 
 /// Returns the settings of a search with the limits of the options that are left.
-[[nodiscard]] BranchSettings settings_of(const PreparedClosure& prepared,
+[[nodiscard]] BranchSettings settings_of(const PreparedSystem& prepared,
                                          const SearchOptions& search,
                                          const std::atomic<bool>* interrupt);
 

@@ -6,6 +6,7 @@
 
 #include "codegen/answer/certificate/certificate_question.hpp"
 #include "codegen/model/exact/exact_double.hpp"
+#include "codegen/question/closure/uncertain_values.hpp"
 #include "runtime/interval/floating_point_scope.hpp"
 
 namespace regulus {
@@ -115,13 +116,13 @@ std::vector<double> left_null_vector(std::span<const Interval> matrix, std::size
 class FoldSearch {
  public:
   FoldSearch(const PreparedClosure& prepared, const std::vector<double>& towards,
-             const std::vector<double>& uncertain, const SearchOptions& search,
-             const FormingWatch& watch)
+             std::vector<double> uncertain, const SearchOptions& search, const FormingWatch& watch)
       : prepared_(prepared),
         towards_(towards),
+        uncertain_(within_balls(prepared, std::move(uncertain))),
         search_(options(search)),
         watch_(watch),
-        line_(prepared, towards, uncertain),
+        line_(prepared, towards, uncertain_),
         n_(prepared.shape.unknowns) {}
 
   /// Returns where the fold is on the line, approximately, wherever that is.
@@ -137,7 +138,7 @@ class FoldSearch {
   }
 
   std::optional<Fold> find() {
-    if (!follow_line() || !solve()) return std::nullopt;
+    if (!are_possible(prepared_, uncertain_) || !follow_line() || !solve()) return std::nullopt;
     const Closure& closure = line_.closure();
     fold_.place.clear();
     for (std::size_t k = 0; k < towards_.size(); ++k) {
@@ -145,6 +146,12 @@ class FoldSearch {
       fold_.place.push_back(from + solution_[0] * (Interval(towards_[k]) - from));
       const std::optional<Interval>& inner = prepared_.problem.inner[k];
       if (!inner || !certain_subset(fold_.place[k], *inner)) return std::nullopt;
+    }
+    for (std::size_t k = towards_.size(); k < prepared_.shape.variables; ++k) {
+      const Interval from = prepared_.start.place[k];
+      const bool moves = !uncertain_.empty();
+      const Interval to = moves ? Interval(uncertain_[k - towards_.size()]) : from;
+      fold_.place.push_back(moves ? from + solution_[0] * (to - from) : from);
     }
     fold_.unknowns.assign(solution_.begin() + 1, solution_.begin() + 1 + std::ptrdiff_t(n_));
     fold_.direction.assign(solution_.begin() + 1 + std::ptrdiff_t(n_), solution_.end());
@@ -317,6 +324,7 @@ class FoldSearch {
 
   const PreparedClosure& prepared_;
   const std::vector<double>& towards_;
+  const std::vector<double> uncertain_;
   const SearchOptions search_;
   const FormingWatch& watch_;
   const LineModel line_;
@@ -370,6 +378,7 @@ std::optional<std::vector<double>> nearest_corner(const PreparedClosure& prepare
     if (!range) return std::nullopt;
     corner.push_back(along[k] / line > 0 ? range->hi : range->lo);
   }
+  aim_at_balls(prepared, along, line > 0, corner);
   return corner;
 }
 

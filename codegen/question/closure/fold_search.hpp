@@ -11,7 +11,7 @@ namespace regulus {
 
 /// A configuration at which the derivatives of the equations by the unknowns, Φ_p, are singular.
 struct Fold {
-  std::vector<Interval> place;     ///< encloses the motion parameters
+  std::vector<Interval> place;     ///< encloses the motion parameters and uncertain quantities
   std::vector<Interval> unknowns;  ///< encloses the configuration there
   std::vector<Interval>
       direction;  ///< encloses v ≠ 0 with Φ_p v = 0: what moves with the motors locked
@@ -28,7 +28,7 @@ struct Fold {
 ///
 /// Shape     towards: by motion parameter, within the ranges. uncertain: the values of the other
 ///           variables at the end of the line, within theirs; it begins at their middles. Empty: they
-///           stay there.
+///           stay there. A point beyond its ball is brought into it.
 /// Ensures   nullopt if nothing is shown.
 /// Throws    the exceptions of prepare_closure().
 [[nodiscard]] std::optional<Fold> find_fold(const PreparedClosure& prepared,

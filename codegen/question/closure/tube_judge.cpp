@@ -26,13 +26,13 @@ bool has_room(const BranchTube& tube, const TubeImage& image) {
   return has_one_solution(tube, image);
 }
 
-/// Returns for each parameter the most that it adds to an image, relative to all of it.
+/// Returns for each variable the most that it adds to an image, relative to all of it.
 std::vector<double> impact_of(const TubeImage& image, const ClosedShape& shape) {
-  std::vector<double> impact(shape.parameters, 0.0);
+  std::vector<double> impact(shape.variables, 0.0);
   for (std::size_t i = 0; i < shape.unknowns; ++i) {
     double all = 0;
     for (std::size_t k = 0; k < shape.variables; ++k) all += image.impact[i * shape.variables + k];
-    for (std::size_t k = 0; k < shape.parameters; ++k)
+    for (std::size_t k = 0; k < shape.variables; ++k)
       if (all > 0) impact[k] = std::fmax(impact[k], image.impact[i * shape.variables + k] / all);
   }
   return impact;
@@ -129,13 +129,34 @@ void TubeJudge::judge(std::span<const Box> boxes, std::span<TubeFinding> finding
   if (trials.empty()) return;
   std::vector<TubeFinding> tubes(trials.size());
   finder_.find(trials, tubes);
+  measure_uncertainty(trials, tubes);
   for (std::size_t i = 0; i < trials.size(); ++i) findings[lanes[i]] = std::move(tubes[i]);
+}
+
+/// Halving the motion's ranges leads to no tube where there is none at their middles.
+void TubeJudge::measure_uncertainty(std::span<const TubeTrial> trials,
+                                    std::span<TubeFinding> tubes) {
+  const ClosedShape& shape = question_.shape;
+  if (shape.parameters == shape.variables) return;
+  std::vector<TubeTrial> still;
+  std::vector<std::size_t> of;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    if (tubes[i].tube || tubes[i].is_undefined) continue;
+    TubeTrial& trial = still.emplace_back(trials[i]);
+    for (std::size_t k = 0; k < shape.parameters; ++k) trial.box[k] = Interval(trial.tube.at[k]);
+    of.push_back(i);
+  }
+  if (still.empty()) return;
+  std::vector<TubeFinding> found(still.size());
+  finder_.find(still, found);
+  for (std::size_t i = 0; i < still.size(); ++i) tubes[of[i]].is_too_uncertain = !found[i].tube;
 }
 
 void TubeJudge::put(ByteWriter& to, const TubeFinding& finding) {
   to.put(finding.is_outside);
   to.put(finding.is_undefined);
   to.put(finding.is_lost);
+  to.put(finding.is_too_uncertain);
   to.put_list(std::span<const double>(finding.impact));
   to.put(finding.tube.has_value());
   if (!finding.tube) return;
@@ -150,9 +171,10 @@ TubeFinding TubeJudge::take(ByteReader& from, const ClosureQuestion& question) {
   finding.is_outside = from.take_flag();
   finding.is_undefined = from.take_flag();
   finding.is_lost = from.take_flag();
+  finding.is_too_uncertain = from.take_flag();
   finding.impact = from.take_list<double>();
   const std::size_t impacts = finding.impact.size();
-  if (impacts != 0 && impacts != question.shape.parameters) throw MalformedMessage();
+  if (impacts != 0 && impacts != m) throw MalformedMessage();
   if (!from.take_flag()) return finding;
   BranchTube& tube = finding.tube.emplace();
   tube.at = from.take_list_of<double>(m);

@@ -25,8 +25,10 @@ struct ClosureQuestion {
 struct TubeFinding {
   bool is_outside = false, is_undefined = false;
   bool is_lost = false;  ///< the branch could not be followed to the middle of the box
+  /// There is no tube even where the motion parameters are at their middles.
+  bool is_too_uncertain = false;
   std::optional<BranchTube> tube{};
-  std::vector<double> impact{};  ///< by motion parameter; empty: not known
+  std::vector<double> impact{};  ///< by variable; empty: not known
 };
 
 /// Returns the tube with a larger radius if exactly one solution is in it for every place of `box`;
@@ -82,6 +84,8 @@ class TubeJudge {
   [[nodiscard]] static TubeFinding take(cluster::ByteReader& from, const ClosureQuestion& question);
 
  private:
+  void measure_uncertainty(std::span<const TubeTrial> trials, std::span<TubeFinding> tubes);
+
   const ClosureQuestion question_;
   SystemBoxes system_;
   TubeFinder finder_;

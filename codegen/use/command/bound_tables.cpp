@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tables of `regulus bound` and `regulus datasheet`.
+// The tables of `regulus bound`, `regulus datasheet` and `regulus solve`.
 #include "codegen/use/command/certificate_options.hpp"
 #include "codegen/use/command/command_tables.hpp"
 #include "codegen/use/command/shared_options.hpp"
@@ -22,6 +22,14 @@ constexpr const char* kDatasheetFooter =
     "Exit: 0 every bracket is as narrow as --gap asks and no limit is exceeded; 1 the robot is\n"
     "singular, or a limit is exceeded; 2 otherwise; 64 usage, 65 bad model, 70 internal fault,\n"
     "74 file error.";
+
+constexpr const char* kSolveFooter =
+    "The last line on standard output:\n"
+    "  COMPLETE: 6 poses          these are all, proved                              (exit 0)\n"
+    "  NONE                       there is no solution, proved                       (exit 1)\n"
+    "  INCOMPLETE: at least 2     these are certain, and there may be others; the report\n"
+    "                             says why, and where                                (exit 2)\n"
+    "Exit: as above; 64 usage, 65 bad model, 70 internal fault, 74 file error.";
 
 constexpr const char* kBoundCertificate =
     "Write two proofs for each leg or freedom: FILE.leg_3.safe proves that no value is beyond the "
@@ -55,6 +63,26 @@ void CommandTables::add_bound() {
   add_output_options(*bound_command, bound.output);
   add_page_option(*bound_command, bound.output);
   bound_command->footer(kBoundFooter);
+}
+
+void CommandTables::add_solve() {
+  solve.search.engine = Engine::kAuto;
+  solve.search.time_limit = kMarginSeconds;
+  solve_command = app.add_subcommand(
+      "solve",
+      "Find all configurations, poses or postures at one place, and prove that these are all");
+  add_model_options(*solve_command, solve.model);
+  solve_command
+      ->add_option("--at", solve.model.at,
+                   "The value of a pose parameter; may be repeated. Values of all of them need no "
+                   "MOTION")
+      ->take_all()
+      ->expected(1)
+      ->type_name("NAME=VALUE");
+  add_search_options(*solve_command, solve.search);
+  solve_command->get_option("--time-limit")->default_str("60");
+  add_output_options(*solve_command, solve.output);
+  solve_command->footer(kSolveFooter);
 }
 
 void CommandTables::add_datasheet() {

@@ -117,6 +117,7 @@ CommandLine parse_command_line(int argc, const char* const* argv,
   if (tables.margin_command->parsed()) result.margin = tables.margin;
   if (tables.bound_command->parsed()) result.bound = tables.bound;
   if (tables.datasheet_command->parsed()) result.datasheet = tables.datasheet;
+  if (tables.solve_command->parsed()) result.solve = tables.solve;
   if (tables.report_command->parsed()) result.report = tables.report;
   if (tables.explain_command->parsed()) result.explain = tables.explain;
   if (tables.generate_command->parsed()) result.generate = tables.generate;

@@ -57,6 +57,13 @@ struct MarginCommand {
   std::string checkpoint;        ///< file; empty: none
 };
 
+/// `regulus solve`
+struct SolveCommand {
+  ModelOptions model;
+  SearchOptions search;
+  OutputOptions output;
+};
+
 struct VerifyCommand {
   std::string path;
   std::string model;                 ///< the model file it must be about; empty: any
@@ -92,6 +99,7 @@ struct CommandLine {
   std::optional<MarginCommand> margin;
   std::optional<BoundCommand> bound;
   std::optional<DatasheetCommand> datasheet;
+  std::optional<SolveCommand> solve;
   std::optional<ReportCommand> report;
   std::optional<ExplainCommand> explain;
   std::optional<GenerateCommand> generate;

@@ -58,7 +58,7 @@ constexpr const char* kShellFooter =
     "line\n"
     "set keep-going on, it continues.\n"
     "Exit: the code of that error, otherwise of the last check, locate, margin,\n"
-    "bound, datasheet or verify.";
+    "bound, datasheet, solve or verify.";
 
 constexpr const char* kReportFooter =
     "The page needs no network and no other file. It proves the verdict again in the browser, as "
@@ -193,6 +193,7 @@ CommandTables::CommandTables(const std::string& shell_commands) : app(kDescripti
   add_margin();
   add_bound();
   add_datasheet();
+  add_solve();
   add_report();
   explain_command = app.add_subcommand(
       "explain", "Show the symbolic forms and the occurrences of each variable before and after");

@@ -16,6 +16,7 @@ struct CommandTables {
   MarginCommand margin;
   BoundCommand bound;
   DatasheetCommand datasheet;
+  SolveCommand solve;
   ReportCommand report;
   ExplainCommand explain;
   GenerateCommand generate;
@@ -28,6 +29,7 @@ struct CommandTables {
   CLI::App* margin_command;
   CLI::App* bound_command;
   CLI::App* datasheet_command;
+  CLI::App* solve_command;
   CLI::App* report_command;
   CLI::App* explain_command;
   CLI::App* generate_command;
@@ -45,6 +47,7 @@ struct CommandTables {
   void add_margin();
   void add_bound();
   void add_datasheet();
+  void add_solve();
   void add_report();
 };
 

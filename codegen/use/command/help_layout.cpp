@@ -50,7 +50,7 @@ struct Examples {
   const char* lines;
 };
 
-constexpr std::array<Examples, 12> kExamples = {
+constexpr std::array<Examples, 13> kExamples = {
     {{"check",
       "  regulus check robot_1 wide_15\n"
       "      a motion of an installed model\n"
@@ -76,6 +76,9 @@ constexpr std::array<Examples, 12> kExamples = {
       "  regulus bound orthoglide cube sigma-min --limit 0.4\n"
       "      WITHIN if every value is above the limit\n"},
      {"datasheet", "  regulus datasheet orthoglide cube --gap 0.05 --markdown\n"},
+     {"solve",
+      "  regulus solve alias_3rpr --at l1=7 --at l2=5 --at l3=5\n"
+      "      all poses of the platform with these legs\n"},
      {"report",
       "  regulus report planar_3rpr crossing --output page.html --paving\n"
       "      one page with the verdict, the robot, the boxes and the proof\n"},

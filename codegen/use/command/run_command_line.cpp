@@ -47,6 +47,7 @@ void find_models(CommandLine& line) {
   if (line.margin) find_in(line.margin, line.margin->output.quiet);
   if (line.bound) find_in(line.bound, line.bound->output.quiet);
   if (line.datasheet) find_in(line.datasheet, line.datasheet->output.quiet);
+  if (line.solve) find_in(line.solve, line.solve->output.quiet);
   if (line.report) find_in(line.report, line.report->output.quiet);
   if (line.explain) find_in(line.explain, line.explain->output.quiet);
   find_in(line.generate);
@@ -87,6 +88,7 @@ int run_command_line(CommandLine line, const std::string& typed) {
   if (line.margin) return run_question(question_of(*line.margin), typed);
   if (line.bound) return run_question(question_of(*line.bound), typed);
   if (line.datasheet) return run_question(question_of(*line.datasheet), typed);
+  if (line.solve) return run_question(question_of(*line.solve), typed);
   if (line.report) return run_report(*line.report, typed);
   if (line.generate) return run_generate(*line.generate, typed);
   if (line.verify) return run_verify(*line.verify);

@@ -17,16 +17,21 @@ namespace regulus {
 namespace {
 
 /// What every command wants.
-template <class Command>
-Services services_of(const Command& command) {
-  const OutputOptions& output = command.output;
+Services services_of(const OutputOptions& output) {
   Services services;
-  services.certificate = command.certificate;
-  services.shard_size = command.shard_size;
   services.dashes = "--";
   services.shows_progress = !output.quiet;
   services.page = output.page;
   if (!output.quiet) services.on_line = [](const std::string& line) { print_report(line); };
+  return services;
+}
+
+/// Of those with proofs.
+template <class Command>
+Services services_of(const Command& command) {
+  Services services = services_of(command.output);
+  services.certificate = command.certificate;
+  services.shard_size = command.shard_size;
   return services;
 }
 
@@ -100,6 +105,10 @@ CommandQuestion question_of(const DatasheetCommand& command) {
       services_of(command)};
   question.services.checkpoint.path = command.checkpoint;
   return question;
+}
+
+CommandQuestion question_of(const SolveCommand& command) {
+  return {AskSolve{command.model, command.search}, command.output, services_of(command.output)};
 }
 
 int run_question(CommandQuestion question, const std::string& typed) {

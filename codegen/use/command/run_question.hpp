@@ -25,6 +25,7 @@ struct CommandQuestion {
 [[nodiscard]] CommandQuestion question_of(const MarginCommand& command);
 [[nodiscard]] CommandQuestion question_of(const BoundCommand& command);
 [[nodiscard]] CommandQuestion question_of(const DatasheetCommand& command);
+[[nodiscard]] CommandQuestion question_of(const SolveCommand& command);
 
 /// Returns the exit code of the answer, after the report and all files are written.
 /// `typed`: the command line as typed, for a page.

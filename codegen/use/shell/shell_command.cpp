@@ -58,8 +58,8 @@ int as_script(ShellSession& session, ErrorFormat format) {
     const int code = report_errors([&] { return session.execute(line); },
                                    "regulus: line " + std::to_string(number) + ": ", format);
     const std::string command = line.substr(0, line.find_first_of(" \t"));
-    static constexpr std::array<const char*, 8> kWithVerdict = {
-        "check", "locate", "margin", "bound", "datasheet", "report", "verify", "plot"};
+    static constexpr std::array<const char*, 9> kWithVerdict = {
+        "check", "locate", "margin", "bound", "datasheet", "solve", "report", "verify", "plot"};
     const bool has_verdict = std::ranges::find(kWithVerdict, command) != kWithVerdict.end();
     if (is_error(code) || has_verdict) last = code;
     if (is_error(code) && !session.keeps_going()) return code;

@@ -88,6 +88,8 @@ const std::vector<ShellSession::Entry>& ShellSession::table() {
        "bracket a force, an error, a speed …, e.g. bound force --load payload", &S::run},
       {"datasheet", "datasheet [OPTIONS]", "bracket everything that the model has data for",
        &S::run},
+      {"solve", "solve [--at NAME=VALUE] [OPTIONS]",
+       "find all configurations, poses or postures at one place", &S::run},
       {"report", "report -o FILE.html [OPTIONS]",
        "run check, and what else is asked, and write a page for a browser", &S::run},
       {"plot", "plot FILE.svg|FILE.png [OPTIONS]", "run locate and draw the result", &S::plot},

@@ -146,6 +146,7 @@ void ShellSession::adopt(CommandLine& line) {
   if (line.bound) with(line.bound->model, line.bound->output), wait(line.bound->search);
   if (line.datasheet)
     with(line.datasheet->model, line.datasheet->output), wait(line.datasheet->search);
+  if (line.solve) with(line.solve->model, line.solve->output), wait(line.solve->search);
   if (line.report) with(line.report->model, line.report->output), wait(line.report->search);
   if (line.explain) with(line.explain->model, line.explain->output);
   if (line.generate) {

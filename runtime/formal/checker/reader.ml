@@ -178,14 +178,14 @@ let range s =
     within middle (atom s)
   else pair s
 
-(* `nth k piece no_entry`, or an expression. *)
+(* `nth k piece no_entry`, if the question has pieces, or an expression. *)
 let definition piece s =
-  if accept s (Word "nth") then begin
-    let k = take_count s 1_000_000 in
-    take_words s "piece no_entry";
-    match List.nth_opt piece k with Some e -> e | None -> no_entry
-  end
-  else expression s
+  match piece with
+  | Some constants when accept s (Word "nth") -> (
+      let k = take_count s 1_000_000 in
+      take_words s "piece no_entry";
+      match List.nth_opt constants k with Some e -> e | None -> no_entry)
+  | _ -> expression s
 
 let question s piece =
   take s (Word "Question");
@@ -258,13 +258,11 @@ let theorem s =
   take_words s "Qed";
   (statement, proof)
 
-let words_of_the_file =
-  [ "pi"; "atan2"; "nth"; "piece"; "within"; "no_entry"; "Question"; "Method"; "Name"; "Leaf"; "Split" ]
-  @ List.map fst functions
-
-(* Definition name := Name k *)
+(* Definition _name := Name k. Coq gives the names of its library their meaning, and none of those
+   that a file uses begins so. *)
 let declare s name =
-  if List.mem name words_of_the_file then fault s ("the name '" ^ name ^ "' has a meaning already");
+  if String.length name < 2 || name.[0] <> '_' then
+    fault s ("the name '" ^ name ^ "' does not begin with '_'");
   take_words s "Name";
   Hashtbl.add s.names name (Name (nat_of (take_count s 1_000_000)))
 
@@ -275,17 +273,19 @@ let coordinates s =
   numbers
 
 (* Definition the_question (piece : list expression) : question := ... *)
-let question_definition s =
+let question_definition s ~has_pieces =
   let start = s.at in
-  ignore (question s []);
-  fun piece -> question { s with at = start; depth = 0 } piece
+  let constants piece = if has_pieces then Some piece else None in
+  ignore (question s (constants []));
+  fun piece -> question { s with at = start; depth = 0 } (constants piece)
 
 (* Definition name : kind := ... *)
 let typed s file name kind =
   match (name, kind) with
-  | "the_question", ": question" -> { file with question = question_definition s }
+  | "the_question", ": question" ->
+      { file with question = question_definition s ~has_pieces:false }
   | "the_question", "( piece : list expression ) : question" ->
-      { file with question = question_definition s; has_pieces = true }
+      { file with question = question_definition s ~has_pieces:true; has_pieces = true }
   | "the_method", ": method" ->
       take_words s "Method";
       let second_order = nat_of (take_count s 10_000) in
@@ -315,6 +315,16 @@ let read_definition s file =
       else typed s { file with typed = name :: file.typed } name kind
   | _ -> expected s "a name"
 
+(* The libraries that give the words of a file their meaning; in another order they give another. *)
+let imports =
+  [ "From Coq Require Import List"; "From Coq Require Import PrimFloat";
+    "From Regulus Require Import Expressions Questions Search Singularity Threshold Forces";
+    "From Regulus Require Import Notations"; "Import ListNotations" ]
+
+let take_import s import =
+  take_words s import;
+  take s (Symbol ".")
+
 let zero = Constant (rational_of (Pos (D0 Nil)) Nil (Pos (D0 Nil)))
 
 let nothing =
@@ -330,7 +340,6 @@ let read text =
     match peek s with
     | End -> file
     | _ when file.statement <> "" -> fault s "nothing may follow the theorem"
-    | Word "From" | Word "Import" -> ignore (words_until s (Symbol ".")); close file
     | Word "Definition" -> advance s; close (read_definition s file)
     | Word "Theorem" ->
         advance s;
@@ -341,6 +350,7 @@ let read text =
     take s (Symbol ".");
     sentences file
   in
+  List.iter (take_import s) imports;
   let file = sentences nothing in
   if file.statement = "" then fault s "the file has no theorem";
   file

@@ -2,46 +2,18 @@
 // The solver's certificates about closures, proved by the verifier and compared with their models.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-
-#include "codegen/model/file/model_file.hpp"
-#include "codegen/question/closure/closure_certificate.hpp"
-#include "codegen/question/closure/closure_report.hpp"
-#include "runtime/verifier/verify.hpp"
+#include "tests/property/closure/checked_closures.hpp"
 #include "tests/property/closure/four_bars.hpp"
-#include "tests/support/temporary_directory.hpp"
 
 namespace regulus {
 namespace {
 
 using test::FourBar;
+using test::verified;
 
 /// Returns the certificate of a model; empty if nothing is proved.
 std::string certified(const std::string& model) {
-  SearchOptions search;
-  search.engine = Engine::kInterpreted;
-  search.threads = 1;
-  search.time_limit = 60;
-  ModelOptions options;
-  options.motion = "m";
-  PreparedClosure prepared = prepare_closure(read_request(model, options), 0, search, {});
-  const ClosureFinding found = check_closure(prepared, search, {}, nullptr);
-  const test::TemporaryDirectory directory;
-  const std::string path = (directory.path() / "certificate").string();
-  const ProofStatus status = certify_branch(path, prepared, found.searched, {});
-  std::ostringstream text;
-  if (status.is_written()) text << std::ifstream(path).rdbuf();
-  return text.str();
-}
-
-verifier::Verification verified(const std::string& certificate, const std::string& model = "") {
-  verifier::Options options;
-  options.model_text = model;
-  options.model_name = "model.toml";
-  std::istringstream stream(certificate);
-  return verifier::verify(stream, options);
+  return test::certified_closure(test::check_closure_text(model, test::usual_options()));
 }
 
 TEST(ACertificateOfAFourBar, IsVerifiedAndComparedWithItsModel) {

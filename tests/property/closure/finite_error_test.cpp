@@ -6,11 +6,13 @@
 #include <cmath>
 #include <random>
 
-#include "codegen/model/file/model_file.hpp"
+#include "tests/property/closure/checked_closures.hpp"
 #include "tests/property/closure/four_bars.hpp"
 
 namespace regulus {
 namespace {
+
+using test::rpr;
 
 FiniteErrors bound(const std::string& text, double gap = 0.01) {
   SearchOptions search;
@@ -23,17 +25,6 @@ FiniteErrors bound(const std::string& text, double gap = 0.01) {
   QuantityOptions quantity;
   quantity.quantity = "error";
   return bound_finite_errors(request, unknowns_of(request, quantity, ""), gap, search, {}, nullptr);
-}
-
-std::string rpr(const std::string& motion) {
-  return "regulus = 1\nname = \"3-RPR\"\n[pose]\nl1 = \"cm\"\nl2 = \"cm\"\nl3 = \"cm\"\n"
-         "[let]\nb2x = \"x + 4*cos(phi) - 10\"\nb2y = \"y + 4*sin(phi)\"\n"
-         "b3x = \"x + 2*cos(phi) - 2*sin(phi) - 3\"\nb3y = \"y + 2*sin(phi) + 2*cos(phi) - 10\"\n"
-         "[closure]\nunknowns = { x = \"cm\", y = \"cm\", phi = \"rad\" }\n"
-         "equations = [\"x^2 + y^2 - l1^2\", \"b2x^2 + b2y^2 - l2^2\", \"b3x^2 + b3y^2 - l3^2\"]\n"
-         "start = { l1 = \"sqrt(50)\", l2 = \"sqrt(26)\", l3 = 5, x = 5, y = 5, phi = 0 }\n"
-         "[motion.m]\n" +
-         motion;
 }
 
 /// Published figures, which first order misses by a third.

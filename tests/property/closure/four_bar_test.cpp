@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "codegen/model/file/model_file.hpp"
-#include "codegen/question/closure/closure_report.hpp"
+#include "tests/property/closure/checked_closures.hpp"
 #include "tests/property/closure/four_bars.hpp"
 
 namespace regulus {
@@ -11,27 +10,16 @@ namespace {
 using test::FourBar;
 using test::random_four_bar;
 
-SearchOptions options_with(unsigned threads = 1) {
-  SearchOptions search;
-  search.engine = Engine::kInterpreted;
+using Checked = test::CheckedClosure;
+
+SearchOptions options_with(unsigned threads) {
+  SearchOptions search = test::usual_options();
   search.threads = threads;
-  search.time_limit = 60;
   return search;
 }
 
-struct Checked {
-  PreparedClosure prepared;
-  ClosureFinding found;
-  [[nodiscard]] Verdict verdict() const { return check_result(prepared, found).verdict; }
-};
-
-Checked check(const std::string& text, const SearchOptions& search = options_with()) {
-  ModelOptions options;
-  options.motion = "m";
-  Request request = read_request(text, options);
-  Checked checked{prepare_closure(std::move(request), 0, search, {}), {}};
-  checked.found = check_closure(checked.prepared, search, {}, nullptr);
-  return checked;
+Checked check(const std::string& text, const SearchOptions& search = test::usual_options()) {
+  return test::check_closure_text(text, search);
 }
 
 /// Every tube over a place holds the linkage's own configuration, and not the mirrored one.
@@ -198,8 +186,8 @@ TEST(FourBar, IsNotJoinedWithItsMirroredAssembly) {
   const FourBar linkage{0.2, 0.35355, 0.25, 0.45};
   ModelOptions options;
   options.motion = "m";
-  const PreparedClosure prepared =
-      prepare_closure(read_request(linkage.text(1, -2.2, 2.2), options), 0, options_with(), {});
+  const PreparedClosure prepared = prepare_closure(
+      read_request(linkage.text(1, -2.2, 2.2), options), 0, test::usual_options(), {});
   const auto never = [] { return std::optional<Reason>(); };
   const BranchTree tree = search_branch(prepared.question(), {}, nullptr).tree;
   ASSERT_GT(tree.leaves().size(), 3U);
@@ -222,7 +210,7 @@ TEST(FourBar, ContinuesASearchThatHasStopped) {
   ModelOptions options;
   options.motion = "m";
   const PreparedClosure prepared = prepare_closure(
-      read_request(linkage.text(1, -2.31, 2.31, 1e-4), options), 0, options_with(), {});
+      read_request(linkage.text(1, -2.31, 2.31, 1e-4), options), 0, test::usual_options(), {});
   const BranchResult whole = search_branch(prepared.question(), {}, nullptr);
   ASSERT_TRUE(whole.is_complete);
   for (std::uint64_t stop = 1; stop < whole.boxes; stop += 7) {

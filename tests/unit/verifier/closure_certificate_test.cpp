@@ -106,6 +106,19 @@ TEST(ACertificateOfAClosure, MayHaveConstraintsAndBalls) {
   EXPECT_TRUE(is(Outcome::kVerified, verify_text(Made(ball).text), ""));
 }
 
+/// Far from a range of one value the equation is another one, even if that is nearer than any double.
+TEST(AForgedBranch, WithAStartBesideTheOnlyValueIsNotVerified) {
+  const auto with_start = [](const char* start) {
+    return verify_text(of_one("p - 1e30*(x - 1/10)", "1/10 : 0.1", "0 +- 1/10", start) +
+                       "l 0 tube 0.1 0 0 0.01\nend 1\n");
+  };
+  EXPECT_TRUE(is(Outcome::kVerified, with_start("0.1"), ""));
+  EXPECT_TRUE(is(Outcome::kVerified, with_start("2/20"), ""));
+  EXPECT_TRUE(
+      is(Outcome::kUnfinished, with_start("0.10000000000000000001"), "the only value of x"));
+  EXPECT_TRUE(is(Outcome::kRejected, with_start("0.2"), "not within the range"));
+}
+
 TEST(AForgedBranch, OfTheMirrorIsNotVerified) {
   const ClosureCase c = four_bar(100), mirror = four_bar(100, -1);
   const ClosureTree other(mirror);

@@ -50,19 +50,18 @@ std::string written(const std::string& text) {
 }
 
 TEST(ACoqExpression, KeepsWhatIsWrittenAndOnlySeparatesWordsOfCoq) {
-  const verifier::CoqNames names = {{"x", "x"}, {"in", "in'"}, {"e1", "e1"}};
-  EXPECT_EQ(coq_expression("2*x^2 + sin(in)/e1", names), "2 * x^2 + sin(in')/e1");
-  EXPECT_EQ(coq_expression("-(-x)", names), "- (- x)");
-  EXPECT_EQ(coq_expression("x*(x)*-x", names), "x * (x) * - x");
-  EXPECT_EQ(coq_expression("atan2(x, e1)", names), "atan2(x, e1)");
-  EXPECT_EQ(coq_expression("x - e1 - -x", names), "x - e1 - - x");
+  const verifier::CoqNames names = {{"x", "_x"}, {"in", "_in"}, {"e1", "_e1"}};
+  EXPECT_EQ(coq_expression("2*x^2 + sin(in)/e1", names), "2 * _x^2 + sin(_in)/_e1");
+  EXPECT_EQ(coq_expression("-(-x)", names), "- (- _x)");
+  EXPECT_EQ(coq_expression("x*(x)*-x", names), "_x * (_x) * - _x");
+  EXPECT_EQ(coq_expression("atan2(x, e1)", names), "atan2(_x, _e1)");
+  EXPECT_EQ(coq_expression("x - e1 - -x", names), "_x - _e1 - - _x");
   EXPECT_EQ(coq_expression("1e-3*.5 + 2.", names), "1e-3 * 0.5 + 2");
 }
 
 TEST(ACoqIdentifier, IsNoWordOfCoq) {
-  EXPECT_EQ(coq_identifier("psi"), "psi");
-  EXPECT_EQ(coq_identifier("in"), "in'");
-  EXPECT_EQ(coq_identifier("Name"), "Name'");
+  EXPECT_EQ(coq_identifier("psi"), "_psi");
+  EXPECT_EQ(coq_identifier("forall"), "_forall");
 }
 
 TEST(ACoqComment, EndsWhereItsTextEnds) {
@@ -75,11 +74,11 @@ TEST(ATheorem, StatesTheQuestionInTheOrderOfTheCertificate) {
                           "pose y = x + 1\nlet e1 = a*y\n",
                           "e1 + 1"));
   EXPECT_THAT(text, HasSubstr("model   a ( * 'model' * )\n"));
-  EXPECT_THAT(text, HasSubstr("Definition x := Name 0.\nDefinition a := Name 1.\n"
-                              "Definition y := Name 2.\nDefinition e1 := Name 3.\n"));
-  EXPECT_THAT(text, HasSubstr("[(* x *) (1, 2 * pi)]\n"
-                              "  [(* a *) 3;\n   (* y *) x + 1;\n   (* e1 *) a * y]\n"
-                              "  []\n  []\n  [[e1 + 1]]\n  1.\n"));
+  EXPECT_THAT(text, HasSubstr("Definition _x := Name 0.\nDefinition _a := Name 1.\n"
+                              "Definition _y := Name 2.\nDefinition _e1 := Name 3.\n"));
+  EXPECT_THAT(text, HasSubstr("[(* _x *) (1, 2 * pi)]\n"
+                              "  [(* _a *) 3;\n   (* _y *) _x + 1;\n   (* _e1 *) _a * _y]\n"
+                              "  []\n  []\n  [[_e1 + 1]]\n  1.\n"));
   EXPECT_THAT(text, HasSubstr("Theorem the_claim : no_singularity the_question.\n"));
 }
 
@@ -88,12 +87,12 @@ TEST(ATheorem, HasControlErrorsInTheMatrixAndBallsAsConstraints) {
       written(certificate("parameter x in 1 : 2\nuncertain a = 3 +- 1/20\nuncertain b = 4 +- 1/20\n"
                           "ball a b\npose x = x +- 1/100\n",
                           "x + a", " and value of the 3 uncertain quantities"));
-  EXPECT_THAT(text, HasSubstr("Definition x'commanded := Name 0.\nDefinition a := Name 1.\n"
-                              "Definition b := Name 2.\nDefinition x'error := Name 3.\n"
-                              "Definition x := Name 4.\n"));
-  EXPECT_THAT(text, HasSubstr("(* x'error *) within 0 (1/100)]"));
-  EXPECT_THAT(text, HasSubstr("(* x *) x'commanded + x'error"));
-  EXPECT_THAT(text, HasSubstr("(* ball *) (a - (3)) ^ 2 + (b - (4)) ^ 2 - (1/20) ^ 2"));
+  EXPECT_THAT(text, HasSubstr("Definition _x'commanded := Name 0.\nDefinition _a := Name 1.\n"
+                              "Definition _b := Name 2.\nDefinition _x'error := Name 3.\n"
+                              "Definition _x := Name 4.\n"));
+  EXPECT_THAT(text, HasSubstr("(* _x'error *) within 0 (1/100)]"));
+  EXPECT_THAT(text, HasSubstr("(* _x *) _x'commanded + _x'error"));
+  EXPECT_THAT(text, HasSubstr("(* ball *) (_a - (3)) ^ 2 + (_b - (4)) ^ 2 - (1/20) ^ 2"));
 }
 
 TEST(ATheorem, OfASingularityHasItsTwoPoints) {
@@ -109,7 +108,7 @@ TEST(ATheorem, OfASingularityHasItsTwoPoints) {
 TEST(ATheorem, AboutAThresholdHasItsScales) {
   const std::string text =
       written(with_threshold(certificate("parameter x in 1 : 2\npose x = x\n", "x"), false));
-  EXPECT_THAT(text, HasSubstr("Definition the_scales : list expression :=\n  [1/(x + 2)].\n"
+  EXPECT_THAT(text, HasSubstr("Definition the_scales : list expression :=\n  [1/(_x + 2)].\n"
                               "Definition the_threshold : expression := 1/2.\n"));
   EXPECT_THAT(text, HasSubstr("Theorem the_claim : determinant_above the_question the_scales "
                               "the_threshold.\n"));
@@ -146,9 +145,9 @@ TEST(ATheorem, OfATrajectoryIsAboutEachPiece) {
                   "piece 3/2 | -1/4\npose y = start + slope*T\n",
                   "y + b"));
   EXPECT_THAT(text, HasSubstr("Definition the_question (piece : list expression) : question"));
-  EXPECT_THAT(text, HasSubstr("[(* b *) 7;\n   (* start *) nth 0 piece no_entry;\n"
-                              "   (* slope *) nth 1 piece no_entry;\n"
-                              "   (* y *) start + slope * T]"));
+  EXPECT_THAT(text, HasSubstr("[(* _b *) 7;\n   (* _start *) nth 0 piece no_entry;\n"
+                              "   (* _slope *) nth 1 piece no_entry;\n"
+                              "   (* _y *) _start + _slope * _T]"));
   EXPECT_THAT(text, HasSubstr("  [[1;\n    1/2];\n   [3/2;\n    - 1/4]].\n"));
   EXPECT_THAT(text, HasSubstr("Theorem the_claim : Forall (fun piece => no_singularity "
                               "(the_question piece)) pieces.\n"));
@@ -205,11 +204,11 @@ std::string force_theorem(const std::string& range, const std::string& first_ent
 TEST(ATheorem, AboutAForceHasTheMatrixWithoutItsLoad) {
   const std::string text = force_theorem("-1/5 : 1/5", "e1 - (x - 1e-3) - w*r*(1 + e1) - 3*w*r");
   EXPECT_THAT(text, HasSubstr("claim   the absolute force of row 1 is below 5 "));
-  EXPECT_THAT(text, HasSubstr("Definition x := Name 0.\nDefinition w := Name 1.\n"
-                              "Definition e1 := Name 2.\n"));
-  EXPECT_THAT(text, HasSubstr("  [[e1 - (x - 1e-3);\n    1];\n   [0;\n    x]]\n  2.\n"));
+  EXPECT_THAT(text, HasSubstr("Definition _x := Name 0.\nDefinition _w := Name 1.\n"
+                              "Definition _e1 := Name 2.\n"));
+  EXPECT_THAT(text, HasSubstr("  [[_e1 - (_x - 1e-3);\n    1];\n   [0;\n    _x]]\n  2.\n"));
   EXPECT_THAT(text, HasSubstr("Definition the_load : list expression :=\n"
-                              "  [w * (1 + e1) + 3 * w;\n   2 * w/e1].\n"));
+                              "  [_w * (1 + _e1) + 3 * _w;\n   2 * _w/_e1].\n"));
   EXPECT_THAT(text, HasSubstr("Definition the_row : nat := 0.\n"
                               "Definition the_limit : expression := 5.\n"));
   EXPECT_THAT(text, HasSubstr("Theorem the_claim : force_within the_question the_row the_load "
@@ -226,7 +225,7 @@ TEST(ATheorem, AboutASignedForceIsOneSided) {
               HasSubstr("Definition the_load : list expression :=\n  [- 1;"));
   EXPECT_THAT(force_theorem("0 : 1", "x"),
               HasSubstr("Definition the_load : list expression :=\n  [0;"));
-  EXPECT_THAT(force_theorem("0 : 1", "-r/x"), HasSubstr("[1/x;"));
+  EXPECT_THAT(force_theorem("0 : 1", "-r/x"), HasSubstr("[1/_x;"));
   EXPECT_THAT(force_theorem("0 : 1", "x"),
               HasSubstr("Theorem the_claim : force_below the_question"));
 }

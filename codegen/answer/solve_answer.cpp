@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What are all configurations, poses or postures at one place?
+#include "codegen/answer/ask.hpp"
+#include "codegen/answer/outputs.hpp"
+#include "codegen/answer/refusals.hpp"
+#include "codegen/answer/report/progress.hpp"
+#include "codegen/question/solve/solve_report.hpp"
+#include "codegen/question/solve/solve_run.hpp"
+
+namespace regulus {
+namespace {
+
+class FoundSolutions final : public SolveAnswer {
+ public:
+  FoundSolutions(const AskSolve& asked, const Services& services)
+      : search_(asked.search),
+        request_(read_solve_request(asked.model, watch_of(services, search_))) {
+    SearchDisplay display(display_of(services));
+    SolveRun run{search_, watch_of(services, search_), services.interrupt, display.observer(),
+                 [&services] { services.begin_search(); }};
+    noun = noun_of(request_);
+    solutions = solve(request_, run);
+  }
+
+  void tell(Facts& facts) const override {
+    tell_solutions(request_, search_, solutions, noun, facts);
+  }
+
+ private:
+  SearchOptions search_;
+  Request request_;
+};
+
+}  // namespace
+
+Word SolveAnswer::word() const {
+  if (solutions.completeness == Completeness::kIncomplete) return Word::kOpen;
+  return solutions.found.empty() ? Word::kRefuted : Word::kProved;
+}
+
+std::string SolveAnswer::headline() const { return describe_result(solutions, noun); }
+
+std::unique_ptr<SolveAnswer> ask(const AskSolve& asked, const Services& services) {
+  refuse_changed_options(option_refusals_of_solutions(), asked.model, asked.search);
+  refuse_services(Kind::kSolve, asked.model, asked.search, services);
+  return std::make_unique<FoundSolutions>(asked, services);
+}
+
+}  // namespace regulus

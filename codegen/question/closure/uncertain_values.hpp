@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Values of the uncertain quantities of a closure. In boxes a point in a ball is anywhere in the box
+// around it; what is claimed of one value must be about one in the ball.
+#pragma once
+
+#include <vector>
+
+#include "codegen/question/closure/closure_run.hpp"
+
+namespace regulus {
+
+/// Brings each point of a ball that is beyond it into it, a little below its surface.
+///
+/// Shape     uncertain: by variable after the motion parameters, or empty.
+[[nodiscard]] std::vector<double> within_balls(const PreparedClosure& prepared,
+                                               std::vector<double> uncertain);
+
+/// True if these are values of the uncertain quantities for certain.
+[[nodiscard]] bool are_possible(const PreparedClosure& prepared,
+                                const std::vector<double>& uncertain);
+
+/// Replaces points in balls by the farthest ones in the direction of `along`, or against it.
+///
+/// Shape     along: by variable; corner: as `uncertain` above.
+void aim_at_balls(const PreparedClosure& prepared, const std::vector<double>& along, bool is_with,
+                  std::vector<double>& corner);
+
+}  // namespace regulus

@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/question/solve/root_judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/existence/branch_tube.hpp"
+#include "runtime/existence/narrowing.hpp"
+
+namespace regulus {
+namespace {
+
+constexpr int kRounds = 12, kSharpenings = 12;
+/// So many steps are made in any case.
+constexpr int kStepsOfNewton = 3;
+/// A round that leaves more of every side is the last one.
+constexpr double kWorthwhile = 0.9;
+/// The radius of a uniqueness test is larger than the box by this, so that neighbours overlap.
+constexpr double kRoom = 1 + 0x1p-6;
+constexpr double kLeastRadius = 0x1p-46;  ///< relative to 1 or to the unknown
+
+double least_radius(double center) { return kLeastRadius * std::fmax(1.0, std::fabs(center)); }
+
+/// Returns the least radius about the centre, rounded up, that reaches all of the box.
+double reach(double center, const Interval& box) { return mag(box - Interval(center)); }
+
+}  // namespace
+
+/// What is known of a box while it is judged.
+struct RootJudge::Trial {
+  Box box;               ///< of the variables, and of the unknowns: what is left of it
+  RootFinding* finding;  ///< about it
+  bool is_open = true;
+  bool is_promising = false;  ///< K·Φ_p is nearly the unit matrix
+  std::vector<double> center{};
+
+  [[nodiscard]] std::span<Interval> unknowns(const ClosedShape& shape) {
+    return std::span(box).subspan(shape.variables);
+  }
+};
+
+namespace {
+
+/// The box of the variables with other values of the unknowns.
+template <class Value>
+SystemBoxes::Box with_unknowns(const SystemBoxes::Box& box, std::size_t variables,
+                               const Value& value_of) {
+  SystemBoxes::Box result(box.begin(), box.begin() + std::ptrdiff_t(variables));
+  for (std::size_t i = 0; variables + i < box.size(); ++i) result.push_back(value_of(i));
+  return result;
+}
+
+/// M of root_judge.hpp: the derivatives over the box, or those at the centre and half of what they
+/// change by, whichever is narrower.
+std::vector<Interval> mean_derivatives(const SystemBoxes::System& over,
+                                       const SystemBoxes::System& at_center,
+                                       std::span<const Interval> steps) {
+  const std::size_t n = steps.size();
+  std::vector<Interval> mean = over.by_unknown;
+  for (std::size_t e = 0; e < n * n; ++e) {
+    Interval change(0.0);
+    for (std::size_t k = 0; k < n; ++k) change += over.rates_by_unknown[k * n * n + e] * steps[k];
+    const Interval near = at_center.by_unknown[e] + Interval(0.5) * change;
+    if (const auto both = intersect(mean[e], near)) mean[e] = *both;
+  }
+  return mean;
+}
+
+std::vector<double> middles(std::span<const Interval> values) {
+  std::vector<double> result;
+  for (const Interval& value : values) result.push_back(mid(value));
+  return result;
+}
+
+/// Returns K times an n×m matrix.
+std::vector<Interval> product(std::span<const double> K, std::span<const Interval> matrix,
+                              std::size_t n) {
+  const std::size_t m = matrix.size() / n;
+  std::vector<Interval> result(n * m, Interval(0.0));
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      const Interval factor(K[i * n + j]);
+      for (std::size_t k = 0; k < m; ++k) result[i * m + k] += factor * matrix[j * m + k];
+    }
+  return result;
+}
+
+/// True if |I − A|·r < r may hold in every component.
+bool is_near_unit(std::span<const Interval> A, std::span<const Interval> steps) {
+  const std::size_t n = steps.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    double sum = 0;
+    for (std::size_t j = 0; j < n; ++j)
+      sum += mag(A[i * n + j] - Interval(i == j ? 1.0 : 0.0)) * mag(steps[j]);
+    if (!(sum < mag(steps[i]))) return false;
+  }
+  return true;
+}
+
+/// Returns for each unknown how much the equations change over the box by it, relative to all.
+std::vector<double> impact_of(std::span<const Interval> mean, std::span<const Interval> steps,
+                              std::size_t variables) {
+  const std::size_t n = steps.size();
+  std::vector<double> impact(variables + n, 0.0);
+  for (std::size_t i = 0; i < n; ++i) {
+    double all = 0;
+    for (std::size_t j = 0; j < n; ++j) all += mag(mean[i * n + j]) * mag(steps[j]);
+    for (std::size_t j = 0; j < n; ++j)
+      if (all > 0 && std::isfinite(all))
+        impact[variables + j] += mag(mean[i * n + j]) * mag(steps[j]) / all;
+  }
+  return impact;
+}
+
+/// Returns the sign of the determinant of a small matrix by elimination; 0: not shown.
+int sign_of_determinant(std::vector<Interval> a, std::size_t n) {
+  int sign = 1;
+  for (std::size_t c = 0; c < n; ++c) {
+    std::size_t pivot = c;
+    for (std::size_t i = c + 1; i < n; ++i)
+      if (mig(a[i * n + c]) > mig(a[pivot * n + c])) pivot = i;
+    if (contains_zero(a[pivot * n + c])) return 0;
+    if (pivot != c) sign = -sign;
+    for (std::size_t j = c; j < n; ++j) std::swap(a[c * n + j], a[pivot * n + j]);
+    if (certain_negative(a[c * n + c])) sign = -sign;
+    for (std::size_t i = c + 1; i < n; ++i) {
+      const Interval factor = a[i * n + c] / a[c * n + c];
+      for (std::size_t j = c + 1; j < n; ++j) a[i * n + j] = a[i * n + j] - factor * a[c * n + j];
+    }
+  }
+  return sign;
+}
+
+/// The test of branch_tube.hpp without variables.
+TubeImage image_about(const std::vector<double>& center, const std::vector<double>& radius,
+                      std::span<const double> inverse, const SystemBoxes::System& at_center,
+                      const SystemBoxes::System& over) {
+  return image_of(
+      {{}, center, {}, radius}, {}, inverse,
+      {at_center.value, over.by_unknown, {}, at_center.by_unknown, {}, over.rates_by_unknown, {}});
+}
+
+}  // namespace
+
+void RootJudge::judge(std::span<const Box> boxes, std::span<RootFinding> findings, double) {
+  std::vector<Trial> trials;
+  for (std::size_t i = 0; i < boxes.size(); ++i) trials.push_back({boxes[i], &findings[i]});
+  for (int round = 0; round < kRounds; ++round) {
+    if (std::ranges::none_of(trials, &Trial::is_open)) break;
+    narrow(trials);
+    find_roots(trials);
+  }
+  for (Trial& trial : trials) {
+    const auto unknowns = trial.unknowns(question_.shape);
+    trial.finding->unknowns.assign(unknowns.begin(), unknowns.end());
+    if (trial.finding->root) sharpen(trial);
+  }
+}
+
+/// Narrows the boxes once, and says which of them may be shown to have exactly one solution.
+void RootJudge::narrow(std::span<Trial> trials) {
+  const std::size_t n = question_.shape.unknowns, m = question_.shape.variables;
+  std::vector<Trial*> open;
+  std::vector<Box> boxes, centers;
+  for (Trial& trial : trials) {
+    if (!trial.is_open) continue;
+    open.push_back(&trial);
+    trial.center = middles(trial.unknowns(question_.shape));
+    boxes.push_back(trial.box);
+    centers.push_back(
+        with_unknowns(trial.box, m, [&](std::size_t i) { return Interval(trial.center[i]); }));
+  }
+  system_.evaluate(boxes, true);
+  std::vector<std::optional<SystemBoxes::System>> over;
+  for (std::size_t i = 0; i < open.size(); ++i) over.push_back(system_.at(i));
+  system_.evaluate(centers);
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    Trial& trial = *open[i];
+    RootFinding& finding = *trial.finding;
+    const auto at_center = system_.at(i);
+    trial.is_open = trial.is_promising = false;
+    finding.is_undefined = !over[i] || !at_center;
+    if (finding.is_undefined) continue;
+    finding.is_empty = !std::ranges::all_of(over[i]->value, contains_zero);
+    if (finding.is_empty) continue;
+    const std::span<Interval> P = trial.unknowns(question_.shape);
+    const std::vector<Interval> before(P.begin(), P.end());
+    std::vector<Interval> steps;
+    for (std::size_t j = 0; j < n; ++j) steps.push_back(P[j] - Interval(trial.center[j]));
+    const std::vector<Interval> mean = mean_derivatives(*over[i], *at_center, steps);
+    finding.impact = impact_of(mean, steps, m);
+    finding.is_empty = !narrow_by_rows(mean, at_center->value, trial.center, P);
+    if (finding.is_empty) continue;
+    if (const auto K = approx_inverse_of(middles(at_center->by_unknown), n)) {
+      const std::vector<Interval> KM = product(*K, mean, n);
+      finding.is_empty = !narrow_by_rows(KM, product(*K, at_center->value, n), trial.center, P);
+      trial.is_promising = is_near_unit(KM, steps);
+    }
+    for (std::size_t j = 0; j < n; ++j)
+      trial.is_open = trial.is_open || width_ru(P[j]) < kWorthwhile * width_ru(before[j]);
+    trial.is_open = trial.is_open && !finding.is_empty;
+    trial.is_promising = trial.is_promising && !finding.is_empty;
+  }
+}
+
+/// Tests if a box about all of the promising ones has exactly one solution.
+void RootJudge::find_roots(std::span<Trial> trials) {
+  const std::size_t n = question_.shape.unknowns, m = question_.shape.variables;
+  std::vector<Trial*> promising;
+  std::vector<Box> boxes, centers;
+  std::vector<std::vector<double>> radii;
+  for (Trial& trial : trials) {
+    if (!trial.is_promising) continue;
+    promising.push_back(&trial);
+    const std::span<Interval> P = trial.unknowns(question_.shape);
+    trial.center = middles(P);
+    std::vector<double>& radius = radii.emplace_back();
+    for (std::size_t i = 0; i < n; ++i)
+      radius.push_back(
+          std::fmax(least_radius(trial.center[i]), kRoom * reach(trial.center[i], P[i])));
+    centers.push_back(
+        with_unknowns(trial.box, m, [&](std::size_t i) { return Interval(trial.center[i]); }));
+    boxes.push_back(with_unknowns(trial.box, m, [&](std::size_t i) {
+      return Interval(trial.center[i]) + Interval(-radius[i], radius[i]);
+    }));
+  }
+  if (promising.empty()) return;
+  system_.evaluate(centers);
+  std::vector<std::optional<SystemBoxes::System>> at_center;
+  for (std::size_t i = 0; i < promising.size(); ++i) at_center.push_back(system_.at(i));
+  system_.evaluate(boxes, true);
+  for (std::size_t i = 0; i < promising.size(); ++i) {
+    Trial& trial = *promising[i];
+    const auto over = system_.at(i);
+    if (!over || !at_center[i]) continue;
+    const auto K = approx_inverse_of(middles(at_center[i]->by_unknown), n);
+    if (!K) continue;
+    const TubeImage image = image_about(trial.center, radii[i], *K, *at_center[i], *over);
+    if (!has_one_solution({{}, trial.center, {}, radii[i]}, image)) continue;
+    Root& root = trial.finding->root.emplace();
+    root.center = trial.center, root.radius = radii[i];
+    for (std::size_t j = 0; j < n; ++j)
+      root.values.push_back(Interval(trial.center[j]) +
+                            Interval(-image.radius[j], image.radius[j]));
+    trial.is_open = trial.is_promising = false;
+  }
+}
+
+/// Narrows the enclosure of a root, as long as that helps, about centres that Newton's method finds.
+void RootJudge::sharpen(Trial& trial) {
+  const std::size_t n = question_.shape.unknowns, m = question_.shape.variables;
+  Root& root = *trial.finding->root;
+  std::vector<double> center = middles(root.values);
+  for (int i = 0; i < kSharpenings; ++i) {
+    std::vector<double> radius;
+    for (std::size_t j = 0; j < n; ++j)
+      radius.push_back(std::fmax(reach(center[j], root.values[j]), least_radius(center[j])));
+    const std::vector<Box> boxes = {
+        with_unknowns(trial.box, m, [&](std::size_t j) { return Interval(center[j]); }),
+        with_unknowns(trial.box, m, [&](std::size_t j) {
+          return Interval(center[j]) + Interval(-radius[j], radius[j]);
+        })};
+    system_.evaluate(boxes, true);
+    const auto at_center = system_.at(0), over = system_.at(1);
+    if (!over || !at_center) return;
+    root.sign = sign_of_determinant(over->by_unknown, n);
+    const auto K = approx_inverse_of(middles(at_center->by_unknown), n);
+    if (!K) return;
+    const TubeImage image = image_about(center, radius, *K, *at_center, *over);
+    const std::vector<Interval> steps = product(*K, at_center->value, n);
+    bool is_better = i < kStepsOfNewton;
+    for (std::size_t j = 0; j < n; ++j) {
+      // The solution is in the tube, which contains `values`, and a fixed point of its map.
+      const Interval image_of_root =
+          Interval(center[j]) + Interval(-image.radius[j], image.radius[j]);
+      const auto both = intersect(root.values[j], image_of_root);
+      if (!both) return;
+      is_better = is_better || width_ru(*both) < kWorthwhile * width_ru(root.values[j]);
+      root.values[j] = *both;
+      center[j] -= mid(steps[j]);
+    }
+    if (!is_better) return;
+  }
+}
+
+void RootJudge::put(cluster::ByteWriter& to, const RootFinding& finding) {
+  to.put(finding.is_empty);
+  to.put(finding.is_undefined);
+  to.put_list(std::span<const Interval>(finding.unknowns));
+  to.put_list(std::span<const double>(finding.impact));
+  to.put(finding.root.has_value());
+  if (!finding.root) return;
+  to.put_list(std::span<const double>(finding.root->center));
+  to.put_list(std::span<const double>(finding.root->radius));
+  to.put_list(std::span<const Interval>(finding.root->values));
+  to.put(finding.root->sign);
+}
+
+RootFinding RootJudge::take(cluster::ByteReader& from, const RootQuestion& question) {
+  const std::size_t n = question.shape.unknowns;
+  RootFinding finding;
+  finding.is_empty = from.take_flag();
+  finding.is_undefined = from.take_flag();
+  finding.unknowns = from.take_list_of<Interval>(n);
+  finding.impact = from.take_list<double>();
+  if (!finding.impact.empty() && finding.impact.size() != question.shape.variables + n)
+    throw cluster::MalformedMessage();
+  if (!from.take_flag()) return finding;
+  Root& root = finding.root.emplace();
+  root.center = from.take_list_of<double>(n);
+  root.radius = from.take_list_of<double>(n);
+  root.values = from.take_list_of<Interval>(n);
+  root.sign = from.take<int>();
+  return finding;
+}
+
+}  // namespace regulus

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Decides boxes for the search for all solutions, in one thread: has the system none in the box, or
+// exactly one?
+//
+// Φ(x, p) = 0, x of the variables' box X as it is, p of the box P. With c ∈ P, M a matrix that
+// contains all mean derivatives ∫₀¹ Φ_p(x, c + t(p − c)) dt, and any matrix K, each solution meets
+//
+//     Φ(X, c) + M(p − c) ∋ 0   and   KΦ(X, c) + KM(p − c) ∋ 0.
+//
+// Both narrow P, row by row; nothing is left if there is no solution. That a larger box than P has
+// exactly one, for each x, is the test of branch_tube.hpp without variables: it holds for each x alone.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "codegen/question/closure/closed_system.hpp"
+#include "runtime/cluster/bytes.hpp"
+
+namespace regulus {
+
+/// Requires  a system without derivatives by its variables (ClosedShape::differentiated).
+struct RootQuestion {
+  const Problem& problem;  ///< its ranges: of the variables, and where each unknown is looked for
+  const MatrixScaling& scaling;
+  ClosedShape shape;
+};
+
+/// A solution, for each place of the variables.
+struct Root {
+  std::vector<double> center, radius;  ///< by unknown: it is the only one so near
+  std::vector<Interval> values;        ///< encloses it
+  int sign = 0;                        ///< of det Φ_p all over that box; 0: not shown
+
+  /// True if a solution within these bounds is this one.
+  [[nodiscard]] bool is(std::span<const Interval> other) const {
+    for (std::size_t i = 0; i < center.size(); ++i)
+      if (!(mag(other[i] - Interval(center[i])) <= radius[i])) return false;
+    return true;
+  }
+};
+
+/// The finding about one box. It depends on the box alone.
+struct RootFinding {
+  bool is_empty = false;             ///< no solution
+  bool is_undefined = false;         ///< an expression is not certainly defined
+  std::optional<Root> root{};        ///< the box has no other; this one may be outside
+  std::vector<Interval> unknowns{};  ///< the part of the box with its solutions
+  std::vector<double> impact{};      ///< by variable and unknown; empty: not known
+};
+
+/// A judge of boxes (runtime/search/box_judges.hpp). Each thread has its own.
+class RootJudge {
+ public:
+  using Box = SystemBoxes::Box;
+  using Question = RootQuestion;
+  using Finding = RootFinding;
+
+  /// The parts of the question must outlive this object.
+  explicit RootJudge(const RootQuestion& question)
+      : question_(question), system_(question.problem, question.scaling, question.shape) {}
+
+  /// Requires  at most kLanes boxes, and as many findings, which are new.
+  /// Rounding  outward; MXCSR at nearest.
+  void judge(std::span<const Box> boxes, std::span<RootFinding> findings, double horizon);
+
+  static void put(cluster::ByteWriter& to, const RootFinding& finding);
+  /// Throws    MalformedMessage.
+  [[nodiscard]] static RootFinding take(cluster::ByteReader& from, const RootQuestion& question);
+
+ private:
+  struct Trial;
+
+  void narrow(std::span<Trial> trials);
+  void find_roots(std::span<Trial> trials);
+  void sharpen(Trial& trial);
+
+  const RootQuestion question_;
+  SystemBoxes system_;
+};
+
+}  // namespace regulus

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/question/solve/solve_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "codegen/answer/report/number_text.hpp"
+#include "codegen/answer/report/question_report.hpp"
+#include "codegen/answer/report/search_facts.hpp"
+
+namespace regulus {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kMostDigits = 12;
+constexpr std::size_t kMostOpenBoxes = 8;
+
+/// Returns the value with the digits that all numbers of the enclosure have when rounded to them;
+/// both ends if there are none.
+std::string certain_text(const Interval& x) {
+  for (int digits = kMostDigits; digits >= 1; --digits) {
+    const std::string lo = fmt::format("{:.{}g}", x.lo, digits);
+    if (lo == fmt::format("{:.{}g}", x.hi, digits)) return lo;
+  }
+  // About 0 the digits before the first that differs are zeros.
+  for (int places = kMostDigits; places >= 0; --places) {
+    const std::string lo = fmt::format("{:.{}f}", x.lo + 0.0, places);
+    const std::string hi = fmt::format("{:.{}f}", x.hi + 0.0, places);
+    const auto is_zero = [](const std::string& text) {
+      return text.find_first_not_of("-0.") == std::string::npos;
+    };
+    if (is_zero(lo) && is_zero(hi)) return "0";
+  }
+  return short_interval(x);
+}
+
+const char* sign_text(int sign) { return sign > 0 ? "+" : sign < 0 ? "-" : "?"; }
+
+const char* limits_text(WithinLimits limits) {
+  switch (limits) {
+    case WithinLimits::kWithin:
+      return "within";
+    case WithinLimits::kBeyond:
+      return "beyond";
+    case WithinLimits::kUnknown:
+      return "at the border";
+    case WithinLimits::kNoLimits:
+      break;
+  }
+  return "";
+}
+
+/// A table with columns as wide as their longest entry.
+class Table {
+ public:
+  void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+
+  [[nodiscard]] std::string text(std::size_t row) const {
+    std::string line;
+    for (std::size_t c = 0; c < rows_[row].size(); ++c) {
+      std::size_t width = 0;
+      for (const auto& other : rows_) width = std::max(width, other[c].size());
+      line += fmt::format("{}{:>{}}", c == 0 ? "" : "  ", rows_[row][c], width);
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    return line;
+  }
+  [[nodiscard]] std::size_t rows() const { return rows_.size(); }
+
+ private:
+  std::vector<std::vector<std::string>> rows_;
+};
+
+std::string heading_of(const SolvedUnknown& unknown) {
+  return unknown.unit == "1" ? unknown.name : fmt::format("{} [{}]", unknown.name, unknown.unit);
+}
+
+void say_table(const Solutions& solutions, const SolvedNoun& noun, Facts& facts) {
+  if (solutions.found.empty()) return;
+  const bool has_limits = std::ranges::any_of(solutions.found, [](const CertainSolution& s) {
+    return s.limits != WithinLimits::kNoLimits;
+  });
+  Table table;
+  std::vector<std::string> row = {"#"};
+  for (const SolvedUnknown& unknown : solutions.unknowns) row.push_back(heading_of(unknown));
+  row.insert(row.end(), {"det", "condition"});
+  if (has_limits) row.emplace_back("limits");
+  table.add(row);
+  for (std::size_t i = 0; i < solutions.found.size(); ++i) {
+    const CertainSolution& s = solutions.found[i];
+    row = {std::to_string(i + 1)};
+    for (const Interval& value : s.values) row.push_back(certain_text(value));
+    row.insert(row.end(), {sign_text(s.sign), fmt::format("{:.3g}", s.condition)});
+    if (has_limits) row.emplace_back(limits_text(s.limits));
+    table.add(row);
+  }
+  for (std::size_t i = 0; i < table.rows(); ++i)
+    facts.say(i == 0 ? "solutions" : "", table.text(i));
+  for (std::size_t i = 0; i < solutions.found.size(); ++i)
+    if (!solutions.found[i].beyond.empty())
+      facts.say("", fmt::format("{} {}: {}", noun.one, i + 1, solutions.found[i].beyond));
+  facts.say("", fmt::format("det: the sign of the determinant of {}; condition: its condition "
+                            "number in the 2-norm, approximately",
+                            noun.matrix));
+}
+
+Json json_values(const Solutions& solutions, const std::vector<Interval>& values) {
+  Json result = Json::object();
+  for (std::size_t i = 0; i < values.size(); ++i)
+    result[solutions.unknowns[i].name] = json_interval(values[i]);
+  return result;
+}
+
+Json json_solution(const Solutions& solutions, const CertainSolution& s) {
+  return {{"values", json_values(solutions, s.values)},
+          {"determinant", s.sign > 0   ? "positive"
+                          : s.sign < 0 ? "negative"
+                                       : "unknown"},
+          {"condition", std::isfinite(s.condition) ? Json(s.condition) : Json(nullptr)},
+          {"limits", s.limits == WithinLimits::kUnknown    ? "border"
+                     : s.limits == WithinLimits::kNoLimits ? "none"
+                                                           : limits_text(s.limits)},
+          {"beyond", s.beyond.empty() ? Json(nullptr) : Json(s.beyond)}};
+}
+
+void add_solutions(const Solutions& solutions, Facts& facts) {
+  Json list = Json::array(), open = Json::array(), units = Json::object();
+  for (const SolvedUnknown& unknown : solutions.unknowns) units[unknown.name] = unknown.unit;
+  for (const CertainSolution& s : solutions.found) list.push_back(json_solution(solutions, s));
+  for (const auto& box : solutions.open) open.push_back(json_values(solutions, box));
+  facts.add("solution_units", std::move(units)).add("solutions", std::move(list));
+  facts.add("open_boxes", std::move(open));
+  facts.add("complex_solutions", or_null(solutions.complex_found));
+}
+
+void say_open_boxes(const Solutions& solutions, Facts& facts) {
+  const std::size_t shown = std::min(kMostOpenBoxes, solutions.open.size());
+  for (std::size_t b = 0; b < shown; ++b) {
+    std::string box;
+    for (std::size_t i = 0; i < solutions.unknowns.size(); ++i)
+      box += fmt::format("{}{} in {}", box.empty() ? "" : ", ", solutions.unknowns[i].name,
+                         short_interval(solutions.open[b][i]));
+    facts.say(b == 0 ? "open" : "", box);
+  }
+  if (shown < solutions.open.size())
+    facts.say("", fmt::format("and {} more boxes", solutions.open.size() - shown));
+}
+
+std::string counted(std::size_t count, const SolvedNoun& noun) {
+  return fmt::format("{} {}", count, count == 1 ? noun.one : noun.many);
+}
+
+}  // namespace
+
+std::string describe_result(const Solutions& solutions, const SolvedNoun& noun) {
+  const std::size_t count = solutions.found.size();
+  if (solutions.completeness == Completeness::kIncomplete)
+    return fmt::format("INCOMPLETE: at least {}", counted(count, noun));
+  return count == 0 ? "NONE" : fmt::format("COMPLETE: {}", counted(count, noun));
+}
+
+std::string describe_claim(const Solutions& solutions, const SolvedNoun& noun) {
+  const std::size_t count = solutions.found.size();
+  if (solutions.completeness == Completeness::kIncomplete)
+    return fmt::format("{} certain; whether there are others is not shown: {}",
+                       count == 0   ? "none is"
+                       : count == 1 ? fmt::format("1 {} is", noun.one)
+                                    : fmt::format("{} {} are", count, noun.many),
+                       solutions.obstacle);
+  if (count == 0) return fmt::format("there is no {}, {}", noun.one, solutions.how);
+  return count == 1 ? fmt::format("this {} is the only one, {}", noun.one, solutions.how)
+                    : fmt::format("these {} {} are all, {}", count, noun.many, solutions.how);
+}
+
+void tell_solutions(const Request& asked, const SearchOptions& search, const Solutions& solutions,
+                    const SolvedNoun& noun, Facts& facts) {
+  const bool is_whole = solutions.completeness == Completeness::kComplete;
+  facts.add("verdict", !is_whole ? "incomplete" : solutions.found.empty() ? "none" : "complete");
+  tell_model(asked, facts);
+  for (const std::string& note : asked.notes) facts.say("note", note);
+  say_table(solutions, noun, facts);
+  if (facts.are_for_programs()) add_solutions(solutions, facts);
+  if (!is_whole) say_open_boxes(solutions, facts);
+  facts.add("how", is_whole ? Json(solutions.how) : Json(nullptr));
+  facts.add("obstacle", is_whole ? Json(nullptr) : Json(solutions.obstacle));
+  facts.add("stopped_by",
+            solutions.stopped_by ? Json(describe(*solutions.stopped_by)) : Json(nullptr));
+  facts.tell("boxes", solutions.boxes, "boxes",
+             fmt::format("{} evaluated", in_thousands(solutions.boxes)));
+  facts.add("seconds", Json{{"search", solutions.seconds}});
+  facts.say("time", fmt::format("search {:.3f} ms", 1e3 * solutions.seconds));
+  const std::string claim = describe_claim(solutions, noun);
+  facts.tell("claim", claim, "claim", claim);
+  if (facts.are_for_programs()) add_search(search, json_question(asked, search), facts);
+}
+
+}  // namespace regulus

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From a model and a place to the list of all solutions: which equations are solved, and how.
+#pragma once
+
+#include <functional>
+
+#include "codegen/model/request.hpp"
+#include "codegen/question/engine/pipeline.hpp"
+#include "codegen/question/solve/solutions.hpp"
+#include "runtime/problem/observer.hpp"
+
+namespace regulus {
+
+/// Reads the model, and the place that the options name.
+///
+/// Throws    as read_request(); UsageError if the motion is along way-points or has ranges.
+[[nodiscard]] Request read_solve_request(const ModelOptions& options, const FormingWatch& watch);
+
+/// Returns what the solutions of a model are called.
+[[nodiscard]] SolvedNoun noun_of(const Request& request);
+
+struct SolveRun {
+  const SearchOptions& search;
+  FormingWatch watch;
+  const std::atomic<bool>* interrupt = nullptr;
+  Observer* progress = nullptr;          ///< null: none
+  std::function<void()> begin_search{};  ///< called when the search begins
+};
+
+/// Finds all solutions.
+///
+/// Throws    UsageError for a model whose solutions cannot be asked for; the exceptions of prepare().
+[[nodiscard]] Solutions solve(const Request& request, const SolveRun& run);
+
+}  // namespace regulus

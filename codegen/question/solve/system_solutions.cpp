@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/question/solve/system_solutions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "codegen/answer/report/number_text.hpp"
+#include "codegen/answer/report/place_text.hpp"
+#include "codegen/kernel/formulation/variety.hpp"
+#include "codegen/model/degrees.hpp"
+#include "codegen/model/exact/certain_sign.hpp"
+#include "codegen/question/condition/singular_vectors.hpp"
+#include "codegen/support/errors.hpp"
+
+namespace regulus {
+namespace {
+
+using GiNaC::ex;
+
+/// Beyond the circle, so that no solution is on the border of the search; part of a turn.
+constexpr double kOverlap = 0x1p-10;
+/// The same for a range.
+constexpr double kOverlapOfRange = 0x1p-20;
+
+ex turn_of(const std::string& unit) { return is_in_degrees(unit) ? ex(360) : 2 * GiNaC::Pi; }
+
+/// True if the symbol is only in arguments of sines and cosines, to which the period adds whole turns.
+bool is_periodic(const ex& expression, const GiNaC::realsymbol& symbol, const ex& period) {
+  if (!expression.has(symbol)) return true;
+  if (GiNaC::is_a<GiNaC::symbol>(expression)) return false;
+  if (GiNaC::is_a<GiNaC::function>(expression)) {
+    const std::string name = GiNaC::ex_to<GiNaC::function>(expression).get_name();
+    if (name == "sin" || name == "cos") {
+      const ex turns = (expression.op(0).expand().diff(symbol) * period / (2 * GiNaC::Pi)).normal();
+      if (GiNaC::is_a<GiNaC::numeric>(turns) && GiNaC::ex_to<GiNaC::numeric>(turns).is_integer())
+        return true;
+    }
+  }
+  return expression.nops() > 0 &&
+         std::all_of(expression.begin(), expression.end(),
+                     [&](const ex& part) { return is_periodic(part, symbol, period); });
+}
+
+/// Where an unknown is looked for, and what of it counts.
+struct SearchRange {
+  Interval searched, range;
+  Interval period{0.0};  ///< 0: the range counts
+};
+
+SearchRange search_range(const Closure& closure, std::size_t i, const Interval& range) {
+  const ex period = period_of(closure, i);
+  const double slack = kOverlapOfRange * width_ru(range);
+  SearchRange result{range + Interval(-slack, slack), range};
+  if (period.is_zero()) return result;
+  const Interval turn = enclose_constant(period, "period");
+  if (width_ru(range) < mig(turn)) return result;
+  const double half = mid(turn) * (0.5 + kOverlap);
+  return {Interval(mid(range)) + Interval(-half, half), kEntire, turn};
+}
+
+/// Moves the values of an unknown that turns to within half a turn of 0.
+void turn_back(std::vector<Interval>& values, const std::vector<SearchRange>& ranges) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (ranges[i].period == Interval(0.0)) continue;
+    const double turns = std::round(mid(values[i]) / mid(ranges[i].period));
+    if (turns != 0) values[i] -= Interval(turns) * ranges[i].period;
+  }
+}
+
+/// Says of each root whether it is within the ranges; nullopt: it certainly is not.
+std::optional<WithinLimits> place_in(const std::vector<Interval>& values,
+                                     const std::vector<SearchRange>& ranges) {
+  WithinLimits place = WithinLimits::kNoLimits;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (certain_disjoint(values[i], ranges[i].range)) return std::nullopt;
+    if (!certain_subset(values[i], ranges[i].range)) place = WithinLimits::kUnknown;
+  }
+  return place;
+}
+
+/// Joins boxes that touch, so that few remain to be read.
+std::vector<std::vector<Interval>> joined(const std::vector<std::vector<Interval>>& boxes) {
+  std::vector<std::vector<Interval>> groups;
+  const auto touch = [](const std::vector<Interval>& a, const std::vector<Interval>& b) {
+    return std::ranges::equal(
+        a, b, [](const Interval& x, const Interval& y) { return !certain_disjoint(x, y); });
+  };
+  for (std::vector<Interval> box : boxes) {
+    for (std::size_t g = 0; g < groups.size();) {
+      if (!touch(groups[g], box)) {
+        ++g;
+        continue;
+      }
+      for (std::size_t i = 0; i < box.size(); ++i) box[i] = hull(box[i], groups[g][i]);
+      groups.erase(groups.begin() + std::ptrdiff_t(g));
+      g = 0;
+    }
+    groups.push_back(std::move(box));
+  }
+  return groups;
+}
+
+std::string place_text(const std::vector<SolvedUnknown>& unknowns,
+                       const std::vector<Interval>& box) {
+  std::string text;
+  for (std::size_t i = 0; i < box.size(); ++i)
+    text += fmt::format("{}{} = {:.6g}{}", text.empty() ? "" : ", ", unknowns[i].name, mid(box[i]),
+                        unit_suffix(unknowns[i].unit));
+  return text;
+}
+
+/// `is_wide`: the variables have ranges.
+std::string obstacle_of(const RootList& list, const Solutions& solutions, bool is_wide) {
+  if (list.is_complete) return "";
+  if (list.stopped_by) return describe(*list.stopped_by);
+  const std::string place = place_text(solutions.unknowns, solutions.open.front());
+  if (list.is_undefined)
+    return "an expression of the equations is not certainly defined near " + place;
+  if (list.is_doubtful) return "two solutions are not told apart near " + place;
+  if (is_wide)
+    return "the uncertain quantities and errors are too large to tell solutions apart near " +
+           place;
+  return "several solutions meet, or there are infinitely many, near " + place;
+}
+
+class SystemSolver {
+ public:
+  explicit SystemSolver(const PreparedSystem& prepared)
+      : prepared_(prepared), problem_(prepared.problem) {
+    const Closure& closure = *prepared.request.model.closure;
+    const std::vector<Interval> ranges = enclose_ranges(closure);
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+      ranges_.push_back(search_range(closure, i, ranges[i]));
+      problem_.outer[prepared.shape.variables + i] = ranges_.back().searched;
+      problem_.inner[prepared.shape.variables + i] = ranges_.back().searched;
+      const PoseParameter& unknown = closure.unknowns[i];
+      solutions_.unknowns.push_back({unknown.name, unknown.unit, mid(ranges_.back().period)});
+    }
+  }
+
+  SystemSolutions solve(const BoxSearchSettings& limits, Observer* progress) {
+    RootSettings settings;
+    static_cast<BoxSearchSettings&>(settings) = limits;
+    std::vector<Interval> periods;
+    for (const SearchRange& range : ranges_) periods.push_back(range.period);
+    RootList list =
+        search_roots({problem_, prepared_.scaling, prepared_.shape}, periods, settings, progress);
+    std::vector<Root> kept;
+    for (Root& root : list.roots) {
+      turn_back(root.values, ranges_);
+      const auto place = place_in(root.values, ranges_);
+      if (!place) continue;
+      solutions_.found.push_back(solution(root, *place));
+      kept.push_back(std::move(root));
+    }
+    sort(kept);
+    solutions_.open = joined(list.open);
+    solutions_.completeness =
+        list.is_complete ? Completeness::kComplete : Completeness::kIncomplete;
+    solutions_.boxes = list.boxes;
+    solutions_.seconds = list.seconds;
+    solutions_.stopped_by = list.stopped_by;
+    solutions_.how = fmt::format("by a search of {} box{}", in_thousands(list.boxes),
+                                 list.boxes == 1 ? "" : "es");
+    solutions_.obstacle = obstacle_of(list, solutions_, uncertain_count(prepared_.preparation) > 0);
+    return {std::move(solutions_), std::move(kept)};
+  }
+
+ private:
+  CertainSolution solution(const Root& root, WithinLimits place) {
+    const std::size_t n = prepared_.shape.unknowns, m = prepared_.shape.variables;
+    CertainSolution result{root.values, 0, root.sign, place};
+    SystemBoxes system(prepared_.problem, prepared_.scaling, prepared_.shape);
+    std::vector<SystemBoxes::Box> point(1);
+    point[0].assign(problem_.outer.begin(), problem_.outer.begin() + std::ptrdiff_t(m));
+    for (const Interval& value : root.values) point[0].emplace_back(mid(value));
+    system.evaluate(point);
+    if (const auto at = system.at(0)) {
+      std::vector<double> matrix;
+      for (const Interval& entry : at->by_unknown) matrix.push_back(mid(entry));
+      result.condition = approx_condition(matrix, n);
+    }
+    return result;
+  }
+
+  void sort(std::vector<Root>& roots) {
+    std::vector<std::size_t> order(roots.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
+      return std::ranges::lexicographical_compare(
+          roots[a].values, roots[b].values,
+          [](const Interval& x, const Interval& y) { return mid(x) < mid(y); });
+    });
+    std::vector<Root> sorted_roots;
+    std::vector<CertainSolution> sorted;
+    for (const std::size_t i : order) {
+      sorted_roots.push_back(std::move(roots[i]));
+      sorted.push_back(std::move(solutions_.found[i]));
+    }
+    roots = std::move(sorted_roots);
+    solutions_.found = std::move(sorted);
+  }
+
+  const PreparedSystem& prepared_;
+  Problem problem_;
+  std::vector<SearchRange> ranges_;
+  Solutions solutions_;
+};
+
+}  // namespace
+
+ex period_of(const Closure& closure, std::size_t unknown) {
+  const PoseParameter& p = closure.unknowns[unknown];
+  const ex turn = turn_of(p.unit);
+  const bool is_one = (p.unit == "rad" || is_in_degrees(p.unit)) &&
+                      std::ranges::all_of(closure.equations, [&](const ex& equation) {
+                        return is_periodic(equation, p.symbol, turn);
+                      });
+  return is_one ? turn : ex(0);
+}
+
+void require_values(const Request& request) {
+  for (const MotionParameter& p : request.motion.parameters)
+    if (!(p.range.hi - p.range.lo).is_zero())
+      throw UsageError(fmt::format(
+          "the motion {} gives {} a range; solutions are those at one value: at {}=VALUE",
+          request.motion.name, p.name, p.name));
+}
+
+SystemSolutions solve_system(const PreparedSystem& prepared, const BoxSearchSettings& limits,
+                             Observer* progress) {
+  return SystemSolver(prepared).solve(limits, progress);
+}
+
+double approx_condition(std::span<const double> matrix, std::size_t n) {
+  const auto vectors = approx_singular_vectors(matrix, n, n);
+  if (!vectors) return kInfinity;
+  return vectors->values.front() / vectors->values.back();
+}
+
+}  // namespace regulus

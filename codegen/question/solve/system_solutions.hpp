@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All solutions of the equations of a [closure], by search, where the pose parameters have values.
+#pragma once
+
+#include "codegen/question/closure/closure_run.hpp"
+#include "codegen/question/solve/root_search.hpp"
+#include "codegen/question/solve/solutions.hpp"
+
+namespace regulus {
+
+/// Returns by how much an unknown of a closure can move without a change of the equations: by a turn,
+/// if it is an angle in sines and cosines alone. 0: by nothing that is known.
+[[nodiscard]] GiNaC::ex period_of(const Closure& closure, std::size_t unknown);
+
+/// Throws    UsageError if a parameter of the motion has a range and not a value.
+void require_values(const Request& request);
+
+/// The solutions of a system, and what is searched for them.
+struct SystemSolutions {
+  Solutions solutions;
+  std::vector<Root> roots;  ///< those of `solutions`, in their order
+};
+
+/// Searches the whole circle of an unknown whose range has a whole period, and otherwise the range.
+///
+/// Requires  prepared without derivatives by variables; require_values() passes.
+[[nodiscard]] SystemSolutions solve_system(const PreparedSystem& prepared,
+                                           const BoxSearchSettings& limits, Observer* progress);
+
+/// Returns the condition number of an n×n matrix in the 2-norm, approximately.
+[[nodiscard]] double approx_condition(std::span<const double> matrix, std::size_t n);
+
+}  // namespace regulus
