@@ -67,14 +67,14 @@ void read_gough(ModelReading& reading, const TomlEntry& gough) {
   add_pose_of_gough(reading.model, robot);
   declare_pose(reading, gough);
   LegGeometry geometry(reading, gough);
-  geometry.set_unit(robot.unit);
   geometry.read_tolerances();
   robot.base = anchors(reading, geometry, toml.required(gough, "base"), LegGroup::kBase);
   robot.platform =
       anchors(reading, geometry, toml.required(gough, "platform"), LegGroup::kPlatform);
   geometry.require_uses();
   add_matrix_of_gough(reading.model, robot);
-  reading.model.drawing = std::make_shared<Drawing>(geometry.labelled(*reading.model.drawing));
+  reading.model.drawing =
+      std::make_shared<Drawing>(geometry.labelled(*reading.model.drawing, robot.unit));
 }
 
 }  // namespace regulus

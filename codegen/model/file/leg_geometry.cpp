@@ -96,7 +96,7 @@ Formula LegGeometry::quantity(const TomlEntry& entry, const ParsedExpression& va
                               const std::string& name, const DeclaredTolerance& tolerance) {
   declare_quantity(reading_, entry, name, value, tolerance);
   if (tolerance.group != group(LegGroup::kAxis).name)
-    units_[reading_.model.geometry.back().name] = unit_;
+    lengths_.push_back(reading_.model.geometry.back().name);
   return unplaced(name);
 }
 

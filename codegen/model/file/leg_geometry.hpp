@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -30,11 +29,9 @@ class LegGeometry {
   void read_tolerances();
   /// Refuses tolerances that no leg has a quantity for.
   void require_uses() const;
-  /// Sets the unit of the lengths that are read from then on, a label.
-  void set_unit(std::string unit) { unit_ = std::move(unit); }
-  /// Returns the drawing with the units of all lengths that were read.
-  [[nodiscard]] Drawing labelled(Drawing drawing) const {
-    drawing.units = units_;
+  /// Returns the drawing with the unit of all lengths that were read, a label.
+  [[nodiscard]] Drawing labelled(Drawing drawing, const std::string& unit) const {
+    for (const std::string& length : lengths_) drawing.units[length] = unit;
     return drawing;
   }
   void set_coordinates(std::size_t count) { coordinates_ = count; }
@@ -93,8 +90,7 @@ class LegGeometry {
                                    {"axes", "n", "axis_tolerance", "axis"}}};
   bool balls_ = false;
   std::size_t coordinates_ = 3;
-  std::string unit_ = "1";
-  std::map<std::string, std::string> units_;
+  std::vector<std::string> lengths_;  ///< the names of their parameters
 };
 
 }  // namespace regulus

@@ -89,7 +89,6 @@ class LegsReader {
 
   void read_pose() {
     if (const TomlEntry unit = toml_.optional(entry_, "unit"); unit.node) unit_ = toml_.label(unit);
-    geometry_.set_unit(unit_);
     read_orientation();
     const TomlEntry given = toml_.optional(entry_, "angle_unit");
     if (given.node && pose_ != Pose::kAngles)
@@ -313,7 +312,7 @@ class LegsReader {
     set_rows(written.rows);
     for (const Formula& range : written.ranges) reading_.joint_ranges.push_back(parsed(range));
     reading_.model.drawing = std::make_shared<Drawing>(geometry_.labelled(
-        legs_drawing(written.points, [this](const Formula& f) { return parsed(f).value; })));
+        legs_drawing(written.points, [this](const Formula& f) { return parsed(f).value; }), unit_));
     describe(legs.size(), written.rows);
   }
 
