@@ -56,9 +56,9 @@ class VarietyCheck final : public CheckAnswer {
     certificate.finish(result);
     write_beside([&] { checkpoint.finish(result, certificate.file()); });
     proof = certificate.status();
-    if (is_undecided(result)) decide_by_sides(services, display.observer());
+    if (is_undecided(result) && !prepared_.text) decide_by_sides(services, display.observer());
     if (proof.is_lost()) lost.push_back(proof.obstacle());
-    nearest_ = nearest_singular(prepared_, result);
+    if (!prepared_.text) nearest_ = nearest_singular(prepared_, result);
     checkpoint_line_ = checkpoint.line();
     for (const VariableLabel& variable : prepared_.labels.variables)
       variables.push_back(variable.name);

@@ -52,8 +52,13 @@ constexpr Key kGroup[] = {
     {"quantities", "count"},
 };
 constexpr Key kSeconds[] = {
-    {"model", "approx"},   {"symbolic", "approx"}, {"emit", "approx"},
-    {"compile", "approx"}, {"search", "approx"},   {"total", "approx"},
+    {"model", "approx"},
+    {"symbolic", "approx"},
+    {"program", "approx", "from expressions to the list of operations"},
+    {"emit?", "approx", "of C++ text"},
+    {"compile?", "approx", "by a compiler, or to find its code; absent: interpreted at first"},
+    {"search", "approx"},
+    {"total", "approx"},
 };
 constexpr Key kProof[] = {
     {"file", "text?", "null: there is none"},
@@ -64,6 +69,10 @@ constexpr Key kProof[] = {
 constexpr Key kEngineBoxes[] = {
     {"interpreted", "count"},
     {"compiled", "count", "from the request for a compilation on"},
+};
+constexpr Key kEditedKernel[] = {
+    {"path", "text"},
+    {"sha256", "sha256"},
 };
 constexpr Key kFilter[] = {
     {"path", "text"},
@@ -250,6 +259,7 @@ const std::vector<ObjectKind>& object_kinds() {
       {"seconds", "by stage", {kSeconds}},
       {"proof", "a certificate, or why there is none", {kProof}},
       {"engine_boxes", "how boxes were evaluated", {kEngineBoxes}},
+      {"edited_kernel", "the text of a kernel that a person has edited", {kEditedKernel}},
       {"filter", "a filter of the user", {kFilter}},
       {"point", "a pose and its determinant", {kPlace, kPoint}},
       {"place_of_value", "where a value is attained", {kPlace, kPlaceOfValue}},

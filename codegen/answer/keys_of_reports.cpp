@@ -57,13 +57,17 @@ constexpr Key kWitness[] = {
     {"witness", "witness?", "the proof of a singularity"},
     {"undefined?", "undefined", "where an expression has no value"},
 };
-constexpr Key kBlocking[] = {{"blocking_box", "range{}?", "the box that could not be decided"}};
+constexpr Key kBlocking[] = {
+    {"blocking_box", "range{}?", "the box that could not be decided"},
+    {"blocking_pose?", "range{}", "its pose at which uncertain quantities alone defeat the test"},
+};
 constexpr Key kCertificate[] = {
     {"certificate?", "text?", "the file; null: there is none"},
     {"certificate_obstacle?", "text", "why there is none"},
     {"certificate_note?", "text", "why the verifier may not finish"},
 };
 constexpr Key kCheck[] = {
+    {"kernel", "edited_kernel?", "the text whose functions the claim is about; null: the model's"},
     {"filters", "filter[]"},
     {"leaves", "count{}", "certified boxes by the test that certified them"},
     {"nearest_singular?", "nearest_singular", "where the matrix is nearest to losing rank"},

@@ -14,6 +14,7 @@ namespace {
 /// Returns the files that a question reads: the model, way-points, filters.
 std::vector<std::string> inputs_of(const ModelOptions& model, const SearchOptions& search) {
   std::vector<std::string> files = search.filters;
+  if (!search.kernel.empty()) files.push_back(search.kernel);
   files.insert(files.end(), {model.path, model.waypoints});
   return files;
 }

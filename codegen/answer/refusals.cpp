@@ -19,6 +19,13 @@ constexpr std::string_view kNoBoxes = "a picture is of the boxes of a paving; as
 constexpr std::string_view kOneMethod = "for a load there is one method; leave the option out";
 constexpr std::string_view kOneMethodOfClosures =
     "for a [closure] there is one method; leave the option out";
+constexpr std::string_view kOneKernel =
+    "only check, over ranges and without a load, takes the text of a kernel; leave the option out";
+constexpr std::string_view kNoProofOfTexts =
+    "a proof file is about the model, and not about the text of a kernel; leave one of the two out";
+constexpr std::string_view kNoPageOfTexts =
+    "a page proves again what the model says, and not the text of a kernel; leave one of the two "
+    "out";
 constexpr std::string_view kNoTheorem =
     "Coq proves what the regularity of a matrix says; regulus-verify proves this";
 constexpr std::string_view kNoClosure =
@@ -140,6 +147,7 @@ constexpr Refusal kRefusals[] = {
 
 constexpr OptionRefusal kOptionsOfLoads[] = {
     {"alpha", "forces have no threshold; change the limits in [actuators]"},
+    {"kernel", kOneKernel},
     {"filter", "a filter tests a matrix, not forces"},
     {"method", kOneMethod},
     {"determinant", kOneMethod},
@@ -152,6 +160,7 @@ constexpr OptionRefusal kOptionsOfLoads[] = {
 };
 
 constexpr OptionRefusal kOptionsOfClosures[] = {
+    {"kernel", kOneKernel},
     {"filter", "a filter tests a matrix, not equations"},
     {"method", kOneMethodOfClosures},
     {"determinant", kOneMethodOfClosures},
@@ -190,6 +199,7 @@ std::vector<std::string_view> changed_options(const ModelOptions& model,
     if (differs) changed.push_back(option);
   };
   add("alpha", !model.alpha.empty());
+  add("kernel", search.kernel != usual.kernel);
   add("filter", search.filters != usual.filters);
   add("method", search.method != usual.method);
   add("determinant", search.determinant != usual.determinant);
@@ -226,7 +236,19 @@ bool has_refused_service(Kind kind, const SearchOptions& search, const Services&
   });
 }
 
+/// Only a search of one motion's own kernel, in one process, can take another text for it.
+void refuse_text(Kind kind, const SearchOptions& search, const Services& services) {
+  if (search.kernel.empty()) return;
+  if (kind != kCheck || search.workers != nullptr)
+    throw UsageError(fmt::format("{}kernel: {}", services.dashes, kOneKernel));
+  if (!services.certificate.empty())
+    throw UsageError(fmt::format("{}certificate: {}", services.dashes, kNoProofOfTexts));
+  if (!services.page.empty())
+    throw UsageError(fmt::format("{}page: {}", services.dashes, kNoPageOfTexts));
+}
+
 void refuse_services_of(Kind kind, const SearchOptions& search, const Services& services) {
+  refuse_text(kind, search, services);
   if (const auto why = refusal(kind, kAnswer)) throw UsageError(std::string(*why));
   for (const RequestedService& request : requested(search, services))
     if (const auto why = refusal(kind, request.service))

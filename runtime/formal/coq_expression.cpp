@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "runtime/formal/coq_tokens.hpp"
 #include "runtime/verifier/infix_reader.hpp"
 
 namespace regulus::verifier {
@@ -67,10 +68,16 @@ std::string coq_expression(std::string_view text, const CoqNames& names) {
 
 std::string coq_comment(std::string_view text) {
   std::string result;
-  for (const char c : text) {
+  while (!text.empty()) {
+    const std::string_view rest = text;
+    const char32_t c = take_character(text);
+    const std::string_view bytes = rest.substr(0, rest.size() - text.size());
     if ((c == '*' || c == ')') && !result.empty() && (result.back() == '(' || result.back() == '*'))
       result += ' ';
-    result += c == '"' ? '\'' : c;
+    if (c == '"')
+      result += '\'';
+    else
+      result += is_plain_character(c) ? bytes : "?";
   }
   return result;
 }

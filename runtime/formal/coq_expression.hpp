@@ -18,7 +18,8 @@ using CoqNames = std::map<std::string, std::string, std::less<>>;
 /// Returns an expression that `parse` accepts, in the notation of runtime/formal.
 [[nodiscard]] std::string coq_expression(std::string_view text, const CoqNames& names);
 
-/// Returns the text as it can stand in a comment of Coq.
+/// Returns the text as it can stand in a comment of Coq, with a question mark for each byte or
+/// character that is not plain (coq_tokens.hpp).
 [[nodiscard]] std::string coq_comment(std::string_view text);
 
 }  // namespace regulus::verifier

@@ -3,9 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
+#include <span>
 
 #include "runtime/solutions/dietmaier.hpp"
 #include "runtime/solutions/dual_quaternion.hpp"
+#include "runtime/solutions/paired_legs.hpp"
 #include "runtime/solutions/root_list.hpp"
 
 namespace regulus {
@@ -117,16 +121,28 @@ class PoseSystem final : public PolynomialSystem {
   std::array<double, 8> patch_;
 };
 
-/// Legs that go from Dietmaier's to the given ones.
+/// A platform all of whose poses are known.
+struct KnownPlatform {
+  std::array<std::array<double, 3>, 6> base, platform;
+  std::array<double, 6> length;
+  std::span<const std::array<double, 7>> poses;
+};
+
+constexpr KnownPlatform kGeneral{dietmaier::kBase, dietmaier::kPlatform, dietmaier::kLength,
+                                 dietmaier::kPoses};
+constexpr KnownPlatform kPaired{paired_legs::kBase, paired_legs::kPlatform, paired_legs::kLength,
+                                paired_legs::kPoses};
+
+/// Legs that go from those of a known platform to the given ones.
 class PoseHomotopy final : public Homotopy {
  public:
-  explicit PoseHomotopy(const std::array<Leg<Interval>, 6>& legs) {
+  PoseHomotopy(const KnownPlatform& known, const std::array<Leg<Interval>, 6>& legs) {
     for (std::size_t i = 0; i < 6; ++i) {
       const auto point = [](const std::array<double, 3>& p) {
         return std::array<Complex, 3>{{{p[0], 0}, {p[1], 0}, {p[2], 0}}};
       };
-      start_[i] = leg_of(point(dietmaier::kBase[i]), point(dietmaier::kPlatform[i]),
-                         Complex(dietmaier::kLength[i] * dietmaier::kLength[i]));
+      start_[i] = leg_of(point(known.base[i]), point(known.platform[i]),
+                         Complex(known.length[i] * known.length[i]));
       const auto change = [](Interval end, Complex start) { return Complex(mid(end)) - start; };
       for (std::size_t k = 0; k < 3; ++k) {
         change_[i].difference[k] = change(legs[i].difference[k], start_[i].difference[k]);
@@ -209,9 +225,11 @@ bool certain_pose(const RootBox& root) {
   return !contains_zero(square.re) || !contains_zero(square.im);
 }
 
-GoughPose pose_of(const RootBox& root, int exponent) {
-  std::array<Interval, 4> x, y;
+/// `is_back`: the root is the motion of the base as the platform sees it.
+GoughPose pose_of(const RootBox& root, int exponent, bool is_back) {
+  Quaternion<Interval> x, y;
   for (std::size_t i = 0; i < 4; ++i) x[i] = root[i].re, y[i] = root[4 + i].re;
+  if (is_back) x = conj(x), y = conj(y);
   const Interval square = sqr(x[0]) + sqr(x[1]) + sqr(x[2]) + sqr(x[3]);
   const auto moved = [&](std::size_t i, std::size_t j, std::size_t k) {
     const Interval t = x[0] * y[i] - y[0] * x[i] + (x[j] * y[k] - x[k] * y[j]);
@@ -225,19 +243,49 @@ GoughPose pose_of(const RootBox& root, int exponent) {
   return pose;
 }
 
+/// Legs in an order in which 0 and 1 have a point in common, 2 and 3, 4 and 5; nullopt: there is none.
+std::optional<std::array<std::size_t, 6>> pairs_of(const std::array<std::size_t, 6>& points) {
+  std::array<std::size_t, 6> order{0, 1, 2, 3, 4, 5};
+  std::ranges::stable_sort(order, std::less<>(), [&](std::size_t leg) { return points[leg]; });
+  const auto same = [&](std::size_t i) { return points[order[i]] == points[order[i + 1]]; };
+  const bool is_paired = same(0) && !same(1) && same(2) && !same(3) && same(4);
+  return is_paired ? std::optional(order) : std::nullopt;
+}
+
+/// A platform in the terms of a known one of its family.
+struct Question {
+  const KnownPlatform& known;
+  GoughLegs legs;
+  bool is_back = false;  ///< base and platform have changed places
+};
+
+Question question_of(const GoughLegs& legs) {
+  const auto at_platform = pairs_of(legs.platform_point), at_base = pairs_of(legs.base_point);
+  if (!at_platform && !at_base) return {kGeneral, legs};
+  Question question{kPaired, {}, !at_platform};
+  const auto& order = at_platform ? *at_platform : *at_base;
+  for (std::size_t i = 0; i < 6; ++i) {
+    question.legs.base[i] = at_platform ? legs.base[order[i]] : legs.platform[order[i]];
+    question.legs.platform[i] = at_platform ? legs.platform[order[i]] : legs.base[order[i]];
+    question.legs.length[i] = legs.length[order[i]];
+  }
+  return question;
+}
+
 }  // namespace
 
 GoughPoses find_gough_poses(const GoughLegs& given) {
-  const int exponent = exponent_of_size(given);
-  const std::array<Leg<Interval>, 6> legs = scaled(given, exponent);
+  const Question question = question_of(given);
+  const int exponent = exponent_of_size(question.legs);
+  const std::array<Leg<Interval>, 6> legs = scaled(question.legs, exponent);
   const PoseSystem system(legs, kPatch);
-  const PoseHomotopy homotopy(legs);
+  const PoseHomotopy homotopy(question.known, legs);
   std::vector<std::vector<Complex>> starts;
-  for (const auto& pose : dietmaier::kPoses) starts.push_back(start_of(pose));
+  for (const auto& pose : question.known.poses) starts.push_back(start_of(pose));
   const std::vector<RootBox> roots = follow_roots(homotopy, starts, {system, kPatch, certain_pose});
-  GoughPoses found{{}, roots.size()};
+  GoughPoses found{{}, roots.size(), starts.size()};
   for (const RootBox& root : roots)
-    if (root.is_real) found.poses.push_back(pose_of(root, exponent));
+    if (root.is_real) found.poses.push_back(pose_of(root, exponent, question.is_back));
   return found;
 }
 

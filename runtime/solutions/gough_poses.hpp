@@ -4,7 +4,8 @@
 //
 // Theorem (Ronga & Vust 1995; Lazard 1993; Mourrain 1993): six legs in general position, between
 // anchors a_i of the base and b_i of the platform, have 40 complex poses. SOUNDNESS.md derives from
-// it that no platform has more than 40 simple ones, and that one which has 40 has no other.
+// it that no platform has more than 40 simple ones, and that one which has 40 has no other. The same
+// is shown there of 16 poses for legs that meet in three pairs, at the platform or at the base.
 //
 // A pose p ↦ Rp + t is a point (x : y) of the quadric x·y = 0, two quaternions up to a factor with
 // x·x ≠ 0 (Study): R is the rotation of x, and t = yx̄/(x·x). A leg of length ρ between a and b means
@@ -27,6 +28,9 @@ struct GoughLegs {
   Anchors base;
   Anchors platform;
   std::array<Interval, 6> length;
+  /// By leg: legs of the same number have this anchor in common, exactly.
+  std::array<std::size_t, 6> base_point{0, 1, 2, 3, 4, 5};
+  std::array<std::size_t, 6> platform_point{0, 1, 2, 3, 4, 5};
 };
 
 struct GoughPose {
@@ -38,12 +42,14 @@ struct GoughPose {
 };
 
 inline constexpr std::size_t kPosesOfGough = 40;
+inline constexpr std::size_t kPosesOfPairedLegs = 16;
 
 struct GoughPoses {
-  std::vector<GoughPose> poses;  ///< the real ones among those found, each certain and simple
-  std::size_t complex = 0;       ///< distinct simple poses found, real ones included
+  std::vector<GoughPose> poses;      ///< the real ones among those found, each certain and simple
+  std::size_t complex = 0;           ///< distinct simple poses found, real ones included
+  std::size_t most = kPosesOfGough;  ///< no such platform has more simple poses
 
-  [[nodiscard]] bool is_complete() const noexcept { return complex == kPosesOfGough; }
+  [[nodiscard]] bool is_complete() const noexcept { return complex == most; }
 };
 
 /// Ensures   each of `poses` encloses one real pose, and they are distinct. If is_complete(), the

@@ -39,9 +39,11 @@ std::vector<RootBox> follow_roots(const Homotopy& homotopy,
     if (root && query.counts(*root) && std::ranges::all_of(roots, is_other)) roots.push_back(*root);
   };
   for (const TrackerOptions& arc : kArcs) {
+    const std::size_t before = roots.size();
     for (const auto& start : starts)
       if (auto end = track(homotopy, start, arc)) add(std::move(*end));
-    if (roots.size() >= starts.size()) break;
+    const bool is_first = &arc == kArcs.data();
+    if (roots.size() >= starts.size() || (!is_first && roots.size() == before)) break;
   }
   return roots;
 }

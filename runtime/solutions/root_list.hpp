@@ -18,7 +18,8 @@ struct RootQuery {
   std::function<bool(const RootBox&)> counts;  ///< which roots are wanted
 };
 
-/// Follows each start, along another arc as long as fewer roots than starts are known.
+/// Follows each start, along another arc as long as fewer roots than starts are known and the last arc
+/// led to new ones.
 ///
 /// Ensures   pairwise disjoint boxes, each with one simple root, which counts.
 /// Rounding  outward; MXCSR at nearest.

@@ -9,6 +9,8 @@
 
 #include "runtime/files/atomic_file.hpp"
 #include "runtime/formal/coq_proof.hpp"
+#include "runtime/formal/coq_theorem.hpp"
+#include "runtime/formal/coqc.hpp"
 #include "runtime/verifier/expression.hpp"
 #include "runtime/verifier/input_file.hpp"
 #include "runtime/verifier/verify.hpp"
@@ -16,11 +18,13 @@
 namespace {
 
 using regulus::verifier::Options;
+using regulus::verifier::Outcome;
 using regulus::verifier::Verification;
 
 constexpr int kUsageError = 64, kFileError = 74;
 constexpr unsigned kMostThreads = 1024;
 constexpr std::size_t kMaxModelBytes = std::size_t{1} << 22;
+constexpr std::size_t kMaxTheoremBytes = std::size_t{1} << 28;
 
 constexpr const char* kHelp =
     "usage: regulus-verify [options] CERTIFICATE\n"
@@ -43,16 +47,24 @@ constexpr const char* kHelp =
     "  --max-boxes N    evaluate at most N boxes for all leaves together (default 4194304)\n"
     "  --coq FILE       do not prove the claim, but write it as a theorem that Coq proves:\n"
     "                   coqc -Q FOLDER Regulus FILE (runtime/formal/FORMAL.md)\n"
-    "  --force          with --coq: the certificate is FILE.leg_N.safe of `regulus bound MODEL "
-    "MOTION\n"
-    "                   force`; write the theorem that the force is within the bound\n"
+    "  --force          with --coq or --theorem: the certificate is FILE.leg_N.safe of `regulus "
+    "bound\n"
+    "                   MODEL MOTION force`; the theorem says that the force is within the bound\n"
+    "  --theorem        let Coq prove the claim: write the file CERTIFICATE.v, or that of --coq,\n"
+    "                   run coqc, and audit what it proved. With --model the claim is verified\n"
+    "                   first. The answer is PROVED, REJECTED or UNFINISHED, with the exit codes\n"
+    "                   above\n"
+    "  --audit          CERTIFICATE is a theorem file of any origin: let Coq prove it if it is as\n"
+    "                   plain as those of --coq. PROVED: it states what it shows, and is true\n"
+    "  --library FOLDER the compiled library of theorems; otherwise that in REGULUS_FORMAL, or\n"
+    "                   beside this program\n"
     "  --quiet          print only the answer\n"
     "  --help           print this text\n";
 
 struct Usage {
-  std::string certificate, model, coq;
+  std::string certificate, model, coq, library;
   Options options;
-  bool help = false, quiet = false, is_force = false;
+  bool help = false, quiet = false, is_force = false, is_theorem = false, is_audit = false;
   std::string mistake;  ///< about a word that is not understood
 };
 
@@ -76,6 +88,22 @@ std::string mistake_in(const std::string& word, const std::string& next) {
                                : "'" + word + "' is a second certificate";
 }
 
+/// Returns false, with the mistake, if options exclude or need each other.
+bool fits_together(Usage& usage) {
+  if (usage.is_audit &&
+      (usage.is_theorem || usage.is_force || !usage.coq.empty() || !usage.model.empty()))
+    usage.mistake =
+        "--audit reads a theorem file alone: --theorem, --coq, --force and --model are "
+        "for certificates";
+  else if (!usage.library.empty() && !usage.is_audit && !usage.is_theorem)
+    usage.mistake = "--library is for --theorem and --audit";
+  else if (usage.is_force && usage.coq.empty() && !usage.is_theorem)
+    usage.mistake = "--force is for --coq and --theorem";
+  else if (!usage.coq.empty() && !usage.model.empty() && !usage.is_theorem)
+    usage.mistake = "--coq does not compare with a model file; --theorem does";
+  return usage.mistake.empty();
+}
+
 /// Returns false if the words are not understood.
 bool read_usage(const std::vector<std::string>& words, Usage& usage) {
   for (std::size_t i = 0; i < words.size(); ++i) {
@@ -87,12 +115,18 @@ bool read_usage(const std::vector<std::string>& words, Usage& usage) {
       usage.quiet = true;
     } else if (word == "--force") {
       usage.is_force = true;
+    } else if (word == "--theorem") {
+      usage.is_theorem = true;
+    } else if (word == "--audit") {
+      usage.is_audit = true;
     } else if (word == "--allow-options") {
       usage.options.all_overridden = true;
     } else if (word == "--model" && !next.empty()) {
       usage.model = words[++i];
     } else if (word == "--waypoints" && !next.empty()) {
       usage.options.waypoints = words[++i];
+    } else if (word == "--library" && !next.empty()) {
+      usage.library = words[++i];
     } else if (word == "--coq" && !next.empty()) {
       usage.coq = words[++i];
     } else if (word == "--time-limit" && read_number(next, usage.options.time_limit)) {
@@ -109,7 +143,7 @@ bool read_usage(const std::vector<std::string>& words, Usage& usage) {
       return false;
     }
   }
-  return usage.help || (!usage.certificate.empty() && (!usage.is_force || !usage.coq.empty()));
+  return usage.help || (!usage.certificate.empty() && fits_together(usage));
 }
 
 /// Writes one line over the previous one, on a terminal only.
@@ -123,7 +157,8 @@ Verification verify(std::istream& file, const Usage& usage) try {
   throw std::runtime_error(usage.certificate + ": " + error.what());
 }
 
-int verify(Usage& usage) {
+/// Verifies the claim, and says on standard error what was checked.
+Verification verify_and_describe(Usage& usage) {
   regulus::verifier::InputFile bytes(usage.certificate);
   std::istream file(&bytes);
   usage.options.path = usage.certificate;
@@ -133,9 +168,14 @@ int verify(Usage& usage) {
   }
   const bool is_terminal = !usage.quiet && isatty(STDERR_FILENO) != 0;
   if (is_terminal) usage.options.progress = show_progress;
-  const Verification v = verify(file, usage);
+  Verification v = verify(file, usage);
   if (is_terminal) std::cerr << "\r\033[K";
   if (!usage.quiet) std::cerr << regulus::verifier::describe(v);
+  return v;
+}
+
+int verify(Usage& usage) {
+  const Verification v = verify_and_describe(usage);
   std::cout << regulus::verifier::name(v.outcome) << '\n';
   return static_cast<int>(v.outcome);
 }
@@ -148,24 +188,72 @@ void write_file(const std::string& name, const std::string& text) try {
   throw std::runtime_error("the file '" + name + "' cannot " + error.what());
 }
 
-/// Returns the exit code: that of the answer if there is no theorem.
-int write_coq(const Usage& usage) {
-  const auto refuse = [&usage](regulus::verifier::Outcome outcome, const std::exception& why) {
-    std::cerr << "regulus-verify: " << usage.certificate << ": " << why.what() << '\n';
-    return static_cast<int>(outcome);
-  };
+std::string theorem_of(const Usage& usage) {
   regulus::verifier::InputFile bytes(usage.certificate);
   std::istream file(&bytes);
+  return regulus::verifier::coq_proof(file, usage.is_force
+                                                ? regulus::verifier::CoqStatement::kForce
+                                                : regulus::verifier::CoqStatement::kClaim);
+}
+
+/// Calls `act`. Returns the exit code: that of the answer if there is no theorem.
+template <class Act>
+int unless_refused(const Usage& usage, Act act) {
+  const auto refuse = [&usage](Outcome outcome, const std::exception& why) {
+    std::cerr << "regulus-verify: " << usage.certificate << ": " << why.what() << '\n';
+    if (usage.is_theorem || usage.is_audit) std::cout << regulus::verifier::name(outcome) << '\n';
+    return static_cast<int>(outcome);
+  };
   try {
-    const auto statement = usage.is_force ? regulus::verifier::CoqStatement::kForce
-                                          : regulus::verifier::CoqStatement::kClaim;
-    write_file(usage.coq, regulus::verifier::coq_proof(file, statement));
+    act();
     return 0;
   } catch (const regulus::verifier::Rejection& why) {
-    return refuse(regulus::verifier::Outcome::kRejected, why);
+    return refuse(Outcome::kRejected, why);
   } catch (const regulus::verifier::Unfinished& why) {
-    return refuse(regulus::verifier::Outcome::kUnfinished, why);
+    return refuse(Outcome::kUnfinished, why);
+  } catch (const regulus::verifier::CoqTimeout& why) {
+    return refuse(Outcome::kUnfinished, why);
   }
+}
+
+int write_coq(const Usage& usage) {
+  return unless_refused(usage, [&] { write_file(usage.coq, theorem_of(usage)); });
+}
+
+/// Coq, and not this program, says that it is true.
+void prove(const Usage& usage, const std::string& text) {
+  const auto theorem =
+      regulus::verifier::prove_by_coq(text, usage.library, usage.options.time_limit);
+  if (!usage.quiet) std::cerr << "theorem    " << theorem.statement << '\n';
+  std::cout << "PROVED\n";
+}
+
+int audit(const Usage& usage) {
+  const std::string text = regulus::verifier::read_text(usage.certificate, kMaxTheoremBytes);
+  return unless_refused(usage, [&] { prove(usage, text); });
+}
+
+int prove_theorem(Usage& usage) {
+  if (!usage.model.empty()) {
+    const Verification v = verify_and_describe(usage);
+    if (v.outcome != Outcome::kVerified) {
+      std::cout << regulus::verifier::name(v.outcome) << '\n';
+      return static_cast<int>(v.outcome);
+    }
+  }
+  const std::string file = usage.coq.empty() ? usage.certificate + ".v" : usage.coq;
+  return unless_refused(usage, [&] {
+    const std::string text = theorem_of(usage);
+    write_file(file, text);
+    if (!usage.quiet) std::cerr << "file       " << file << '\n';
+    prove(usage, text);
+  });
+}
+
+int answer(Usage& usage) {
+  if (usage.is_audit) return audit(usage);
+  if (usage.is_theorem) return prove_theorem(usage);
+  return usage.coq.empty() ? verify(usage) : write_coq(usage);
 }
 
 }  // namespace
@@ -184,7 +272,7 @@ int main(int argc, char** argv) {
     return 0;
   }
   try {
-    return usage.coq.empty() ? verify(usage) : write_coq(usage);
+    return answer(usage);
   } catch (const std::exception& error) {
     std::cerr << "regulus-verify: " << error.what() << '\n';
     return kFileError;

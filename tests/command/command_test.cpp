@@ -40,13 +40,25 @@ TEST(Command, ShowsNoProgressInAPipe) {
   EXPECT_THAT(regulus({"check", kPlanar, "regular"}).errors, testing::Not(HasSubstr("\r")));
 }
 
+TEST(Command, NamesThePoseAtWhichUncertaintyDefeatsTheTest) {
+  const CommandResult result = regulus(
+      {"check", kRobot1, "T1", "--method", "reg", "--tolerance", "base,platform=0.05", "--json"});
+  const json report = json::parse(result.output);
+  ASSERT_EQ(report["reason"], "at one pose the uncertain quantities alone defeat the test");
+  const json box = report["blocking_box"]["T"], pose = report["blocking_pose"]["T"];
+  EXPECT_EQ(pose[0], pose[1]);
+  EXPECT_LE(box[0], pose[0]);
+  EXPECT_LE(pose[1], box[1]);
+  EXPECT_THAT(result.errors, HasSubstr("the pose is its middle, T = "));
+}
+
 TEST(Command, ReportsEveryPromisedKeyAsJson) {
   const json report = json::parse(regulus({"check", kPlanar, "crossing", "--json"}).output);
   for (const char* key :
        {"verdict", "reason", "alpha", "method", "boxes", "max_frontier", "bits", "motion", "model",
         "model_sha256", "witness", "blocking_box", "seconds", "engine", "isa", "cache"})
     EXPECT_TRUE(report.contains(key)) << key;
-  for (const char* stage : {"model", "symbolic", "emit", "compile", "search", "total"})
+  for (const char* stage : {"model", "symbolic", "program", "search", "total"})
     EXPECT_TRUE(report["seconds"].contains(stage)) << stage;
   EXPECT_EQ(report["verdict"], "singularity");
   const json& witness = report["witness"];

@@ -173,7 +173,7 @@ TEST(LateCompilation, StartsFromTheCacheWithoutAnObject) {
   for (const auto& file : cache.objects()) std::filesystem::remove(file);
   const PreparedSearch p = prepared(kFree, options(Engine::kAuto));
   ASSERT_TRUE(p.late);
-  EXPECT_EQ(p.seconds_spent().emit, 0) << "its forms are in the cache";
+  EXPECT_EQ(p.seconds_spent().program, 0) << "its forms are in the cache";
   const Outcome second = run(kFree, options(Engine::kAuto));
   EXPECT_EQ(second.report, first.report);
   EXPECT_EQ(second.certificate, first.certificate);

@@ -59,7 +59,7 @@ set(lent
 # What the verifier and what prints for Coq see.
 set(only_runtime/verifier runtime/files/ runtime/proof/format.hpp)
 set(only_runtime/formal   runtime/files/ runtime/proof/format.hpp runtime/verifier/)
-set(only_runtime/verifier/main.cpp runtime/formal/coq_proof.hpp)  # the program
+set(only_runtime/verifier/main.cpp runtime/formal/)  # the program
 
 set(users_of_ginac    codegen/model codegen/model/import codegen/model/robot codegen/kernel/symbolic codegen/answer/certificate codegen/question)
 set(users_of_cln      codegen/model codegen/kernel codegen/answer/certificate codegen/question/way)

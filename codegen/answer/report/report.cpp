@@ -46,19 +46,45 @@ void tell_filters(const PreparedSearch& p, const Result& result, Facts& facts) {
   facts.add("filters", filters);
 }
 
+/// The pose at which the uncertain quantities alone defeat the test: the middle of the blocking box,
+/// as the search takes it.
+void tell_blocking_pose(const PreparedSearch& p, const Result& result, Facts& facts) {
+  if (result.reason != Reason::kUncertainty || uncertain_count(p) == 0) return;
+  std::vector<Interval> pose = result.blocking_box;
+  for (std::size_t i = 0; i < pose.size(); ++i)
+    if (is_motion(p.labels.variables[i])) pose[i] = Interval(mid(pose[i]));
+  facts.add("blocking_pose", json_parameters(p, pose));
+  facts.say("", fmt::format("the pose is its middle, {}", describe_place(p, pose)));
+}
+
 void tell_blocking(const PreparedSearch& p, const Result& result, Facts& facts) {
   facts.add("blocking_box", json_blocking_box(p, result));
   if (result.blocking_box.empty()) return;
   facts.say("blocked", describe_place(p, result.blocking_box));
+  tell_blocking_pose(p, result, facts);
   if (result.reason == Reason::kUndefined)
     tell_undefined(p, find_undefined(p, result.blocking_box), facts);
 }
 
-/// Returns the part of a claim that rests on filters of the user.
+void tell_text(const PreparedSearch& p, Facts& facts) {
+  if (!p.text) {
+    facts.add("kernel", nullptr);
+    return;
+  }
+  facts.add("kernel", {{"path", p.text->path}, {"sha256", p.text->sha256}});
+  facts.say("kernel",
+            fmt::format("{}: the claim is about the functions of this text", p.text->path));
+}
+
+/// Returns the part of a claim that rests on filters or on a text of the user.
 std::string reservations(const PreparedSearch& p, const Result& result) {
   const std::uint64_t certified = std::accumulate(result.statistics.leaves.begin(),
                                                   result.statistics.leaves.end(), std::uint64_t{0});
   std::string words;
+  if (p.text)
+    words = fmt::format(
+        "; by the functions of {}, of which Regulus has not proved that they are the model's",
+        p.text->path);
   for (std::size_t i = 0; i < p.filters.size(); ++i)
     if (rests_on(result, i) > 0)
       words += fmt::format("; {} of {} boxes rest on the filter {}, which Regulus has not checked",
@@ -86,11 +112,13 @@ std::string claim(const PreparedSearch& p, const Result& result) {
              reservations(p, result);
     case Verdict::kSingularity:
       if (result.reason == Reason::kAlwaysSingular)
-        return fmt::format("the {} is singular at {}", describe_size(p), set);
-      return threshold
-                 ? fmt::format("the motion has a pose with |det J⁻¹| ≤ {}",
-                               threshold_text(p.variety.alpha, false))
-                 : fmt::format("the motion has a pose where the {} is singular", describe_size(p));
+        return fmt::format("the {} is singular at {}", describe_size(p), set) +
+               (p.text ? reservations(p, result) : "");
+      return (threshold ? fmt::format("the motion has a pose with |det J⁻¹| ≤ {}",
+                                      threshold_text(p.variety.alpha, false))
+                        : fmt::format("the motion has a pose where the {} is singular",
+                                      describe_size(p))) +
+             (p.text ? reservations(p, result) : "");
     case Verdict::kPossibleProblem:
       return nothing_proved(describe(result.reason));
   }
@@ -117,6 +145,7 @@ void tell_report(const PreparedSearch& p, const SearchOptions& search, const Res
   tell_question(p, facts);
   if (facts.are_for_programs()) add_search(search, json_question(p, search), facts);
   tell_method(p, search, result.method, result.statistics.boxes, facts);
+  tell_text(p, facts);
   tell_filters(p, result, facts);
   tell_boxes(result.statistics, facts);
   facts.add("leaves", json_leaves(result.statistics));

@@ -88,6 +88,8 @@ void tell_matrix(const SearchSubject& p, Facts& facts) {
 /// requested.
 std::string describe_engine(const PreparedSearch& p, const SearchOptions& search,
                             std::uint64_t boxes) {
+  if (p.text)
+    return fmt::format("the text, compiled by Clang for {}, cache {}", name(p.isa), p.cache);
   if (search.engine == Engine::kInterpreted || p.stopped) return "interpreted";
   if (!p.no_compiler.empty()) return "interpreted, because there is no compiler: " + p.no_compiler;
   if (!p.late)
@@ -125,9 +127,9 @@ Json json_forms(const PreparedSearch& p) {
 /// "compiled"}; one of them is 0 if the engine never changes. The end of the compilation is left
 /// out, since it differs from run to run: until then, boxes of the second number are interpreted,
 /// too.
-Json json_engine_boxes(const PreparedSearch& p, const SearchOptions& search, std::uint64_t boxes) {
+Json json_engine_boxes(const PreparedSearch& p, std::uint64_t boxes) {
   std::uint64_t interpreted = 0;
-  if (search.engine == Engine::kInterpreted || p.stopped || !p.no_compiler.empty())
+  if (p.is_interpreted && !p.late)
     interpreted = boxes;
   else if (p.late)
     interpreted = std::min(boxes, p.late->after_boxes());
@@ -148,9 +150,12 @@ std::string describe_detail(const PreparedSearch& p) {
 }  // namespace
 
 Json json_seconds(const StageSeconds& s) {
-  return {{"model", s.model},   {"symbolic", s.symbolic},
-          {"emit", s.emit},     {"compile", s.compile},
-          {"search", s.search}, {"total", s.model + s.symbolic + s.emit + s.compile + s.search}};
+  Json seconds{{"model", s.model}, {"symbolic", s.symbolic}, {"program", s.program}};
+  if (s.emit > 0) seconds["emit"] = s.emit;
+  if (s.compile > 0) seconds["compile"] = s.compile;
+  seconds["search"] = s.search;
+  seconds["total"] = s.before_search() + s.search;
+  return seconds;
 }
 
 const char* json_name(Verdict verdict) {
@@ -220,7 +225,7 @@ void add_search(const SearchOptions& search, Json question, Facts& facts) {
 void tell_method(const PreparedSearch& p, const SearchOptions& search, Method method,
                  std::uint64_t boxes, Facts& facts) {
   facts.add("method", name(method)).add("without", search.without).add("forms", json_forms(p));
-  facts.add("engine_boxes", json_engine_boxes(p, search, boxes));
+  facts.add("engine_boxes", json_engine_boxes(p, boxes));
   facts.add("isa", name(p.isa)).add("cache", p.cache).add("bits", p.bits);
   facts.say("method", fmt::format("{}{}, {}", name(method), describe_without(search),
                                   describe_engine(p, search, boxes)));
@@ -232,9 +237,11 @@ void tell_time(const StageSeconds& seconds, Facts& facts) {
 }
 
 std::string describe_time(const StageSeconds& s) {
-  return fmt::format(
-      "model {:.1f} ms, symbolic {:.1f} ms, emit {:.1f} ms, compile {:.1f} ms, search {:.3f} ms",
-      1e3 * s.model, 1e3 * s.symbolic, 1e3 * s.emit, 1e3 * s.compile, 1e3 * s.search);
+  std::string text = fmt::format("model {:.1f} ms, symbolic {:.1f} ms, program {:.1f} ms",
+                                 1e3 * s.model, 1e3 * s.symbolic, 1e3 * s.program);
+  if (s.emit > 0) text += fmt::format(", emit {:.1f} ms", 1e3 * s.emit);
+  if (s.compile > 0) text += fmt::format(", compile {:.1f} ms", 1e3 * s.compile);
+  return text + fmt::format(", search {:.3f} ms", 1e3 * s.search);
 }
 
 Json json_occupancy(const Result& result) {

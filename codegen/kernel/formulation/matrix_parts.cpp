@@ -259,7 +259,8 @@ Expression MatrixParts::turn_derivative(const KnownCrank& c, const std::string& 
   // The value is (numerator)/(c·W); the quotient rule with the value itself is shorter.
   const Expression value = turn_value(c, first);
   Expressions numerator, denominator;
-  for (const Expression& factor : value.operands())
+  const bool is_product = value.kind() == ExpressionKind::kProduct;  // it may be 1/W
+  for (const Expression& factor : is_product ? value.operands() : Expressions{value})
     (is_denominator(factor) ? denominator : numerator).push_back(factor);
   const Expression slope = Differentiator(second, this).derivative(product(numerator));
   const Expression result = slope * product(denominator) -

@@ -158,9 +158,10 @@ class LegWriter {
   /// of it that has no power with the carriage.
   void write_hinge() {
     const FormulaPoint& h = leg_.hinge;
-    (void)let("off_", dot(e_, h));
+    const bool has_oblique_rail = leg_.type->kind == LegKind::kSlider && !leg_.hinge_is_across;
+    (void)let("off_", dot(has_oblique_rail ? d_ : e_, h));  // d·h = e·h for a rail across h
     FormulaPoint force = h;
-    if (leg_.type->kind == LegKind::kSlider && !leg_.hinge_is_across) {
+    if (has_oblique_rail) {
       const FormulaPoint& u = leg_.axis.direction;
       force = minus(times(dot(d_, u), h), times(dot(h, u), d_));
     }

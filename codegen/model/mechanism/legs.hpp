@@ -106,7 +106,8 @@ struct WrittenLegs {
 ///
 ///   r_i = R·B_i, e_i = A_iB_i, d_i = C_iB_i the rod, rho_i = |e_i|, s_i the position of the slider,
 ///   w_i the root of its working mode, 0 where the motor is at a dead point,
-///   off_i = h·e_i for a hinge along h: 0 where B_i is in the leg's plane,
+///   off_i for a hinge along h: h·e_i, but h·d_i on a rail that may be oblique to h; 0 where B_i is
+///   in the leg's plane,
 ///
 /// and these names, with _x, _y, _z for coordinates, can be used in constraints.
 ///

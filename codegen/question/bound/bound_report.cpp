@@ -260,7 +260,7 @@ std::string format_component(const ComponentBound& c, bool has_limit) {
                                                        c.proved ? &c : nullptr, gap_of(c), false);
   if (!c.reason.empty()) words += "; " + c.reason;
   return fmt::format("{:<10} {:<44} {:>7} boxes {:>7.2f} s\n", c.component.label, words, c.boxes,
-                     c.seconds.symbolic + c.seconds.emit + c.seconds.compile + c.seconds.search);
+                     c.seconds.before_search() - c.seconds.model + c.seconds.search);
 }
 
 void tell_bracket(const Request& request, const Bound& bound, const BoundSettings& settings,

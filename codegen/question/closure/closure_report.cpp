@@ -276,6 +276,7 @@ void tell_closure(const PreparedClosure& prepared, const SearchOptions& search,
   tell_branch(prepared, found, facts);
   if (facts.are_for_programs()) add_search(search, json_question(prepared.request, search), facts);
   tell_method(p, search, check.method, check.statistics.boxes, facts);
+  facts.add("kernel", nullptr);
   facts.add("filters", Json::array());
   tell_boxes(check.statistics, facts);
   facts.add("leaves", json_leaves(check.statistics));

@@ -15,7 +15,7 @@ namespace {
 std::string ends_of(const Interval& x) { return fmt::format(" {:a}:{:a}", x.lo, x.hi); }
 
 /// Returns all inputs on which the results about boxes depend, without the way in which they were
-/// computed. Filters are included, because their answers are not checked: a run that continues must
+/// computed. Filters and texts are included, because they are not checked: a run that continues must
 /// name them, too.
 CheckpointedQuestion question_of(const PreparedSearch& p, const Settings& settings) {
   const regulus_kernel& kernel = p.kernel->functions();
@@ -25,6 +25,7 @@ CheckpointedQuestion question_of(const PreparedSearch& p, const Settings& settin
   text += "\nalpha" + ends_of(p.variety.alpha);
   text += splits_uncertainty ? "\nvariables" : "\nelements";
   for (const FilterFile& filter : p.filters) text += "\nfilter " + filter.sha256();
+  if (p.text) text += "\nkernel " + p.text->sha256;
   CheckpointedQuestion question;
   question.identity = sha256(text);
   question.splittable = splits_uncertainty ? kernel.variables : kernel.motion_variables;

@@ -36,7 +36,10 @@ struct SearchOptions {
   Engine engine = Engine::kJit;
   std::optional<Isa> isa;  ///< nullopt: the best of this processor
   bool use_cache = true;
-  std::vector<std::string> filters;                    ///< shared objects
+  std::vector<std::string> filters;  ///< shared objects
+  /// The C++ text of the kernel, edited by a person; compiled by Clang, whatever `engine` is. Empty:
+  /// the text of the model. Only for check.
+  std::string kernel;
   std::vector<std::string> without;                    ///< see ingredients.hpp
   std::uint64_t max_boxes = 0;                         ///< 0: no bound
   unsigned threads = 0;                                ///< 0: as many as there are processors

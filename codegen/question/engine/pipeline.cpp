@@ -64,6 +64,7 @@ void interpret(const machine::PackKernel& program, PreparedSearch& p) {
   require_sound_rounding(self_test(p.isa));
   p.cache = name(CacheUse::kOff);
   p.kernel = std::make_unique<InterpretedList>(program, p.isa);
+  p.is_interpreted = true;
 }
 
 /// The kernel is compiled only for a long search.
@@ -82,6 +83,21 @@ void use(CompiledKernel code, PreparedSearch& p) {
   p.cache_note = code.cache_note();
   p.parts = code.report().parts;
   p.kernel = std::make_unique<CompiledCode>(std::move(code));
+  p.is_interpreted = false;
+}
+
+/// No other expressions of the model take part in the search, so that the claim is about one set of
+/// functions.
+void use_edited(const Module& module, PreparedSearch& p, const SearchOptions& search) {
+  EditedKernel edited = compile_edited(search.kernel, module, compile_options(p.isa, search));
+  if (const auto difference =
+          find_difference(*edited.code.kernel(), module, p.variety.outer, p.isa))
+    throw InputError::statement(search.kernel, 0,
+                                "the text does not compute the model's functions: " + *difference,
+                                "write the same functions in another form, or change the model");
+  use(std::move(edited.code), p);
+  p.text = std::move(edited.text);
+  p.matrix.reset();
 }
 
 /// Without a compiler, the interpreter is used, so there is an answer anyway.
@@ -120,14 +136,16 @@ void make_kernel(PreparedSearch& p, const SearchOptions& search, const Keep& kee
   p.isa = chosen_isa(search);
   const FormingWatch& forming = p.stages->watch();
   const Module module = anonymous(p.stages->module());
-  if (search.engine == Engine::kClang) {
+  if (!search.kernel.empty() && !p.stopped) {
+    use_edited(module, p, search);
+  } else if (search.engine == Engine::kClang) {
     const EmittedKernel text = emit(module, {}, &forming);
     p.seconds.emit += watch.lap();
     use(compile(text, compile_options(p.isa, search)), p);
   } else {
     const auto program =
         std::make_shared<const machine::PackKernel>(select(module, kOperationsPerPart, &forming));
-    p.seconds.emit += watch.lap();
+    p.seconds.program += watch.lap();
     if (search.engine == Engine::kInterpreted || p.stopped) {
       interpret(*program, p);
     } else {
@@ -135,7 +153,7 @@ void make_kernel(PreparedSearch& p, const SearchOptions& search, const Keep& kee
       choose_engine(program, p, search);
     }
   }
-  p.seconds.compile += watch.lap();
+  (p.is_interpreted ? p.seconds.program : p.seconds.compile) += watch.lap();
 }
 
 void load_filters(PreparedSearch& p, const SearchOptions& search) {
@@ -195,14 +213,13 @@ void prepare_anew(PreparedSearch& p, const SearchOptions& search, const Keep& ke
   load_filters(p, search);
   p.seconds.model += watch.lap();
   require_sound_rounding(self_test(Isa::kPortable));
-  p.seconds.compile += watch.lap();
+  p.seconds.program += watch.lap();
   form(p, request);
   make_kernel(p, search, keep);
 }
 
 double seconds_before_the_search(const PreparedSearch& p) {
-  const StageSeconds spent = p.seconds_spent();
-  return spent.model + spent.symbolic + spent.emit + spent.compile;
+  return p.seconds_spent().before_search();
 }
 
 /// Runs `stages`. If they are stopped, leaves what a report needs.
@@ -226,7 +243,8 @@ void prepare_until_stopped(PreparedSearch& p, const SearchOptions& search,
 /// Returns the cache, if the search may use it. prepare_anew reports mistakes in the command line.
 std::optional<ProblemCache> place_in_cache(const FormulationOptions& functions,
                                            const SearchOptions& search) {
-  if (search.engine == Engine::kInterpreted || search.engine == Engine::kClang || !search.use_cache)
+  if (search.engine == Engine::kInterpreted || search.engine == Engine::kClang ||
+      !search.kernel.empty() || !search.use_cache)
     return std::nullopt;
   const Isa isa = search.isa.value_or(best_isa());
   if (!supported(isa)) return std::nullopt;
@@ -264,7 +282,7 @@ bool take_from(ProblemCache& cache, PreparedSearch& p, const SearchOptions& sear
     interpret_first(std::make_shared<const machine::PackKernel>(std::move(found->program)), p,
                     search);
   }
-  p.seconds.compile += watch.lap();
+  (p.is_interpreted ? p.seconds.symbolic : p.seconds.compile) += watch.lap();
   return true;
 } catch (const NoCompiler&) {
   // The self-test could not be compiled: without it no compiled kernel is used.

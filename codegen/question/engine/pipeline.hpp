@@ -12,6 +12,7 @@
 #include "codegen/kernel/formulation/functions_needed.hpp"
 #include "codegen/kernel/program/ball_program.hpp"
 #include "codegen/model/request.hpp"
+#include "codegen/question/engine/edited_kernel.hpp"
 #include "codegen/question/engine/filter_file.hpp"
 #include "codegen/question/engine/late_compilation.hpp"
 #include "codegen/question/engine/loaded_kernel.hpp"
@@ -32,9 +33,12 @@ struct PreparedKernel {
   /// a search evaluate it with more digits.
   std::optional<BallProgram> matrix;
   std::unique_ptr<LoadedKernel> kernel;
+  bool is_interpreted = false;  ///< at first, if `late` is not null
   /// For Engine::kAuto with an interpreted kernel; null: the kernel is compiled or stays
   /// interpreted.
   std::unique_ptr<LateCompilation> late;
+  /// Of a kernel that a person has edited. Then the search decides by its functions alone.
+  std::optional<EditedText> text;
   std::vector<FilterFile> filters;  ///< in the order of Settings::filters
   Isa isa = Isa::kPortable;
   std::string cache;        ///< "hit", "miss" or "off"

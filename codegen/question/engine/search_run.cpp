@@ -27,13 +27,14 @@ Result with_oracle(PreparedSearch& preparation, const SearchOptions& search, Set
   if (preparation.matrix)
     settings.oracle =
         &oracle.emplace(*preparation.matrix, preparation.labels.rows, search.precision);
-  if (!preparation.stopped) settings.algebra = &algebra;
+  const bool has_own_functions = !preparation.text;  // others than those of a text
+  if (!preparation.stopped && has_own_functions) settings.algebra = &algebra;
   ClosedFormBounds closed_form(*preparation.stages);
-  if (search.filters.empty()) settings.closed_form = &closed_form;
+  if (search.filters.empty() && has_own_functions) settings.closed_form = &closed_form;
   Result result = run();
   settings.closed_form = nullptr;
   if (oracle) preparation.bits = std::max(preparation.bits, oracle->bits());
-  enclose_determinants(preparation, result);
+  if (has_own_functions) enclose_determinants(preparation, result);
   return result;
 }
 
@@ -70,8 +71,7 @@ Result run_from(PreparedSearch& preparation, const SearchOptions& search, Settin
 }  // namespace
 
 double seconds_left(const PreparedSearch& preparation, double time_limit) {
-  const StageSeconds spent = preparation.seconds_spent();
-  return std::max(0.0, time_limit - (spent.model + spent.symbolic + spent.emit + spent.compile));
+  return std::max(0.0, time_limit - preparation.seconds_spent().before_search());
 }
 
 Result run_search(PreparedSearch& preparation, const SearchOptions& search, Settings settings,

@@ -79,6 +79,7 @@ Result PathRun::search_piece(std::size_t piece, PreparedSearch& preparation,
 void PathRun::add(const PreparedSearch& preparation, const Statistics& statistics) {
   const StageSeconds s = preparation.seconds_spent();
   check_.seconds.symbolic += s.symbolic + s.model;
+  check_.seconds.program += s.program;
   check_.seconds.emit += s.emit;
   check_.seconds.compile += s.compile;
   check_.seconds.search += statistics.seconds;
@@ -96,8 +97,7 @@ void PathRun::end(std::size_t piece, Reason reason) {
 }
 
 double PathRun::seconds_left() const {
-  const StageSeconds& s = check_.seconds;
-  const double spent = s.model + s.symbolic + s.emit + s.compile + s.search;
+  const double spent = check_.seconds.before_search() + check_.seconds.search;
   const double limit = search_.time_limit == 0 ? kInfinity : search_.time_limit;
   return limit - spent;
 }
@@ -112,6 +112,9 @@ std::string place_of_piece(std::size_t piece) { return "segment " + std::to_stri
 void settle_options(SearchOptions& search) {
   if (!search.filters.empty())
     throw UsageError("--filter: a motion along way-points is searched without filters");
+  if (!search.kernel.empty())
+    throw UsageError(
+        "--kernel: a motion along way-points has a kernel for each segment; leave the option out");
   if (search.uncertainty != Uncertainty::kElements)
     throw UsageError(
         "--uncertainty: a motion along way-points keeps uncertain quantities whole; leave the "

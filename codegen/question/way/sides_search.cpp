@@ -28,9 +28,7 @@ void add(const Statistics& more, Statistics& all) {
   all.seconds += more.seconds;
 }
 
-double seconds_of(const StageSeconds& s) {
-  return s.model + s.symbolic + s.emit + s.compile + s.search;
-}
+double seconds_of(const StageSeconds& s) { return s.before_search() + s.search; }
 
 class SidesSearch {
  public:

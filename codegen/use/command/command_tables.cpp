@@ -244,6 +244,7 @@ void CommandTables::add_check() {
   add_waypoint_options(*check_command, check.model);
   add_search_options(*check_command, check.search);
   add_filter_option(*check_command, check.search);
+  add_kernel_option(*check_command, check.search);
   add_certificate_option(*check_command, check.certificate, kCheckCertificate);
   add_shard_option(*check_command, check.shard_size);
   add_checkpoint_options(*check_command, check.checkpoint);

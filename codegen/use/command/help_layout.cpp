@@ -32,7 +32,7 @@ const OptionNames& names_in(const std::string& group) {
         "page", "picture", "axes", "slices", "shade", "robot", "markdown", "depfile", "object"}},
       {kResearch,
        {"method", "determinant", "entries", "bisect", "uncertainty", "without", "engine", "isa",
-        "filter", "no-cache"}}};
+        "filter", "kernel", "no-cache"}}};
   static const OptionNames kNone;
   const auto at = kNames.find(group);
   return at == kNames.end() ? kNone : at->second;

@@ -93,6 +93,14 @@ void add_filter_option(CLI::App& app, SearchOptions& options) {
       ->type_name("FILE.so");
 }
 
+void add_kernel_option(CLI::App& app, SearchOptions& options) {
+  app.add_option("--kernel", options.kernel,
+                 "Search with the functions of FILE.cpp, which explain --stage text wrote and you "
+                 "have edited; Clang compiles them, and the claim is about them")
+      ->type_name("FILE.cpp")
+      ->excludes("--engine");
+}
+
 void add_search_options(CLI::App& app, SearchOptions& options) {
   add_method_options(app, options.method, options.symbolic_budget);
   add_choice(app, "--determinant", options.determinant,

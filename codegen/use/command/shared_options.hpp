@@ -19,6 +19,7 @@ void add_model_options(CLI::App& app, ModelOptions& options);
 void add_waypoint_options(CLI::App& app, ModelOptions& options);
 void add_method_options(CLI::App& app, Method& method, std::uint64_t& budget);
 void add_filter_option(CLI::App& app, SearchOptions& options);
+void add_kernel_option(CLI::App& app, SearchOptions& options);
 void add_search_options(CLI::App& app, SearchOptions& options);
 void add_output_options(CLI::App& app, OutputOptions& options);
 void add_page_option(CLI::App& app, OutputOptions& options);

@@ -89,6 +89,8 @@ Start read_start(CommandLine& line, std::vector<std::string> words) {
         with_search(line, [&start, &words](auto& command) {
           if (!command.search.filters.empty())
             throw UsageError("--filter: a filter runs in one process only; use regulus");
+          if (!command.search.kernel.empty())
+            throw UsageError("--kernel: an edited kernel runs in one process only; use regulus");
           static_cast<void>(settings_from(command.search));
           static_cast<void>(question_of(command));
           const std::string typed =

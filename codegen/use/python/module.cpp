@@ -146,6 +146,7 @@ void bind_options(py::module_& module) {
   options.def(py::init<>())
       .def_readwrite("use_cache", &SearchOptions::use_cache)
       .def_readwrite("filters", &SearchOptions::filters)
+      .def_readwrite("kernel", &SearchOptions::kernel)
       .def_readwrite("without", &SearchOptions::without)
       .def_readwrite("max_boxes", &SearchOptions::max_boxes)
       .def_readwrite("threads", &SearchOptions::threads)

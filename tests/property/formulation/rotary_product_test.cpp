@@ -330,6 +330,28 @@ TEST(RotaryProductProperty, IsTheNumericProductOfTheModels) {
   EXPECT_GE(count.turned, 4);
 }
 
+/// A matrix that a person writes may have a crank whose k is any function: here the derivatives of k
+/// are 1, 2 and those of y·z, and its root is 1/W or a multiple of it.
+TEST(RotaryProductProperty, HoldsForCranksThatAMatrixWritesOut) {
+  Count count;
+  Random random(17);
+  for (const std::string k : {"z", "2*z", "-z", "y*z", "(z + 1/2*x)", "(x^2 + y^2 + z)/3"})
+    for (const std::string sign : {"+", "-"}) {
+      const std::string w = "sqrt(x^2 + y^2 - " + k + "^2)";
+      const std::string other = sign == "+" ? "-" : "+";
+      const std::string text =
+          "regulus = 1\nname = \"crank\"\n[pose]\nx = \"m\"\ny = \"m\"\nz = \"m\"\n"
+          "[matrix]\nrows = [[\"(" +
+          k + "*x " + sign + " " + w + "*y)/(x^2 + y^2)\", \"(" + k + "*y " + other + " " + w +
+          "*x)/(x^2 + y^2)\"], [\"-(x^2 + z)\", \"1 + y*z\"]]\n"
+          "[motion.work]\nx = [1, 1.2]\ny = [1, 1.2]\nz = [0.3, 0.5]\n";
+      const Model model = parse_model(text, "crank.toml");
+      compare(model, find_motion(model, "work"), random, count);
+    }
+  EXPECT_GE(count.points, 100);
+  EXPECT_GE(count.second_steps, 100);
+}
+
 TEST(RotaryProductProperty, HoldsForUncertainLengths) {
   Count count;
   Random random(15);

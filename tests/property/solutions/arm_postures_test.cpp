@@ -113,7 +113,8 @@ ArmToEnd arm_of(const Chain<double>& chain, const typename Chain<Number>::End& e
   return arm;
 }
 
-bool holds(const std::vector<PostureAngles>& postures, const Angles& angles, double tolerance) {
+bool has_posture(const std::vector<PostureAngles>& postures, const Angles& angles,
+                 double tolerance) {
   return std::ranges::any_of(postures, [&](const PostureAngles& known) {
     for (std::size_t i = 0; i < 6; ++i)
       if (std::abs(std::remainder(mid(known[i]) - angles[i], 2 * kPi.lo)) > tolerance) return false;
@@ -207,7 +208,7 @@ TEST(TheArmOfManochaAndCanny, HasSixteen) {
   EXPECT_TRUE(found.is_complete());
   ASSERT_EQ(found.postures.size(), 16U);
   expect_end(chain, end, found.postures);
-  for (const Angles& known : kPostures) EXPECT_TRUE(holds(found.postures, known, 1e-9));
+  for (const Angles& known : kPostures) EXPECT_TRUE(has_posture(found.postures, known, 1e-9));
 }
 
 TEST(ARandomArm, HasAllItsPosturesInTheList) {
@@ -222,10 +223,10 @@ TEST(ARandomArm, HasAllItsPosturesInTheList) {
     expect_end(chain, end, found.postures);
     if (!found.is_complete()) continue;
     ++complete;
-    EXPECT_TRUE(holds(found.postures, planted, 1e-6));
+    EXPECT_TRUE(has_posture(found.postures, planted, 1e-6));
     for (int start = 0; start < 100; ++start) {
       const auto other = newton(chain, end, random_angles(random));
-      EXPECT_TRUE(!other || holds(found.postures, *other, 1e-5));
+      EXPECT_TRUE(!other || has_posture(found.postures, *other, 1e-5));
     }
   }
   EXPECT_GE(complete, 18);
@@ -281,7 +282,7 @@ TEST(SpecialArms, AreNeverComplete) {
     const Angles planted = random_angles(random);
     const ArmPostures found = find_arm_postures(arm_of<double>(chain, chain.at(planted)));
     EXPECT_FALSE(found.is_complete());
-    EXPECT_TRUE(holds(found.postures, planted, 1e-6));
+    EXPECT_TRUE(has_posture(found.postures, planted, 1e-6));
   }
 }
 

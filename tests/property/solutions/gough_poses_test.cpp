@@ -3,17 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/existence/branch_tube.hpp"
 #include "runtime/solutions/dietmaier.hpp"
-#include "tests/support/platforms.hpp"
+#include "tests/support/hostile_platforms.hpp"
 
 namespace regulus::test {
 namespace {
-
-bool holds(const std::vector<GoughPose>& poses, const Pose<double>& pose, double tolerance) {
-  return std::ranges::any_of(
-      poses, [&](const GoughPose& known) { return distance(known, pose) < tolerance; });
-}
 
 /// Each pose encloses one with these legs, as far as rotation matrices can tell.
 void expect_legs(const Platform& robot, const GoughLegs& legs, const GoughPoses& found) {
@@ -40,74 +34,6 @@ TEST(DietmaiersPlatform, HasForty) {
                       1e-9));
 }
 
-/// Newton's method with lengths, positions and rotations by small turns.
-class NewtonSearch {
- public:
-  NewtonSearch(const Platform& robot, const GoughLegs& legs) : robot_(robot), legs_(legs) {}
-
-  [[nodiscard]] std::optional<Pose<double>> from(Pose<double> pose) const {
-    for (int step = 0; step < 60; ++step) {
-      const auto now = errors(pose);
-      if (std::ranges::all_of(now, [](double e) { return std::abs(e) < 1e-13; })) return pose;
-      std::vector<double> matrix(36);
-      for (std::size_t k = 0; k < 6; ++k) {
-        const auto moved = errors(changed(pose, k, 1e-7));
-        for (std::size_t i = 0; i < 6; ++i) matrix[i * 6 + k] = (moved[i] - now[i]) / 1e-7;
-      }
-      const auto inverse = approx_inverse_of(matrix, 6);
-      if (!inverse) return std::nullopt;
-      std::array<double, 6> by{};
-      double largest = 0;
-      for (std::size_t k = 0; k < 6; ++k) {
-        for (std::size_t i = 0; i < 6; ++i) by[k] -= (*inverse)[k * 6 + i] * now[i];
-        largest = std::max(largest, std::abs(by[k]));
-      }
-      for (std::size_t k = 0; k < 6; ++k)
-        pose = changed(pose, k, by[k] * std::min(1.0, 0.5 / largest));
-    }
-    return std::nullopt;
-  }
-
- private:
-  [[nodiscard]] std::array<double, 6> errors(const Pose<double>& pose) const {
-    std::array<double, 6> result{};
-    for (std::size_t i = 0; i < 6; ++i)
-      result[i] = squared_length(pose, robot_.base[i], robot_.platform[i]) -
-                  legs_.length[i].lo * legs_.length[i].lo;
-    return result;
-  }
-
-  static Pose<double> changed(Pose<double> pose, std::size_t k, double by) {
-    if (k < 3) {
-      pose.position[k] += by;
-      return pose;
-    }
-    const auto [w, x, y, z] = pose.rotation;
-    const std::array<std::array<double, 4>, 3> turns{
-        {{-x, w, -z, y}, {-y, z, w, -x}, {-z, -y, x, w}}};
-    double square = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-      pose.rotation[i] += by / 2 * turns[k - 3][i];
-      square += pose.rotation[i] * pose.rotation[i];
-    }
-    for (double& q : pose.rotation) q /= std::sqrt(square);
-    return pose;
-  }
-
-  const Platform& robot_;
-  const GoughLegs& legs_;
-};
-
-/// Nothing that Newton's method finds is missing in a list that is complete.
-void expect_nothing_missing(const Platform& robot, const GoughLegs& legs, const GoughPoses& found,
-                            RandomSource& random, int starts) {
-  const NewtonSearch search(robot, legs);
-  for (int start = 0; start < starts; ++start) {
-    const auto pose = search.from(random_pose(random, 3));
-    EXPECT_TRUE(!pose || holds(found.poses, *pose, 1e-5));
-  }
-}
-
 TEST(ARandomHexapod, HasAllItsPosesInTheList) {
   RandomSource random(3);
   int complete = 0;
@@ -125,6 +51,38 @@ TEST(ARandomHexapod, HasAllItsPosesInTheList) {
   }
   EXPECT_GE(complete, 28);
 }
+
+/// A random platform whose legs meet in pairs, in a random order, at the platform or at the base.
+TEST(LegsThatMeetInPairs, HaveAllTheirPosesInTheList) {
+  RandomSource random(7);
+  int complete = 0;
+  for (int round = 0; round < 20; ++round) {
+    Platform robot = Platform::random(random);
+    std::array<std::size_t, 6> points{0, 0, 1, 1, 2, 2};
+    for (std::size_t i = 5; i > 0; --i) std::swap(points[i], points[random.below(i + 1)]);
+    const bool at_base = random.one_in(2);
+    Anchors& anchors = at_base ? robot.base : robot.platform;
+    const Anchors all = anchors;
+    for (std::size_t i = 0; i < 6; ++i) anchors[i] = all[points[i]];
+    const Pose<double> planted = random_pose(random, 1.5);
+    GoughLegs legs = robot.at(planted);
+    const GoughPoses general = find_gough_poses(legs);
+    EXPECT_LE(general.complex, 16U);
+    (at_base ? legs.base_point : legs.platform_point) = points;
+    const GoughPoses found = find_gough_poses(legs);
+    EXPECT_LE(found.complex, 16U);
+    EXPECT_EQ(found.most, 16U);
+    expect_legs(robot, legs, found);
+    if (!found.is_complete()) continue;
+    ++complete;
+    EXPECT_LE(general.poses.size(), found.poses.size());
+    EXPECT_TRUE(holds(found.poses, planted, 1e-6));
+    expect_nothing_missing(robot, legs, found, random, 100);
+  }
+  EXPECT_GE(complete, 18);
+}
+
+TEST(HostilePlatforms, AreNeverFalselyComplete) { expect_no_false_list_of_poses(8, 20); }
 
 TEST(UncertainLegs, AreProvedForAllTheirLengths) {
   RandomSource random(4);

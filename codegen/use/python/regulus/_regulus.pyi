@@ -21,6 +21,7 @@ class Question:
 class SearchOptions:
     use_cache: bool
     filters: list[str]
+    kernel: str
     without: list[str]
     max_boxes: int
     threads: int

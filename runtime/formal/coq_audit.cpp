@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/formal/coq_audit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <vector>
+
+#include "runtime/formal/coq_question.hpp"
+#include "runtime/formal/coq_tokens.hpp"
+#include "runtime/verifier/proof.hpp"
+
+namespace regulus::verifier {
+namespace {
+
+using Kind = CoqToken::Kind;
+using Sentence = std::vector<CoqToken>;
+
+constexpr auto kImports = std::to_array<std::string_view>(
+    {"From Coq Require Import List", "From Coq Require Import PrimFloat",
+     "From Regulus Require Import Expressions Questions Search Singularity Threshold Forces",
+     "From Regulus Require Import Notations", "Import ListNotations"});
+
+/// The definitions of a file, but for those of its names.
+constexpr auto kDefinitions = std::to_array<std::string_view>(
+    {"the_question : question", "the_question ( piece : list expression ) : question",
+     "the_method : method", "pieces : list ( list expression )", "the_tree : tree",
+     "the_trees : list tree", "negative : coordinates", "positive : coordinates",
+     "the_point : coordinates", "the_scales : list expression", "the_threshold : expression",
+     "the_row : nat", "the_load : list expression", "the_limit : expression"});
+
+/// The words of their bodies. Each has one meaning, that of the imports: no definition has its name.
+constexpr auto kWords = std::to_array<std::string_view>(
+    {"Question", "Method", "Name", "Leaf", "Split", "within", "nth",      "piece",
+     "no_entry", "pi",     "sqrt", "sin",  "cos",   "tan",    "asin",     "acos",
+     "atan",     "atan2",  "exp",  "log",  "abs",   "float",  "infinity", "neg_infinity"});
+
+constexpr std::string_view kSymbols = "()[];,+-*/^%";
+
+/// The claims about one question, and where the library defines them.
+struct Claim {
+  std::string_view name, arguments;
+};
+constexpr auto kClaims =
+    std::to_array<Claim>({{"no_singularity", ""},
+                          {"singularity", ""},
+                          {"determinant_above", " the_scales the_threshold"},
+                          {"determinant_not_above", " the_scales the_threshold"},
+                          {"force_within", " the_row the_load the_limit"},
+                          {"force_below", " the_row the_load the_limit"}});
+
+template <std::size_t N>
+bool is_one_of(std::string_view text, const std::array<std::string_view, N>& all) {
+  return std::ranges::find(all, text) != all.end();
+}
+
+/// Returns the words with the path of the audited file before each of its own.
+std::string with_paths(std::string_view words) {
+  std::string text;
+  while (!words.empty()) {
+    const std::string_view word = take_until(words, " ");
+    if (!word.empty())
+      text.append(" ").append(kAuditedFolder).append(".").append(kAuditedFile).append(".") += word;
+  }
+  return text;
+}
+
+class PlainReader {
+ public:
+  explicit PlainReader(std::string_view text) { split(coq_tokens(text)); }
+
+  PlainTheorem read() {
+    for (const std::string_view import : kImports) expect(import);
+    while (at_ < sentences_.size() && sentences_[at_].front().text == "Definition") definition();
+    PlainTheorem theorem = statement();
+    proof();
+    if (at_ < sentences_.size()) fail("nothing may follow the theorem");
+    return theorem;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const {
+    const std::size_t line = at_ < sentences_.size() ? sentences_[at_].front().line : last_line_;
+    throw Rejection("line " + std::to_string(line) + ": " + what);
+  }
+
+  void split(const std::vector<CoqToken>& tokens) {
+    Sentence sentence;
+    for (const CoqToken& token : tokens) {
+      last_line_ = token.line;
+      if (token.kind != Kind::kPeriod) {
+        sentence.push_back(token);
+      } else if (!sentence.empty()) {
+        sentences_.push_back(std::exchange(sentence, {}));
+      } else {
+        throw Rejection("line " + std::to_string(token.line) + ": an empty sentence");
+      }
+    }
+    if (!sentence.empty()) throw Rejection("the last sentence has no end");
+  }
+
+  [[nodiscard]] std::string current() const {
+    return at_ < sentences_.size() ? joined(sentences_[at_]) : "";
+  }
+
+  void expect(std::string_view sentence) {
+    if (current() != sentence) fail("expected the sentence '" + std::string(sentence) + ".'");
+    ++at_;
+  }
+
+  void definition() {
+    const Sentence& words = sentences_[at_];
+    const auto is_assignment = [](const CoqToken& t) { return t.text == ":="; };
+    const auto assignment = std::ranges::find_if(words, is_assignment);
+    if (assignment == words.end()) fail("a definition without ':='");
+    const std::string head = joined({words.begin() + 1, assignment});
+    const std::string name = head.substr(0, head.find(' '));
+    const bool is_name = name.size() > 1 && name.starts_with('_') && name == head;
+    if (!is_name && !is_one_of(head, kDefinitions))
+      fail("'" + head + "' is not a definition of regulus-verify");
+    if (!defined_.insert(name).second) fail("'" + name + "' is defined twice");
+    const Sentence body(assignment + 1, words.end());
+    if (is_name && (body.size() != 2 || body[0].text != "Name" || body[1].kind != Kind::kNumber))
+      fail("the name '" + name + "' is not the name of a number");
+    // Before its end a definition cannot use its own name, and the others are not expressions.
+    for (const CoqToken& token : body) check_word(token, name);
+    ++at_;
+  }
+
+  void check_word(const CoqToken& token, const std::string& itself) const {
+    const bool is_known =
+        token.kind == Kind::kNumber ||
+        (token.kind == Kind::kSymbol && token.text.size() == 1 &&
+         kSymbols.find(token.text) != std::string_view::npos) ||
+        is_one_of(token.text, kWords) ||
+        (token.text.starts_with('_') && token.text != itself && defined_.contains(token.text));
+    if (!is_known)
+      throw Rejection("line " + std::to_string(token.line) + ": '" + std::string(token.text) +
+                      "' has no meaning in the definitions of a plain file");
+  }
+
+  PlainTheorem statement() {
+    constexpr std::string_view kBegin = "Theorem the_claim : ";
+    const std::string sentence = current();
+    if (!sentence.starts_with(kBegin)) fail("expected a definition, or the theorem the_claim");
+    const std::string stated = sentence.substr(kBegin.size());
+    for (const Claim& claim : kClaims) {
+      const std::string name(claim.name), arguments(claim.arguments);
+      const std::string path = "Regulus.Questions." + name, own = with_paths(arguments);
+      if (stated == name + " the_question" + arguments)
+        return {stated, path + with_paths("the_question") + own};
+      if (stated ==
+          "Forall ( fun piece => " + name + " ( the_question piece )" + arguments + " ) pieces")
+        return {stated, "Coq.Lists.List.Forall (fun piece => " + path + " (" +
+                            with_paths("the_question") + " piece)" + own + ")" +
+                            with_paths("pieces")};
+    }
+    fail("the statement is not one of regulus-verify");
+  }
+
+  /// Whatever the proof applies, Coq checks it; no word of it can do anything else.
+  void proof() {
+    ++at_;
+    expect("Proof");
+    const Sentence words = at_ < sentences_.size() ? sentences_[at_] : Sentence{};
+    const auto is_plain = [](const CoqToken& t) {
+      return t.text.starts_with("the_") || t.text.starts_with("check_") || t.text == "pieces" ||
+             t.text == "negative" || t.text == "positive";
+    };
+    if (words.size() < 4 || words[0].text != "apply" || words[1].text != "(" ||
+        words.back().text != ")" || !std::all_of(words.begin() + 2, words.end() - 1, is_plain))
+      fail("expected the sentence 'apply (check_… …).'");
+    ++at_;
+    expect("vm_cast_no_check ( eq_refl true )");
+    expect("Qed");
+  }
+
+  std::vector<Sentence> sentences_;
+  std::size_t at_ = 0, last_line_ = 1;
+  std::set<std::string, std::less<>> defined_;
+};
+
+}  // namespace
+
+PlainTheorem read_plain_theorem(std::string_view text) { return PlainReader(text).read(); }
+
+}  // namespace regulus::verifier

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Is a file what it looks like? Only a file of the plain grammar is given to Coq: the imports that
+// `regulus-verify --coq` writes, definitions of the names that it writes, in words that the library
+// gives their meaning, and its theorem. So no notation, option, axiom or second meaning of a name can
+// stand between the text and what Coq proves.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace regulus::verifier {
+
+/// The folder and the file of the audited text have these names in Coq.
+inline constexpr const char* kAuditedFolder = "RegulusAudited";
+inline constexpr const char* kAuditedFile = "audited";
+
+struct PlainTheorem {
+  std::string statement;  ///< as written, with single spaces
+  std::string type;       ///< the same, each name by its whole path
+};
+
+/// Throws Rejection, with the line and what is not plain.
+[[nodiscard]] PlainTheorem read_plain_theorem(std::string_view text);
+
+}  // namespace regulus::verifier

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files that look like a theorem and are none. tests/formal/audit.cmake gives such files to Coq.
+#include "runtime/formal/coq_audit.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "runtime/formal/coq_proof.hpp"
+#include "runtime/formal/coq_theorem.hpp"
+#include "runtime/verifier/proof.hpp"
+
+namespace regulus::test {
+namespace {
+
+using ::testing::HasSubstr;
+using verifier::check_assumptions;
+using verifier::read_plain_theorem;
+
+std::string plain_theorem(const std::string& pieces = "") {
+  std::istringstream certificate(
+      "regulus-certificate 1\nverdict NO SINGULARITY\nclaim the full 1x1 matrix of the model is "
+      "defined and has full rank at every pose of the variety\nmodel Zü*)(*\xE4\xB8\xAD\"\nsha256 "
+      "-\nmotion m\nalpha 0\nparameter x in 1 : 2\n" +
+      pieces + "pose y = x + 1e-3\nlet e1 = sin(y)^2 + 1\nmatrix 1 1\nentry e1 - 0.5\nproof\n");
+  return verifier::coq_proof(certificate);
+}
+
+/// The message for the plain file with `to` in the place of `from`; "" if it is found to be plain.
+std::string refusal(const std::string& from, const std::string& to) {
+  std::string text = plain_theorem();
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  text.replace(at, from.size(), to);
+  try {
+    (void)read_plain_theorem(text);
+    return "";
+  } catch (const verifier::Rejection& why) {
+    return why.what();
+  }
+}
+
+TEST(AnAudit, StatesTheClaimByWholePaths) {
+  const auto theorem = read_plain_theorem(plain_theorem());
+  EXPECT_EQ(refusal("", ""), "");
+  EXPECT_EQ(theorem.statement, "no_singularity the_question");
+  EXPECT_EQ(theorem.type, "Regulus.Questions.no_singularity RegulusAudited.audited.the_question");
+  EXPECT_EQ(read_plain_theorem(plain_theorem("piecewise start\npiece 1\npiece 2\n")).type,
+            "Coq.Lists.List.Forall (fun piece => Regulus.Questions.no_singularity ( "
+            "RegulusAudited.audited.the_question piece)) RegulusAudited.audited.pieces");
+}
+
+constexpr const char* kOtherSentences[] = {
+    "Notation no_singularity := (fun _ => True).",
+    "Definition check_correct (q : question) (m : method) : true = true -> True := fun _ => I.",
+    "Infix \"-\" := Add.",
+    "Notation \"a - b\" := (Add a b) : expression_scope.",
+    "Local Notation sin := Cos.",
+    "Definition sin := Cos.",
+    "Definition Name := Name.",
+    "Definition _a : nat := Name 0.",
+    "Definition _a := Pi.",
+    "Definition the_question := 1.",
+    "Let sin := Cos.",
+    "Fixpoint f (n : nat) := n.",
+    "Inductive False := .",
+    "Set Bullet Behavior \"None\".",
+    "Unset Guard Checking.",
+    "Unset Universe Checking.",
+    "#[bypass_check(guard)] Definition _a := Name 0.",
+    "Load evil.",
+    "Declare ML Module \"evil\".",
+    "Axiom _a : no_singularity the_question.",
+    "Parameter a : nat.",
+    "Module Regulus.",
+    "Module List.",
+    "End List.",
+    "Section s.",
+    "Include Questions.",
+    "Export Questions.",
+    "Import Reals.",
+    "Require Import evil.",
+    "From Regulus Require Import Questions.",
+    "Open Scope R_scope.",
+    "Close Scope nat.",
+    "Arguments Question {ranges}.",
+    "Coercion a : b >-> c.",
+    "Hint Resolve a.",
+    "Add LoadPath \".\".",
+    "Cd \"/\".",
+    "Redirect \"f\" Print nat.",
+    "Drop.",
+    "Eval compute in 1.",
+    "Reserved Notation \"a\".",
+    "Number Notation expression f g : expression_scope.",
+    "Bind Scope nat with expression.",
+    "Delimit Scope nat with expression.",
+    "Tactic Notation \"apply\" := idtac.",
+    "Ltac apply := idtac.",
+    "Canonical a.",
+    "Existing Instance a.",
+    "Ltac2 x := 1.",
+    "Goal True.",
+    "Lemma a : True.",
+    "Example the_claim : True.",
+    "Extraction a.",
+    "From Coq Require Import List.",
+    ". ."};
+
+TEST(AnAudit, RefusesEverySentenceThatGivesAWordAnotherMeaning) {
+  const std::string before = "(** The names";
+  for (const char* sentence : kOtherSentences)
+    EXPECT_NE(refusal(before, std::string(sentence) + "\n" + before), "") << sentence;
+}
+
+TEST(AnAudit, RefusesOtherImports) {
+  EXPECT_NE(refusal("From Coq Require Import List.\n", ""), "");
+  EXPECT_NE(refusal("From Coq Require Import List.", "From Evil Require Import List."), "");
+  EXPECT_NE(refusal("From Regulus Require Import Notations.", "Require Import Notations."), "");
+  EXPECT_NE(refusal("Import ListNotations.", "Import ListNotations Evil."), "");
+}
+
+TEST(AnAudit, RefusesOtherTheoremsAndProofs) {
+  EXPECT_NE(refusal("no_singularity the_question.", "True."), "");
+  EXPECT_NE(refusal("no_singularity the_question.", "no_singularity the_question \\/ True."), "");
+  EXPECT_NE(refusal("the_claim : no", "the_claim : forall the_question, no"), "");
+  EXPECT_NE(refusal("Theorem the_claim", "Theorem another"), "");
+  EXPECT_NE(refusal("Qed.", "Admitted."), "");
+  EXPECT_NE(refusal("Qed.", "Defined."), "");
+  EXPECT_NE(refusal("Qed.", "Abort."), "");
+  EXPECT_NE(refusal("vm_cast", "admit. vm_cast"), "");
+  EXPECT_NE(refusal("apply (", "exact (fun _ => I"), "");
+  EXPECT_NE(refusal("Qed.\n", "Qed.\nTheorem the_claim : True. Proof. exact I. Qed.\n"), "");
+  EXPECT_NE(refusal("Qed.\n", "Qed"), "");
+}
+
+TEST(AnAudit, RefusesTextThatIsNotReadAsItLooks) {
+  EXPECT_THAT(refusal("(** The names", "(* \" *) Axiom a. (* \" *) (** The names"),
+              HasSubstr("quotation mark"));
+  EXPECT_THAT(refusal("(** The names", "(** The \xE2\x80\xAE names"), HasSubstr("hide text"));
+  EXPECT_NE(refusal("(** The names", "(** The \x0C names"), "");
+  EXPECT_NE(refusal("(** The names", "(** (* The names"), "");
+  EXPECT_NE(refusal("_e1 - 0.5", "_e1 \xE2\x88\x92 0.5"), "");  // a minus sign
+  EXPECT_NE(refusal("_e1 - 0.5",
+                    "_\xD0\xB5"
+                    "1 - 0.5"),
+            "");  // a Cyrillic letter
+  EXPECT_NE(refusal("_e1 - 0.5", "_e1\t- 0.5"), "");
+  EXPECT_NE(refusal("_e1 - 0.5", "_e1 - 0.5\r"), "");
+  EXPECT_NE(refusal("_e1 - 0.5", "_e1 - ltac:(exact 1)"), "");
+  EXPECT_NE(refusal("_e1 - 0.5", "let x := 1 in _e1"), "");
+  EXPECT_NE(refusal("_e1 - 0.5", "_e1 - 2_e1"), "");
+  EXPECT_NE(refusal("_e1 - 0.5", "_e2"), "");
+  EXPECT_NE(refusal("_e1 - 0.5", "_"), "");
+  EXPECT_NE(refusal("_e1 - 0.5", "the_claim"), "");
+  EXPECT_NE(refusal("_e1 - 0.5", "Add 1 2"), "");
+  EXPECT_NE(refusal("Definition _y :=", "Definition _x :="), "");
+}
+
+TEST(AnAudit, AllowsTheAxiomsOfTheLibraryAlone) {
+  EXPECT_NO_THROW(check_assumptions("Closed under the global context\n"));
+  EXPECT_NO_THROW(
+      check_assumptions("Axioms:\nPrimFloat.add : a\n  -> b\nClassical_Prop.classic\n  : c\n"));
+  for (const char* answer : {"", "Axioms:\nRegulusAudited.audited.a : False\n",
+                             "Axioms:\nClassical_Prop.classical : c\n", "PrimFloat.add : a\n",
+                             "Axioms:\nthe_claim is assumed to be guarded.\n",
+                             "Axioms:\nPrimFloat.add : a\nfalse : False\n"})
+    EXPECT_THROW(check_assumptions(answer), verifier::Rejection) << answer;
+}
+
+}  // namespace
+}  // namespace regulus::test
