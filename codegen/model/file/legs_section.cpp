@@ -312,8 +312,8 @@ class LegsReader {
     set_rows(written.rows);
     set_extensible_legs();
     for (const Formula& range : written.ranges) reading_.joint_ranges.push_back(parsed(range));
-    reading_.model.drawing = std::make_shared<Drawing>(
-        legs_drawing(written.points, [this](const Formula& f) { return parsed(f).value; }));
+    reading_.model.drawing = std::make_shared<Drawing>(geometry_.labelled(
+        legs_drawing(written.points, [this](const Formula& f) { return parsed(f).value; }), unit_));
     describe(legs.size(), written.rows);
   }
 

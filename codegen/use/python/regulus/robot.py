@@ -682,7 +682,7 @@ def verify(
     max_boxes: int = 0,
     allow_options: bool = False,
 ) -> Verification:
-    """Proves the claim of a certificate again, by code that shares nothing with the search.
+    """Proves the claim of a certificate again, by separate code.
 
     Args:
         path: the certificate.
