@@ -10,6 +10,7 @@
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/model/file/leg_geometry.hpp"
 #include "codegen/model/file/sections.hpp"
+#include "codegen/model/mechanism/extensible_legs.hpp"
 #include "codegen/model/mechanism/legs_drawing.hpp"
 #include "codegen/model/mechanism/orientation.hpp"
 #include "codegen/model/names.hpp"
@@ -284,10 +285,9 @@ class LegsReader {
   }
 
   static bool is_angle(const Leg& leg) {
-    const bool slides = leg.type->kind == LegKind::kSlider
-                            ? leg.actuated == 1
-                            : leg.type->kind == LegKind::kTelescopic && leg.actuated == 2;
-    return !slides;
+    return leg.type->kind == LegKind::kSlider
+               ? leg.actuated != 1
+               : leg.type->kind != LegKind::kTelescopic || leg.actuated != 2;
   }
 
   /// An entry of the leg, or of all legs.
@@ -305,15 +305,15 @@ class LegsReader {
 
   void make_model(const std::vector<TomlEntry>& legs) {
     const WrittenLegs written = write_legs(robot_);
-    const Place place = toml_.place(entry_);
     for (const auto& [name, formula] : written.let)
-      reading_.names.declare_expression(name, formula.text(), place);
+      reading_.names.declare_expression(name, formula.text(), toml_.place(entry_));
     set_twist();
     set_rows(written.rows);
-    set_extensible_legs();
+    const auto value = [this](const Formula& f) { return parsed(f).value; };
+    if (pose_ != Pose::kFixed) reading_.model.legs = extensible_legs(robot_, value);
     for (const Formula& range : written.ranges) reading_.joint_ranges.push_back(parsed(range));
-    reading_.model.drawing = std::make_shared<Drawing>(geometry_.labelled(
-        legs_drawing(written.points, [this](const Formula& f) { return parsed(f).value; }), unit_));
+    reading_.model.drawing = std::make_shared<Drawing>(
+        geometry_.labelled(legs_drawing(written.points, value), unit_));
     describe(legs.size(), written.rows);
   }
 
@@ -322,28 +322,6 @@ class LegsReader {
         parse_expression(formula.text(), reading_.names, toml_.place(entry_));
     reading_.count(term, entry_);
     return term;
-  }
-
-  /// If the motors set the lengths of all legs, and nothing else keeps the platform.
-  void set_extensible_legs() {
-    if (robot_.point || pose_ == Pose::kFixed || robot_.legs.size() != (robot_.planar ? 3U : 6U))
-      return;
-    for (std::size_t i = 0; i < robot_.legs.size(); ++i) {
-      const Leg& leg = robot_.legs[i];
-      if (leg.type->kind != LegKind::kTelescopic || leg.actuated != 2 || leg.type->is_hinged ||
-          leg.type->keeps_orientation) {
-        reading_.model.legs.clear();
-        return;
-      }
-      ExtensibleLeg& extensible = reading_.model.legs.emplace_back();
-      for (std::size_t axis = 0; axis < axes_; ++axis) {
-        std::string e(1, 'e');
-        e.append(std::to_string(i + 1)).append(1, '_').append(kCoordinates[axis]);
-        extensible.base[axis] = parsed(leg.base[axis]).value;
-        extensible.platform[axis] = parsed(leg.platform[axis]).value;
-        extensible.vector[axis] = parsed(unplaced(e)).value;
-      }
-    }
   }
 
   ex of_the_matrix(const Formula& formula) {
