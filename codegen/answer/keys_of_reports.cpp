@@ -54,7 +54,10 @@ constexpr Key kWitness[] = {
     {"witness", "witness?", "the proof of a singularity"},
     {"undefined?", "undefined", "where an expression has no value"},
 };
-constexpr Key kBlocking[] = {{"blocking_box", "range{}?", "the box that could not be decided"}};
+constexpr Key kBlocking[] = {
+    {"blocking_box", "range{}?", "the box that could not be decided"},
+    {"blocking_pose?", "range{}", "its pose at which uncertain quantities alone defeat the test"},
+};
 constexpr Key kCertificate[] = {
     {"certificate?", "text?", "the file; null: there is none"},
     {"certificate_obstacle?", "text", "why there is none"},

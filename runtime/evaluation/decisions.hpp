@@ -65,6 +65,7 @@ class Decisions {
     count_ = 0;
     budget = {};
     easy = {};
+    uncertified = inside = 0;
     forget_attempt();
   }
   /// Keeps the boxes, which of them are easy, and the threshold of their budget.

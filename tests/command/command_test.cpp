@@ -40,6 +40,18 @@ TEST(Command, ShowsNoProgressInAPipe) {
   EXPECT_THAT(regulus({"check", kPlanar, "regular"}).errors, testing::Not(HasSubstr("\r")));
 }
 
+TEST(Command, NamesThePoseAtWhichUncertaintyDefeatsTheTest) {
+  const CommandResult result = regulus(
+      {"check", kRobot1, "T1", "--method", "reg", "--tolerance", "base,platform=0.05", "--json"});
+  const json report = json::parse(result.output);
+  ASSERT_EQ(report["reason"], "at one pose the uncertain quantities alone defeat the test");
+  const json box = report["blocking_box"]["T"], pose = report["blocking_pose"]["T"];
+  EXPECT_EQ(pose[0], pose[1]);
+  EXPECT_LE(box[0], pose[0]);
+  EXPECT_LE(pose[1], box[1]);
+  EXPECT_THAT(result.errors, HasSubstr("the pose is its middle, T = "));
+}
+
 TEST(Command, ReportsEveryPromisedKeyAsJson) {
   const json report = json::parse(regulus({"check", kPlanar, "crossing", "--json"}).output);
   for (const char* key :

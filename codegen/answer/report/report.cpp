@@ -45,10 +45,22 @@ void tell_filters(const PreparedSearch& p, const Result& result, Facts& facts) {
   facts.add("filters", filters);
 }
 
+/// The pose at which the uncertain quantities alone defeat the test: the middle of the blocking box,
+/// as the search takes it.
+void tell_blocking_pose(const PreparedSearch& p, const Result& result, Facts& facts) {
+  if (result.reason != Reason::kUncertainty || uncertain_count(p) == 0) return;
+  std::vector<Interval> pose = result.blocking_box;
+  for (std::size_t i = 0; i < pose.size(); ++i)
+    if (is_motion(p.labels.variables[i])) pose[i] = Interval(mid(pose[i]));
+  facts.add("blocking_pose", json_parameters(p, pose));
+  facts.say("", fmt::format("the pose is its middle, {}", describe_place(p, pose)));
+}
+
 void tell_blocking(const PreparedSearch& p, const Result& result, Facts& facts) {
   facts.add("blocking_box", json_blocking_box(p, result));
   if (result.blocking_box.empty()) return;
   facts.say("blocked", describe_place(p, result.blocking_box));
+  tell_blocking_pose(p, result, facts);
   if (result.reason == Reason::kUndefined)
     tell_undefined(p, find_undefined(p, result.blocking_box), facts);
 }

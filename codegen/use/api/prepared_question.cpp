@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/use/api/prepared_question.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <list>
 #include <nlohmann/json.hpp>
 
@@ -10,6 +13,8 @@
 #include "codegen/answer/report/report_text.hpp"
 #include "codegen/kernel/formulation/variable_ranges.hpp"
 #include "codegen/model/changes.hpp"
+#include "codegen/model/exact/decimal.hpp"
+#include "codegen/model/names.hpp"
 #include "codegen/question/engine/search_run.hpp"
 #include "codegen/question/engine/settings.hpp"
 #include "codegen/support/stopwatch.hpp"
@@ -30,6 +35,9 @@ namespace {
 
 /// The searches that are kept at the same time.
 constexpr std::size_t kMostShapes = 8;
+
+/// Of a search in doubles alone, before exact algebra and more digits are asked.
+constexpr std::uint64_t kBoxesInDoubles = 4096;
 
 bool operator==(const QuestionShape& a, const QuestionShape& b) {
   const auto same = [](const GiNaC::ex& x, const GiNaC::ex& y) { return x.is_equal(y); };
@@ -86,7 +94,8 @@ SearchOptions limited(SearchOptions search, const SearchLimits& limits) {
 struct PreparedShape {
   QuestionShape shape;
   PreparedSearch search;
-  std::vector<Variable> variables;  ///< with the ranges that `search` has
+  std::vector<Variable> variables;     ///< with the ranges that `search` has
+  bool has_ranges_of_doubles = false;  ///< of which `variables` knows nothing
 
   /// Gives the search the ranges and the threshold of a request of this shape. Most requests change
   /// few of them, and only those are enclosed.
@@ -95,7 +104,7 @@ struct PreparedShape {
     std::vector<std::size_t> places;
     for (std::size_t i = 0; i < variables.size(); ++i) {
       const Range range = range_at(request.model, request.motion, variables[i]);
-      if (same_range(range, variables[i].range)) continue;
+      if (!has_ranges_of_doubles && same_range(range, variables[i].range)) continue;
       changed.push_back(variables[i]);
       changed.back().range = range;
       places.push_back(i);
@@ -108,6 +117,16 @@ struct PreparedShape {
     }
     search.variety.alpha = variety.alpha;
     search.is_replanned = true;
+    has_ranges_of_doubles = false;
+  }
+
+  /// Takes these ranges of the first variables, and a variety for the others.
+  void replan(std::span<const Interval> ranges, const Variety& others) {
+    search.variety = others;
+    std::ranges::copy(ranges, search.variety.outer.begin());
+    std::ranges::copy(ranges, search.variety.inner.begin());
+    search.is_replanned = true;
+    has_ranges_of_doubles = true;
   }
 };
 
@@ -117,6 +136,16 @@ struct PreparedQuestion::Parts {
   Request nominal;
   std::list<PreparedShape> prepared;  ///< the last one used is the first
 
+  /// Of the question that was prepared, with its changes.
+  struct First {
+    ModelOptions model;
+    Request request;
+    QuestionShape shape;
+    std::vector<std::string> parameters;
+    Variety variety;
+  };
+  First first;
+
   Parts(const ModelOptions& asked, const SearchOptions& options)
       : model(unchanged(asked)), search(options), nominal(read_request(model)) {
     if (nominal.motion.trajectory)
@@ -125,14 +154,22 @@ struct PreparedQuestion::Parts {
     if (!model.text) model.text = model_text(model);
     search.boxes_before_compiling = 0;
   }
+  /// Prepares the first question.
+  void begin(const Question& question, const std::atomic<bool>* interrupt);
 
   /// Returns the search with the ranges and the threshold of the question.
   PreparedSearch& search_for(const Question& question, const std::atomic<bool>* interrupt);
+  /// Returns that of the first question with these ranges of its parameters.
+  PreparedSearch& search_for(std::span<const Interval> ranges, const std::atomic<bool>* interrupt);
   /// Throws    UsageError if the question is about another model or motion.
   [[nodiscard]] Request request_of(const Question& question) const;
 
  private:
   [[nodiscard]] ModelOptions options_of(const Question& question) const;
+  [[nodiscard]] PreparedShape& shape_for(const QuestionShape& wanted, const Request& request,
+                                         const ModelOptions& asked,
+                                         const std::atomic<bool>* interrupt);
+  void require_ranges(std::span<const Interval> ranges) const;
 };
 
 ModelOptions PreparedQuestion::Parts::options_of(const Question& question) const {
@@ -151,30 +188,73 @@ Request PreparedQuestion::Parts::request_of(const Question& question) const {
   return request;
 }
 
+/// Returns the kept search of a shape, or prepares one for the request.
+PreparedShape& PreparedQuestion::Parts::shape_for(const QuestionShape& wanted,
+                                                  const Request& request, const ModelOptions& asked,
+                                                  const std::atomic<bool>* interrupt) {
+  prepared.remove_if([](const PreparedShape& p) { return p.search.stopped.has_value(); });
+  const auto at =
+      std::ranges::find_if(prepared, [&](const PreparedShape& p) { return p.shape == wanted; });
+  if (at != prepared.end()) {
+    prepared.splice(prepared.begin(), prepared, at);
+    return prepared.front();
+  }
+  if (prepared.size() == kMostShapes) prepared.pop_back();
+  prepared.push_front({wanted, prepare(asked, search, FormingWatch{.interrupt = interrupt}),
+                       formulate_shape(request.model, request.motion).variables});
+  return prepared.front();
+}
+
 PreparedSearch& PreparedQuestion::Parts::search_for(const Question& question,
                                                     const std::atomic<bool>* interrupt) {
   const Request request = request_of(question);
-  const QuestionShape shape = shape_of(request, nominal);
-  prepared.remove_if([](const PreparedShape& p) { return p.search.stopped.has_value(); });
-  const auto at =
-      std::ranges::find_if(prepared, [&](const PreparedShape& p) { return p.shape == shape; });
-  if (at != prepared.end()) {
-    prepared.splice(prepared.begin(), prepared, at);
-    prepared.front().replan(request);
-    return prepared.front().search;
-  }
-  if (prepared.size() == kMostShapes) prepared.pop_back();
-  prepared.push_front({shape,
-                       prepare(options_of(question), search, FormingWatch{.interrupt = interrupt}),
-                       formulate_shape(request.model, request.motion).variables});
-  return prepared.front().search;
+  PreparedShape& found =
+      shape_for(shape_of(request, nominal), request, options_of(question), interrupt);
+  found.replan(request);
+  return found.search;
+}
+
+void PreparedQuestion::Parts::begin(const Question& question, const std::atomic<bool>* interrupt) {
+  first.model = options_of(question);
+  first.request = request_of(question);
+  first.shape = shape_of(first.request, nominal);
+  first.parameters = first.shape.parameters;
+  first.variety = shape_for(first.shape, first.request, first.model, interrupt).search.variety;
+}
+
+void PreparedQuestion::Parts::require_ranges(std::span<const Interval> ranges) const {
+  const std::vector<std::string>& parameters = first.parameters;
+  if (ranges.size() != parameters.size())
+    throw UsageError(
+        fmt::format("{} ranges were given for {} parameters", ranges.size(), parameters.size()));
+  for (std::size_t i = 0; i < ranges.size(); ++i)
+    if (!std::isfinite(ranges[i].lo) || !std::isfinite(ranges[i].hi) || ranges[i].lo > ranges[i].hi)
+      throw UsageError(fmt::format("the range [{}, {}] of {} is empty or not finite", ranges[i].lo,
+                                   ranges[i].hi, in_quotes(parameters[i])));
+  if (first.request.model.limits.empty() || first.model.beyond_limits) return;
+  Request request = first.request;
+  for (std::size_t i = 0; i < ranges.size(); ++i)
+    request.motion.parameters[i].range = {exact_value(ranges[i].lo), exact_value(ranges[i].hi)};
+  stay_within_limits(request, first.model);
+}
+
+PreparedSearch& PreparedQuestion::Parts::search_for(std::span<const Interval> ranges,
+                                                    const std::atomic<bool>* interrupt) {
+  require_ranges(ranges);
+  PreparedShape& found = shape_for(first.shape, first.request, first.model, interrupt);
+  found.replan(ranges, first.variety);
+  return found.search;
 }
 
 PreparedQuestion::PreparedQuestion(const Question& question, const SearchOptions& options,
                                    const std::atomic<bool>* interrupt) {
   const AlgebraLock lock;
   parts_ = std::make_unique<Parts>(question.options(), options);
-  static_cast<void>(parts_->search_for(question, interrupt));
+  parts_->begin(question, interrupt);
+}
+
+const std::vector<std::string>& PreparedQuestion::parameters() const noexcept {
+  return parts_->first.parameters;
 }
 
 PreparedQuestion::PreparedQuestion(PreparedQuestion&&) noexcept = default;
@@ -206,6 +286,23 @@ Finding PreparedQuestion::check(const Question& question, const SearchLimits& li
     finding.variables.push_back(variable.name);
   finding.seconds = watch.lap();
   return finding;
+}
+
+Result PreparedQuestion::check(std::span<const Interval> ranges, const SearchLimits& limits,
+                               const std::atomic<bool>* interrupt) {
+  const AlgebraLock lock;
+  PreparedSearch& prepared = parts_->search_for(ranges, interrupt);
+  const SearchOptions search = limited(parts_->search, limits);
+  Settings settings = settings_of(prepared, search, interrupt);
+  settings.time_limit = settings_from(search).time_limit;  // the preparation is not counted again
+  if (!prepared.stopped) {
+    Settings in_doubles = settings;
+    in_doubles.max_boxes = std::min(settings.max_boxes, kBoxesInDoubles);
+    Result result = prepared.solver.solve(prepared.problem(), in_doubles);
+    if (result.verdict != Verdict::kPossibleProblem) return result;
+    settings.time_limit = std::max(0.0, settings.time_limit - result.statistics.seconds);
+  }
+  return run_search(prepared, search, settings);
 }
 
 void PreparedQuestion::describe(const Question& question, Finding& finding,

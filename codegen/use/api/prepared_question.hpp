@@ -3,6 +3,9 @@
 
 #include <atomic>
 #include <memory>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "codegen/use/api/check.hpp"
 
@@ -39,6 +42,21 @@ class PreparedQuestion {
   /// Throws    as check(); UsageError if another model, motion, tube or file of way-points is asked.
   [[nodiscard]] Finding check(const Question& question, const SearchLimits& limits = {},
                               const std::atomic<bool>* interrupt = nullptr);
+
+  /// The parameters of the motion, in the order of the ranges of the next function.
+  [[nodiscard]] const std::vector<std::string>& parameters() const noexcept;
+
+  /// Answers the prepared question over other ranges of the motion's parameters: a control loop's
+  /// door, without texts. `ranges[i]` is the range of parameters()[i]: exactly these doubles, in the
+  /// model's unit of length, angles in radians. Tolerances and threshold are those that were
+  /// prepared.
+  ///
+  /// Requires  as many finite ranges as parameters, none empty, within the joints' limits.
+  /// Ensures   the verdict is proved for these ranges. Exact algebra and more digits than doubles
+  ///           have are asked only if 4096 boxes without them prove nothing.
+  /// Throws    UsageError for ranges that do not meet the requirement.
+  [[nodiscard]] Result check(std::span<const Interval> ranges, const SearchLimits& limits = {},
+                             const std::atomic<bool>* interrupt = nullptr);
 
   /// Adds the reports to a finding of check() for that question and those limits.
   void describe(const Question& question, Finding& finding, const SearchLimits& limits = {});

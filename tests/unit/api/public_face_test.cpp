@@ -9,6 +9,7 @@
 
 #include "codegen/use/api/regulus.hpp"
 #include "tests/support/temporary_directory.hpp"
+#include "tests/unit/api/circle.hpp"
 
 namespace {
 
@@ -16,23 +17,8 @@ using regulus::Claim;
 using regulus::Interval;
 using regulus::Question;
 using regulus::Verdict;
-
-/// Returns a robot with det = x² + y² − h², singular on a circle of radius h.
-regulus::Robot circle() {
-  regulus::Robot robot("circle");
-  const regulus::Formula x = robot.pose("x", "cm"), y = robot.pose("y", "cm");
-  const regulus::Formula h = robot.uncertain("h", 1, 0, "platform");
-  robot.matrix({{x - h, y}, {-y, x + h}});
-  robot.motion("outside").range(x, 2, 3).range(y, 2, 3);
-  robot.motion("across").range(x, -3, 3).range(y, -3, 3);
-  return robot;
-}
-
-regulus::SearchOptions interpreted() {
-  regulus::SearchOptions options;
-  options.engine = regulus::Engine::kInterpreted;
-  return options;
-}
+using regulus::test::circle;
+using regulus::test::interpreted;
 
 TEST(PublicFace, AnswersForAFileAsForTheRobotThatItDescribes) {
   const Question file = Question::of_file(REGULUS_SOURCE_DIR "/models/planar_3rpr.toml", "regular");
@@ -47,77 +33,6 @@ TEST(PublicFace, CopiesOfAQuestionAreChangedApart) {
   changed.tolerance("platform", "2");
   EXPECT_EQ(regulus::check(asked, interpreted()).verdict, Verdict::kNoSingularity);
   EXPECT_EQ(regulus::check(changed, interpreted()).verdict, Verdict::kSingularity);
-}
-
-TEST(PublicFace, APreparedQuestionAnswersOthersThanItWasPreparedFor) {
-  const Question outside(circle(), "outside");
-  regulus::PreparedQuestion prepared(outside, interpreted());
-  const auto verdict = [&](const Question& asked) { return prepared.check(asked).verdict; };
-  EXPECT_EQ(verdict(outside), Verdict::kNoSingularity);
-  EXPECT_EQ(verdict(Question(outside).range("x", "0", "3").range("y", "0", "3")),
-            Verdict::kSingularity);
-  // h becomes a variable, and the row scales are needed: other functions.
-  EXPECT_EQ(verdict(Question(outside).tolerance("platform", "1.8")), Verdict::kNoSingularity);
-  EXPECT_EQ(verdict(Question(outside).tolerance("platform", "1.83")), Verdict::kSingularity);
-  EXPECT_EQ(verdict(Question(outside).alpha("6")), Verdict::kNoSingularity);
-  EXPECT_EQ(verdict(Question(outside).alpha("7")), Verdict::kSingularity);
-  EXPECT_EQ(verdict(outside), Verdict::kNoSingularity);
-  EXPECT_THROW(static_cast<void>(verdict(Question(circle(), "across"))), regulus::UsageError);
-}
-
-TEST(PublicFace, APreparedQuestionDescribesTheFindingAndNotALaterOne) {
-  const Question outside(circle(), "outside");
-  regulus::PreparedQuestion prepared(outside, interpreted());
-  const Question narrow = Question(outside).range("x", "2", "5/2");
-  regulus::Finding finding = prepared.check(narrow);
-  static_cast<void>(prepared.check(Question(outside).range("x", "2", "4")));
-  prepared.describe(narrow, finding);
-  EXPECT_THAT(finding.report, testing::HasSubstr("x in [2, 2.5] cm"));
-}
-
-/// A part of the changed range must be defined, as a range of the file must be.
-TEST(PublicFace, APreparedQuestionRefusesARangeWithoutAValue) {
-  const Question outside(circle(), "outside");
-  regulus::PreparedQuestion prepared(outside, interpreted());
-  for (const char* undefined : {"2 + 0*(1/0)", "2 + 0*sqrt(-1)", "2 + 0*log(0)"}) {
-    Verdict fresh = Verdict::kPossibleProblem, kept = Verdict::kPossibleProblem;
-    const Question asked = Question(outside).range("x", undefined, "3");
-    try {
-      fresh = regulus::check(asked, interpreted()).verdict;
-    } catch (const std::runtime_error&) {
-    }
-    try {
-      kept = prepared.check(asked).verdict;
-    } catch (const std::runtime_error&) {
-    }
-    EXPECT_EQ(fresh, kept) << undefined;
-    EXPECT_NE(kept, Verdict::kNoSingularity) << undefined;
-  }
-}
-
-/// The conditions of one range are not those of another, although both have one.
-TEST(PublicFace, APreparedQuestionKeepsTheConditionsOfRangesApart) {
-  const Question outside(circle(), "outside");
-  regulus::PreparedQuestion prepared(outside, interpreted());
-  const auto verdict = [&](const char* low) {
-    return prepared.check(Question(outside).range("x", low, "3")).verdict;
-  };
-  EXPECT_EQ(verdict("2 + 0*sqrt(2)"), Verdict::kNoSingularity);
-  EXPECT_ANY_THROW(static_cast<void>(verdict("2 + 0*sqrt(-2)")));
-  EXPECT_EQ(verdict("2 + 0*sqrt(3)"), Verdict::kNoSingularity);
-}
-
-/// A range without a value leaves the ranges of the search as they were.
-TEST(PublicFace, APreparedQuestionForgetsNoRangeAfterAnError) {
-  const Question outside(circle(), "outside");
-  regulus::PreparedQuestion prepared(outside, interpreted());
-  const Question wide = Question(outside).range("x", "0", "3").range("y", "0", "3");
-  for (int round = 0; round < 3; ++round) {
-    EXPECT_EQ(prepared.check(wide).verdict, Verdict::kSingularity);
-    EXPECT_ANY_THROW(static_cast<void>(
-        prepared.check(Question(outside).range("x", "2", "exp(10000)").range("y", "2", "3"))));
-    EXPECT_EQ(prepared.check(outside).verdict, Verdict::kNoSingularity);
-  }
 }
 
 TEST(PublicFace, BoundsAQuantity) {

@@ -2,6 +2,8 @@
 // A solver that is used again tells its observer the same as a new one, to the last bit.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
 #include <utility>
 
 #include "tests/support/exact.hpp"
@@ -75,6 +77,27 @@ TEST(KeptSolver, TakesNewRangesAndThresholds) {
       Solver fresh;
       EXPECT_EQ(events_of(kept, c, alpha), events_of(fresh, c, alpha)) << end << ' ' << alpha;
     }
+}
+
+/// Ranges that move, shrink to points, grow and come back, of kernels with constraints and uncertain
+/// quantities too.
+TEST(KeptSolver, FollowsRangesThatMove) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> part(-0.25, 1.25);
+  for (const UnitCase& nominal : cases()) {
+    Solver kept;
+    for (int step = 0; step < 8; ++step) {
+      UnitCase c = nominal;
+      for (Interval& range : c.ranges) {
+        const double width = range.hi - range.lo, a = range.lo + part(random) * width,
+                     b = step % 4 == 3 ? a : range.lo + part(random) * width;
+        if (step % 4 != 0) range = {std::min(a, b), std::max(a, b)};
+      }
+      c.settings.max_boxes = std::min<std::uint64_t>(c.settings.max_boxes, 500);
+      Solver fresh;
+      EXPECT_EQ(events_of(kept, c), events_of(fresh, c)) << c.name << ' ' << step;
+    }
+  }
 }
 
 /// A function without zeros whose enclosures need many boxes, and the number of its evaluations.
