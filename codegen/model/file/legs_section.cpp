@@ -312,8 +312,8 @@ class LegsReader {
     const auto value = [this](const Formula& f) { return parsed(f).value; };
     if (pose_ != Pose::kFixed) reading_.model.legs = extensible_legs(robot_, value);
     for (const Formula& range : written.ranges) reading_.joint_ranges.push_back(parsed(range));
-    reading_.model.drawing = std::make_shared<Drawing>(
-        geometry_.labelled(legs_drawing(written.points, value), unit_));
+    reading_.model.drawing =
+        std::make_shared<Drawing>(geometry_.labelled(legs_drawing(written.points, value), unit_));
     describe(legs.size(), written.rows);
   }
 
