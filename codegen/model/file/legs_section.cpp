@@ -301,8 +301,6 @@ class LegsReader {
     return given.node ? given : toml_.required(leg, key);
   }
 
-  // The model.
-
   void make_model(const std::vector<TomlEntry>& legs) {
     const WrittenLegs written = write_legs(robot_);
     for (const auto& [name, formula] : written.let)
