@@ -54,6 +54,7 @@ class ImageOfTube {
         is_second_order_(!system.rates_by_unknown.empty()) {
     for (std::size_t k = 0; k < m_; ++k) reach_.push_back(mag(box[k] - Interval(tube.at[k])));
     reach_.insert(reach_.end(), tube.radius.begin(), tube.radius.end());
+    if (is_second_order_) find_rates();
   }
 
   TubeImage image() {
@@ -103,26 +104,31 @@ class ImageOfTube {
     return system_.rates_by_variable.subspan(by * n_ * m_, n_ * m_);
   }
 
-  /// The derivative of a column where variable l moves the unknowns along, or unknown l − m alone.
-  template <class ColumnOf>
-  [[nodiscard]] Column derivative(std::size_t l, const ColumnOf& column_of) const {
-    Column sum = column_of(l);
-    for (std::size_t i = 0; l < m_ && i < n_; ++i) {
-      const Column other = column_of(m_ + i);
-      for (std::size_t j = 0; j < n_; ++j) sum[j] += Interval(tube_.slopes[i * m_ + l]) * other[j];
-    }
-    return sum;
+  /// The derivatives of all columns, those of variables along the tube, where variable l moves the
+  /// unknowns along, or unknown l − m alone.
+  void find_rates() {
+    const std::size_t all = m_ + n_;
+    std::vector<Column> alone(all * all);
+    for (std::size_t by = 0; by < all; ++by)
+      for (std::size_t k = 0; k < all; ++k)
+        alone[by * all + k] = k < m_ ? along(rate_by_variable(by), rate_by_unknown(by), k)
+                                     : column(rate_by_unknown(by), k - m_);
+    rates_ = alone;
+    for (std::size_t l = 0; l < m_; ++l)
+      for (std::size_t k = 0; reach_[l] != 0 && k < all; ++k)
+        for (std::size_t i = 0; i < n_; ++i)
+          for (std::size_t j = 0; j < n_; ++j)
+            rates_[l * all + k][j] +=
+                Interval(tube_.slopes[i * m_ + l]) * alone[(m_ + i) * all + k][j];
   }
 
-  /// Bounds of row after row of K times a column, less 1 in row `unit`. `rate_of`: the column's
-  /// derivative by each variable and unknown.
-  template <class ColumnOf>
+  /// Bounds of row after row of K times column k, less 1 in row `unit`.
   [[nodiscard]] std::vector<Bounds> bounds(const Column& over, const Column& center,
-                                           std::size_t unit, const ColumnOf& rate_of) const {
+                                           std::size_t unit, std::size_t k) const {
     std::vector<double> change(n_, 0.0);
     for (std::size_t l = 0; is_second_order_ && l < m_ + n_; ++l) {
       if (reach_[l] == 0) continue;
-      const Column rates = derivative(l, rate_of);
+      const Column& rates = rates_[l * (m_ + n_) + k];
       for (std::size_t i = 0; i < n_; ++i)
         change[i] = add_ru(change[i], mul_ru(mag(combined(i, rates)), reach_[l]));
     }
@@ -145,9 +151,7 @@ class ImageOfTube {
     const Column center = is_second_order_
                               ? along(system_.center_by_variable, system_.center_by_unknown, k)
                               : Column();
-    const auto found =
-        bounds(along(system_.by_variable, system_.by_unknown, k), center, n_,
-               [&](std::size_t by) { return along(rate_by_variable(by), rate_by_unknown(by), k); });
+    const auto found = bounds(along(system_.by_variable, system_.by_unknown, k), center, n_, k);
     for (std::size_t i = 0; i < n_; ++i) {
       image_.impact[i * m_ + k] = mul_ru(found[i].mean, reach_[k]);
       image_.radius[i] = add_ru(image_.radius[i], image_.impact[i * m_ + k]);
@@ -156,8 +160,7 @@ class ImageOfTube {
 
   void add_unknown(std::size_t l) {
     const Column center = is_second_order_ ? column(system_.center_by_unknown, l) : Column();
-    const auto found = bounds(column(system_.by_unknown, l), center, l,
-                              [&](std::size_t by) { return column(rate_by_unknown(by), l); });
+    const auto found = bounds(column(system_.by_unknown, l), center, l, m_ + l);
     for (std::size_t i = 0; i < n_; ++i) {
       image_.spread[i * n_ + l] = found[i].all;
       image_.change[i] = add_ru(image_.change[i], mul_ru(found[i].all, tube_.radius[l]));
@@ -171,6 +174,7 @@ class ImageOfTube {
   const std::size_t n_, m_;
   const bool is_second_order_;
   std::vector<double> reach_;  ///< of variables and unknowns, from the centre
+  std::vector<Column> rates_;  ///< by direction l, then column k; empty: of first order
   TubeImage image_;
 };
 

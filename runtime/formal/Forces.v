@@ -286,7 +286,8 @@ Section Bordered.
     (forall f, (forall r, in_range r ends -> r * f <> 1) -> bound f) ->
     no_singularity b -> force_satisfies bound q p load.
   Proof.
-    intros Z B N. repeat split; try assumption; cbn zeta.
+    intros Z B [D N]. assert (Ends : ends_defined q) by (inversion D; assumption).
+    do 3 (split; [assumption|]). split; [exact Ends|]. repeat split; cbn zeta.
     - apply (bordered_defined 0), N, bordered_set; assumption.
     - apply (bordered_defined 0), N, bordered_set; assumption.
     - apply (bordered_defined 0), N, bordered_set; assumption.

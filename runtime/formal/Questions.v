@@ -30,6 +30,10 @@ Definition entry (q : question) (names : list R) (i j : nat) : R :=
 Definition in_range (x : R) (ends : expression * expression) : Prop :=
   value [] (fst ends) <= x <= value [] (snd ends).
 
+(** Both ends of each range have a value. Otherwise the set would mean nothing. *)
+Definition ends_defined (q : question) : Prop :=
+  Forall (fun ends => defined [] (fst ends) /\ defined [] (snd ends)) (ranges q).
+
 (** The set that the question is about. A constraint without a value excludes nothing. *)
 Definition in_set (q : question) (x : list R) : Prop :=
   Forall2 in_range x (ranges q) /\
@@ -43,10 +47,10 @@ Definition model_defined (q : question) (x : list R) : Prop :=
   Forall (defined names) (also_defined q) /\
   Forall (Forall (defined names)) (matrix q).
 
-(** NO SINGULARITY: at every point of the set, everything is defined and the matrix has full column
-    rank. *)
+(** NO SINGULARITY: the ranges are defined, and at every point of the set, everything is defined and
+    the matrix has full column rank. *)
 Definition no_singularity (q : question) : Prop :=
-  forall x, in_set q x ->
+  ends_defined q /\ forall x, in_set q x ->
     model_defined q x /\
     full_column_rank (rows q) (columns q) (entry q (extend x (definitions q))).
 
@@ -65,10 +69,10 @@ Definition scaled_determinant (q : question) (scales : list expression) (x : lis
 Definition scales_defined (q : question) (scales : list expression) (x : list R) : Prop :=
   Forall (defined (extend x (definitions q))) scales.
 
-(** NO SINGULARITY by a threshold: at every point of the set, everything is defined and the scaled
+(** NO SINGULARITY by a threshold: the ranges are defined, and at every point of the set, everything is defined and the scaled
     determinant is larger than the threshold. *)
 Definition determinant_above (q : question) (scales : list expression) (threshold : expression) :=
-  defined [] threshold /\ rows q = columns q /\
+  defined [] threshold /\ rows q = columns q /\ ends_defined q /\
   forall x, in_set q x ->
     model_defined q x /\ scales_defined q scales x /\
     value [] threshold < scaled_determinant q scales x.
@@ -87,11 +91,11 @@ Definition determinant_not_above (q : question) (scales : list expression)
 Definition in_balance (n : nat) (m : nat -> nat -> R) (s F w : nat -> R) : Prop :=
   forall j, (j < n)%nat -> sum n (fun i => m i j * (s i * F i)) = w j.
 
-(** At every point of the set, everything is defined, the matrix is square and regular, and the force
+(** The ranges are defined. At every point of the set, everything is defined, the matrix is square and regular, and the force
     of a row, the first being row 0, satisfies a bound. The load is divided by the scale of this row;
     whatever the scales are, then, the forces are those under the load. *)
 Definition force_satisfies (bound : R -> Prop) (q : question) (row : nat) (load : list expression) :=
-  rows q = columns q /\ (row < columns q)%nat /\ length load = columns q /\
+  rows q = columns q /\ (row < columns q)%nat /\ length load = columns q /\ ends_defined q /\
   forall x, in_set q x ->
     let names := extend x (definitions q) in
     model_defined q x /\ Forall (defined names) load /\

@@ -175,6 +175,20 @@ Proof.
     eapply enclose_range_correct; eassumption.
 Qed.
 
+Lemma enclose_ranges_defined q b : enclose_ranges (ranges q) = Some b -> ends_defined q.
+Proof.
+  unfold ends_defined. revert b. induction (ranges q) as [|e l IH]; intros b E; [constructor|].
+  simpl in E. destruct (enclose_range e) as [i|] eqn:R; [|discriminate].
+  destruct (enclose_ranges l) as [c|]; [|discriminate]. constructor; [|exact (IH c eq_refl)].
+  unfold enclose_range in R.
+  assert (K : known (fun _ => 0) [] []).
+  { split; [reflexivity|]. intros k v. destruct k; discriminate. }
+  assert (T : in_unit_box (fun _ => 0)) by (intros k; rewrite Rabs_R0; lra).
+  destruct (evaluate [] (fst e)) as [l'|] eqn:L; [|discriminate].
+  destruct (evaluate [] (snd e)) as [u|] eqn:U; [|discriminate].
+  split; [apply (evaluate_correct _ _ _ _ _ T K L)|apply (evaluate_correct _ _ _ _ _ T K U)].
+Qed.
+
 Definition holds_at (q : question) (x : list R) : Prop :=
   in_set q x -> model_defined q x /\
     full_column_rank (rows q) (columns q) (entry q (extend x (definitions q))).
@@ -287,7 +301,8 @@ Theorem check_correct q m : check q m = true -> no_singularity q.
 Proof.
   unfold check, leaves. destruct (enclose_ranges (ranges q)) as [root|] eqn:R; [|discriminate].
   destruct (search (test q m) root (deepest m) root) as [n|] eqn:L; [|discriminate].
-  intros _ x S. refine (search_correct _ (holds_at q) (test_correct q m) _ _ _ x n _ L S).
+  intros _. split; [exact (enclose_ranges_defined q root R)|].
+  intros x S. refine (search_correct _ (holds_at q) (test_correct q m) _ _ _ x n _ L S).
   eapply enclose_ranges_correct; [exact R|exact (proj1 S)].
 Qed.
 
@@ -295,7 +310,8 @@ Qed.
 Theorem check_tree_correct q m t : check_tree q m t = true -> no_singularity q.
 Proof.
   unfold check_tree. destruct (enclose_ranges (ranges q)) as [root|] eqn:R; [|discriminate].
-  intros L x S. refine (check_parts_correct _ (holds_at q) (test_correct q m) t _ x _ L S).
+  intros L. split; [exact (enclose_ranges_defined q root R)|].
+  intros x S. refine (check_parts_correct _ (holds_at q) (test_correct q m) t _ x _ L S).
   eapply enclose_ranges_correct; [exact R|exact (proj1 S)].
 Qed.
 

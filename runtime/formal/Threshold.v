@@ -283,7 +283,8 @@ Proof.
   unfold check_determinant. intros H. apply andb_prop in H as [S H].
   apply is_square_correct in S as [D Q]. split; [exact D|]. split; [exact Q|].
   destruct enclose_ranges as [root|] eqn:R; [|discriminate].
-  destruct search as [n|] eqn:L; [|discriminate]. intros x X.
+  destruct search as [n|] eqn:L; [|discriminate].
+  split; [exact (enclose_ranges_defined q root R)|]. intros x X.
   refine (search_correct _ (is_above_at q scales threshold)
     (test_determinant_correct q scales threshold m Q) _ _ _ x n _ L X).
   eapply enclose_ranges_correct; [exact R|exact (proj1 X)].
@@ -295,7 +296,8 @@ Theorem check_determinant_tree_correct q scales threshold m t :
 Proof.
   unfold check_determinant_tree. intros H. apply andb_prop in H as [S H].
   apply is_square_correct in S as [D Q]. split; [exact D|]. split; [exact Q|].
-  destruct enclose_ranges as [root|] eqn:R; [|discriminate]. intros x X.
+  destruct enclose_ranges as [root|] eqn:R; [|discriminate].
+  split; [exact (enclose_ranges_defined q root R)|]. intros x X.
   refine (check_parts_correct _ (is_above_at q scales threshold)
     (test_determinant_correct q scales threshold m Q) t _ x _ H X).
   eapply enclose_ranges_correct; [exact R|exact (proj1 X)].

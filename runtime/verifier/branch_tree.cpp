@@ -184,29 +184,42 @@ void BranchTree::check_start() {
   }
   if (!test_->has_one_solution(place, middle, outer, inner))
     throw Unfinished("it was not shown that the start is near to exactly one configuration");
-  const auto solution = test_->solution_near(place, middle, inner);
+  std::vector<std::size_t> tubes;
+  find_tubes(0, place, tubes);
+  // A tube may be much thinner than the radius of the start.
+  std::vector<double> scale = inner;
+  for (const std::size_t tube : tubes)
+    for (std::size_t i = 0; i < scale.size(); ++i)
+      scale[i] = std::min(scale[i], test_->radius_of(tubes_[tube])[i]);
+  const auto solution = test_->solution_near(place, middle, scale);
   bool is_near = solution.has_value();
   for (std::size_t i = 0; is_near && i < middle.size(); ++i)
     is_near = mag(point(solution->middle[i]) - point(middle[i]) +
                   Interval{-solution->radius[i], solution->radius[i]}) <= inner[i];
   if (!is_near) throw Unfinished("the configuration at the start was not found");
-  require_start(0, place, *solution);
+  for (const std::size_t tube : tubes) require_start(tube, place, *solution);
 }
 
-void BranchTree::require_start(std::size_t number, const Box& place, const SolutionBox& solution) {
+/// Finds the tubes of the leaves in which a place may lie.
+void BranchTree::find_tubes(std::size_t number, const Box& place,
+                            std::vector<std::size_t>& tubes) const {
   const Node& node = nodes_[number];
   if (!is_leaf(node)) {
     const Interval x = place[std::size_t(node.variable)];
-    if (x.lo <= node.at) require_start(node.next, place, solution);
-    if (x.hi >= node.at) require_start(node.next + 1, place, solution);
+    if (x.lo <= node.at) find_tubes(node.next, place, tubes);
+    if (x.hi >= node.at) find_tubes(node.next + 1, place, tubes);
     return;
   }
   if (node.next == 0) throw Rejection("the start is in a leaf without a tube");
-  const Place where = test_->place_of(solution, tubes_[node.next - 1], place);
+  tubes.push_back(node.next - 1);
+}
+
+void BranchTree::require_start(std::size_t tube, const Box& place, const SolutionBox& solution) {
+  const Place where = test_->place_of(solution, tubes_[tube], place);
   if (where == Place::kOutside)
-    give_up(node.next - 1, true, "the tube has another configuration than the start");
+    give_up(tube, true, "the tube has another configuration than the start");
   if (where == Place::kUnknown)
-    give_up(node.next - 1, false, "the tube may have another configuration than the start");
+    give_up(tube, false, "the tube may have another configuration than the start");
 }
 
 std::uint32_t BranchTree::root_of(std::uint32_t tube) {

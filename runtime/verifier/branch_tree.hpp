@@ -43,7 +43,8 @@ class BranchTree {
   void require_link(std::size_t a, std::size_t b, const Box& face);
   void check_start();
   [[nodiscard]] Box start_place() const;
-  void require_start(std::size_t node, const Box& place, const SolutionBox& solution);
+  void find_tubes(std::size_t node, const Box& place, std::vector<std::size_t>& tubes) const;
+  void require_start(std::size_t tube, const Box& place, const SolutionBox& solution);
   [[nodiscard]] std::uint32_t root_of(std::uint32_t tube);
   void require_connection();
   [[noreturn]] void give_up(std::size_t tube, bool is_rejection, const std::string& why);

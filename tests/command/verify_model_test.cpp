@@ -57,6 +57,28 @@ class VerifyModel : public testing::Test {
   std::string certificate_ = directory_.path() / "certificate";
 };
 
+/// Uncertain directions may put the rail oblique to the hinge: off_1 is measured from the carriage,
+/// which both readings of [legs] must know.
+TEST_F(VerifyModel, ReadsOffOfAnObliqueRailAsCheckDoes) {
+  const std::string model = directory_.path() / "prs.toml";
+  std::string text =
+      "regulus = 1\nname = \"prs\"\n[legs]\ntype = \"PRS\"\norientation = \"roll-pitch-yaw\"\n"
+      "axis_tolerance = 0.001\nrod = 2\nmode = \"-\"\n";
+  for (const char* points :
+       {"base = [2, 0, 0]\nplatform = [1, 0, 0]\nhinge = [0, 1, 0.1]\n",
+        "base = [-1, 1.7, 0]\nplatform = [-0.5, 0.85, 0]\nhinge = [-1.7, -1, 0.1]\n",
+        "base = [-1, -1.7, 0]\nplatform = [-0.5, -0.85, 0]\nhinge = [1.7, -1, 0.1]\n"})
+    text += std::string("[[legs.leg]]\naxis = [0, 0.1, 1]\n") + points;
+  text += "[motion.m]\nx = 0\ny = 0\nz = [2, 2.1]\nroll = 0\npitch = 0\nyaw = 0\n";
+  // Of the first leg h·d is from 0.136 to 0.147 there, and h·e from 0.2 to 0.21.
+  write_file(model, text + "constraints = [\"off_1 - 0.16\", \"0.1 - off_1\"]\n");
+  certify(model, {});
+  EXPECT_EQ(verify(model).output, "VERIFIED\n");
+  EXPECT_EQ(json::parse(regulus({"check", model, "--json", "--quiet"}).output)["nonempty"], true);
+  write_file(model, text + "constraints = [\"off_1 - 0.16\", \"0.11 - off_1\"]\n");
+  expect_refused(model, "constraints");
+}
+
 TEST_F(VerifyModel, ConfirmsWhatTheFileSays) {
   for (const char* motion : {"regular", "crossing", "circle", "reach"}) {
     certify(kPlanar, {motion});

@@ -257,3 +257,12 @@ Proof. vm_compute. reflexivity. Qed.
 
 Goal map proved true_claims = map (fun _ => true) true_claims.
 Proof. vm_compute. reflexivity. Qed.
+
+(** A range that means nothing makes a claim false, not empty. *)
+Definition endless : question := Question [(0, 1/0)] [] [] [] [[1]] 1.
+From Coq Require Import Reals Qreals Lra.
+Goal ~ no_singularity endless.
+Proof.
+  intros [E _]. apply Forall_inv in E. destruct E as [_ (_ & _ & D)]. apply D.
+  simpl. unfold Q2R. simpl. lra.
+Qed.

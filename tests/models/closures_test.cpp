@@ -94,6 +94,75 @@ Values<Precise> four_bar(const Values<Precise>& q, const Values<Precise>& u) {
   return {C.x - D.x, C.y - D.y};
 }
 
+template <class T>
+struct InSpace {
+  T x, y, z;
+};
+template <class T>
+T squared_distance(const InSpace<T>& a, const InSpace<T>& b) {
+  return squared_distance(At<T>{a.x, a.y}, At<T>{b.x, b.y}) + (a.z - b.z) * (a.z - b.z);
+}
+
+/// A point of a platform at u = (x, y, z, roll, pitch, yaw): turned about x, then y, then z.
+template <class T>
+InSpace<T> on_platform(const Values<T>& u, InSpace<T> p) {
+  const At<T> origin{T(0), T(0)};
+  const At<T> rolled = point_of(origin, u[3], At<T>{p.y, p.z});
+  const At<T> pitched = point_of(origin, u[4], At<T>{rolled.y, p.x});
+  const At<T> turned = point_of(At<T>{u[0], u[1]}, u[5], At<T>{pitched.y, rolled.x});
+  return {turned.x, turned.y, u[2] + pitched.x};
+}
+
+/// The end of a crank that swings in the vertical plane of direction `e` through (foot, 0).
+template <class T>
+InSpace<T> crank_end(const At<T>& foot, const At<T>& e, const T& length, const T& angle) {
+  const At<T> lever = polar(length, angle);
+  return {foot.x + lever.x * e.x, foot.y + lever.x * e.y, lever.y};
+}
+
+/// The six rods of the Delta, less their length: sums and differences of the two of a parallelogram.
+Values<Precise> delta(const Values<Precise>& q, const Values<Precise>& u) {
+  const Precise half = Precise(1) / Precise(2), width(50), lower(1244);
+  const Precise root = Precise(2) * sin(Precise::pi() / Precise(3));
+  const Precise base = Precise(567) * root / Precise(6), size = Precise(76) * root / Precise(3);
+  Values<Precise> result;
+  for (int i = 0; i < 3; ++i) {
+    const At<Precise> e =
+        polar(Precise(1), Precise::pi() * (Precise(i) * Precise(2) / Precise(3) - half));
+    const At<Precise> t{Precise(0) - e.y, e.x};
+    Precise rods[2];
+    for (const int side : {0, 1}) {
+      const Precise w = side == 0 ? width : Precise(0) - width;
+      const InSpace<Precise> C =
+          crank_end(At<Precise>{base * e.x + w * t.x, base * e.y + w * t.y}, e, Precise(524), q[i]);
+      const InSpace<Precise> B =
+          on_platform(u, {size * e.x + w * t.x, size * e.y + w * t.y, Precise(0)});
+      rods[side] = squared_distance(C, B) - lower * lower;
+    }
+    result.push_back((rods[0] + rods[1]) / Precise(2));
+    result.push_back((rods[0] - rods[1]) / (Precise(4) * width));
+  }
+  return result;
+}
+
+/// The squared lengths of the hexapod's rods.
+Values<Precise> hexapod(const Values<Precise>& q, const Values<Precise>& u) {
+  const char* const feet[] = {"74.9", "105.1", "194.9", "225.1", "314.9", "345.1"};
+  const char* const joints[] = {"82.9", "97.1", "202.9", "217.1", "322.9", "337.1"};
+  const char* const planes[] = {"0", "180", "120", "300", "240", "60"};
+  const auto at = [](const char* radius, const char* degrees) {
+    return polar(Precise(radius), Precise(degrees) * Precise::pi() / Precise(180));
+  };
+  Values<Precise> squares;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const At<Precise> b = at("76.35", joints[i]);
+    squares.push_back(
+        squared_distance(crank_end(at("65.43", feet[i]), at("1", planes[i]), Precise(36), q[i]),
+                         on_platform(u, {b.x, b.y, Precise(0)})));
+  }
+  return squares;
+}
+
 template <class Squares>
 auto of_lengths(Squares squares, std::vector<const char*> lengths) {
   return [=](const Values<Precise>& q, const Values<Precise>& u) {
@@ -135,6 +204,9 @@ TEST(Closures, StartNearAConfigurationOfTheMechanism) {
   expect_start_near_root("four_bar", four_bar);
   expect_start_near_root("five_bar_closure", of_lengths(five_bar<Precise>, {"1.25", "1.25"}));
   expect_start_near_root("rrr_closure", of_lengths(rrr<Precise>, {"25", "25", "25"}));
+  expect_start_near_root("delta_closure", delta);
+  expect_start_near_root("hexapod_6rus_closure",
+                         of_lengths(hexapod, {"125", "125", "125", "125", "125", "125"}));
   expect_start_near_root("double_butterfly",
                          of_lengths(double_butterfly<Precise>, {"11", "9", "7", "12"}));
 }

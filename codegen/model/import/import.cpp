@@ -8,11 +8,15 @@
 
 #include "codegen/model/exact/parsed_expression.hpp"
 #include "codegen/model/file/model_file.hpp"
+#include "codegen/model/file/read_file.hpp"
 #include "codegen/model/file/written.hpp"
+#include "codegen/model/import/body_graph.hpp"
 #include "codegen/model/import/chain.hpp"
+#include "codegen/model/import/closed_robot.hpp"
 #include "codegen/model/import/hexapod.hpp"
 #include "codegen/model/import/mjcf.hpp"
 #include "codegen/model/import/planar_legs.hpp"
+#include "codegen/model/import/robot_list.hpp"
 #include "codegen/model/import/sdf.hpp"
 #include "codegen/model/import/serial_text.hpp"
 #include "codegen/model/import/urdf.hpp"
@@ -121,58 +125,78 @@ std::vector<std::string> split_names(const std::vector<std::string>& texts) {
   return names;
 }
 
-/// A file with loops may have an arm that is no part of them.
-Chain find_arm(const Mechanism& mechanism, const std::string& file, const ImportOptions& options) {
-  if (!options.tip.empty()) return find_chain(mechanism, file, options.base, options.tip);
-  try {
-    return find_chain(mechanism, file, options.base, options.tip);
-  } catch (const std::runtime_error&) {
-    refuse_closed_mechanism(mechanism, file);
-    throw;
-  }
-}
-
 /// The tables of the model, and a line about the robot.
 struct Tables {
   std::string text, robot;
 };
 
-Tables tables_of(Mechanism& mechanism, const std::string& file, const ImportOptions& options,
-                 Identifiers& identifiers) {
-  if (const auto hexapod = find_hexapod(mechanism, file, options.base))
-    return {hexapod_text(*hexapod, mechanism.notes),
-            fmt::format("six legs from {} to {}, each with a joint that slides",
-                        in_quotes(hexapod->base), in_quotes(hexapod->platform))};
-  if (const auto robot =
-          find_planar_robot(mechanism, file, options.base, split_names(options.actuated)))
-    return {planar_text(*robot, mechanism.notes),
-            fmt::format("{} legs in the plane {}, from {} to {}", robot->legs.size(), robot->plane,
-                        in_quotes(robot->base),
-                        robot->platform.empty() ? "one point" : in_quotes(robot->platform))};
-  if (!options.actuated.empty())
-    throw UsageError("--actuated: only a robot with loops has joints that are not driven");
-  const Chain chain = find_arm(mechanism, file, options);
-  return {serial_text(chain, file, identifiers, mechanism.notes), chain_line(chain)};
+/// A robot whose loops are open in the file's pose has none of the known forms.
+bool is_open(const Mechanism& mechanism) {
+  if (mechanism.loops.empty()) return false;
+  const BodyGraph graph(mechanism);
+  return std::ranges::any_of(graph.connections(), [](const Connection& c) { return c.gap > 0; });
 }
 
-/// Adds loops "LINK=LINK": the origins of the two frames are one point.
-void add_cuts(Mechanism& mechanism, const std::vector<std::string>& cuts) {
+std::optional<Tables> known_form(Mechanism& mechanism, const std::string& file,
+                                 const ImportOptions& options) {
+  if (options.closure || !options.at.empty() || is_open(mechanism)) return std::nullopt;
+  if (const auto hexapod = find_hexapod(mechanism, file, options.base))
+    return Tables{hexapod_text(*hexapod, mechanism.notes),
+                  fmt::format("six legs from {} to {}, each with a joint that slides",
+                              in_quotes(hexapod->base), in_quotes(hexapod->platform))};
+  if (const auto robot =
+          find_planar_robot(mechanism, file, options.base, split_names(options.actuated)))
+    return Tables{planar_text(*robot, mechanism.notes),
+                  fmt::format("{} legs in the plane {}, from {} to {}", robot->legs.size(),
+                              robot->plane, in_quotes(robot->base),
+                              robot->platform.empty() ? "one point" : in_quotes(robot->platform))};
+  return std::nullopt;
+}
+
+std::optional<Tables> closed_form(Mechanism& mechanism, const std::string& file,
+                                  const ImportOptions& options, Identifiers& identifiers) {
+  const auto robot =
+      find_closed_robot(mechanism, file, {split_names(options.actuated), options.at}, identifiers);
+  if (!robot) return std::nullopt;
+  return Tables{closure_text(*robot), robot->summary};
+}
+
+Tables tables_of(Mechanism& mechanism, const std::string& file, const ImportOptions& options,
+                 Identifiers& identifiers) {
+  if (auto known = known_form(mechanism, file, options)) return std::move(*known);
+  const bool asks = options.closure || !options.at.empty() || !options.actuated.empty() ||
+                    !options.cuts.empty() || !options.welds.empty() || !options.list.empty();
+  if (asks && options.tip.empty())
+    if (auto closed = closed_form(mechanism, file, options, identifiers)) return std::move(*closed);
+  if (!options.actuated.empty() || !options.at.empty() || options.closure)
+    throw UsageError(
+        "--actuated, --at and --closure are for robots with loops, and without --tip; this one has "
+        "no loop");
+  try {
+    const Chain chain = find_chain(mechanism, file, options.base, options.tip);
+    return {serial_text(chain, file, identifiers, mechanism.notes), chain_line(chain)};
+  } catch (const std::runtime_error&) {
+    // A file with loops may have an arm that is no part of them; this one has not.
+    if (!options.tip.empty()) throw;
+    if (auto closed = closed_form(mechanism, file, options, identifiers)) return std::move(*closed);
+    throw;
+  }
+}
+
+/// Adds loops "LINK=LINK": the origins of the two frames are one point, or the frames are one.
+void add_cuts(Mechanism& mechanism, const std::vector<std::string>& cuts, const char* type,
+              const char* option) {
   for (const std::string& cut : cuts) {
-    const std::size_t equals = cut.find('=');
-    ImportedLoop loop{"connect",
-                      cut.substr(0, equals),
-                      equals == std::string::npos ? "" : cut.substr(equals + 1),
-                      {},
-                      true,
-                      0};
-    for (std::string* end : {&loop.first, &loop.second}) {
-      // A joint stands for the link behind it.
-      const auto joint = std::ranges::find(mechanism.joints, *end, &ImportedJoint::name);
-      if (joint != mechanism.joints.end() && !mechanism.has_link(*end)) *end = joint->child;
-      if (!mechanism.has_link(*end))
-        throw UsageError("--cut: there is no link or joint " + in_quotes(*end) +
-                         "; write --cut LINK=LINK");
-    }
+    const std::size_t equals = std::min(cut.find('='), cut.size());
+    ImportedLoop loop{type, {}, {}, {}, true, 0, {}};
+    loop.first = link_called(mechanism, cut.substr(0, equals));
+    loop.second = equals == cut.size() ? "" : link_called(mechanism, cut.substr(equals + 1));
+    for (const auto& [link, name] :
+         {std::pair(loop.first, cut.substr(0, equals)),
+          std::pair(loop.second, cut.substr(std::min(equals + 1, cut.size())))})
+      if (link.empty())
+        throw UsageError(fmt::format("{0}: there is no link or joint {1}; write {0} LINK=LINK",
+                                     option, in_quotes(name)));
     mechanism.loops.push_back(std::move(loop));
   }
 }
@@ -206,7 +230,9 @@ Imported import_mechanism(const XmlFile& xml, std::string_view text, const std::
   NumberReader numbers = number_reader(options);
   Mechanism mechanism = read_mechanism(xml, numbers);
   require_size(mechanism, file);
-  add_cuts(mechanism, options.cuts);
+  if (!options.list.empty()) add_robot_list(mechanism, options.list, options.list_file);
+  add_cuts(mechanism, options.cuts, "connect", "--cut");
+  add_cuts(mechanism, options.welds, "weld", "--weld");
   Identifiers identifiers;
   Imported result;
   const Tables tables = tables_of(mechanism, file, options, identifiers);
@@ -241,6 +267,19 @@ Imported import_robot(std::string_view text, const std::string& file,
   return import_mechanism(xml, text, file, options);
 } catch (const ParseRefusal& refusal) {
   throw InputError(file, 0, refusal.found, refusal.expected);
+}
+
+Imported import_robot_file(const std::string& path, const ImportOptions& options) {
+  ImportOptions complete = options;
+  if (path.ends_with(".urdf") && options.list.empty()) {
+    constexpr std::uint64_t kLargestList = std::uint64_t{1} << 20;
+    const std::string beside = path.substr(0, path.size() - 4) + "yaml";
+    const auto text = read_file_if_any(beside, kLargestList, Readable::kFile);
+    // Other programs have files of that name, too.
+    if (text && text->find("closed_loop") != std::string::npos)
+      complete.list = *text, complete.list_file = beside;
+  }
+  return import_robot(read_file(path, kLargestImport, Readable::kStream), path, complete);
 }
 
 }  // namespace regulus

@@ -59,8 +59,11 @@ struct ImportedLoop {
   std::string type;  ///< as in the file: "connect" holds two points together
   std::string first, second;
   std::array<WrittenNumber, 3> anchor{};  ///< the point, in the frame of the first link
-  bool origins_meet = false;  ///< the point is the origin of both links; the zero pose may be open
+  /// The point, or the frame, is that of both links, and the zero pose may be open. Otherwise the
+  /// loop holds what the zero pose has there.
+  bool origins_meet = false;
   int line = 0;
+  std::optional<Pose> relative{};  ///< of "weld": the second link in the frame of the first
 };
 
 /// The part of a file that is read.
@@ -70,6 +73,7 @@ struct Mechanism {
   std::vector<std::string> links;
   std::vector<ImportedJoint> joints;
   std::vector<ImportedLoop> loops;
+  std::vector<std::string> actuated;   ///< joints that the file says are driven
   std::map<std::string, int> ignored;  ///< elements without meaning for the kinematics, and counts
   std::vector<std::string> notes;      ///< what was assumed
 

@@ -2,6 +2,7 @@
 #include "codegen/model/import/mjcf.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
@@ -9,6 +10,7 @@
 #include "codegen/model/import/mjcf_defaults.hpp"
 #include "codegen/model/import/read_pose.hpp"
 #include "codegen/model/names.hpp"
+#include "codegen/support/errors.hpp"
 #include "codegen/support/visible_text.hpp"
 
 namespace regulus {
@@ -33,6 +35,9 @@ class MjcfReader {
                        "put the included file in its place");
       else if (name != "equality" && name != "compiler" && name != "default")
         ignore(name);
+      if (name == "actuator")
+        for (const XmlElement& motor : element.children())
+          if (motor.has("joint")) result_.actuated.push_back(motor.attribute("joint"));
     }
     for (const XmlElement& equality : mujoco.children("equality")) read_equality(equality);
     return std::move(result_);
@@ -281,16 +286,42 @@ class MjcfReader {
     joint.rule = std::move(rule);
   }
 
+  /// The second body in the frame of the first; a quaternion of zeros stands for the zero pose.
+  std::optional<Pose> relative_pose(const std::string& text, const XmlPlace& place) {
+    const std::vector<std::string_view> words = words_of(text);
+    if (words.size() != 7)
+      throw InputError::statement(place.file, place.line, "relpose has not seven numbers",
+                                  "write three coordinates and a quaternion");
+    const auto joined = [&words](std::size_t begin, std::size_t end) {
+      return fmt::format("{}", fmt::join(words.begin() + std::ptrdiff_t(begin),
+                                         words.begin() + std::ptrdiff_t(end), " "));
+    };
+    bool is_zero = true;
+    for (std::size_t i = 3; i < 7; ++i)
+      is_zero = is_zero && numbers_.component(words[i], place).is_zero();
+    if (is_zero) return std::nullopt;
+    Pose pose;
+    pose.xyz = read_vector(joined(0, 3), place, numbers_);
+    set_quaternion(pose, joined(3, 7), place, numbers_);
+    return pose;
+  }
+
   void add_loop(const XmlElement& element) {
     if (element.has("site1"))
       element.refuse("the loop is closed by sites", "write body1, body2 and anchor");
-    ImportedLoop loop{
-        element.name(), element.required("body1"), element.attribute("body2", "world"), {}, false,
-        element.line()};
+    ImportedLoop loop{element.name(),
+                      element.required("body1"),
+                      element.attribute("body2", "world"),
+                      {},
+                      false,
+                      element.line(),
+                      {}};
     for (const std::string& link : {loop.first, loop.second})
       if (!result_.has_link(link))
         element.refuse("there is no body " + in_quotes(link), "correct the name");
-    if (element.has("anchor"))
+    if (const std::string relative = element.attribute("relpose"); !relative.empty())
+      loop.relative = relative_pose(relative, element.place("relpose"));
+    if (element.has("anchor") && loop.type == "connect")
       loop.anchor = read_vector(element.attribute("anchor"), element.place("the anchor"), numbers_);
     result_.loops.push_back(std::move(loop));
   }

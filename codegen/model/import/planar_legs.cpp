@@ -131,14 +131,6 @@ class PlanarFinder {
     std::size_t body = from;
     for (std::size_t steps = 0; steps < kLongestWalk; ++steps) {
       const Connection& next = graph_.connections()[connection];
-      if (next.gap > 0)
-        throw InputError::statement(
-            file_, next.line,
-            fmt::format(
-                "the loop is open where it was cut, with every joint at zero: the links are "
-                "{:.4g} m apart",
-                next.gap),
-            "draw the robot closed, or describe it with [legs]");
       require_independent(next, file_);
       add(joints, next);
       body = next.first == body ? next.second : next.first;
@@ -322,31 +314,6 @@ std::string planar_text(const PlanarRobot& robot, std::vector<std::string>& note
       "each leg stays bent to the side that the file draws; joint ranges are not "
       "taken over: write `range` into the legs");
   return text + motions_text(robot);
-}
-
-void refuse_closed_mechanism(const Mechanism& mechanism, const std::string& file) {
-  if (!has_loops(mechanism)) return;
-  const BodyGraph graph(mechanism);
-  std::size_t turning = 0, sliding = 0, others = 0, tied = 0;
-  std::set<std::size_t> bodies;
-  for (const Connection& c : graph.connections()) {
-    turning += c.kind == ConnectionKind::kRevolute;
-    sliding += c.kind == ConnectionKind::kPrismatic;
-    others += c.kind != ConnectionKind::kRevolute && c.kind != ConnectionKind::kPrismatic;
-    bodies.insert({c.first, c.second});
-  }
-  for (const std::size_t body : bodies) tied += graph.of_body(body).size() > 2;
-  const std::size_t loops = graph.connections().size() + 1 - bodies.size();
-  if (graph.connections().size() < bodies.size()) return;
-  const int line = mechanism.loops.empty() ? 0 : mechanism.loops.front().line;
-  throw InputError::statement(
-      file, line,
-      fmt::format("the file has a closed mechanism that is not known: {} bodies, {} loop{}; of its "
-                  "joints {} turn, {} slide, {} are others; {} bodies have three joints or more",
-                  bodies.size(), loops, loops == 1 ? "" : "s", turning, sliding, others, tied),
-      "platforms on six legs that slide, platforms on three legs in a plane, and five-bars are "
-      "read; describe other robots with [legs] or their matrix, or choose --base and --tip of an "
-      "arm that is no part of a loop");
 }
 
 }  // namespace regulus

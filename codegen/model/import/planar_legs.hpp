@@ -42,8 +42,4 @@ struct PlanarRobot {
 /// Returns the tables [legs], [motion.home] and [motion.around_home] of a model file.
 [[nodiscard]] std::string planar_text(const PlanarRobot& robot, std::vector<std::string>& notes);
 
-/// Throws    InputError for a mechanism whose loops were not understood: it says what was found. A
-///           mechanism without loops is left to others.
-void refuse_closed_mechanism(const Mechanism& mechanism, const std::string& file);
-
 }  // namespace regulus

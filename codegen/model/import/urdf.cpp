@@ -26,9 +26,10 @@ class UrdfReader {
     for (const XmlElement& element : robot.children()) {
       if (element.name() == "joint")
         read_joint(element);
-      else if (element.name() != "link")
+      else if (element.name() != "link" && element.name() != "constraint")
         ignore_element(element);
     }
+    for (const XmlElement& element : robot.children("constraint")) read_constraint(element);
     return std::move(result_);
   }
 
@@ -43,7 +44,75 @@ class UrdfReader {
     if (name.starts_with("xacro:") && !is_definition)
       element.refuse("<" + visible(name) + "> may stand for links and joints",
                      "expand the macros first: xacro FILE.xacro > FILE.urdf");
+    if (name == "transmission")
+      for (const XmlElement& joint : element.children("joint"))
+        result_.actuated.push_back(joint.attribute("name"));
     ignore(name);
+  }
+
+  /// A joint that closes a loop, with its frame in both links.
+  void read_constraint(const XmlElement& element) {
+    ImportedJoint joint;
+    joint.line = element.line();
+    joint.name = element.required("name");
+    if (!names_.insert(joint.name).second)
+      element.refuse("joint " + in_quotes(joint.name) + " is there twice", "rename one of them");
+    joint.type_name = one_word(element.required("type"));
+    joint.type = type_of(joint.type_name);
+    const std::string first = end_of(element, joint, "parent"),
+                      second = end_of(element, joint, "child");
+    ImportedLoop loop{"weld", first, second, {}, true, joint.line, {}};
+    if (joint.type_name == "spherical" || joint.type_name == "ball") {
+      loop.type = "connect";
+    } else if (joint.type != JointType::kFixed) {
+      const bool is_universal = joint.type_name == "universal";
+      if (is_universal) joint.type = JointType::kContinuous;
+      if (joint.type == JointType::kOther)
+        element.refuse("the constraint " + in_quotes(joint.name) + " has the type " +
+                           in_quotes(joint.type_name),
+                       "it must be fixed, revolute, continuous, prismatic, universal or spherical");
+      loop.first = add_constraint_joint(element, joint, first, "parent_axis", "");
+      if (is_universal)
+        loop.first = add_constraint_joint(element, joint, loop.first, "child_axis", "_2");
+    }
+    result_.loops.push_back(std::move(loop));
+  }
+
+  std::string new_link(const std::string& name) {
+    std::string made = name;
+    while (result_.has_link(made)) made += "_";
+    result_.links.push_back(made);
+    return made;
+  }
+
+  /// Returns a link at the frame of a constraint in one of its links.
+  std::string end_of(const XmlElement& element, const ImportedJoint& of, const std::string& role) {
+    ImportedJoint fixed;
+    fixed.line = of.line;
+    fixed.name = of.name + "_in_" + role;
+    fixed.type_name = "fixed";
+    fixed.parent = link_of(element, of, role.c_str());
+    fixed.child = new_link(fixed.name);
+    if (const auto origin = element.child((role + "_origin").c_str()))
+      fixed.origin = read_origin(*origin, of);
+    result_.joints.push_back(fixed);
+    return fixed.child;
+  }
+
+  std::string add_constraint_joint(const XmlElement& element, ImportedJoint joint,
+                                   const std::string& parent, const char* axis,
+                                   const char* suffix) {
+    joint.name += suffix;
+    joint.parent = parent;
+    joint.child = new_link(joint.name + "_moved");
+    const auto given = element.child(axis);
+    if (!given)
+      element.refuse("the constraint " + in_quotes(joint.name) + " has no <" + axis + ">",
+                     fmt::format("add <{} xyz=\"0 0 1\"/>", axis));
+    joint.axis = read_direction(given->required("xyz"),
+                                given->place("the axis of " + in_quotes(joint.name)), numbers_);
+    result_.joints.push_back(joint);
+    return joint.child;
   }
 
   void read_link(const XmlElement& link) {

@@ -18,22 +18,28 @@ constexpr int kTrials = 8;
 constexpr double kFirstGrowth = 1.5, kGrowth = 1.25;
 /// The room that is left to the rounding of the verifier, and so that neighbours overlap.
 constexpr double kRoom = 0.875;
-constexpr double kLeastRadius = 0x1p-44;  ///< relative to 1 or to the unknown
+
+bool has_room(const BranchTube& tube, const TubeImage& image, std::size_t i) {
+  return std::fmax(image.radius[i], image.change[i]) <= kRoom * tube.radius[i];
+}
 
 bool has_room(const BranchTube& tube, const TubeImage& image) {
   for (std::size_t i = 0; i < tube.radius.size(); ++i)
-    if (!(std::fmax(image.radius[i], image.change[i]) <= kRoom * tube.radius[i])) return false;
+    if (!has_room(tube, image, i)) return false;
   return has_one_solution(tube, image);
 }
 
-/// Returns for each variable the most that it adds to an image, relative to all of it.
-std::vector<double> impact_of(const TubeImage& image, const ClosedShape& shape) {
+/// Returns for each variable the most that it adds to the first image of an unknown without room,
+/// relative to all of it. A loop that has a tube needs no split of what moves it alone.
+std::vector<double> impact_of(const TubeImage& first, const BranchTube& tube, const TubeImage& last,
+                              const ClosedShape& shape) {
   std::vector<double> impact(shape.variables, 0.0);
   for (std::size_t i = 0; i < shape.unknowns; ++i) {
+    if (has_room(tube, last, i)) continue;
     double all = 0;
-    for (std::size_t k = 0; k < shape.variables; ++k) all += image.impact[i * shape.variables + k];
+    for (std::size_t k = 0; k < shape.variables; ++k) all += first.impact[i * shape.variables + k];
     for (std::size_t k = 0; k < shape.variables; ++k)
-      if (all > 0) impact[k] = std::fmax(impact[k], image.impact[i * shape.variables + k] / all);
+      if (all > 0) impact[k] = std::fmax(impact[k], first.impact[i * shape.variables + k] / all);
   }
   return impact;
 }
@@ -53,8 +59,9 @@ SystemBoxes::Box TubeFinder::reach_of(const TubeTrial& trial,
   return reach;
 }
 
-void TubeFinder::find(std::span<const TubeTrial> trials, std::span<TubeFinding> findings) {
-  const std::size_t n = shape_.unknowns;
+/// The systems at x₀ and c.
+std::vector<std::optional<SystemBoxes::System>> TubeFinder::centers_of(
+    std::span<const TubeTrial> trials) {
   std::vector<SystemBoxes::Box> boxes;
   for (const TubeTrial& trial : trials) {
     SystemBoxes::Box& center = boxes.emplace_back();
@@ -64,7 +71,15 @@ void TubeFinder::find(std::span<const TubeTrial> trials, std::span<TubeFinding> 
   system_.evaluate(boxes);
   std::vector<std::optional<SystemBoxes::System>> centers;
   for (std::size_t lane = 0; lane < trials.size(); ++lane) centers.push_back(system_.at(lane));
+  return centers;
+}
+
+void TubeFinder::find(std::span<const TubeTrial> trials, std::span<TubeFinding> findings) {
+  const std::size_t n = shape_.unknowns;
+  const auto centers = centers_of(trials);
+  std::vector<SystemBoxes::Box> boxes(trials.size());
   std::vector<std::vector<double>> radius(trials.size(), std::vector<double>(n, 0.0));
+  std::vector<TubeImage> first(trials.size());
   std::vector<char> is_open(trials.size(), 1);
   for (int trial = 0; trial < kTrials; ++trial) {
     if (std::ranges::find(is_open, 1) == is_open.end()) return;
@@ -87,14 +102,15 @@ void TubeFinder::find(std::span<const TubeTrial> trials, std::span<TubeFinding> 
           tube, trials[lane].box, trials[lane].inverse,
           {centers[lane]->value, over->by_unknown, over->by_variable, centers[lane]->by_unknown,
            centers[lane]->by_variable, over->rates_by_unknown, over->rates_by_variable});
-      if (trial == 0) finding.impact = impact_of(image, shape_);
+      if (trial == 0) first[lane] = image;
+      finding.impact = impact_of(first[lane], tube, image, shape_);
       if (trial > 0 && has_room(tube, image)) {
         finding.tube = std::move(tube);
         is_open[lane] = 0;
         continue;
       }
       for (std::size_t i = 0; i < n; ++i) {
-        const double least = kLeastRadius * std::fmax(1.0, std::fabs(tube.center[i]));
+        const double least = least_radius_ * std::fmax(1.0, std::fabs(tube.center[i]));
         radius[lane][i] = std::fmax(least, (trial == 0 ? kFirstGrowth : kGrowth) * image.radius[i]);
         if (!std::isfinite(radius[lane][i])) is_open[lane] = 0;
       }

@@ -44,20 +44,25 @@ struct TubeTrial {
 /// Finds the radius of 1…8 tubes, so that the test of branch_tube.hpp holds with some room.
 class TubeFinder {
  public:
-  TubeFinder(SystemBoxes& system, const ClosedShape& shape, std::vector<Interval> ranges)
-      : system_(system), shape_(shape), ranges_(std::move(ranges)) {}
+  /// `least_radius`: relative to 1 or to the unknown.
+  TubeFinder(SystemBoxes& system, const ClosedShape& shape, std::vector<Interval> ranges,
+             double least_radius = 0x1p-44)
+      : system_(system), shape_(shape), ranges_(std::move(ranges)), least_radius_(least_radius) {}
 
   /// Requires  at most kLanes trials, and as many findings.
   /// Ensures   a finding has a tube only if the test holds for it over its box.
   void find(std::span<const TubeTrial> trials, std::span<TubeFinding> findings);
 
  private:
+  [[nodiscard]] std::vector<std::optional<SystemBoxes::System>> centers_of(
+      std::span<const TubeTrial> trials);
   [[nodiscard]] SystemBoxes::Box reach_of(const TubeTrial& trial,
                                           const std::vector<double>& radius) const;
 
   SystemBoxes& system_;
   const ClosedShape shape_;
   const std::vector<Interval> ranges_;
+  const double least_radius_;
 };
 
 /// A judge of boxes (runtime/search/box_judges.hpp). Each thread has its own.
@@ -71,7 +76,7 @@ class TubeJudge {
   explicit TubeJudge(const ClosureQuestion& question)
       : question_(question),
         system_(question.problem, question.scaling, question.shape),
-        finder_(system_, question.shape, question.ranges) {}
+        finder_(system_, question.shape, question.ranges, kRadiusForNeighbours) {}
   TubeJudge(const TubeJudge&) = delete;
   TubeJudge& operator=(const TubeJudge&) = delete;
 
@@ -84,6 +89,9 @@ class TubeJudge {
   [[nodiscard]] static TubeFinding take(cluster::ByteReader& from, const ClosureQuestion& question);
 
  private:
+  /// Above what rounding makes of a solution's radius: a tube of a leaf must hold it.
+  static constexpr double kRadiusForNeighbours = 0x1p-36;
+
   void measure_uncertainty(std::span<const TubeTrial> trials, std::span<TubeFinding> tubes);
 
   const ClosureQuestion question_;

@@ -43,7 +43,7 @@ Confirmation verify(const std::string& path, const VerifyOptions& options) {
 
 Imported import_file(const std::string& path, const ImportOptions& options) {
   const AlgebraLock lock;
-  return import_robot(read_file(path, kLargestImport, Readable::kStream), path, options);
+  return import_robot_file(path, options);
 }
 
 std::string describe_model(const Question& question) {

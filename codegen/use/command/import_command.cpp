@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/answer/report/report_text.hpp"
-#include "codegen/model/file/read_file.hpp"
 #include "codegen/model/import/import.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/use/command/commands.hpp"
@@ -25,8 +24,7 @@ nlohmann::ordered_json json_of(const Imported& imported, const std::string& outp
 }  // namespace
 
 int run_import(const ImportCommand& command) {
-  const std::string text = read_file(command.path, kLargestImport, Readable::kStream);
-  const Imported imported = import_robot(text, command.path, command.options);
+  const Imported imported = import_robot_file(command.path, command.options);
   if (!command.output.empty()) write_imported(command.output, imported.model);
   if (command.json) {
     std::cout << report_text(json_of(imported, command.output)) << std::endl;

@@ -12,7 +12,8 @@ LegAtPose::LegAtPose(const LegValues& leg, const VectorNodes& position, const Ma
   if (leg.kind == LegKind::kTelescopic) rho = g_.root(g_.dot(e, e));
   if (leg.kind == LegKind::kCrank) find_crank();
   if (leg.kind == LegKind::kSlider) find_carriage();
-  if (leg.is_hinged) off = g_.dot(e, leg.hinge);
+  const bool has_oblique_rail = leg.kind == LegKind::kSlider && !leg.has_exact_directions;
+  if (leg.is_hinged) off = g_.dot(has_oblique_rail ? d : e, leg.hinge);
 }
 
 /// The crank c is across the axis n, |c| is its length, and c·e = (|e|² + |c|² − rod²)/2, because

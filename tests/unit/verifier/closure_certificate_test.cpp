@@ -89,6 +89,14 @@ TEST(ACertificateOfAClosure, MayHaveLeavesThatTheVerifierSplits) {
   EXPECT_FALSE(is(Outcome::kVerified, verify_text(wave + "l 0 tube 9 0 0 0.25\nend 1\n"), ""));
 }
 
+/// Where an unknown is the same all over the motion, tubes are as thin as rounding lets them be.
+TEST(ACertificateOfAClosure, MayHaveAThinTubeAtTheStart) {
+  const std::string flat = of_one("p*(2 + x)", "-1 : 1", "0.01 +- 1/10");
+  EXPECT_TRUE(is(Outcome::kVerified, verify_text(flat + "l 0 tube 0 0 0 1e-14\nend 1\n"), ""));
+  EXPECT_TRUE(is(Outcome::kRejected, verify_text(flat + "l 0 tube 0 1e-13 0 1e-14\nend 1\n"),
+                 "no configuration"));
+}
+
 TEST(ACertificateOfAClosure, MayHaveConstraintsAndBalls) {
   ClosureCase c = two_sheets(0);
   c.is_outside = [](const std::vector<Interval>& x) {
