@@ -97,7 +97,7 @@ class MotionReader {
     refuse_unknowns(entry_);
     std::vector<std::string> known = pose_names();
     for (const char* key : {"parameters", "constraints", "error", "alpha", "waypoints",
-                            "interpolation", "where", "legs"})
+                            "interpolation", "where", "legs", "tool"})
       known.push_back(key);
     (void)toml_.entries(entry_, known);
   }
