@@ -2,7 +2,6 @@
 #include <random>
 
 #include "tests/mpi/ranks.hpp"
-#include "tests/support/interrupted_runs.hpp"
 
 namespace regulus::test {
 namespace {
