@@ -2,7 +2,7 @@
 # share/doc/regulus/manual: the manual as Markdown, and as HTML if cmark-gfm is there. The pages lie side by
 # side, and their links say so. cmark-gfm is small, and knows the tables that the pages have.
 set(REGULUS_MANUAL_PAGES
-    README.md DEVELOPING.md models/README.md models/DATASHEETS.md codegen/EMBEDDING.md codegen/answer/WHAT_WORKS.md codegen/question/bound/BOUNDS.md codegen/use/command/CHECKING.md
+    README.md DEVELOPING.md models/README.md models/DATASHEETS.md codegen/EMBEDDING.md codegen/answer/WHAT_WORKS.md codegen/answer/REPORTS.md codegen/use/TUTORIAL.md codegen/use/VERSIONS.md codegen/use/command/METHODS.md codegen/question/bound/BOUNDS.md codegen/question/solve/SOLVING.md codegen/use/command/CHECKING.md
     codegen/model/import/IMPORTING.md codegen/model/MODEL_FILES.md codegen/use/mpi/CLUSTER.md codegen/answer/page/PAGES.md
     codegen/use/python/PYTHON.md codegen/model/robot/AUTHORS.md codegen/use/shell/SHELL.md runtime/PERFORMANCE.md
     runtime/SOUNDNESS.md runtime/proof/CERTIFICATES.md runtime/proof/FORMAT.md

@@ -8,7 +8,7 @@ set(REGULUS_RUNTIME_HEADERS
   runtime/kernel/abi.hpp runtime/kernel/pack.hpp runtime/kernel/isa.hpp
   runtime/kernel/self_test.hpp runtime/kernel/self_test_program.hpp
   runtime/problem/filter.h)
-set(REGULUS_SEARCH_HEADERS runtime/search/solver.hpp runtime/checkpoint/writer.hpp runtime/proof/writer.hpp)
+set(REGULUS_SEARCH_HEADERS runtime/search/solver.hpp runtime/checkpoint/checkpoint.hpp runtime/proof/writer.hpp)
 set(REGULUS_DEVELOPMENT_HEADERS codegen/use/api/regulus.hpp codegen/kernel/jit/plugin_folder.h)
 
 # regulus_with_includes(RESULT ROOT HEADERS...): the headers and all headers of the repository at

@@ -72,6 +72,7 @@ struct AskDatasheet {
 struct AskSolve {
   ModelOptions model;
   SearchOptions search;
+  std::vector<std::string> held{};  ///< joints of an arm that keep the values of the motion
 };
 
 using Asked = std::variant<AskCheck, AskPaving, AskMargin, AskBound, AskLoad, AskLoadPaving,

@@ -5,12 +5,13 @@
 #include "codegen/answer/closure_answer.hpp"
 #include "codegen/answer/outputs.hpp"
 #include "codegen/answer/refusals.hpp"
+#include "codegen/answer/report/kept_search.hpp"
 #include "codegen/answer/report/progress.hpp"
+#include "codegen/answer/report/question_report.hpp"
 #include "codegen/answer/report/report.hpp"
 #include "codegen/answer/report/search_checkpoint.hpp"
 #include "codegen/question/analysis/least_singular.hpp"
 #include "codegen/question/closure/closure_run.hpp"
-#include "codegen/question/engine/checkpoint_file.hpp"
 #include "codegen/question/engine/search_run.hpp"
 #include "codegen/question/engine/settings.hpp"
 #include "codegen/question/way/margin_checkpoint.hpp"
@@ -45,16 +46,16 @@ class VarietyCheck final : public CheckAnswer {
       : search_(asked.search), prepared_(prepare(asked.model, search_, watch_of(services))) {
     const Settings settings = settings_of(prepared_, search_, services.interrupt);
     services.begin_search();
-    CheckpointFile checkpoint(services.checkpoint, prepared_, settings);
-    CertificateFile certificate(services.certificate, prepared_,
-                                checkpoint.partial(services.certificate), services.shard_size);
+    SearchCheckpoint checkpoint(services.checkpoint,
+                                [this] { return json_kept_question(prepared_, search_); });
+    CertificateFile certificate(services.certificate, prepared_, services.shard_size);
     SearchDisplay display(display_of(services));
-    // The certificate comes first, so that its bytes are safe before a checkpoint refers to them.
-    Observers observers(present(
-        {certificate.observer(), checkpoint.observer(certificate.file()), display.observer()}));
-    result = run_search(prepared_, search_, settings, &observers, checkpoint.found());
+    Observers observers(present({certificate.observer(), display.observer()}));
+    KeptSearch kept(checkpoint.file(), "search", checkpoint.interval());
+    result = kept.run(prepared_, search_, settings, observers);
     certificate.finish(result);
-    write_beside([&] { checkpoint.finish(result, certificate.file()); });
+    const bool can_continue = result.verdict == Verdict::kPossibleProblem && result.stopped_by;
+    write_beside([&] { checkpoint.finish(can_continue); });
     proof = certificate.status();
     if (is_undecided(result) && !prepared_.text) decide_by_sides(services, display.observer());
     if (proof.is_lost()) lost.push_back(proof.obstacle());

@@ -43,7 +43,10 @@ constexpr Key kMethod[] = {
 };
 
 constexpr Key kNotes[] = {{"notes?", "text[]", "from Python: about numbers that were floats"}};
-constexpr Key kReason[] = {{"reason", "text", "why this is the verdict"}};
+constexpr Key kReason[] = {
+    {"reason", "text", "why this is the verdict"},
+    {"meaning?", "text?", "the claim in plain words; null: nothing is proved"},
+};
 constexpr Key kNonempty[] = {
     {"nonempty", "flag?", "whether the constraints leave any pose; null: not known"}};
 constexpr Key kBoxes[] = {

@@ -150,6 +150,7 @@ class MarginOfLimit final : public MarginAnswer {
       : question_(question),
         request_(read_asked(model, asked.quantity, watch_of(services, asked.search))) {
     is_of_limit = true;
+    question_.unit = unit_of_values(request_, question_);
     Quantity quantity = quantity_of(request_.model, asked.quantity);
     settings_.gap = read_gap(asked.gap);
     settings_.limit = read_limit(asked.limit, quantity);
@@ -212,12 +213,13 @@ std::unique_ptr<MarginAnswer> ask(const AskMargin& asked, const Services& servic
                      "limit need each other");
   ModelOptions model = asked.model;
   static_cast<void>(read_gap(asked.gap));
-  const MarginQuestion question = take_question(model, asked.size);
+  MarginQuestion question = take_question(model, asked.size);
   refuse_services(has_limit ? Kind::kLimitMargin : Kind::kMargin, model, asked.search, services);
   if (has_limit) return std::make_unique<MarginOfLimit>(question, model, asked, services);
   set_outputs_aside(model, asked.search, services, EndProofs::files(services.certificate));
   const FormingWatch watch = watch_of(services, asked.search);
   Request request = read_request(model, &watch);
+  question.unit = unit_of_values(request, question);
   if (request.model.closure) return answer_closure(question, std::move(request), asked, services);
   if (!request.motion.trajectory)
     return std::make_unique<VarietyMargin>(question, std::move(request), asked, services);

@@ -46,15 +46,9 @@ ModelOptions model_of(const AskPaving& asked, const Services& services) {
   return model;
 }
 
-/// Returns everything that the boxes depend on. Formulas are left out: their terms may have another
-/// order in another process.
 Json checkpointed_paving(const PreparedSearch& prepared, const SearchOptions& search,
                          double resolution) {
-  Json question = json_question(prepared, search);
-  question.erase("options");  // they change how long it takes
-  question.erase("pose_exact");
-  question.erase("constraints_exact");
-  for (const FilterFile& filter : prepared.filters) question["filters"].push_back(filter.sha256());
+  Json question = json_kept_question(prepared, search);
   question["separates_reach"] = prepared.labels.reach;
   question["paves"] = true;
   question["resolution"] = resolution;
@@ -89,7 +83,7 @@ class VarietyPaving final : public PavingAnswer {
     std::optional<PavingWriter> writer;
     if (lines.is_wanted())
       writer.emplace(lines.stream(), prepared_, options_, [&listener] { listener.ask_for_end(); });
-    CertificateFile certificate(services.certificate, prepared_, std::nullopt, services.shard_size);
+    CertificateFile certificate(services.certificate, prepared_, services.shard_size);
     std::optional<PavingTree> tree;
     if (services.tree != nullptr) tree.emplace(problem_, prepared_.labels.reach);
     SearchDisplay display(display_of(services));

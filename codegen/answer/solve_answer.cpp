@@ -16,8 +16,12 @@ class FoundSolutions final : public SolveAnswer {
       : search_(asked.search),
         request_(read_solve_request(asked.model, watch_of(services, search_))) {
     SearchDisplay display(display_of(services));
-    SolveRun run{search_, watch_of(services, search_), services.interrupt, display.observer(),
-                 [&services] { services.begin_search(); }};
+    SolveRun run{search_,
+                 watch_of(services, search_),
+                 services.interrupt,
+                 display.observer(),
+                 [&services] { services.begin_search(); },
+                 asked.held};
     noun = noun_of(request_);
     solutions = solve(request_, run);
   }

@@ -3,6 +3,7 @@
 // Nothing that is proved depends on it.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,16 @@ struct Drawing {
     int row = -1;  ///< of the matrix, from 0, that the part belongs to; −1: none
   };
   std::vector<Part> parts;
+  /// Labels of the units of the constants that are lengths, by name.
+  std::map<std::string, std::string> units{};
 };
+
+/// Returns the label of a constant's unit; "1" if there is none, or it is not known.
+[[nodiscard]] inline std::string unit_of_constant(const Drawing* drawing, const std::string& name) {
+  if (drawing == nullptr) return "1";
+  const auto at = drawing->units.find(name);
+  return at == drawing->units.end() ? "1" : at->second;
+}
 
 /// Returns the word of a page's data for the kind.
 [[nodiscard]] constexpr const char* name(Drawing::Kind kind) noexcept {

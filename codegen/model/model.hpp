@@ -12,6 +12,7 @@
 
 #include <ginac/ginac.h>
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -119,6 +120,11 @@ struct Motion {
                 ///< negative are no part of the variety; as in constraints
   GiNaC::ex alpha = 0;
   std::vector<GiNaC::ex> must_be_defined;  ///< of pose and constraints; in their symbols
+  /// The lengths of Model::legs, in the place of a pose; empty: the pose is given.
+  std::vector<GiNaC::ex> legs{};
+  /// x, y, z, roll, pitch, yaw of an arm's tool, in the place of a pose; empty: the pose is given.
+  std::vector<GiNaC::ex> tool{};
+  [[nodiscard]] bool has_no_pose() const { return !legs.empty() || !tool.empty(); }
   /// If it is set, `pose` only has the values of pose parameters that the file does not give.
   std::optional<WaypointSource> waypoints{};
   std::shared_ptr<const Trajectory> trajectory{};  ///< the pieces of the file, once it is read
@@ -151,6 +157,12 @@ struct Closure {
   std::vector<GiNaC::ex> start_radius;  ///< by unknown: it is the only one so near
 };
 
+/// A leg whose length a motor sets.
+struct ExtensibleLeg {
+  std::array<GiNaC::ex, 3> base, platform;  ///< anchors, each in its own frame
+  std::array<GiNaC::ex, 3> vector;          ///< from one to the other, in pose and geometry symbols
+};
+
 /// An expression in the names of a model, with the conditions for it to be defined.
 struct AskedExpression {
   GiNaC::ex value;
@@ -158,6 +170,7 @@ struct AskedExpression {
 };
 
 struct Drawing;
+struct Serial;
 
 struct Model {
   std::string name;
@@ -182,6 +195,8 @@ struct Model {
   Actuators actuators;
   /// An angle times this length is compared with a length; nullopt: the model does not say.
   std::optional<GiNaC::ex> characteristic_length;
+  std::vector<ExtensibleLeg> legs{};         ///< all legs, if each is such; else empty
+  std::shared_ptr<const Serial> arm{};       ///< null: it is no serial arm
   std::optional<AskedExpression> asked;      ///< by an option of the command line
   std::shared_ptr<const Drawing> drawing{};  ///< null: the model gives no points to draw
   std::vector<Motion> motions;

@@ -25,6 +25,8 @@ struct ModelOptions {
   /// "NAME=VALUE": the question is about one place. All pose parameters make a motion of their own if
   /// none is named; otherwise they change it, as ranges do.
   std::vector<std::string> at{};
+  /// The motion may have lengths of legs or a tool in the place of a pose; such a one is meant first.
+  bool takes_legs = false;
   bool beyond_limits = false;  ///< the question may leave the limits of the joints
   /// Receives each note of the request as soon as it is read; empty: nothing.
   std::function<void(const std::string&)> warn{};

@@ -7,6 +7,7 @@
 #include "codegen/model/file/model_file.hpp"
 #include "codegen/model/mechanism/joint_limits.hpp"
 #include "codegen/model/mechanism/reach.hpp"
+#include "codegen/model/names.hpp"
 #include "codegen/model/overrides.hpp"
 #include "codegen/model/way/trajectory.hpp"
 
@@ -48,14 +49,29 @@ Motion standing_motion(const Model& model) {
   return motion;
 }
 
+/// Returns the name of the only motion without a pose, if one may be meant.
+std::string named_motion(const Model& model, const ModelOptions& options) {
+  if (!options.takes_legs || !options.motion.empty() ||
+      std::ranges::count_if(model.motions, &Motion::has_no_pose) != 1)
+    return options.motion;
+  return std::ranges::find_if(model.motions, &Motion::has_no_pose)->name;
+}
+
 Motion asked_motion(const Model& model, const ModelOptions& options) {
   std::vector<Assignment> given;
   for (const std::string& at : options.at) given.push_back(split_assignment(at, "--at"));
   const bool has_all = std::ranges::all_of(model.pose, [&given](const PoseParameter& p) {
     return std::ranges::find(given, p.name, &Assignment::name) != given.end();
   });
-  Motion motion = options.motion.empty() && has_all ? standing_motion(model)
-                                                    : find_motion(model, options.motion);
+  Motion motion = options.motion.empty() && has_all
+                      ? standing_motion(model)
+                      : find_motion(model, named_motion(model, options));
+  if (motion.has_no_pose() && !options.takes_legs)
+    throw InputError::statement(
+        "", 0,
+        "the motion " + in_quotes(motion.name) +
+            " has the lengths of the legs or the place of the tool, and no pose",
+        "ask solve for its solutions, or name another motion", motion.name);
   for (const Assignment& one : given)
     from_option("--at", [&] { set_range(model, motion, one.name, one.value); });
   return motion;

@@ -8,24 +8,24 @@
 namespace regulus {
 namespace {
 
-enum class Kind { kLength, kAngle };
+enum class UnitKind { kLength, kAngle };
 
 struct Unit {
   std::string_view name;
-  Kind kind;
+  UnitKind kind;
   long numerator, denominator;  ///< of the unit in metres; unused for angles
 };
 
-constexpr std::array<Unit, 10> kUnits = {{{"m", Kind::kLength, 1, 1},
-                                          {"dm", Kind::kLength, 1, 10},
-                                          {"cm", Kind::kLength, 1, 100},
-                                          {"mm", Kind::kLength, 1, 1000},
-                                          {"um", Kind::kLength, 1, 1'000'000},
-                                          {"µm", Kind::kLength, 1, 1'000'000},
-                                          {"in", Kind::kLength, 254, 10'000},
-                                          {"rad", Kind::kAngle, 1, 1},
-                                          {"deg", Kind::kAngle, 1, 1},
-                                          {"°", Kind::kAngle, 1, 1}}};
+constexpr std::array<Unit, 10> kUnits = {{{"m", UnitKind::kLength, 1, 1},
+                                          {"dm", UnitKind::kLength, 1, 10},
+                                          {"cm", UnitKind::kLength, 1, 100},
+                                          {"mm", UnitKind::kLength, 1, 1000},
+                                          {"um", UnitKind::kLength, 1, 1'000'000},
+                                          {"µm", UnitKind::kLength, 1, 1'000'000},
+                                          {"in", UnitKind::kLength, 254, 10'000},
+                                          {"rad", UnitKind::kAngle, 1, 1},
+                                          {"deg", UnitKind::kAngle, 1, 1},
+                                          {"°", UnitKind::kAngle, 1, 1}}};
 
 const Unit* find(std::string_view name) {
   for (const Unit& unit : kUnits)
@@ -34,7 +34,7 @@ const Unit* find(std::string_view name) {
 }
 
 GiNaC::ex size_of(const Unit& unit) {
-  if (unit.kind == Kind::kAngle) return is_in_degrees(unit.name) ? one_degree() : GiNaC::ex(1);
+  if (unit.kind == UnitKind::kAngle) return is_in_degrees(unit.name) ? one_degree() : GiNaC::ex(1);
   return GiNaC::numeric(unit.numerator, unit.denominator);
 }
 

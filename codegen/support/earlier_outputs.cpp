@@ -20,7 +20,6 @@ std::vector<std::string> names_of(const OutputFile& output) {
   if (output.continues) return {path, path + ".lock"};
   const std::string old = path + kEarlierEnding;
   std::vector<std::string> names = {path, old};
-  if (output.must_be_file) names.insert(names.end(), {path + ".partial", path + ".lock"});
   if (!output.parts_ending.empty())
     names.insert(names.end(), {path + output.parts_ending, old + output.parts_ending});
   return names;

@@ -2,7 +2,6 @@
 // The state of a search, as text; FORMAT.md describes it.
 #pragma once
 
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -19,15 +18,8 @@ struct CheckpointedQuestion {
   std::vector<Interval> ranges;  ///< of all variables
 };
 
-/// The bytes of a certificate that belong to a checkpoint.
-struct CertificateSoFar {
-  std::uint64_t length = 0;
-  std::string sha256;  ///< of these bytes, 64 hexadecimal digits
-};
-
 struct Checkpoint {
   SearchState state;
-  std::optional<CertificateSoFar> certificate;  ///< nullopt: none is being written
   std::vector<BoxId> ids;  ///< of the open boxes, in the order in which they would be decided
   std::vector<std::uint32_t> depths;
   std::vector<Interval> boxes;  ///< one after the other, all variables of each
@@ -44,8 +36,7 @@ class CheckpointError : public std::runtime_error {
 
 /// Returns a checkpoint as text. It does not contain the witness of an exhaustive search.
 [[nodiscard]] std::string write_checkpoint(const CheckpointedQuestion& question,
-                                           const SearchState& state, const OpenBoxes& open,
-                                           const std::optional<CertificateSoFar>& certificate);
+                                           const SearchState& state, const OpenBoxes& open);
 
 /// Returns the last line of a checkpoint: the SHA-256 of all lines before it.
 [[nodiscard]] std::string end_of_checkpoint(std::string_view before);

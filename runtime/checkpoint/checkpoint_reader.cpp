@@ -9,7 +9,7 @@
 namespace regulus {
 namespace {
 
-constexpr std::string_view kFirstLine = "regulus checkpoint 5\n";
+constexpr std::string_view kFirstLine = "regulus checkpoint 6\n";
 constexpr std::size_t kDigest = 64;
 constexpr std::size_t kEndLine = sizeof "end " - 1 + kDigest + sizeof "\n" - 1;
 
@@ -184,16 +184,6 @@ void read_early(Reader& reader, SearchState& state) {
   }
 }
 
-CertificateSoFar read_certificate(Reader& reader) {
-  CertificateSoFar certificate;
-  certificate.length = reader.number();
-  certificate.sha256 = reader.word();
-  if (certificate.sha256.size() != kDigest ||
-      certificate.sha256.find_first_not_of("0123456789abcdef") != std::string::npos)
-    reader.refuse("64 hexadecimal digits");
-  return certificate;
-}
-
 void require_format(std::string_view text) {
   if (text.starts_with(kFirstLine)) return;
   if (!text.starts_with("regulus checkpoint ")) throw CheckpointError("it is not a checkpoint");
@@ -245,8 +235,6 @@ Checkpoint read_checkpoint(std::string_view text, const CheckpointedQuestion& qu
   read_run(reader, result.state);
   reader.next_line("blocked");
   read_blocked(reader, question, result.state);
-  reader.next_line("certificate");
-  if (!reader.take(" none")) result.certificate = read_certificate(reader);
   read_units(reader, result.state);
   read_early(reader, result.state);
   reader.next_line("open");

@@ -88,9 +88,8 @@ void put_counts(std::string& text, const SearchState& state) {
 }  // namespace
 
 std::string write_checkpoint(const CheckpointedQuestion& question, const SearchState& state,
-                             const OpenBoxes& open,
-                             const std::optional<CertificateSoFar>& certificate) {
-  std::string text = "regulus checkpoint 5\nquestion " + question.identity + "\nnext";
+                             const OpenBoxes& open) {
+  std::string text = "regulus checkpoint 6\nquestion " + question.identity + "\nnext";
   put(text, state.next_id);
   put_counts(text, state);
   put(text, state.candidates);
@@ -100,13 +99,6 @@ std::string write_checkpoint(const CheckpointedQuestion& question, const SearchS
     put(text, static_cast<std::uint64_t>(state.blocked_reason));
     put(text, state.boxes_when_blocked);
     put(text, state.blocking_box);
-  } else {
-    text += " none";
-  }
-  text += "\ncertificate";
-  if (certificate) {
-    put(text, certificate->length);
-    text += ' ' + certificate->sha256;
   } else {
     text += " none";
   }

@@ -20,7 +20,7 @@ const char* describe(Reason reason) noexcept {
     case Reason::kAllBoxesCertified:
       return "every box is certified";
     case Reason::kOppositeSigns:
-      return "two points with determinants of opposite signs, joined within the variety";
+      return "two points with determinants of opposite signs, joined within the motion";
     case Reason::kSmallDeterminant:
       return "a point whose determinant is at most the threshold";
     case Reason::kAlwaysSingular:
@@ -30,7 +30,7 @@ const char* describe(Reason reason) noexcept {
     case Reason::kUncertainty:
       return "at one pose the uncertain quantities alone defeat the test";
     case Reason::kUndefined:
-      return "an expression is undefined in or near a pose of the variety";
+      return "an expression is undefined in or near a pose of the motion";
     case Reason::kBoxBudget:
       return "the limit on the number of boxes was reached";
     case Reason::kTimeBudget:

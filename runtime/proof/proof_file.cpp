@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/proof/proof_file.hpp"
 
-#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -17,26 +16,6 @@
 #include "runtime/proof/shards.hpp"
 
 namespace regulus {
-namespace {
-
-/// A file that a user or another program made is not continued: a search only continues its own.
-void require_own(int descriptor, const std::string& name) {
-  struct stat status {};
-  const bool is_known = ::fstat(descriptor, &status) == 0;
-  const char* const why = !is_known || !S_ISREG(status.st_mode) ? "it is not a regular file"
-                          : status.st_uid != ::geteuid()        ? "it belongs to another user"
-                          : status.st_nlink > 1                 ? "it has another name, too"
-                                                                : nullptr;
-  if (why != nullptr) throw std::runtime_error(name + " cannot be continued: " + why);
-}
-
-/// Renames an unfinished proof that no checkpoint continues.
-bool set_aside(const std::string& name) noexcept {
-  return ::access(name.c_str(), F_OK) != 0 ||
-         std::rename(name.c_str(), (name + kEarlierEnding).c_str()) == 0;
-}
-
-}  // namespace
 
 ProofFile::ProofFile(std::string path) : path_(std::move(path)) {
   sweep_temporaries(path_);
@@ -48,46 +27,21 @@ ProofFile::ProofFile(std::string path) : path_(std::move(path)) {
   } catch (const std::system_error& error) {
     throw std::runtime_error("the certificate " + path_ + " cannot " + error.what());
   }
-  open(descriptor, "be created");
-}
-
-ProofFile::ProofFile(std::string path, Partial partial)
-    : path_(std::move(path)),
-      temporary_(partial_file(path_)),
-      leaves_(partial.leaves),
-      stays_(true),
-      continues_(partial.length.has_value()) {
-  if (!continues_) check(set_aside(temporary_), "be created, because an earlier one stays");
-  const int mode = O_RDWR | O_NOFOLLOW | O_CLOEXEC | (continues_ ? 0 : O_CREAT | O_EXCL);
-  open(::open(temporary_.c_str(), mode, 0666), continues_ ? "be continued" : "be created");
-  if (continues_) continue_at(*partial.length);
+  open(descriptor);
 }
 
 /// Takes the descriptor.
-void ProofFile::open(int descriptor, const char* what) {
+void ProofFile::open(int descriptor) {
   file_.reset(descriptor < 0 ? nullptr : fdopen(descriptor, "r+"));
   if (!file_ && descriptor >= 0) {
     ::close(descriptor);
-    if (!continues_) ::unlink(temporary_.c_str());
+    ::unlink(temporary_.c_str());
   }
-  check(file_ != nullptr, what);
-}
-
-void ProofFile::continue_at(std::uint64_t bytes) {
-  const int descriptor = fileno(file_.get());
-  const auto length = static_cast<off_t>(bytes);
-  require_own(descriptor, temporary_);
-  struct stat status {};
-  check(::fstat(descriptor, &status) == 0, "be continued");
-  if (status.st_size < length)
-    throw std::runtime_error("the certificate " + path_ + " cannot be continued: " + temporary_ +
-                             " is shorter than the checkpoint says");
-  check(::ftruncate(descriptor, length) == 0 && ::fseeko(file_.get(), length, SEEK_SET) == 0,
-        "be continued");
+  check(file_ != nullptr, "be created");
 }
 
 ProofFile::~ProofFile() {
-  if (file_ && !in_place_ && !stays_) ::unlink(temporary_.c_str());
+  if (file_ && !in_place_) ::unlink(temporary_.c_str());
 }
 
 void ProofFile::check(bool done, const char* what) const {
@@ -106,9 +60,7 @@ void ProofFile::note_written(int count) noexcept {
   if (count < 0 && std::ferror(file_.get()) == 0) failed_ = true;
 }
 
-void ProofFile::begin(std::string_view head) noexcept {
-  if (!continues_) put(head);
-}
+void ProofFile::begin(std::string_view head) noexcept { put(head); }
 
 void ProofFile::begin_tree() noexcept { put("tree\n"); }
 
@@ -120,15 +72,6 @@ void ProofFile::split(const Split& split) noexcept {
 void ProofFile::leaf(BoxId box, const char* word) noexcept {
   ++leaves_;
   note_written(std::fprintf(file_.get(), "l %" PRIu64 " %s\n", box, word));
-}
-
-std::optional<std::uint64_t> ProofFile::sync() noexcept {
-  if (failed_ || std::fflush(file_.get()) != 0 || std::ferror(file_.get()) != 0 ||
-      ::fsync(fileno(file_.get())) != 0)
-    return std::nullopt;
-  const off_t length = ::ftello(file_.get());
-  if (length < 0) return std::nullopt;
-  return static_cast<std::uint64_t>(length);
 }
 
 void ProofFile::make_safe() {

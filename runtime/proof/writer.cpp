@@ -101,12 +101,6 @@ std::string witness_lines(const Result& result) {
 CertificateWriter::CertificateWriter(std::string path, CertifiedQuestion question)
     : file_(std::move(path)), question_(std::move(question)), safe_head_(question_.head(false)) {}
 
-CertificateWriter::CertificateWriter(std::string path, CertifiedQuestion question,
-                                     ProofFile::Partial partial)
-    : file_(std::move(path), partial),
-      question_(std::move(question)),
-      safe_head_(question_.head(false)) {}
-
 /// Splits and leaves are a proof of NO SINGULARITY if nothing else follows.
 void CertificateWriter::on_start(const Problem&, const Settings&) noexcept {
   file_.begin(safe_head_);

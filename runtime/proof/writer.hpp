@@ -32,9 +32,8 @@ struct CertifiedQuestion {
 /// Writes splits and leaves as they come; finish() puts the file in its place.
 class CertificateWriter final : public Observer {
  public:
-  /// Throw as ProofFile.
+  /// Throws as ProofFile.
   CertificateWriter(std::string path, CertifiedQuestion question);
-  CertificateWriter(std::string path, CertifiedQuestion question, ProofFile::Partial partial);
 
   void on_start(const Problem& problem, const Settings& settings) noexcept override;
   void on_split(const OpenBox& box, const Split& split) noexcept override;

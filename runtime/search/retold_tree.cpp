@@ -23,12 +23,20 @@ struct Leaf {
   Reason reason;
 };
 
+/// Only a box that blocks is told with the reason of the text.
+bool may_have_reason(const Leaf& leaf) noexcept {
+  return leaf.rule != Rule::kBlocked || leaf.reason == Reason::kWidth ||
+         leaf.reason == Reason::kUncertainty || leaf.reason == Reason::kUndefined;
+}
+
 Leaf leaf_of(double bound) {
   const double reason = std::floor(bound / kReasonUnit), rule = bound - reason * kReasonUnit;
   const bool is_leaf =
       reason <= static_cast<double>(Reason::kLostRank) && rule < kRules && rule == std::floor(rule);
   if (!is_leaf) throw SavedTreeError("a leaf has no rule");
-  return {static_cast<Rule>(unsigned(rule)), static_cast<Reason>(unsigned(reason))};
+  const Leaf leaf{static_cast<Rule>(unsigned(rule)), static_cast<Reason>(unsigned(reason))};
+  if (!may_have_reason(leaf)) throw SavedTreeError("a leaf has another reason");
+  return leaf;
 }
 
 /// The claims of two rules of one kind differ in the test alone. What rests on a filter is another

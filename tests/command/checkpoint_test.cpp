@@ -37,7 +37,7 @@ TEST_F(CheckpointOption, ASearchOutOfBoxesGoesOnLater) {
   // The checkpoint is not tied to the machine code, the number of threads or the instruction set.
   const CommandResult second = check({"--threads", "2", "--isa", "portable"});
   EXPECT_EQ(second.exit_code, 0) << second.errors;
-  EXPECT_THAT(second.errors, testing::ContainsRegex("continued from (1[789][0-9]|200) boxes"));
+  EXPECT_THAT(second.errors, HasSubstr("continued from " + file("checkpoint")));
   EXPECT_FALSE(exists("checkpoint"));
 }
 
@@ -48,30 +48,15 @@ TEST_F(CheckpointOption, ACertificateGoesOnWithIt) {
   ASSERT_EQ(check({"--certificate", file("pieces")}).exit_code, 0);
   const CommandResult verified = regulus({"verify", file("pieces")});
   EXPECT_EQ(verified.exit_code, 0) << verified.errors;
-  EXPECT_FALSE(exists("pieces.partial"));
 }
 
-/// One byte of the unfinished proof changes between two runs. This is found before the search.
-TEST_F(CheckpointOption, ACertificateThatWasDamagedIsNotContinued) {
-  const std::vector<std::string> words = {"--max-boxes", "300", "--certificate", file("proof")};
-  ASSERT_EQ(check(words).exit_code, 2);
-  const auto flip = [this](std::streamoff at) {
-    std::fstream partial(file("proof.partial"), std::ios::in | std::ios::out | std::ios::binary);
-    partial.seekg(at);
-    const auto byte = static_cast<char>(partial.get() ^ 1);
-    partial.seekp(at);
-    partial.put(byte);
-  };
-  const auto size = static_cast<std::streamoff>(std::filesystem::file_size(file("proof.partial")));
-  for (const std::streamoff at : {std::streamoff{0}, size / 2, size - 2}) {
-    flip(at);
-    const CommandResult damaged = check(words);
-    EXPECT_EQ(damaged.exit_code, 65) << at;
-    EXPECT_THAT(damaged.errors, HasSubstr("proof.partial: the unfinished proof has changed"));
-    flip(at);
-  }
-  EXPECT_EQ(check({"--certificate", file("proof")}).exit_code, 0);
-  EXPECT_TRUE(exists("proof"));
+/// The earlier run wrote no proof. The one that continues judges its boxes again and writes all.
+TEST_F(CheckpointOption, ACertificateMayComeLater) {
+  ASSERT_EQ(check({"--max-boxes", "300"}).exit_code, 2);
+  ASSERT_EQ(check({"--certificate", file("late")}).exit_code, 0);
+  const std::string late = text_of(file("late"));
+  ASSERT_EQ(check({"--certificate", file("late")}).exit_code, 0);
+  EXPECT_TRUE(late == text_of(file("late")));
 }
 
 /// With one engine, a certificate written in pieces is the same as one written without a stop.
@@ -91,23 +76,6 @@ TEST_F(CheckpointOption, ABudgetLeavesTheCertificateAsItIs) {
     const std::string pieces{std::istreambuf_iterator<char>(file_of_pieces), {}};
     EXPECT_TRUE(pieces == whole) << budget;
   }
-}
-
-TEST_F(CheckpointOption, ACertificateThatIsNotThereIsNotInvented) {
-  ASSERT_EQ(check({"--max-boxes", "300"}).exit_code, 2);
-  const CommandResult late = check({"--certificate", file("late")});
-  EXPECT_EQ(late.exit_code, 65);
-  EXPECT_THAT(late.errors, HasSubstr("of a search without --certificate"));
-  std::filesystem::remove(file("checkpoint"));
-
-  ASSERT_EQ(check({"--max-boxes", "300", "--certificate", file("lost")}).exit_code, 2);
-  std::filesystem::resize_file(file("lost.partial"), 100);
-  const CommandResult cut = check({"--certificate", file("lost")});
-  EXPECT_EQ(cut.exit_code, 74);
-  EXPECT_THAT(cut.errors, HasSubstr("is shorter than the checkpoint says"));
-  std::filesystem::remove(file("lost.partial"));
-  EXPECT_EQ(check({"--certificate", file("lost")}).exit_code, 74);
-  EXPECT_TRUE(exists("checkpoint"));
 }
 
 TEST_F(CheckpointOption, AnotherSearchOrAnotherFileIsRefused) {

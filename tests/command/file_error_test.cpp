@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "tests/support/cached_command.hpp"
+#include "tests/support/interrupted_runs.hpp"
 
 namespace regulus::test {
 namespace {
@@ -260,17 +261,17 @@ TEST_F(FileTrouble, ACheckpointThatDoesNotFitLeavesTheOneThatWasThere) {
   EXPECT_FALSE(exists("checkpoint.lock"));
 }
 
-/// The certificate runs out of disk space first. With space again, nothing of it is missing.
-TEST_F(FileTrouble, ASearchWhoseCertificateDoesNotFitGoesOnWhenThereIsRoom) {
+/// The disk is full when the search is saved. With space again, nothing of its proof is missing.
+TEST_F(FileTrouble, ASearchThatDoesNotFitGoesOnWhenThereIsRoom) {
   const auto certified = [this](std::vector<std::string> more) {
     more.insert(more.end(), {"--certificate", file("certificate")});
     return long_check(more);
   };
   ASSERT_EQ(regulus(certified({"--max-boxes", "100"})).exit_code, 2);
   const std::string before = file_contents(file("checkpoint"));
-  const auto kilobytes = std::filesystem::file_size(file("certificate.partial")) / 512 + 1;
-  expect_trouble(with_small_files(int(kilobytes), certified({"--max-boxes", "3000"})),
-                 "the certificate cannot be written");
+  const auto blocks = std::filesystem::file_size(file("checkpoint")) / 512 + 1;
+  expect_trouble(with_small_files(int(blocks), certified({"--max-boxes", "3000"})),
+                 "the checkpoint " + file("checkpoint") + " cannot be written");
   EXPECT_EQ(file_contents(file("checkpoint")), before);
   EXPECT_EQ(regulus(certified({})).exit_code, 0);
   const CommandResult verified =
@@ -284,7 +285,7 @@ TEST_F(FileTrouble, TwoRunsOnOneCheckpointAreKeptApart) {
     words.insert(words.begin(), kCommand);
     return words;
   }());
-  for (int i = 0; i < 10000 && !exists("checkpoint"); ++i)
+  for (int i = 0; i < 10000 && !is_search_saved(file("checkpoint")); ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   expect_trouble(regulus(long_check({})),
                  "is in use by another run (process " + std::to_string(first.pid()) + ")");
@@ -296,15 +297,6 @@ TEST_F(FileTrouble, TwoRunsOnOneCheckpointAreKeptApart) {
   EXPECT_EQ(next.exit_code, 2) << next.errors;
   EXPECT_THAT(next.errors, HasSubstr("continued from"));
   EXPECT_FALSE(exists("checkpoint.lock"));
-}
-
-TEST_F(FileTrouble, TwoCheckpointsOfOneCertificateAreKeptApart) {
-  const std::string held = file("certificate.lock");
-  const int lock = ::open(held.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  ASSERT_EQ(::flock(lock, LOCK_EX), 0);
-  expect_trouble(regulus(long_check({"--certificate", file("certificate")})),
-                 file("certificate") + " is in use by another run");
-  ::close(lock);
 }
 
 TEST_F(FileTrouble, ACheckpointIsRefusedWhereItWouldBeIgnored) {

@@ -63,9 +63,9 @@ TEST(Filter, IsNamedInTheClaimThatRestsOnIt) {
 
 TEST(Filter, LeavesTheClaimAloneWhenNothingRestsOnIt) {
   const CommandResult result = check(kRobot1, "T1", {"gershgorin"});
-  EXPECT_THAT(result.errors, AllOf(HasSubstr("): 0 boxes rest on it"),
-                                   HasSubstr("for every pose of the variety\n"),
-                                   Not(HasSubstr("which Regulus has not checked"))));
+  EXPECT_THAT(result.errors,
+              AllOf(HasSubstr("): 0 boxes rest on it"), HasSubstr("for every pose of the motion\n"),
+                    Not(HasSubstr("which Regulus has not checked"))));
 }
 
 TEST(Filter, IsDescribedInJson) {
@@ -134,7 +134,7 @@ TEST(Filter, IsRefusedWhenItCannotBeUsed) {
 TEST(Filter, InTheManualIsTheOneTestedHere) {
   const std::string source = bytes_of(REGULUS_SOURCE_DIR "/tests/command/filters/gershgorin.cpp");
   const std::string shown = source.substr(source.find("// Gershgorin"));
-  EXPECT_THAT(bytes_of(REGULUS_SOURCE_DIR "/codegen/use/command/CHECKING.md"), HasSubstr(shown));
+  EXPECT_THAT(bytes_of(REGULUS_SOURCE_DIR "/codegen/use/command/METHODS.md"), HasSubstr(shown));
 }
 
 }  // namespace

@@ -51,9 +51,8 @@ TEST_F(ForcesCommandTest, SaysFeasibleWithTheClaim) {
   const CommandResult r = regulus({"check", model_, "--load", "push"});
   EXPECT_EQ(r.exit_code, 0) << r.errors;
   EXPECT_EQ(r.output, "FEASIBLE\n");
-  EXPECT_THAT(r.errors,
-              HasSubstr("proved     at every pose of the variety, forces within [1, 9] kN "
-                        "hold every wrench of push\n"));
+  EXPECT_THAT(r.errors, HasSubstr("proved     at every pose of the motion, forces within [1, 9] kN "
+                                  "hold every wrench of push\n"));
 }
 
 /// At x the most is 9(x + 1) + (x − 1) = 10x + 8, and the least is x + 1 + 9(x − 1) = 10x − 8.

@@ -83,7 +83,7 @@ TEST_F(Redundant, IsLeftRegularWhereItIs) {
 TEST_F(Redundant, IsReportedWithThePoseAndTheTwist) {
   const CommandResult result = check({"all", "--json"});
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_THAT(result.errors, AllOf(HasSubstr("nearest    x = 0.333333, y = -0.666667\n"),
+  EXPECT_THAT(result.errors, AllOf(HasSubstr("nearest    x = 0.333333 m, y = -0.666667 m\n"),
                                    HasSubstr("this proves nothing\n"),
                                    HasSubstr("twist      lost, approximately: (0, 1), an entry")));
   const json nearest = json::parse(result.output)["nearest_singular"];

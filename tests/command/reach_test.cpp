@@ -58,7 +58,7 @@ TEST_F(Reach, IsPartOfTheQuestionUnlessTheMotionSaysOtherwise) {
   EXPECT_EQ(all["where"], "");
   EXPECT_EQ(within["verdict"], "no-singularity");
   EXPECT_EQ(within["where"], "reachable");
-  EXPECT_THAT(std::string(within["claim"]), HasSubstr("every reachable pose of the variety"));
+  EXPECT_THAT(std::string(within["claim"]), HasSubstr("every reachable pose of the motion"));
   EXPECT_THAT(run({"check", "within"}).errors,
               HasSubstr("where      reachable: poses out of reach are no part of the claim"));
 }
@@ -66,7 +66,7 @@ TEST_F(Reach, IsPartOfTheQuestionUnlessTheMotionSaysOtherwise) {
 TEST_F(Reach, HoldsForEachValueOfTheUncertainQuantities) {
   const json within = report({"check", "within", "--tolerance", "g=0.004"});
   EXPECT_EQ(within["verdict"], "no-singularity");
-  EXPECT_THAT(std::string(within["claim"]), HasSubstr("every reachable pose of the variety"));
+  EXPECT_THAT(std::string(within["claim"]), HasSubstr("every reachable pose of the motion"));
 }
 
 TEST_F(Reach, LeavesNothingToClaimIfNoPoseIsReached) {

@@ -32,7 +32,7 @@ Robot circle() {
 TEST(CheckOfARobot, ProvesThatThereIsNoSingularity) {
   const Finding finding = check(Question(circle(), "outside"));
   EXPECT_EQ(finding.verdict, Verdict::kNoSingularity);
-  EXPECT_EQ(finding.claim, "the full 2×2 matrix has full rank for every pose of the variety");
+  EXPECT_EQ(finding.claim, "the full 2×2 matrix has full rank for every pose of the motion");
   EXPECT_THAT(finding.report, testing::HasSubstr("x in [2, 3] cm"));
   EXPECT_EQ(nlohmann::json::parse(finding.json)["verdict"], "no-singularity");
 }

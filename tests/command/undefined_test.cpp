@@ -60,7 +60,7 @@ TEST_F(UndefinedPose, IsNamedWithTheRootThatIsNegative) {
   const CommandResult result = check({"root"});
   EXPECT_EQ(result.output, "POSSIBLE PROBLEM\n");
   EXPECT_THAT(result.errors, HasSubstr("undefined  sqrt(x^2 - 4), where x^2 - 4 = -1.75\n"
-                                       "           at x = 1.5, y = 1.5\n"));
+                                       "           at x = 1.5 m, y = 1.5 m\n"));
   EXPECT_THAT(result.errors, Not(HasSubstr("1/sqrt")));
 }
 

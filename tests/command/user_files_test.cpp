@@ -74,29 +74,6 @@ TEST_F(UserFiles, ALockOfAnotherProgramIsNotTakenForOurs) {
   }
 }
 
-TEST_F(UserFiles, AnUnfinishedProofThatNoCheckpointContinuesIsSetAside) {
-  write_file(file("proof.partial"), "mine");
-  const Words words = {"check",       kRobot1, "table6_15_15",  "--tolerance", "base,platform=0.12",
-                       "--max-boxes", "20",    "--certificate", file("proof"), "--checkpoint",
-                       file("state")};
-  EXPECT_EQ(regulus(words).exit_code, 2);
-  EXPECT_EQ(file_contents(file("proof.partial.old")), "mine");
-  EXPECT_NE(file_contents(file("proof.partial")), "mine");
-}
-
-TEST_F(UserFiles, AnUnfinishedProofWithAnotherNameIsNotContinued) {
-  const Words words = {"check",       kRobot1, "table6_15_15",  "--tolerance", "base,platform=0.12",
-                       "--max-boxes", "20",    "--certificate", file("proof"), "--checkpoint",
-                       file("state")};
-  ASSERT_EQ(regulus(words).exit_code, 2);
-  fs::create_hard_link(file("proof.partial"), file("other"));
-  const std::string before = file_contents(file("other"));
-  const CommandResult result = regulus(words);
-  EXPECT_EQ(result.exit_code, 74);
-  EXPECT_THAT(result.errors, HasSubstr("proof.partial cannot be continued: it has another name"));
-  EXPECT_EQ(file_contents(file("other")), before);
-}
-
 TEST_F(UserFiles, AModelIsSavedWholeOrNotAtAll) {
   write_file(file("mine.toml"), "the one before");
   write_file(file("script"), "load '" + kPlanar + "'\nsave '" + file("mine.toml") + "'\n");
@@ -216,8 +193,6 @@ TEST_F(UserFiles, TwoOutputsOfOneNameAreRefusedBeforeAnythingIsMoved) {
   };
   expect_refused(with(check, {"--certificate", z, "--checkpoint", z}),
                  "--certificate and --checkpoint: both would write " + z);
-  expect_refused(with(check, {"--certificate", z, "--checkpoint", z + ".partial"}),
-                 "--certificate and --checkpoint");
   expect_refused(with(check, {"--certificate", file("./z"), "--checkpoint", z}),
                  "--certificate and --checkpoint");
   expect_refused(with(locate, {"--certificate", z, "--output", z}),

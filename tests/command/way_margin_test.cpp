@@ -204,7 +204,7 @@ TEST_F(WayMargin, KeepsALimitOfEveryLeg) {
               testing::MatchesRegex("WITHIN UP TO 0.49.*, EXCEEDED AT 0.5.* .leg 1.\n"));
   const CommandResult never = regulus({"margin", shear_, "way", "--tube", "x=0:0.1", "--quantity",
                                        "force", "--load", "any", "--limit", "50"});
-  EXPECT_EQ(never.output, "WITHIN UP TO 0.1\n") << never.errors;
+  EXPECT_EQ(never.output, "WITHIN UP TO 0.1 cm\n") << never.errors;
   const CommandResult at_once = regulus(
       {"margin", shear_, "way", "--tube", "x=0:1", "--quantity", "speed", "--limit", "2.5"});
   EXPECT_EQ(at_once.exit_code, 1);

@@ -79,7 +79,7 @@ TEST(AgileEye, IsCertifiedFreeAllButAroundItsCurves) {
 
 TEST(AgileEye, MovesByItselfAlongACurve) {
   EXPECT_EQ(robot().check({"self_motion"})["claim"],
-            "the reduced 3×3 matrix is singular at every pose of the variety");
+            "the reduced 3×3 matrix is singular at every pose of the motion");
   const auto report = robot().check({"near_a_curve", "--max-boxes", "2000"});
   EXPECT_EQ(report["verdict"], "singularity");
   EXPECT_EQ(report["witness"]["points"][0]["exact"]["psi"], "pi/2");

@@ -10,7 +10,7 @@
 namespace regulus::test {
 namespace {
 
-constexpr const char* kEverywhere = "the full 6×6 matrix is singular at every pose of the variety";
+constexpr const char* kEverywhere = "the full 6×6 matrix is singular at every pose of the motion";
 
 std::string text_of(const ShippedModel& model) {
   std::ifstream file(model.path());

@@ -75,7 +75,7 @@ TEST(Cable8, IsCertifiedFreeAllButAroundThatLine) {
 
 TEST(Cable8, HasFullColumnRankWhereItWorks) {
   EXPECT_EQ(robot().check({"work"})["claim"],
-            "the full 8×6 matrix has full rank for every pose of the variety");
+            "the full 8×6 matrix has full rank for every pose of the motion");
   EXPECT_EQ(robot().verdict({"descent"}), "no-singularity");
 }
 

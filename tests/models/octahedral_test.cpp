@@ -64,7 +64,7 @@ TEST(Octahedral, IsSingularAfterAQuarterTurn) {
               90 * kDegree, 1e-12);
   EXPECT_EQ(octahedral().verdict({"level_89"}), "no-singularity");
   EXPECT_EQ(octahedral().check({"quarter_turn", "--max-boxes", "500"})["claim"],
-            "the full 6×6 matrix is singular at every pose of the variety");
+            "the full 6×6 matrix is singular at every pose of the motion");
 }
 
 TEST(Octahedral, HasTheDeterminantInClosedFormWhenLevel) {

@@ -99,7 +99,7 @@ TEST(Puma560, ShowsEachKindOfSingularity) {
   const auto pose = pose_of("shoulder");
   EXPECT_NEAR(shoulder(pose["q2"][0], pose["q3"][0]), 0, 1e-12);
   EXPECT_EQ(robot().check({"ready"})["claim"],
-            "the full 6×6 matrix is singular at every pose of the variety");
+            "the full 6×6 matrix is singular at every pose of the motion");
   EXPECT_EQ(robot().verdict({"dexterous"}), "no-singularity");
 }
 

@@ -38,7 +38,7 @@ TEST(SerialArms, SayInTheirClaimWhichMatrixTheyMean) {
   const ShippedModel arm("puma_560_serial");
   const auto report = arm.check({"dexterous"});
   EXPECT_EQ(report["claim"],
-            "the full 6×6 forward Jacobian has full rank for every pose of the variety");
+            "the full 6×6 forward Jacobian has full rank for every pose of the motion");
   EXPECT_EQ(report["matrix"], "forward Jacobian");
   EXPECT_EQ(report["matrix_notes"].back(), "its rank does not depend on q1, q4, q6");
 }

@@ -8,11 +8,11 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "tests/support/command.hpp"
+#include "tests/support/interrupted_runs.hpp"
 #include "tests/support/temporary_directory.hpp"
 #include "tests/support/turn_model.hpp"
 
@@ -21,12 +21,6 @@ namespace regulus::test {
 inline Words joined(Words first, const Words& second) {
   first.insert(first.end(), second.begin(), second.end());
   return first;
-}
-
-inline std::string text_of(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
 }
 
 /// Open MPI refuses more ranks than processors, and the superuser, unless it is told otherwise.

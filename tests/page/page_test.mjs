@@ -279,7 +279,7 @@ test("It is readable in the dark, on a phone, on paper and without scripts", asy
   const text = await plain.evaluate(() => document.body.innerText).catch(() => null);
   const html = text ?? readFileSync(safe, "utf8").replace(/<script[\s\S]*?<\/script>/g, "");
   assert.match(html, /NO SINGULARITY/);
-  assert.match(html, /full rank for every pose of the variety/);
+  assert.match(html, /full rank for every pose of the motion/);
   assert.match(html, /boxes {6}5 evaluated/);
 });
 

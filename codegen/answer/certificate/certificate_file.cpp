@@ -32,7 +32,6 @@ std::string doubt_of(const Statistics& statistics) {
 }  // namespace
 
 CertificateFile::CertificateFile(const std::string& path, const PreparedSearch& preparation,
-                                 const std::optional<ProofFile::Partial>& partial,
                                  std::uint64_t shard_size)
     : status_(path) {
   if (!status_.is_wanted()) return;
@@ -41,14 +40,7 @@ CertificateFile::CertificateFile(const std::string& path, const PreparedSearch& 
   if (!status_.obstacle().empty()) return;
   doubt_safe_ = certificate_doubt(question, false);
   doubt_singular_ = certificate_doubt(question, true);
-  with_file_errors([&] {
-    if (partial) {
-      lock_.emplace(path);
-      writer_.emplace(path, std::move(question), *partial);
-    } else {
-      writer_.emplace(path, std::move(question));
-    }
-  });
+  with_file_errors([&] { writer_.emplace(path, std::move(question)); });
   writer_->file().set_shard_size(shard_size);
 }
 

@@ -7,7 +7,6 @@
 
 #include "codegen/answer/certificate/proof_status.hpp"
 #include "codegen/question/engine/pipeline.hpp"
-#include "runtime/files/file_lock.hpp"
 #include "runtime/proof/writer.hpp"
 
 namespace regulus {
@@ -15,10 +14,8 @@ namespace regulus {
 class CertificateFile {
  public:
   /// An empty `path` means no certificate. Throws FileError, before the search, if the file cannot
-  /// be made. `partial`: for a search that may be continued, or that continues an earlier one.
-  /// `shard_size`: as ProofFile::set_shard_size.
+  /// be made. `shard_size`: as ProofFile::set_shard_size.
   CertificateFile(const std::string& path, const PreparedSearch& preparation,
-                  const std::optional<ProofFile::Partial>& partial = std::nullopt,
                   std::uint64_t shard_size = 0);
 
   /// Returns the observer of the search; nullptr if no certificate is wanted, or none can be made.
@@ -32,7 +29,6 @@ class CertificateFile {
   [[nodiscard]] const ProofStatus& status() const noexcept { return status_; }
 
  private:
-  std::optional<FileLock> lock_;  ///< of a file that several runs write
   std::optional<CertificateWriter> writer_;
   ProofStatus status_;
   std::string doubt_safe_, doubt_singular_;  ///< why the verifier may not finish, by verdict

@@ -20,6 +20,15 @@ constexpr int kCheckpointVersion = 3;
 constexpr const char* kTree = "tree";
 constexpr std::uint64_t kLargest = std::uint64_t{4} << 30;
 
+/// Returns nullopt if there is no such file.
+std::optional<std::string> read_text(const std::string& path) {
+  try {
+    return read_file_if_any(path, kLargest, Readable::kFile);
+  } catch (const FileError& error) {
+    throw FileError(std::string("the checkpoint ") + error.what());
+  }
+}
+
 }  // namespace
 
 JsonCheckpoint::JsonCheckpoint(std::string path, const Json& asked, std::string subject)
@@ -30,7 +39,7 @@ JsonCheckpoint::JsonCheckpoint(std::string path, const Json& asked, std::string 
   } catch (const std::runtime_error& error) {
     throw FileError(std::string("the checkpoint ") + error.what());
   }
-  const auto text = read_file_if_any(path_, kLargest, Readable::kFile);
+  const auto text = read_text(path_);
   content_ = text ? read(*text, question)
                   : Json{{kCheckpointFormat, kCheckpointVersion},
                          {"question", question},

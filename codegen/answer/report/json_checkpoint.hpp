@@ -90,6 +90,8 @@ class JsonCheckpoint {
 
   /// Returns a line that warns of a file that could not be written; empty if it was.
   [[nodiscard]] std::string line() const;
+  /// Returns why the last attempt to save failed; empty if it did not.
+  [[nodiscard]] const std::string& failure() const noexcept { return failure_; }
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
   /// Throws InputError, with the name of the file.
   [[noreturn]] void refuse(const std::string& why) const;

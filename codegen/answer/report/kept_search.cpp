@@ -59,11 +59,10 @@ void correct(Checkpoint& from, const RetoldTree& told, const RestoredTree& tree)
   state.filter_boxes = told.filter_boxes;
   state.witness = told.witness;
   state.witness_reason = told.witness_reason;
-  if (told.blocked && !state.blocked) {
-    state.blocked = true;
+  state.blocked = told.blocked.has_value();
+  if (told.blocked) {
     state.blocked_reason = told.blocked_reason;
     state.blocking_box = tree.box(*told.blocked);
-    state.boxes_when_blocked = state.statistics.boxes;
   }
   if (told.reopened.empty()) return;
   state.units.clear();  // they do not have these boxes
@@ -107,19 +106,21 @@ Result KeptSearch::run_here(PreparedSearch& preparation, const SearchOptions& se
                             const Settings& settings) {
   if (!file_->known().contains(place_)) return run_search(preparation, search, settings, this);
   return continue_search(preparation, search, settings, this,
-                         [this](const Problem& problem, Settings& of_search, Observer&) {
-                           return restore(problem, of_search);
+                         [this](const Problem& problem, Settings& of_search, Observer& observers) {
+                           return restore(problem, of_search, observers);
                          });
 }
 
-Checkpoint KeptSearch::restore(const Problem& problem, Settings& settings) try {
+/// `observers`: this one, and what watches for a kernel that is faster.
+Checkpoint KeptSearch::restore(const Problem& problem, Settings& settings,
+                               Observer& observers) try {
   Stopwatch watch;
   const SavedTree saved = *file_->tree(place_);
   const RestoredTree tree(saved, problem.outer, question_.splittable);
   Checkpoint from = read_state();
   require_same_boxes(from, tree);
   on_start(problem, settings);
-  const RetoldTree told = tell_again(tree, problem, settings, *this);
+  const RetoldTree told = tell_again(tree, problem, settings, observers);
   correct(from, told, tree);
   is_whole_ = is_whole_ && told.is_complete;
   from.state.statistics.seconds = watch.lap();
@@ -188,8 +189,7 @@ void KeptSearch::save(const SearchState& state, const OpenBoxes& open) {
   tree_.open.clear();
   for (std::size_t i = 0; i < open.size(); ++i)
     tree_.add_open(open.at(i).id, std::numeric_limits<double>::infinity());
-  file_->known()[place_][kState] =
-      write_checkpoint(question_, without_claims(state), open, std::nullopt);
+  file_->known()[place_][kState] = write_checkpoint(question_, without_claims(state), open);
   file_->keep(tree_, place_);
 }
 

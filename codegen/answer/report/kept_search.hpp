@@ -43,7 +43,7 @@ class KeptSearch final : public Observer {
   [[nodiscard]] Result run_here(PreparedSearch& preparation, const SearchOptions& search,
                                 const Settings& settings);
   [[nodiscard]] bool is_interrupted() const { return interrupt_ != nullptr && *interrupt_; }
-  [[nodiscard]] Checkpoint restore(const Problem& problem, Settings& settings);
+  [[nodiscard]] Checkpoint restore(const Problem& problem, Settings& settings, Observer& observers);
   [[nodiscard]] Checkpoint read_state() const;
   void save(const SearchState& state, const OpenBoxes& open);
   void save_end(const Result& result);

@@ -8,6 +8,7 @@
 
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/place_text.hpp"
+#include "codegen/answer/report/plain_words.hpp"
 #include "codegen/answer/report/question_report.hpp"
 #include "codegen/answer/report/report.hpp"
 #include "codegen/answer/report/search_facts.hpp"
@@ -148,6 +149,7 @@ void tell_volumes(const SearchSubject& p, const Volumes& volumes, const Result& 
 }
 
 void tell_claims(const SearchSubject& p, Facts& facts) {
+  tell_meaning_of_boxes(p, facts);
   const std::string free = "free: " + describe_claim(p, Claim::kFree);
   const std::string singular = "singular: " + describe_claim(p, Claim::kSingular);
   facts.tell("claim", free + "; " + singular, "claim", free + '\n' + singular);

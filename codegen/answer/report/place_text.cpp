@@ -24,15 +24,22 @@ Json json_variables(const SearchSubject& p, std::span<const Interval> values, bo
   return object;
 }
 
-/// "x = 3, y = [4, 5]": of the motion parameters or of the other variables.
+/// "x = 3 cm", "y in [4, 5] cm".
+std::string with_sign_and_unit(const std::string& name, const std::string& value,
+                               const std::string& unit) {
+  return fmt::format("{} {} {}{}", name, value.front() == '[' ? "in" : "=", value,
+                     unit_suffix(unit));
+}
+
+/// "x = 3 cm, y in [4, 5] cm": of the motion parameters or of the other variables.
 std::string assignments(const SearchSubject& p, std::span<const Interval> values, bool motion,
                         std::string (*text)(const SearchSubject&, std::size_t, const Interval&)) {
   std::string words;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const VariableLabel& variable = p.labels.variables[i];
     if (is_motion(variable) != motion) continue;
-    words +=
-        fmt::format("{}{} = {}", words.empty() ? "" : ", ", variable.name, text(p, i, values[i]));
+    words += (words.empty() ? "" : ", ") +
+             with_sign_and_unit(variable.name, text(p, i, values[i]), variable.unit);
   }
   return words;
 }
@@ -45,8 +52,8 @@ std::string pose_words(const SearchSubject& p, std::span<const Interval> pose,
   std::string words;
   for (std::size_t i = 0; i < pose.size() && i < parameters.size(); ++i) {
     shown = shown || i >= variables.size() || variables[i].name != parameters[i].name;
-    words += fmt::format("{}{} = {}", words.empty() ? "where the pose is " : ", ",
-                         parameters[i].name, text(pose[i]));
+    words += (words.empty() ? "where the pose is " : ", ") +
+             with_sign_and_unit(parameters[i].name, text(pose[i]), parameters[i].unit);
   }
   return shown ? words : "";
 }

@@ -204,6 +204,18 @@ Json json_question(const Request& request, const SearchOptions& search) {
   return json_asked({labels, variety, request, shape.variables}, search);
 }
 
+Json json_kept_question(const PreparedSearch& p, const SearchOptions& search) {
+  Json question = json_question(p, search);
+  question.erase("options");  // the others change how long it takes
+  question.erase("pose_exact");
+  question.erase("constraints_exact");
+  question["uncertainty"] = word_of(search.uncertainty);
+  // These are not checked, so a run that continues must name them, too.
+  for (const FilterFile& filter : p.filters) question["filters"].push_back(filter.sha256());
+  if (p.text) question["kernel"] = p.text->sha256;
+  return question;
+}
+
 Json json_vector_set(const VectorSet& set) {
   Json members = Json::array();
   for (const GeometryParameter& entry : set.entries) {

@@ -24,6 +24,12 @@ namespace regulus {
 [[nodiscard]] nlohmann::ordered_json json_question(const Request& request,
                                                    const SearchOptions& search);
 
+/// Returns everything of the question that the boxes of its search depend on, for a file from which
+/// the search continues. Formulas are left out: their terms may have another order in another
+/// process.
+[[nodiscard]] nlohmann::ordered_json json_kept_question(const PreparedSearch& preparation,
+                                                        const SearchOptions& search);
+
 /// Returns a load or a twist set: {"name", "entries": [{"name", "value_exact", "tolerance_exact"}]};
 /// of a member of a ball "radius_exact".
 [[nodiscard]] nlohmann::ordered_json json_vector_set(const VectorSet& set);

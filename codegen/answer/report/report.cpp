@@ -8,6 +8,7 @@
 
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/place_text.hpp"
+#include "codegen/answer/report/plain_words.hpp"
 #include "codegen/answer/report/question_report.hpp"
 #include "codegen/answer/report/search_facts.hpp"
 #include "codegen/answer/report/undefined_report.hpp"
@@ -113,13 +114,13 @@ std::string claim(const PreparedSearch& p, const Result& result) {
       if (result.reason == Reason::kAlwaysSingular)
         return fmt::format("the {} is singular at {}", describe_size(p), set) +
                (p.text ? reservations(p, result) : "");
-      return (threshold ? fmt::format("the variety holds a pose with |det J⁻¹| ≤ {}",
+      return (threshold ? fmt::format("the motion has a pose with |det J⁻¹| ≤ {}",
                                       threshold_text(p.variety.alpha, false))
-                        : fmt::format("the variety holds a pose where the {} is singular",
+                        : fmt::format("the motion has a pose where the {} is singular",
                                       describe_size(p))) +
              (p.text ? reservations(p, result) : "");
     case Verdict::kPossibleProblem:
-      return fmt::format("none about the {}: {}", describe_size(p), describe(result.reason));
+      return nothing_proved(describe(result.reason));
   }
   return "";
 }
@@ -155,6 +156,7 @@ void tell_report(const PreparedSearch& p, const SearchOptions& search, const Res
   tell_occupancy(result, findings);
   tell_time(p.seconds_spent(), facts);  // of the findings, too
   facts.append(std::move(findings));
+  tell_meaning(p, result.verdict, result.reason, facts);
   const std::string proved = claim(p, result);
   facts.tell("claim", proved, "claim", proved);
 }

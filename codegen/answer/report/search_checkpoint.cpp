@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/answer/report/search_checkpoint.hpp"
 
+#include "codegen/support/errors.hpp"
+
 namespace regulus {
 
 SearchCheckpoint::SearchCheckpoint(const CheckpointOptions& options,
@@ -16,13 +18,16 @@ SearchCheckpoint::SearchCheckpoint(const CheckpointOptions& options,
 void SearchCheckpoint::finish(bool can_continue) {
   if (!file_) return;
   is_kept_ = can_continue;
-  is_kept_ ? file_->flush() : file_->remove();
+  if (!is_kept_) return file_->remove();
+  file_->flush();
+  if (!file_->failure().empty())
+    throw FileError("the checkpoint " + file_->path() + " cannot " + file_->failure());
 }
 
 std::string SearchCheckpoint::line() const {
   if (!file_) return "";
-  std::string text = file_->line();
-  if (is_kept_ && text.empty())
+  std::string text;
+  if (is_kept_ && file_->failure().empty())
     text = "checkpoint " + file_->path() + ": repeat the command to continue from here\n";
   return was_there_ ? "           continued from " + file_->path() + '\n' + text : text;
 }

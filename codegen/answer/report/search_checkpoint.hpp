@@ -26,7 +26,8 @@ class SearchCheckpoint {
   /// Returns the seconds between two saves, at most.
   [[nodiscard]] double interval() const noexcept { return interval_; }
 
-  /// Call it after the search: the file stays if that can continue.
+  /// Call it after the search: the file stays if that can continue. Throws FileError if it could
+  /// not be written then.
   void finish(bool can_continue);
   /// Returns the lines of the report.
   [[nodiscard]] std::string line() const;

@@ -176,10 +176,10 @@ std::string describe_size(const SearchSubject& p) {
 }
 
 const char* describe_pose(const SearchSubject& p) {
-  return p.labels.where == name(Where::kReachable) ? "reachable pose of the variety"
+  return p.labels.where == name(Where::kReachable) ? "reachable pose of the motion"
          : p.labels.where == name(Where::kWithinRanges)
-             ? "pose of the variety with the actuated joints in range"
-             : "pose of the variety";
+             ? "pose of the motion with the actuated joints in range"
+             : "pose of the motion";
 }
 
 void tell_threshold(const SearchSubject& p, Facts& facts) {

@@ -32,7 +32,7 @@ void tell_occupancy(const Result& result, Facts& facts);
 
 /// Returns "full 6×6 matrix", for example.
 [[nodiscard]] std::string describe_size(const SearchSubject& preparation);
-/// Returns the poses that a claim is about: "pose of the variety", "reachable pose of the variety".
+/// Returns the poses that a claim is about: "pose of the motion", "reachable pose of the motion".
 [[nodiscard]] const char* describe_pose(const SearchSubject& preparation);
 /// Returns "model 1.2 ms, …": the times of the stages.
 [[nodiscard]] std::string describe_time(const StageSeconds& seconds);

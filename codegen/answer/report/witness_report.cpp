@@ -86,11 +86,11 @@ void say_proof(const SearchSubject& p, const Witness& witness, const std::option
               fmt::format("its rank is less than {} there, by exact algebra", p.labels.columns));
     return;
   }
-  facts.say(
-      "", fmt::format(
-              "{} {} there{}", has_row_scales(p, witness) ? "det J⁻¹" : "determinant",
-              describe_value(closest(witness).determinant),
-              scale ? fmt::format("; rows of these lengths allow {:.2g} (Hadamard)", *scale) : ""));
+  facts.say("", fmt::format(
+                    "{} {} there{}", has_row_scales(p, witness) ? "det J⁻¹" : "determinant",
+                    describe_value(closest(witness).determinant),
+                    scale ? fmt::format("; rows of these lengths could have one of {:.2g}", *scale)
+                          : ""));
   if (witness.points.size() == 2)
     facts.say("",
               fmt::format("it changes sign: {} and {} at points that differ by at most {:.2g}",
@@ -157,7 +157,7 @@ void tell_nearest(const SearchSubject& p, const LeastSingular& nearest, Facts& f
   if (nearest.share)
     told.tell("hadamard_share", *nearest.share, "",
               fmt::format("almost singular there: |det| of the balanced matrix is about {:.2g} of "
-                          "what its rows allow (Hadamard)",
+                          "what rows of these lengths could have",
                           *nearest.share));
   else
     told.say("", fmt::format("the least singular value met, about {:.2g} of the largest; this "

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "codegen/model/constants.hpp"
+#include "codegen/model/drawing.hpp"
 #include "codegen/model/file/leg_geometry.hpp"
 #include "codegen/model/file/sections.hpp"
 #include "codegen/model/mechanism/gough.hpp"
@@ -72,6 +73,8 @@ void read_gough(ModelReading& reading, const TomlEntry& gough) {
       anchors(reading, geometry, toml.required(gough, "platform"), LegGroup::kPlatform);
   geometry.require_uses();
   add_matrix_of_gough(reading.model, robot);
+  reading.model.drawing =
+      std::make_shared<Drawing>(geometry.labelled(*reading.model.drawing, robot.unit));
 }
 
 }  // namespace regulus

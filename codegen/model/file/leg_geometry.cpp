@@ -95,6 +95,8 @@ Formula LegGeometry::length(const TomlEntry& entry, LegGroup kind, const std::st
 Formula LegGeometry::quantity(const TomlEntry& entry, const ParsedExpression& value,
                               const std::string& name, const DeclaredTolerance& tolerance) {
   declare_quantity(reading_, entry, name, value, tolerance);
+  if (tolerance.group != group(LegGroup::kAxis).name)
+    lengths_.push_back(reading_.model.geometry.back().name);
   return unplaced(name);
 }
 

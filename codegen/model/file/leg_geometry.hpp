@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "codegen/model/drawing.hpp"
 #include "codegen/model/exact/exact_algebra.hpp"
 #include "codegen/model/file/quantities.hpp"
 #include "codegen/model/file/sections.hpp"
@@ -28,6 +29,11 @@ class LegGeometry {
   void read_tolerances();
   /// Refuses tolerances that no leg has a quantity for.
   void require_uses() const;
+  /// Returns the drawing with the unit of all lengths that were read, a label.
+  [[nodiscard]] Drawing labelled(Drawing drawing, const std::string& unit) const {
+    for (const std::string& length : lengths_) drawing.units[length] = unit;
+    return drawing;
+  }
   void set_coordinates(std::size_t count) { coordinates_ = count; }
 
   // `number`: of the leg, the end of the names. A point or a length may have a tolerance of its own:
@@ -84,6 +90,7 @@ class LegGeometry {
                                    {"axes", "n", "axis_tolerance", "axis"}}};
   bool balls_ = false;
   std::size_t coordinates_ = 3;
+  std::vector<std::string> lengths_;  ///< the names of their parameters
 };
 
 }  // namespace regulus

@@ -10,6 +10,7 @@
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/model/file/leg_geometry.hpp"
 #include "codegen/model/file/sections.hpp"
+#include "codegen/model/mechanism/extensible_legs.hpp"
 #include "codegen/model/mechanism/legs_drawing.hpp"
 #include "codegen/model/mechanism/orientation.hpp"
 #include "codegen/model/names.hpp"
@@ -284,10 +285,9 @@ class LegsReader {
   }
 
   static bool is_angle(const Leg& leg) {
-    const bool slides = leg.type->kind == LegKind::kSlider
-                            ? leg.actuated == 1
-                            : leg.type->kind == LegKind::kTelescopic && leg.actuated == 2;
-    return !slides;
+    return leg.type->kind == LegKind::kSlider
+               ? leg.actuated != 1
+               : leg.type->kind != LegKind::kTelescopic || leg.actuated != 2;
   }
 
   /// An entry of the leg, or of all legs.
@@ -301,18 +301,17 @@ class LegsReader {
     return given.node ? given : toml_.required(leg, key);
   }
 
-  // The model.
-
   void make_model(const std::vector<TomlEntry>& legs) {
     const WrittenLegs written = write_legs(robot_);
-    const Place place = toml_.place(entry_);
     for (const auto& [name, formula] : written.let)
-      reading_.names.declare_expression(name, formula.text(), place);
+      reading_.names.declare_expression(name, formula.text(), toml_.place(entry_));
     set_twist();
     set_rows(written.rows);
+    const auto value = [this](const Formula& f) { return parsed(f).value; };
+    if (pose_ != Pose::kFixed) reading_.model.legs = extensible_legs(robot_, value);
     for (const Formula& range : written.ranges) reading_.joint_ranges.push_back(parsed(range));
-    reading_.model.drawing = std::make_shared<Drawing>(
-        legs_drawing(written.points, [this](const Formula& f) { return parsed(f).value; }));
+    reading_.model.drawing =
+        std::make_shared<Drawing>(geometry_.labelled(legs_drawing(written.points, value), unit_));
     describe(legs.size(), written.rows);
   }
 

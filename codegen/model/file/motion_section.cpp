@@ -66,6 +66,8 @@ class MotionReader {
     if (toml_.optional(entry_, "waypoints").node) return read_waypoint_motion();
     if (const TomlEntry e = toml_.optional(entry_, "interpolation"); e.node)
       toml_.reject(e, "an interpolation needs way-points", "add waypoints = \"FILE.csv\"");
+    if (const TomlEntry e = toml_.optional(entry_, "legs"); e.node) return read_lengths(e);
+    if (const TomlEntry e = toml_.optional(entry_, "tool"); e.node) return read_tool(e);
     read_parameters();
     read_ranges();
     read_pose();
@@ -94,8 +96,8 @@ class MotionReader {
   void check_keys() {
     refuse_unknowns(entry_);
     std::vector<std::string> known = pose_names();
-    for (const char* key :
-         {"parameters", "constraints", "error", "alpha", "waypoints", "interpolation", "where"})
+    for (const char* key : {"parameters", "constraints", "error", "alpha", "waypoints",
+                            "interpolation", "where", "legs", "tool"})
       known.push_back(key);
     (void)toml_.entries(entry_, known);
   }
@@ -123,6 +125,52 @@ class MotionReader {
     read_where();
     read_alpha();
     motion_.must_be_defined = distinct(motion_.must_be_defined);
+    return std::move(motion_);
+  }
+
+  /// Reads the lengths of the legs in the place of a pose.
+  Motion read_lengths(const TomlEntry& list) {
+    const std::size_t count = reading_.model.legs.size();
+    if (count == 0)
+      toml_.reject(list, "this robot has no legs whose lengths make a pose",
+                   "give the pose, or a robot of [gough], or of [legs] with three legs RPR, or six "
+                   "legs UPS or SPS");
+    refuse_beside(list, "a motion by the lengths of the legs");
+    const auto lengths = toml_.elements(list, "a list of lengths, one for each leg");
+    if (lengths.size() != count)
+      toml_.refuse(list, std::to_string(lengths.size()) + " lengths in " + list.path,
+                   std::to_string(count) + ", one for each leg");
+    for (const TomlEntry& length : lengths)
+      motion_.legs.push_back(nonnegative(length, NumberUnit::kPlain));
+    return without_pose();
+  }
+
+  /// Reads the place of an arm's tool in the place of a pose.
+  Motion read_tool(const TomlEntry& list) {
+    if (!reading_.model.arm)
+      toml_.reject(list, "this robot is no arm, and has no tool", "give the pose");
+    refuse_beside(list, "a motion by the place of the tool");
+    const auto numbers = toml_.elements(list, "[x, y, z, roll, pitch, yaw]");
+    if (numbers.size() != 6)
+      toml_.refuse(list, std::to_string(numbers.size()) + " numbers in " + list.path,
+                   "[x, y, z, roll, pitch, yaw]");
+    for (const TomlEntry& number : numbers) {
+      const ParsedExpression term = toml_.constant(number, NumberUnit::kPlain);
+      append(motion_.must_be_defined, term.must_be_defined);
+      motion_.tool.push_back(term.value);
+    }
+    return without_pose();
+  }
+
+  void refuse_beside(const TomlEntry& only, const std::string& motion) const {
+    for (const TomlEntry& e : toml_.entries(entry_))
+      if (e.key != only.key)
+        toml_.reject(e, motion + " has no " + in_quotes(e.key), "remove one of them");
+  }
+
+  Motion without_pose() {
+    for (const PoseParameter& p : reading_.model.pose) motion_.pose.push_back(p.symbol);
+    motion_.error.assign(reading_.model.pose.size(), 0);
     return std::move(motion_);
   }
 

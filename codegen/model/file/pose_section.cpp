@@ -11,8 +11,9 @@ namespace regulus {
 
 void require_pose_name(const TomlReader& toml, const TomlEntry& entry, const std::string& name,
                        const std::string& what) {
-  static const std::array<std::string, 7> kMotionKeys = {
-      "parameters", "constraints", "alpha", "error", "waypoints", "interpolation", "where"};
+  static const std::array<std::string, 9> kMotionKeys = {
+      "parameters",    "constraints", "alpha", "error", "waypoints",
+      "interpolation", "where",       "legs",  "tool"};
   if (std::ranges::find(kMotionKeys, name) != kMotionKeys.end())
     toml.reject(entry, what + " cannot be named '" + name + "', which is a key of motions",
                 "choose another name");

@@ -317,6 +317,7 @@ class SerialReader {
   void make_model() {
     reading_.model = serial_model(std::move(reading_.model), robot_, &reading_.meter);
     Model& model = reading_.model;
+    model.arm = std::make_shared<const Serial>(robot_);
     if (in_degrees_) set_angles_in_degrees(model);
     for (std::size_t j = 0; j < model.pose.size(); ++j) {
       const PoseParameter& p = model.pose[j];

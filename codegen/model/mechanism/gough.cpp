@@ -28,6 +28,7 @@ void set_leg(Model& model, unsigned leg, const ScaledRotation& R, const Point& a
   Point from_a;
   for (std::size_t i = 0; i < 3; ++i) from_a[i] = model.pose[i].symbol - a[i];
   const Point moment = cross(Sb, from_a);
+  model.legs.push_back({a, b, sum(from_a, scaled(1 / R.N, Sb))});
   ex squared_length = 0;
   for (unsigned i = 0; i < 3; ++i) {
     const ex direction = R.N * from_a[i] + Sb[i];

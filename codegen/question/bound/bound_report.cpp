@@ -94,10 +94,10 @@ std::string subject_of(const Bound& bound, const Component& c) {
 
 std::string claim_words(const Request& request, const Component& c) {
   std::string words = request.motion.where == Where::kReachable
-                          ? "for every reachable pose of the variety"
+                          ? "for every reachable pose of the motion"
                       : request.motion.where == Where::kWithinRanges
-                          ? "for every pose of the variety with the actuated joints in range"
-                          : "for every pose of the variety";
+                          ? "for every pose of the motion with the actuated joints in range"
+                          : "for every pose of the motion";
   bool is_uncertain = false;
   for (const GeometryParameter& g : request.model.geometry)
     is_uncertain = is_uncertain || !g.tolerance.is_zero();

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/question_report.hpp"
 #include "codegen/answer/report/search_facts.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
@@ -70,16 +71,18 @@ std::string describe_limit(const Quantity& quantity, const GiNaC::ex& limit) {
 std::string describe_limit_bracket(const MarginQuestion& question, const LimitMargin& margin) {
   const auto &within = margin.whole.certified, &exceeded = margin.whole.refuted;
   const ComponentMargin* c = exceeding(margin);
+  const std::string unit = unit_suffix(question.unit);
   const std::string name = c ? in_brackets(c->component.label) : "";
   if (within && exceeded)
-    return fmt::format("WITHIN UP TO {}, EXCEEDED AT {}{}", within->value.text,
-                       exceeded->value.text, name);
-  if (exceeded) return fmt::format("EXCEEDED AT {}{}", exceeded->value.text, name);
+    return fmt::format("WITHIN UP TO {}, EXCEEDED AT {}{}{}", within->value.text,
+                       exceeded->value.text, unit, name);
+  if (exceeded) return fmt::format("EXCEEDED AT {}{}{}", exceeded->value.text, unit, name);
   if (!within && margin.whole.empty)
-    return fmt::format("NO POSE REMAINS UP TO {}", margin.whole.empty->value.text);
-  if (!within) return fmt::format("NOTHING KNOWN FROM {} ON", question.low.text);
+    return fmt::format("NO POSE REMAINS UP TO {}{}", margin.whole.empty->value.text, unit);
+  if (!within) return fmt::format("NOTHING KNOWN FROM {}{} ON", question.low.text, unit);
   const bool all = question.high && within->value.approx == question.high->approx;
-  return fmt::format("WITHIN UP TO {}{}", within->value.text, all ? "" : ", NOTHING KNOWN ABOVE");
+  return fmt::format("WITHIN UP TO {}{}{}", within->value.text, unit,
+                     all ? "" : ", NOTHING KNOWN ABOVE");
 }
 
 void tell_limit_margin(const Request& request, const MarginQuestion& question,

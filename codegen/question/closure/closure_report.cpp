@@ -9,6 +9,7 @@
 
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/place_text.hpp"
+#include "codegen/answer/report/plain_words.hpp"
 #include "codegen/answer/report/question_report.hpp"
 #include "codegen/answer/report/report.hpp"
 #include "codegen/answer/report/search_facts.hpp"
@@ -239,11 +240,10 @@ std::string describe_claim(const PreparedClosure& prepared, const ClosureFinding
   const std::string size = fmt::format("{0}×{0}", prepared.shape.unknowns);
   if (found.is_refuted())
     return fmt::format(
-        "the branch reaches a configuration of the variety where its {} matrix of the equations' "
+        "the branch reaches a configuration of the motion where its {} matrix of the equations' "
         "derivatives is singular",
         size);
-  if (!found.searched.is_proved())
-    return fmt::format("none about the branch and its {} matrix: {}", size, reason_of(found));
+  if (!found.searched.is_proved()) return nothing_proved(reason_of(found));
   const std::size_t uncertain = uncertain_count(p);
   return fmt::format(
       "the branch has exactly one configuration, and its {} matrix of the equations' derivatives "
@@ -253,6 +253,16 @@ std::string describe_claim(const PreparedClosure& prepared, const ClosureFinding
           ? ""
           : fmt::format(" and every value of the {} uncertain {} ({})", uncertain,
                         uncertain == 1 ? "quantity" : "quantities", describe_groups(p.labels)));
+}
+
+/// Returns what the claim says of the mechanism; nothing if nothing is proved.
+std::string describe_meaning(const ClosureFinding& found) {
+  if (found.is_refuted())
+    return "at some pose of this motion the mechanism can move although the motors are locked";
+  return found.searched.is_proved()
+             ? "at no pose of this motion can the mechanism change its branch, or move while the "
+               "motors are locked"
+             : "";
 }
 
 void tell_closure(const PreparedClosure& prepared, const SearchOptions& search,
@@ -278,6 +288,7 @@ void tell_closure(const PreparedClosure& prepared, const SearchOptions& search,
   }
   tell_occupancy(check, facts);
   tell_time(p.seconds_spent(), facts);
+  tell_meaning(describe_meaning(found), facts);
   const std::string claim = describe_claim(prepared, found);
   facts.tell("claim", claim, "claim", claim);
 }

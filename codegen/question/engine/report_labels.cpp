@@ -5,6 +5,7 @@
 #include <set>
 
 #include "codegen/kernel/symbolic/measure.hpp"
+#include "codegen/model/drawing.hpp"
 
 namespace regulus {
 namespace {
@@ -48,8 +49,11 @@ ReportLabels report_labels(const Request& request, const Formulation& formulatio
   const std::set<std::string> used = variables_in_use(formulation);
   const bool has_matrix = !formulation.natural_matrix.empty();
   for (const Variable& v : formulation.variables)
-    subject.variables.push_back({v.name, v.unit, v.kind, has_matrix && !used.contains(v.name),
-                                 group_of(request.model, v), v.ball >= 0});
+    subject.variables.push_back(
+        {v.name,
+         v.kind == VariableKind::kGeometry ? unit_of_constant(request.model.drawing.get(), v.name)
+                                           : v.unit,
+         v.kind, has_matrix && !used.contains(v.name), group_of(request.model, v), v.ball >= 0});
   return subject;
 }
 

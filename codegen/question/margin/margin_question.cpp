@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "codegen/answer/certificate/piece_question.hpp"
 #include "codegen/kernel/formulation/variable_ranges.hpp"
 #include "codegen/model/constants.hpp"
+#include "codegen/model/drawing.hpp"
 #include "codegen/model/exact/certain_sign.hpp"
 #include "codegen/model/exact/decimal.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
@@ -322,6 +324,26 @@ void MarginRequest::replan(PreparedSearch& p, const MarginValue& value) const {
     set_errors(variables, request, grown_to(forming_value(question_)));
   p.variety = enclose_variety(request.model, request.motion, variables);
   p.is_replanned = true;
+}
+
+std::string unit_of_values(const Request& request, const MarginQuestion& question) {
+  const auto is_named = [names = ',' + question.groups](const std::string& name) {
+    // Tubes end with an equals sign; none names all parameters.
+    return names == "," || names.find(',' + name + ',') != std::string::npos ||
+           names.ends_with(',' + name) || names.ends_with(',' + name + '=');
+  };
+  std::set<std::string> units;
+  if (question.quantity == MarginQuantity::kTolerance)
+    for (const GeometryParameter& g : request.model.geometry)
+      if (is_named(g.group) || is_named(g.name))
+        units.insert(unit_of_constant(request.model.drawing.get(), g.name));
+  if (question.quantity == MarginQuantity::kTube)
+    for (const PoseParameter& p : request.model.pose)
+      if (is_named(p.name)) units.insert(p.unit);
+  if (question.quantity == MarginQuantity::kParameter)
+    for (const MotionParameter& p : request.motion.parameters)
+      if (is_named(p.name)) units.insert(p.unit);
+  return units.size() == 1 && *units.begin() != "1" ? *units.begin() : "";
 }
 
 std::string describe_quantity(const MarginQuestion& question) {

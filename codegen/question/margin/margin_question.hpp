@@ -41,6 +41,7 @@ struct MarginQuestion {
   bool beyond_limits = false;  ///< the ranges may leave the limits of the joints
   MarginValue low;
   std::optional<MarginValue> high;
+  std::string unit{};     ///< of the values, a label; empty: none, or not known
   std::string limit{};    ///< "force in leg 3 < 20", what must hold; empty: no singularity
   QuestionAbout about{};  ///< that the limit holds; empty: the request itself
   /// What a certificate is about, at a request that has grown; empty: that this is regular.
@@ -57,6 +58,9 @@ struct MarginQuestion {
 /// Removes the one option with a range: a tolerance or the alpha of `model`, or one of `size`. The
 /// others stay as they are. Throws UsageError.
 [[nodiscard]] MarginQuestion take_question(ModelOptions& model, const GrowingSize& size);
+
+/// Returns the label of the unit in which the values are; empty if they have none, or not one.
+[[nodiscard]] std::string unit_of_values(const Request& request, const MarginQuestion& question);
 
 /// The ranges of a request as read; scales refer to them.
 class MarginRequest {

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/question_report.hpp"
 #include "codegen/answer/report/search_facts.hpp"
 #include "codegen/answer/report/witness_report.hpp"
@@ -79,14 +80,17 @@ std::string reason_to_end(const Margin& margin) {
 std::string describe_bracket(const MarginQuestion& question, const Margin& margin) {
   const std::optional<MarginStep>& certified = margin.certified;
   const std::optional<MarginStep>& refuted = margin.refuted;
+  const std::string unit = unit_suffix(question.unit);
   if (certified && refuted)
-    return fmt::format("SAFE UP TO {}, NOT AT {}", certified->value.text, refuted->value.text);
-  if (refuted) return fmt::format("NOT SAFE AT {}", refuted->value.text);
+    return fmt::format("SAFE UP TO {}, NOT AT {}{}", certified->value.text, refuted->value.text,
+                       unit);
+  if (refuted) return fmt::format("NOT SAFE AT {}{}", refuted->value.text, unit);
   if (!certified && margin.empty)
-    return fmt::format("NO POSE REMAINS UP TO {}", margin.empty->value.text);
-  if (!certified) return fmt::format("NOTHING KNOWN FROM {} ON", question.low.text);
+    return fmt::format("NO POSE REMAINS UP TO {}{}", margin.empty->value.text, unit);
+  if (!certified) return fmt::format("NOTHING KNOWN FROM {}{} ON", question.low.text, unit);
   const bool all = question.high && certified->value.approx == question.high->approx;
-  return fmt::format("SAFE UP TO {}{}", certified->value.text, all ? "" : ", NOTHING KNOWN ABOVE");
+  return fmt::format("SAFE UP TO {}{}{}", certified->value.text, unit,
+                     all ? "" : ", NOTHING KNOWN ABOVE");
 }
 
 std::string format_step(const MarginStep& step) {
@@ -107,8 +111,9 @@ std::string verdict_of(const MarginQuestion& question, const Margin& margin) {
 }
 
 std::string describe_range(const MarginQuestion& question) {
-  return fmt::format("{}, from {} to {}", describe_quantity(question), question.low.text,
-                     question.high ? question.high->text : "where it ends");
+  return fmt::format("{}, from {} to {}{}", describe_quantity(question), question.low.text,
+                     question.high ? question.high->text : "where it ends",
+                     question.unit.empty() ? "" : ", in " + question.unit);
 }
 
 void say_end(const std::optional<MarginStep>& step, Facts& facts) {

@@ -13,6 +13,7 @@ namespace {
 constexpr int kRounds = 12, kSharpenings = 12;
 /// So many steps are made in any case.
 constexpr int kStepsOfNewton = 3;
+constexpr int kStepsToRoot = 12;
 /// A round that leaves more of every side is the last one.
 constexpr double kWorthwhile = 0.9;
 /// The radius of a uniqueness test is larger than the box by this, so that neighbours overlap.
@@ -44,19 +45,20 @@ namespace {
 /// The box of the variables with other values of the unknowns.
 template <class Value>
 SystemBoxes::Box with_unknowns(const SystemBoxes::Box& box, std::size_t variables,
-                               const Value& value_of) {
+                               std::size_t unknowns, const Value& value_of) {
   SystemBoxes::Box result(box.begin(), box.begin() + std::ptrdiff_t(variables));
-  for (std::size_t i = 0; variables + i < box.size(); ++i) result.push_back(value_of(i));
+  for (std::size_t i = 0; i < unknowns; ++i) result.push_back(value_of(i));
   return result;
 }
 
 /// M of root_judge.hpp: the derivatives over the box, or those at the centre and half of what they
 /// change by, whichever is narrower.
-std::vector<Interval> mean_derivatives(const SystemBoxes::System& over,
-                                       const SystemBoxes::System& at_center,
+std::vector<Interval> mean_derivatives(const RootSystem::Values& over,
+                                       const RootSystem::Values& at_center,
                                        std::span<const Interval> steps) {
   const std::size_t n = steps.size();
   std::vector<Interval> mean = over.by_unknown;
+  if (over.rates_by_unknown.empty()) return mean;
   for (std::size_t e = 0; e < n * n; ++e) {
     Interval change(0.0);
     for (std::size_t k = 0; k < n; ++k) change += over.rates_by_unknown[k * n * n + e] * steps[k];
@@ -112,7 +114,17 @@ std::vector<double> impact_of(std::span<const Interval> mean, std::span<const In
   return impact;
 }
 
-/// Returns the sign of the determinant of a small matrix by elimination; 0: not shown.
+/// The test of branch_tube.hpp without variables.
+TubeImage image_about(const std::vector<double>& center, const std::vector<double>& radius,
+                      std::span<const double> inverse, const RootSystem::Values& at_center,
+                      const RootSystem::Values& over) {
+  return image_of(
+      {{}, center, {}, radius}, {}, inverse,
+      {at_center.value, over.by_unknown, {}, at_center.by_unknown, {}, over.rates_by_unknown, {}});
+}
+
+}  // namespace
+
 int sign_of_determinant(std::vector<Interval> a, std::size_t n) {
   int sign = 1;
   for (std::size_t c = 0; c < n; ++c) {
@@ -131,17 +143,6 @@ int sign_of_determinant(std::vector<Interval> a, std::size_t n) {
   return sign;
 }
 
-/// The test of branch_tube.hpp without variables.
-TubeImage image_about(const std::vector<double>& center, const std::vector<double>& radius,
-                      std::span<const double> inverse, const SystemBoxes::System& at_center,
-                      const SystemBoxes::System& over) {
-  return image_of(
-      {{}, center, {}, radius}, {}, inverse,
-      {at_center.value, over.by_unknown, {}, at_center.by_unknown, {}, over.rates_by_unknown, {}});
-}
-
-}  // namespace
-
 void RootJudge::judge(std::span<const Box> boxes, std::span<RootFinding> findings, double) {
   std::vector<Trial> trials;
   for (std::size_t i = 0; i < boxes.size(); ++i) trials.push_back({boxes[i], &findings[i]});
@@ -153,7 +154,7 @@ void RootJudge::judge(std::span<const Box> boxes, std::span<RootFinding> finding
   for (Trial& trial : trials) {
     const auto unknowns = trial.unknowns(question_.shape);
     trial.finding->unknowns.assign(unknowns.begin(), unknowns.end());
-    if (trial.finding->root) sharpen(trial);
+    if (trial.finding->root) sharpen(trial.box, *trial.finding->root);
   }
 }
 
@@ -168,20 +169,21 @@ void RootJudge::narrow(std::span<Trial> trials) {
     trial.center = middles(trial.unknowns(question_.shape));
     boxes.push_back(trial.box);
     centers.push_back(
-        with_unknowns(trial.box, m, [&](std::size_t i) { return Interval(trial.center[i]); }));
+        with_unknowns(trial.box, m, n, [&](std::size_t i) { return Interval(trial.center[i]); }));
   }
-  system_.evaluate(boxes, true);
-  std::vector<std::optional<SystemBoxes::System>> over;
-  for (std::size_t i = 0; i < open.size(); ++i) over.push_back(system_.at(i));
-  system_.evaluate(centers);
+  system_->evaluate(boxes, true);
+  std::vector<std::optional<RootSystem::Values>> over;
+  for (std::size_t i = 0; i < open.size(); ++i) over.push_back(system_->at(i));
+  system_->evaluate(centers, false);
   for (std::size_t i = 0; i < open.size(); ++i) {
     Trial& trial = *open[i];
     RootFinding& finding = *trial.finding;
-    const auto at_center = system_.at(i);
+    const auto at_center = system_->at(i);
     trial.is_open = trial.is_promising = false;
     finding.is_undefined = !over[i] || !at_center;
     if (finding.is_undefined) continue;
-    finding.is_empty = !std::ranges::all_of(over[i]->value, contains_zero);
+    finding.is_empty = !std::ranges::all_of(over[i]->value, contains_zero) ||
+                       !std::ranges::all_of(over[i]->also, contains_zero);
     if (finding.is_empty) continue;
     const std::span<Interval> P = trial.unknowns(question_.shape);
     const std::vector<Interval> before(P.begin(), P.end());
@@ -219,19 +221,19 @@ void RootJudge::find_roots(std::span<Trial> trials) {
       radius.push_back(
           std::fmax(least_radius(trial.center[i]), kRoom * reach(trial.center[i], P[i])));
     centers.push_back(
-        with_unknowns(trial.box, m, [&](std::size_t i) { return Interval(trial.center[i]); }));
-    boxes.push_back(with_unknowns(trial.box, m, [&](std::size_t i) {
+        with_unknowns(trial.box, m, n, [&](std::size_t i) { return Interval(trial.center[i]); }));
+    boxes.push_back(with_unknowns(trial.box, m, n, [&](std::size_t i) {
       return Interval(trial.center[i]) + Interval(-radius[i], radius[i]);
     }));
   }
   if (promising.empty()) return;
-  system_.evaluate(centers);
-  std::vector<std::optional<SystemBoxes::System>> at_center;
-  for (std::size_t i = 0; i < promising.size(); ++i) at_center.push_back(system_.at(i));
-  system_.evaluate(boxes, true);
+  system_->evaluate(centers, false);
+  std::vector<std::optional<RootSystem::Values>> at_center;
+  for (std::size_t i = 0; i < promising.size(); ++i) at_center.push_back(system_->at(i));
+  system_->evaluate(boxes, true);
   for (std::size_t i = 0; i < promising.size(); ++i) {
     Trial& trial = *promising[i];
-    const auto over = system_.at(i);
+    const auto over = system_->at(i);
     if (!over || !at_center[i]) continue;
     const auto K = approx_inverse_of(middles(at_center[i]->by_unknown), n);
     if (!K) continue;
@@ -247,21 +249,20 @@ void RootJudge::find_roots(std::span<Trial> trials) {
 }
 
 /// Narrows the enclosure of a root, as long as that helps, about centres that Newton's method finds.
-void RootJudge::sharpen(Trial& trial) {
+void RootJudge::sharpen(const Box& variables, Root& root) {
   const std::size_t n = question_.shape.unknowns, m = question_.shape.variables;
-  Root& root = *trial.finding->root;
   std::vector<double> center = middles(root.values);
   for (int i = 0; i < kSharpenings; ++i) {
     std::vector<double> radius;
     for (std::size_t j = 0; j < n; ++j)
       radius.push_back(std::fmax(reach(center[j], root.values[j]), least_radius(center[j])));
     const std::vector<Box> boxes = {
-        with_unknowns(trial.box, m, [&](std::size_t j) { return Interval(center[j]); }),
-        with_unknowns(trial.box, m, [&](std::size_t j) {
+        with_unknowns(variables, m, n, [&](std::size_t j) { return Interval(center[j]); }),
+        with_unknowns(variables, m, n, [&](std::size_t j) {
           return Interval(center[j]) + Interval(-radius[j], radius[j]);
         })};
-    system_.evaluate(boxes, true);
-    const auto at_center = system_.at(0), over = system_.at(1);
+    system_->evaluate(boxes, true);
+    const auto at_center = system_->at(0), over = system_->at(1);
     if (!over || !at_center) return;
     root.sign = sign_of_determinant(over->by_unknown, n);
     const auto K = approx_inverse_of(middles(at_center->by_unknown), n);
@@ -281,6 +282,43 @@ void RootJudge::sharpen(Trial& trial) {
     }
     if (!is_better) return;
   }
+}
+
+std::optional<Root> RootJudge::root_near(const Box& variables, std::vector<double> near) {
+  const std::size_t n = question_.shape.unknowns, m = question_.shape.variables;
+  const auto box_about = [&](double radius) {
+    return with_unknowns(variables, m, n, [&](std::size_t i) {
+      return radius == 0 ? Interval(near[i]) : Interval(near[i]) + Interval(-radius, radius);
+    });
+  };
+  std::optional<RootSystem::Values> at_center;
+  std::optional<std::vector<double>> K;
+  for (int i = 0; i < kStepsToRoot; ++i) {
+    const std::vector<Box> points = {box_about(0)};
+    system_->evaluate(points, false);
+    at_center = system_->at(0);
+    if (!at_center) return std::nullopt;
+    K = approx_inverse_of(middles(at_center->by_unknown), n);
+    if (!K) return std::nullopt;
+    if (i + 1 == kStepsToRoot) break;
+    const std::vector<Interval> steps = product(*K, at_center->value, n);
+    for (std::size_t j = 0; j < n; ++j) near[j] -= mid(steps[j]);
+  }
+  for (const double size : {0x1p-8, 0x1p-14, 0x1p-22, 0x1p-32}) {
+    const std::vector<Box> boxes = {box_about(size)};
+    system_->evaluate(boxes, true);
+    const auto over = system_->at(0);
+    if (!over) continue;
+    const std::vector<double> radius(n, size);
+    const TubeImage image = image_about(near, radius, *K, *at_center, *over);
+    if (!has_one_solution({{}, near, {}, radius}, image)) continue;
+    Root root{near, radius, {}};
+    for (std::size_t j = 0; j < n; ++j)
+      root.values.push_back(Interval(near[j]) + Interval(-image.radius[j], image.radius[j]));
+    sharpen(variables, root);
+    return root;
+  }
+  return std::nullopt;
 }
 
 void RootJudge::put(cluster::ByteWriter& to, const RootFinding& finding) {

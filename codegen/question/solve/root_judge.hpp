@@ -11,6 +11,8 @@
 // exactly one, for each x, is the test of branch_tube.hpp without variables: it holds for each x alone.
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -20,11 +22,31 @@
 
 namespace regulus {
 
-/// Requires  a system without derivatives by its variables (ClosedShape::differentiated).
+/// n equations in n unknowns, evaluated over eight boxes at once. Each thread has its own.
+class RootSystem {
+ public:
+  using Box = SystemBoxes::Box;
+  struct Values : SystemBoxes::System {
+    std::vector<Interval> also{};  ///< 0 at the solutions that are looked for, beside the equations
+  };
+
+  RootSystem() = default;
+  RootSystem(const RootSystem&) = delete;
+  RootSystem& operator=(const RootSystem&) = delete;
+  virtual ~RootSystem() = default;
+
+  /// `has_rates`: with the derivatives of the derivatives, by unknown, if the system has them.
+  ///
+  /// Rounding  outward; MXCSR at nearest.
+  virtual void evaluate(std::span<const Box> boxes, bool has_rates) = 0;
+  /// Returns nullopt if an expression is not certainly defined all over the box of that lane.
+  [[nodiscard]] virtual std::optional<Values> at(std::size_t lane) const = 0;
+};
+
 struct RootQuestion {
   const Problem& problem;  ///< its ranges: of the variables, and where each unknown is looked for
-  const MatrixScaling& scaling;
   ClosedShape shape;
+  std::function<std::unique_ptr<RootSystem>()> system;
 };
 
 /// A solution, for each place of the variables.
@@ -50,6 +72,9 @@ struct RootFinding {
   std::vector<double> impact{};      ///< by variable and unknown; empty: not known
 };
 
+/// Returns the sign of the determinants of an n×n matrix, by elimination; 0: not shown.
+[[nodiscard]] int sign_of_determinant(std::vector<Interval> matrix, std::size_t n);
+
 /// A judge of boxes (runtime/search/box_judges.hpp). Each thread has its own.
 class RootJudge {
  public:
@@ -59,11 +84,17 @@ class RootJudge {
 
   /// The parts of the question must outlive this object.
   explicit RootJudge(const RootQuestion& question)
-      : question_(question), system_(question.problem, question.scaling, question.shape) {}
+      : question_(question), system_(question.system()) {}
 
   /// Requires  at most kLanes boxes, and as many findings, which are new.
   /// Rounding  outward; MXCSR at nearest.
   void judge(std::span<const Box> boxes, std::span<RootFinding> findings, double horizon);
+
+  /// Returns the solution that Newton's method leads to, if it is certain and the only one near.
+  ///
+  /// Shape     variables: their box; near: by unknown.
+  /// Rounding  as judge().
+  [[nodiscard]] std::optional<Root> root_near(const Box& variables, std::vector<double> near);
 
   static void put(cluster::ByteWriter& to, const RootFinding& finding);
   /// Throws    MalformedMessage.
@@ -74,10 +105,10 @@ class RootJudge {
 
   void narrow(std::span<Trial> trials);
   void find_roots(std::span<Trial> trials);
-  void sharpen(Trial& trial);
+  void sharpen(const Box& variables, Root& root);
 
   const RootQuestion question_;
-  SystemBoxes system_;
+  std::unique_ptr<RootSystem> system_;
 };
 
 }  // namespace regulus

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/solve/solve_run.hpp"
 
+#include "codegen/question/solve/arm_postures.hpp"
+#include "codegen/question/solve/platform_poses.hpp"
 #include "codegen/question/solve/system_solutions.hpp"
 #include "codegen/support/errors.hpp"
+#include "runtime/interval/floating_point_scope.hpp"
 
 namespace regulus {
 
 Request read_solve_request(const ModelOptions& options, const FormingWatch& watch) {
-  Request request = read_request(options, &watch);
+  ModelOptions given = options;
+  given.takes_legs = true;
+  Request request = read_request(given, &watch);
   if (request.motion.trajectory)
     throw UsageError(
         "solutions are those at one place; name a motion that has one, or give its values by at");
@@ -15,17 +20,32 @@ Request read_solve_request(const ModelOptions& options, const FormingWatch& watc
   return request;
 }
 
-SolvedNoun noun_of(const Request&) {
+SolvedNoun noun_of(const Request& request) {
+  const Model& model = request.model;
+  if (!model.legs.empty())
+    return {"pose", "poses",
+            model.legs.size() == 3
+                ? "the derivatives of the legs' squares by the pose"
+                : "the inverse Jacobian, its rows those of unit forces along the legs"};
+  if (model.arm)
+    return {"posture", "postures", "the forward Jacobian at the end of the last joint"};
   return {"configuration", "configurations", "the derivatives of the equations by the unknowns"};
 }
 
 Solutions solve(const Request& request, const SolveRun& run) {
+  const FloatingPointScope nearest(FloatingPointRounding::kNearest);
+  if (!run.held.empty() && !request.model.arm)
+    throw UsageError("only an arm of [serial] has joints that can be held");
+  if (!request.model.legs.empty()) return solve_platform(request, run);
+  if (request.model.arm) return solve_arm(request, run);
   if (!request.model.closure)
-    throw UsageError("solve is about models with [closure]; this one gives its matrix");
+    throw UsageError(
+        "the solutions of this model cannot be asked for: give its equations in [closure], or legs "
+        "of "
+        "variable length in [gough] or [legs], or an arm in [serial]");
   PreparedSystem prepared = prepare_system(request, 0, run.search, run.watch, false);
-  if (run.begin_search) run.begin_search();
-  return solve_system(prepared, settings_of(prepared, run.search, run.interrupt), run.progress)
-      .solutions;
+  run.begin();
+  return solve_system(prepared, settings_of(prepared, run.search, run.interrupt), run.progress);
 }
 
 }  // namespace regulus

@@ -25,6 +25,11 @@ struct SolveRun {
   const std::atomic<bool>* interrupt = nullptr;
   Observer* progress = nullptr;          ///< null: none
   std::function<void()> begin_search{};  ///< called when the search begins
+  std::vector<std::string> held{};       ///< joints of an arm that keep the motion's values
+
+  void begin() const {
+    if (begin_search) begin_search();
+  }
 };
 
 /// Finds all solutions.

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/place_text.hpp"
@@ -126,6 +125,25 @@ std::string obstacle_of(const RootList& list, const Solutions& solutions, bool i
   return "several solutions meet, or there are infinitely many, near " + place;
 }
 
+/// The system of a kernel.
+class KernelSystem final : public RootSystem {
+ public:
+  KernelSystem(const Problem& problem, const PreparedSystem& prepared)
+      : boxes_(problem, prepared.scaling, prepared.shape) {}
+
+  void evaluate(std::span<const Box> boxes, bool has_rates) override {
+    boxes_.evaluate(boxes, has_rates);
+  }
+  [[nodiscard]] std::optional<Values> at(std::size_t lane) const override {
+    auto system = boxes_.at(lane);
+    if (!system) return std::nullopt;
+    return Values{std::move(*system)};
+  }
+
+ private:
+  SystemBoxes boxes_;
+};
+
 class SystemSolver {
  public:
   explicit SystemSolver(const PreparedSystem& prepared)
@@ -141,22 +159,19 @@ class SystemSolver {
     }
   }
 
-  SystemSolutions solve(const BoxSearchSettings& limits, Observer* progress) {
+  Solutions solve(const BoxSearchSettings& limits, Observer* progress) {
     RootSettings settings;
     static_cast<BoxSearchSettings&>(settings) = limits;
     std::vector<Interval> periods;
     for (const SearchRange& range : ranges_) periods.push_back(range.period);
-    RootList list =
-        search_roots({problem_, prepared_.scaling, prepared_.shape}, periods, settings, progress);
-    std::vector<Root> kept;
+    const auto system = [this] { return std::make_unique<KernelSystem>(problem_, prepared_); };
+    RootList list = search_roots({problem_, prepared_.shape, system}, periods, settings, progress);
     for (Root& root : list.roots) {
       turn_back(root.values, ranges_);
-      const auto place = place_in(root.values, ranges_);
-      if (!place) continue;
-      solutions_.found.push_back(solution(root, *place));
-      kept.push_back(std::move(root));
+      if (const auto place = place_in(root.values, ranges_))
+        solutions_.found.push_back(solution(root, *place));
     }
-    sort(kept);
+    sort_by_values(solutions_.found);
     solutions_.open = joined(list.open);
     solutions_.completeness =
         list.is_complete ? Completeness::kComplete : Completeness::kIncomplete;
@@ -166,7 +181,7 @@ class SystemSolver {
     solutions_.how = fmt::format("by a search of {} box{}", in_thousands(list.boxes),
                                  list.boxes == 1 ? "" : "es");
     solutions_.obstacle = obstacle_of(list, solutions_, uncertain_count(prepared_.preparation) > 0);
-    return {std::move(solutions_), std::move(kept)};
+    return std::move(solutions_);
   }
 
  private:
@@ -184,24 +199,6 @@ class SystemSolver {
       result.condition = approx_condition(matrix, n);
     }
     return result;
-  }
-
-  void sort(std::vector<Root>& roots) {
-    std::vector<std::size_t> order(roots.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
-      return std::ranges::lexicographical_compare(
-          roots[a].values, roots[b].values,
-          [](const Interval& x, const Interval& y) { return mid(x) < mid(y); });
-    });
-    std::vector<Root> sorted_roots;
-    std::vector<CertainSolution> sorted;
-    for (const std::size_t i : order) {
-      sorted_roots.push_back(std::move(roots[i]));
-      sorted.push_back(std::move(solutions_.found[i]));
-    }
-    roots = std::move(sorted_roots);
-    solutions_.found = std::move(sorted);
   }
 
   const PreparedSystem& prepared_;
@@ -230,9 +227,16 @@ void require_values(const Request& request) {
           request.motion.name, p.name, p.name));
 }
 
-SystemSolutions solve_system(const PreparedSystem& prepared, const BoxSearchSettings& limits,
-                             Observer* progress) {
+Solutions solve_system(const PreparedSystem& prepared, const BoxSearchSettings& limits,
+                       Observer* progress) {
   return SystemSolver(prepared).solve(limits, progress);
+}
+
+void sort_by_values(std::vector<CertainSolution>& solutions) {
+  std::ranges::sort(solutions, [](const CertainSolution& a, const CertainSolution& b) {
+    return std::ranges::lexicographical_compare(
+        a.values, b.values, [](const Interval& x, const Interval& y) { return mid(x) < mid(y); });
+  });
 }
 
 double approx_condition(std::span<const double> matrix, std::size_t n) {

@@ -15,17 +15,14 @@ namespace regulus {
 /// Throws    UsageError if a parameter of the motion has a range and not a value.
 void require_values(const Request& request);
 
-/// The solutions of a system, and what is searched for them.
-struct SystemSolutions {
-  Solutions solutions;
-  std::vector<Root> roots;  ///< those of `solutions`, in their order
-};
-
 /// Searches the whole circle of an unknown whose range has a whole period, and otherwise the range.
 ///
 /// Requires  prepared without derivatives by variables; require_values() passes.
-[[nodiscard]] SystemSolutions solve_system(const PreparedSystem& prepared,
-                                           const BoxSearchSettings& limits, Observer* progress);
+[[nodiscard]] Solutions solve_system(const PreparedSystem& prepared,
+                                     const BoxSearchSettings& limits, Observer* progress);
+
+/// Puts solutions in the order of the middles of their values.
+void sort_by_values(std::vector<CertainSolution>& solutions);
 
 /// Returns the condition number of an n×n matrix in the 2-norm, approximately.
 [[nodiscard]] double approx_condition(std::span<const double> matrix, std::size_t n);

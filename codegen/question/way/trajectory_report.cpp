@@ -7,6 +7,7 @@
 
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/place_text.hpp"
+#include "codegen/answer/report/plain_words.hpp"
 #include "codegen/answer/report/question_report.hpp"
 #include "codegen/answer/report/report.hpp"
 #include "codegen/answer/report/search_facts.hpp"
@@ -173,7 +174,7 @@ std::string describe_trajectory_claim(const TrajectoryCheck& check) {
                      : fmt::format("the {} has full rank for {}", describe_size(p), of_path);
   if (check.verdict == Verdict::kSingularity)
     return claim(*check.deciding->preparation, check.deciding->result);
-  return fmt::format("none about the {}: {}", describe_size(p), describe(check.reason));
+  return nothing_proved(describe(check.reason));
 }
 
 void tell_trajectory_question(const TrajectoryCheck& check, const SearchOptions& search,
@@ -202,6 +203,7 @@ void tell_trajectory(const TrajectoryCheck& check, const SearchOptions& search, 
   tell_trajectory_question(check, search, facts);
   tell_excluded(check, facts);
   tell_deciding_piece(check, facts);
+  tell_meaning(check.hull, check.verdict, check.reason, facts);
   const std::string claim = describe_trajectory_claim(check);
   facts.tell("claim", claim, "claim", claim);
 }

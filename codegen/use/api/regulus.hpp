@@ -8,6 +8,7 @@
 //   margin    brackets the largest tolerance, threshold or size that is safe
 //   bound     brackets the largest or least force, error or speed, or compares it with a limit
 //   check_load, locate_load  the same about a load: do forces within the limits hold it?
+//   solve     finds all configurations, poses or postures at one place, and proves that these are all
 //   verify    proves a certificate again
 //   write_page  shows an answer in a browser
 //   PreparedQuestion  a question that is asked again with other ranges and tolerances
@@ -29,3 +30,4 @@
 #include "codegen/use/api/page.hpp"
 #include "codegen/use/api/prepared_question.hpp"
 #include "codegen/use/api/question.hpp"
+#include "codegen/use/api/solve.hpp"

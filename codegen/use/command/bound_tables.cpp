@@ -79,6 +79,14 @@ void CommandTables::add_solve() {
       ->take_all()
       ->expected(1)
       ->type_name("NAME=VALUE");
+  solve_command
+      ->add_option(
+          "--hold", solve.held,
+          "A joint of an arm that keeps the value of the motion, where more than six move; "
+          "may be repeated")
+      ->take_all()
+      ->expected(1)
+      ->type_name("JOINT");
   add_search_options(*solve_command, solve.search);
   solve_command->get_option("--time-limit")->default_str("60");
   add_output_options(*solve_command, solve.output);

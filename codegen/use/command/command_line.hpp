@@ -61,6 +61,7 @@ struct MarginCommand {
 struct SolveCommand {
   ModelOptions model;
   SearchOptions search;
+  std::vector<std::string> held;
   OutputOptions output;
 };
 

@@ -69,7 +69,7 @@ constexpr const char* kReportFooter =
 
 constexpr const char* kCheckCertificate = "Write a proof of the verdict";
 constexpr const char* kLocateCertificate =
-    "Write a proof of the verdict, not of each box: the proof shows that the whole variety is "
+    "Write a proof of the verdict, not of each box: the proof shows that the whole motion is "
     "free, "
     "or that it contains the singular pose of the report. With --load a proof of each box, but "
     "along "
@@ -134,7 +134,7 @@ void add_margin_options(CLI::App& app, MarginCommand& command) {
       ->type_name("p=E|p=LO:HI");
   app.add_option(
          "--scale", command.size.scale,
-         "Factor that scales the ranges of a box variety about their midpoints; 1 leaves them as "
+         "Factor that scales the ranges of a motion about their midpoints; 1 leaves them as "
          "declared")
       ->type_name("LO:HI");
   app.add_option("--grow", command.size.parameter,
@@ -239,7 +239,7 @@ void CommandTables::add_report() {
 void CommandTables::add_check() {
   check.search.engine = Engine::kAuto;
   check_command =
-      app.add_subcommand("check", "Prove that a motion variety has no singular pose, or show one");
+      app.add_subcommand("check", "Prove that a motion has no singular pose, or show one");
   add_model_options(*check_command, check.model);
   add_waypoint_options(*check_command, check.model);
   add_search_options(*check_command, check.search);
@@ -257,7 +257,7 @@ void CommandTables::add_check() {
 void CommandTables::add_locate() {
   locate.search.engine = Engine::kAuto;
   locate_command = app.add_subcommand(
-      "locate", "Pave a motion variety: certified free, certified singular, undecided; draw it");
+      "locate", "Show where a motion is proved free, proved singular, or undecided; draw it");
   add_model_options(*locate_command, locate.model);
   add_waypoint_options(*locate_command, locate.model);
   add_paving_options(*locate_command, locate);

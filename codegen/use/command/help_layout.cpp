@@ -20,11 +20,12 @@ using OptionNames = std::vector<std::string>;
 const OptionNames& names_in(const std::string& group) {
   static const std::map<std::string, OptionNames> kNames = {
       {kQuestion,
-       {"range", "tolerance", "alpha",     "waypoints",     "tube",         "scale",  "grow",
-        "load",  "twist",     "leg",       "freedom",       "min",          "signed", "finite",
-        "norm",  "quantity",  "limit",     "bound",         "margin",       "paving", "model",
-        "base",  "tip",       "cut",       "actuated",      "snap",         "stage",  "box",
-        "all",   "name",      "namespace", "beyond-limits", "allow-options"}},
+       {"range",         "tolerance",    "alpha", "waypoints", "tube",     "scale",  "grow",
+        "load",          "twist",        "leg",   "freedom",   "min",      "signed", "finite",
+        "norm",          "quantity",     "limit", "bound",     "margin",   "paving", "model",
+        "base",          "tip",          "cut",   "weld",      "actuated", "at",     "hold",
+        "closure",       "snap",         "stage", "box",       "all",      "name",   "namespace",
+        "beyond-limits", "allow-options"}},
       {kBudget,
        {"time-limit", "max-boxes", "threads", "gap", "resolution", "precision", "symbolic-budget"}},
       {kOutput,

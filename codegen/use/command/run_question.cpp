@@ -108,7 +108,8 @@ CommandQuestion question_of(const DatasheetCommand& command) {
 }
 
 CommandQuestion question_of(const SolveCommand& command) {
-  return {AskSolve{command.model, command.search}, command.output, services_of(command.output)};
+  return {AskSolve{command.model, command.search, command.held}, command.output,
+          services_of(command.output)};
 }
 
 int run_question(CommandQuestion question, const std::string& typed) {

@@ -52,7 +52,7 @@ CLI::Validator known_ingredient() {
 void add_model_arguments(CLI::App& app, ModelOptions& options) {
   app.add_option("MODEL", options.path, "Model file (TOML), or the name of an installed model")
       ->required();
-  app.add_option("MOTION", options.motion, "Motion variety; optional if the model has only one");
+  app.add_option("MOTION", options.motion, "Motion; optional if the model has only one");
 }
 
 void add_model_options(CLI::App& app, ModelOptions& options) {

@@ -248,6 +248,29 @@ void bind_searches(py::module_& module) {
       py::arg("gap"), py::arg("certificate") = "", py::arg("shard_size") = 0);
 }
 
+void bind_import(py::module_& module) {
+  module.def(
+      "import_file",
+      [](const std::string& path, const std::string& base, const std::string& tip,
+         const std::vector<std::string>& cuts, const std::vector<std::string>& welds,
+         const std::vector<std::string>& actuated, const std::vector<std::string>& at, bool closure,
+         const std::string& snap) {
+        const ImportOptions options{.base = base,
+                                    .tip = tip,
+                                    .cuts = cuts,
+                                    .welds = welds,
+                                    .actuated = actuated,
+                                    .at = at,
+                                    .closure = closure,
+                                    .snap = snap};
+        const Imported imported =
+            run_there([=](const std::atomic<bool>&) { return import_file(path, options); });
+        return std::pair(imported.model, imported.report());
+      },
+      py::arg("path"), py::arg("base"), py::arg("tip"), py::arg("cuts"), py::arg("welds"),
+      py::arg("actuated"), py::arg("at"), py::arg("closure"), py::arg("snap"));
+}
+
 void bind_files(py::module_& module) {
   module.def(
       "write_page",
@@ -272,18 +295,6 @@ void bind_files(py::module_& module) {
       },
       py::arg("path"), py::arg("model"), py::arg("waypoints"), py::arg("threads"),
       py::arg("time_limit"), py::arg("max_boxes"), py::arg("allow_options"));
-  module.def(
-      "import_file",
-      [](const std::string& path, const std::string& base, const std::string& tip,
-         const std::vector<std::string>& cuts, const std::vector<std::string>& actuated,
-         const std::string& snap) {
-        const Imported imported = run_there([=](const std::atomic<bool>&) {
-          return import_file(path, {base, tip, cuts, actuated, snap});
-        });
-        return std::pair(imported.model, imported.report());
-      },
-      py::arg("path"), py::arg("base"), py::arg("tip"), py::arg("cuts"), py::arg("actuated"),
-      py::arg("snap"));
   module.def(
       "write_file",
       [](const py::bytes& path, const std::string& text) { write_file(std::string(path), text); },
@@ -341,6 +352,7 @@ PYBIND11_MODULE(_regulus, module) {
   bind_prepared(module);
   bind_searches(module);
   bind_loads(module);
+  bind_import(module);
   bind_files(module);
   // The thread must not be at work while the process takes its libraries down.
   pybind11::module_::import("atexit").attr("register")(

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "runtime/verifier/evaluation.hpp"
+#include "runtime/verifier/model/model_file.hpp"
 
 namespace regulus::verifier {
 namespace {
@@ -92,14 +93,26 @@ class ClosureComparison {
     return above && arb_is_nonpositive((*above)[0].get()) != 0 ? hundredth : kNoNode;
   }
 
+  /// Returns the parameter of the motion that a pose parameter is, by name or by its line `pose`;
+  /// empty if there is none.
+  [[nodiscard]] std::string parameter_of(const std::string& name) const {
+    if (q_.stated.contains("start " + name)) return name;
+    const auto pose = q_.stated.find("pose " + name);
+    if (pose == q_.stated.end()) return "";
+    return q_.stated.contains("start " + pose->second.text) ? pose->second.text : "";
+  }
+
   /// A pose parameter that is none of the motion is at its value at the start, too.
   void compare_start() {
     const Scope none;
     for (const auto& [name, written] : table("closure.start.")) {
       const std::string place = "closure.start." + name;
       if (q_.stated.contains("unknown " + name)) continue;
-      if (q_.stated.contains("start " + name))
-        require(place, "start " + name, none);
+      const std::string parameter = parameter_of(name);
+      if (!parameter.empty() && parameter != name && poses_in_degrees(values_).contains(name))
+        comparer_.leave_out(comparer_.place_of(place), "this reader knows no start in degrees");
+      else if (!parameter.empty())
+        require(place, "start " + parameter, none);
       else if (q_.stated.contains("pose " + name))
         comparer_.compare_at(place, "pose " + name, none);
       else

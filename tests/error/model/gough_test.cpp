@@ -88,7 +88,7 @@ TEST(GoughRefusal, NegativeTolerance) {
 }
 
 TEST(GoughRefusal, MotionInTheWrongAngles) {
-  expect_refused_gough("psi = 0", "roll = 0", 16, "unknown key 'motion.small.roll'", "phi");
+  expect_refused_gough("psi = 0", "yaw = 0", 16, "unknown key 'motion.small.yaw'", "phi");
 }
 
 }  // namespace

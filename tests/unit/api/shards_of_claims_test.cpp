@@ -336,8 +336,8 @@ TEST(ShardsOfClaims, AreRefusedOnlyWhereThereIsNoProofOrABranch) {
               is_branch || refusal(Kind(k), Service::kProof).has_value())
         << name(Kind(k));
   }
-  // Finite errors have no proof; closures are tried elsewhere.
-  EXPECT_EQ((std::size(kClaims) + 1) * 3, kKinds);
+  // Finite errors and lists of solutions have no proof; closures are tried elsewhere.
+  EXPECT_EQ((std::size(kClaims) + 2) * 3, kKinds);
 }
 
 }  // namespace

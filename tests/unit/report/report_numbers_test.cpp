@@ -74,7 +74,7 @@ TEST_F(ReportNumbers, OfAMotionAreThoseOfTheFile) {
 TEST_F(ReportNumbers, OfAnOpenBoxAreThoseOfTheFileAtItsEnds) {
   search_.time_limit = 1e-9;
   EXPECT_THAT(report_of("apart"),
-              HasSubstr("blocked    x = [0.1234567, 0.3], y = [0.70000001, 1000000]\n"));
+              HasSubstr("blocked    x in [0.1234567, 0.3], y in [0.70000001, 1000000]\n"));
 }
 
 TEST_F(ReportNumbers, OfAnAngleAreAsManyAsItTakes) {

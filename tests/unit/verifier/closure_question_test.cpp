@@ -166,5 +166,34 @@ TEST(AQuestionAboutAClosure, IsComparedWithAModelFile) {
          ""));
 }
 
+/// The driver is a parameter of the motion, which has a name of its own.
+TEST(AQuestionAboutAClosure, MayHaveADriverGivenByAParameter) {
+  const auto moved = [](const std::string& theta, const std::string& range) {
+    return with_other(bar_file(), "theta = [\"-100*deg\", \"100*deg\"]",
+                      "theta = \"" + theta + "\"\nparameters = { T = " + range + " }");
+  };
+  const std::string certificate =
+      with_other(with_other(exact_bar(), "parameter theta in", "parameter T in"),
+                 "pose theta = theta", "pose theta = T");
+  const std::string range = "[\"-100*deg\", \"100*deg\"]", file = moved("T", range);
+  EXPECT_TRUE(is(Outcome::kVerified, compared(certificate, file), ""));
+  const auto expect_rejected = [&](const std::string& other, const char* why) {
+    for (const bool all : {false, true})
+      EXPECT_TRUE(is(Outcome::kRejected, compared(certificate, other, all), why)) << other;
+  };
+  expect_rejected(with_other(file, "start = { theta = \"60*deg\"", "start = { theta = \"61*deg\""),
+                  "start.theta");
+  expect_rejected(moved("2*T", range), "theta");
+  expect_rejected(moved("-T", range), "theta");
+  expect_rejected(moved("60*deg", range), "theta");
+  expect_rejected(bar_file(), "");
+  EXPECT_TRUE(is(Outcome::kRejected, compared(certificate, moved("T", "[-1, 1]")), "T"));
+  // A start that the certificate moves is another branch, or a place where none is known.
+  EXPECT_FALSE(is(Outcome::kVerified,
+                  compared(with_other(certificate, "start 60*", "start 59*"), file), ""));
+  const std::string degrees = with_other(file, "theta = \"rad\"", "theta = \"deg\"");
+  EXPECT_FALSE(is(Outcome::kVerified, compared(certificate, degrees), ""));
+}
+
 }  // namespace
 }  // namespace regulus::test

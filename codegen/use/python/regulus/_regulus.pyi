@@ -254,7 +254,15 @@ def verify(
     allow_options: bool,
 ) -> Confirmation: ...
 def import_file(
-    path: str, base: str, tip: str, cuts: list[str], actuated: list[str], snap: str
+    path: str,
+    base: str,
+    tip: str,
+    cuts: list[str],
+    welds: list[str],
+    actuated: list[str],
+    at: list[str],
+    closure: bool,
+    snap: str,
 ) -> tuple[str, str]: ...
 def write_page(
     question: Question,

@@ -682,7 +682,7 @@ def verify(
     max_boxes: int = 0,
     allow_options: bool = False,
 ) -> Verification:
-    """Proves the claim of a certificate again, by code that shares nothing with the search.
+    """Proves the claim of a certificate again, by separate code.
 
     Args:
         path: the certificate.
@@ -715,16 +715,22 @@ def from_urdf(
     base: str = "",
     tip: str = "",
     cuts: Sequence[str] = (),
+    welds: Sequence[str] = (),
     actuated: Sequence[str] = (),
+    at: Sequence[str] = (),
+    closure: bool = False,
     snap: Number = "1e-8",
 ) -> Robot:
-    """Reads a URDF, MJCF or SDF file as a robot: an arm, or a platform on six legs.
+    """Reads a URDF, MJCF or SDF file as a robot: an arm, a platform on legs, or any robot with loops.
 
     Args:
         base: the first link of the chain; "" if only one can be meant.
         tip: the last link.
-        cuts: "LINK=LINK": loops that the file does not have.
-        actuated: driven joints of a robot in the plane with loops; empty: the usual ones.
+        cuts: "LINK=LINK": points that coincide in loops which the file does not have.
+        welds: the same for frames.
+        actuated: driven joints of a robot with loops; empty: the usual ones.
+        at: "JOINT=VALUE": from where loops are closed that the file's pose leaves open.
+        closure: writes the equations of loops for robots that have legs, too.
         snap: numbers move by at most this much to short decimals and multiples of π/12.
 
     `text` is a model file that can be read and kept; `notes` say what was assumed.
@@ -737,7 +743,10 @@ def from_urdf(
         text_of("base", base),
         text_of("tip", tip),
         words_of("cuts", cuts),
+        words_of("welds", welds),
         words_of("actuated", actuated),
+        words_of("at", at),
+        bool(closure),
         Texts().of(snap, "snap"),
     )
     return Robot(model, notes=report.splitlines())

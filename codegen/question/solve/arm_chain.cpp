@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/question/solve/arm_chain.hpp"
+
+#include "codegen/kernel/formulation/variety.hpp"
+#include "codegen/model/mechanism/rotation.hpp"
+#include "codegen/question/solve/nominal.hpp"
+#include "runtime/interval/elementary.hpp"
+
+namespace regulus {
+namespace {
+
+/// c·I + s·[a]× + (1 − c)·a·aᵀ.
+Matrix3 turn(const Vector3& a, const Interval& angle) {
+  const SinCos t = sincos(angle);
+  const Interval rest = Interval(1.0) - t.cos;
+  Matrix3 R;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (i == j) {  // one cosine
+        R[3 * i + j] = sqr(a[i]) + t.cos * (Interval(1.0) - sqr(a[i]));
+        continue;
+      }
+      const Interval part = t.sin * a[3 - i - j];
+      R[3 * i + j] = rest * (a[i] * a[j]) + (j == (i + 1) % 3 ? -part : part);
+    }
+  return R;
+}
+
+}  // namespace
+
+Vector3 operator+(const Vector3& u, const Vector3& v) noexcept {
+  return {u[0] + v[0], u[1] + v[1], u[2] + v[2]};
+}
+
+Vector3 operator-(const Vector3& u, const Vector3& v) noexcept {
+  return {u[0] - v[0], u[1] - v[1], u[2] - v[2]};
+}
+
+Vector3 operator*(const Interval& factor, const Vector3& v) noexcept {
+  return {factor * v[0], factor * v[1], factor * v[2]};
+}
+
+Interval dot(const Vector3& u, const Vector3& v) noexcept {
+  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+}
+
+Vector3 cross(const Vector3& u, const Vector3& v) noexcept {
+  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+}
+
+Vector3 times(const Matrix3& R, const Vector3& v) noexcept {
+  Vector3 result;
+  for (std::size_t i = 0; i < 3; ++i)
+    result[i] = R[3 * i] * v[0] + R[3 * i + 1] * v[1] + R[3 * i + 2] * v[2];
+  return result;
+}
+
+Matrix3 times(const Matrix3& A, const Matrix3& B) noexcept {
+  Matrix3 result;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      result[3 * i + j] = A[3 * i] * B[j] + A[3 * i + 1] * B[3 + j] + A[3 * i + 2] * B[6 + j];
+  return result;
+}
+
+Matrix3 transposed(const Matrix3& R) noexcept {
+  return {R[0], R[3], R[6], R[1], R[4], R[7], R[2], R[5], R[8]};
+}
+
+LinkFrame compose(const LinkFrame& first, const LinkFrame& second) noexcept {
+  return {times(first.R, second.R), times(first.R, second.d) + first.d};
+}
+
+LinkFrame inverse(const LinkFrame& frame) noexcept {
+  const Matrix3 back = transposed(frame.R);
+  return {back, times(back, Vector3{0, 0, 0} - frame.d)};
+}
+
+LinkFrame ArmJoint::moved(const Interval& value) const noexcept {
+  LinkFrame frame;
+  if (turns)
+    frame.R = turn(axis, value);
+  else
+    frame.d = value * axis;
+  return frame;
+}
+
+namespace {
+
+Interval enclosed(const GiNaC::ex& number) {
+  return enclose_constant(number, "a number of the arm");
+}
+
+LinkFrame enclosed(const Placement& placement, const NominalGeometry& nominal) {
+  LinkFrame frame;
+  for (unsigned i = 0; i < 3; ++i) {
+    frame.d[i] = enclosed(nominal.at(placement.p[i]));
+    for (unsigned j = 0; j < 3; ++j) frame.R[3 * i + j] = enclosed(nominal.at(placement.R(i, j)));
+  }
+  return frame;
+}
+
+}  // namespace
+
+ArmChain enclose_chain(const Model& model) {
+  const NominalGeometry nominal(model);
+  ArmChain chain;
+  for (const SerialJoint& joint : model.arm->joints) {
+    ArmJoint& enclosing = chain.emplace_back();
+    enclosing.turns = joint.kind == JointKind::kRevolute;
+    enclosing.origin = enclosed(joint.origin, nominal);
+    for (std::size_t i = 0; i < 3; ++i) enclosing.axis[i] = enclosed(nominal.at(joint.axis[i]));
+  }
+  return chain;
+}
+
+LinkFrame enclose_target(const Model& model, const std::vector<GiNaC::ex>& tool) {
+  const NominalGeometry nominal(model);
+  const Placement place{rotation_roll_pitch_yaw(tool[3], tool[4], tool[5]),
+                        {tool[0], tool[1], tool[2]}};
+  return compose(enclosed(place, nominal), inverse(enclosed(model.arm->tool, nominal)));
+}
+
+ArmPosture posture_at(const ArmChain& chain, std::span<const Interval> values) {
+  ArmPosture posture;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const LinkFrame at = compose(posture.end, chain[i].origin);
+    posture.axes.push_back(times(at.R, chain[i].axis));
+    posture.origins.push_back(at.d);
+    posture.end = compose(at, chain[i].moved(values[i]));
+  }
+  return posture;
+}
+
+std::vector<Interval> jacobian_at(const ArmChain& chain, const ArmPosture& posture) {
+  const std::size_t n = chain.size();
+  std::vector<Interval> J(6 * n, Interval(0.0));
+  for (std::size_t k = 0; k < n; ++k) {
+    const Vector3& z = posture.axes[k];
+    const Vector3 v = chain[k].turns ? cross(z, posture.end.d - posture.origins[k]) : z;
+    for (std::size_t i = 0; i < 3; ++i) {
+      J[i * n + k] = v[i];
+      if (chain[k].turns) J[(3 + i) * n + k] = z[i];
+    }
+  }
+  return J;
+}
+
+}  // namespace regulus

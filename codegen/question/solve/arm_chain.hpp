@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A serial arm in enclosures of its numbers.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "codegen/model/mechanism/serial.hpp"
+#include "runtime/interval/interval.hpp"
+
+namespace regulus {
+
+using Vector3 = std::array<Interval, 3>;
+using Matrix3 = std::array<Interval, 9>;  ///< row-major
+
+// Rounding of these functions: outward; MXCSR at nearest.
+
+[[nodiscard]] Vector3 operator+(const Vector3& u, const Vector3& v) noexcept;
+[[nodiscard]] Vector3 operator-(const Vector3& u, const Vector3& v) noexcept;
+[[nodiscard]] Vector3 operator*(const Interval& factor, const Vector3& v) noexcept;
+[[nodiscard]] Interval dot(const Vector3& u, const Vector3& v) noexcept;
+[[nodiscard]] Vector3 cross(const Vector3& u, const Vector3& v) noexcept;
+[[nodiscard]] Vector3 times(const Matrix3& R, const Vector3& v) noexcept;
+[[nodiscard]] Matrix3 times(const Matrix3& A, const Matrix3& B) noexcept;
+[[nodiscard]] Matrix3 transposed(const Matrix3& R) noexcept;
+
+/// A rotation and a translation: x becomes Rx + d.
+struct LinkFrame {
+  Matrix3 R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  Vector3 d = {0, 0, 0};
+};
+
+[[nodiscard]] LinkFrame compose(const LinkFrame& first, const LinkFrame& second) noexcept;
+[[nodiscard]] LinkFrame inverse(const LinkFrame& frame) noexcept;
+
+/// A joint that turns about, or slides along, an axis through the origin of its frame.
+struct ArmJoint {
+  bool turns = true;
+  LinkFrame origin;   ///< in the frame that the joint before moves
+  Vector3 axis = {};  ///< a unit vector
+
+  /// Encloses what the joint does.
+  [[nodiscard]] LinkFrame moved(const Interval& value) const noexcept;
+};
+
+using ArmChain = std::vector<ArmJoint>;
+
+/// Encloses the arm, its geometry at its nominal values.
+///
+/// Throws    InputError if a number of it has no certain value.
+[[nodiscard]] ArmChain enclose_chain(const Model& model);
+
+/// Encloses the frame of the last joint when the tool is at x, y, z, roll, pitch, yaw.
+[[nodiscard]] LinkFrame enclose_target(const Model& model, const std::vector<GiNaC::ex>& tool);
+
+/// The frame that the last joint moves, and each joint's axis and origin, all in the base.
+struct ArmPosture {
+  LinkFrame end;
+  std::vector<Vector3> axes, origins;
+};
+[[nodiscard]] ArmPosture posture_at(const ArmChain& chain, std::span<const Interval> values);
+
+/// Returns the forward Jacobian, row-major: the velocity of the end's origin, and its angular velocity.
+[[nodiscard]] std::vector<Interval> jacobian_at(const ArmChain& chain, const ArmPosture& posture);
+
+}  // namespace regulus

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All postures of a serial arm in which its end is where the joints of a motion put it.
+#pragma once
+
+#include "codegen/question/solve/solve_run.hpp"
+
+namespace regulus {
+
+/// Six joints that turn: four of them are searched (arm_system.hpp), in each of the three ways to
+/// choose two opposite ones, until a list is whole; each solution of these equations is shown to be
+/// a posture, or to be none. Where joints slide, all six are searched.
+///
+/// Requires  request.model.arm; the motion has values.
+/// Throws    UsageError for an arm that has not six joints that are free to move.
+[[nodiscard]] Solutions solve_arm(const Request& request, const SolveRun& run);
+
+}  // namespace regulus

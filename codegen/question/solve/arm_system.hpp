@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The equations of an arm of six joints whose end is at a given frame.
+#pragma once
+
+#include "codegen/question/solve/arm_chain.hpp"
+#include "codegen/question/solve/root_judge.hpp"
+
+namespace regulus {
+
+/// As many joints as a frame has freedoms.
+inline constexpr std::size_t kJoints = 6;
+
+/// All six joints: the end's origin is at that of the frame, and E = R(q)·R*ᵀ has no axial vector.
+/// Then E is the unit matrix or a half turn; at the first the derivatives are regular exactly where the
+/// forward Jacobian is. Its trace tells them apart.
+class WholeArm final : public RootSystem {
+ public:
+  WholeArm(const ArmChain& chain, const LinkFrame& target) : chain_(chain), target_(target) {}
+
+  void evaluate(std::span<const Box> boxes, bool) override {
+    boxes_.assign(boxes.begin(), boxes.end());
+  }
+  /// `also`: 3 less the trace of E.
+  [[nodiscard]] std::optional<Values> at(std::size_t lane) const override;
+
+ private:
+  const ArmChain& chain_;
+  const LinkFrame& target_;
+  std::vector<Box> boxes_;
+};
+
+/// Σ k_ij·u_i·v_j with u = (1, cos a, sin a) and v = (1, cos b, sin b).
+using Bilinear = std::array<std::array<Interval, 3>, 3>;
+
+/// Four of six joints that turn, in a closed loop J₁B₁…J₆B₆ = I of rotations J_i and fixed frames B_i.
+///
+/// Seen from axis 3, the line of axis 6 is in the place P with direction L by the joints 1 and 2, and
+/// in p, l by 4 and 5; rotations about axis 3 = k carry one to the other. So
+///
+///     k·P = k·p,   k·L = k·l,   |P|² = |p|²,   P·L = p·l,
+///
+/// four equations in q₁, q₂, q₄, q₅, each bilinear in the sines and cosines on either side; and
+/// k·(P × L) = k·(p × l). All five together say that a rotation about k is there: q₃; the rest of the
+/// orientation is q₆.
+class OppositeAxes final : public RootSystem {
+ public:
+  /// Requires  six joints that turn.
+  OppositeAxes(const ArmChain& chain, const LinkFrame& target);
+
+  void evaluate(std::span<const Box> boxes, bool has_rates) override {
+    boxes_.assign(boxes.begin(), boxes.end());
+    has_rates_ = has_rates;
+  }
+  [[nodiscard]] std::optional<Values> at(std::size_t lane) const override;
+
+  /// Returns the joints 3 and 6, approximately.
+  [[nodiscard]] static std::array<double, 2> approx_others(const ArmChain& chain,
+                                                           const LinkFrame& target,
+                                                           std::span<const double> four);
+
+ private:
+  static constexpr std::size_t kEquations = 5;
+  struct Equation {
+    Bilinear left, right;  ///< left − right
+  };
+  std::array<Equation, kEquations> equations_;
+  std::vector<Box> boxes_;
+  bool has_rates_ = false;
+};
+
+/// Returns the chain that begins `first` joints later in the loop, and its target: its joint i is
+/// joint (i + first) mod 6 of the given one, at the same values.
+[[nodiscard]] std::pair<ArmChain, LinkFrame> rotated_loop(const ArmChain& chain,
+                                                          const LinkFrame& target,
+                                                          std::size_t first);
+
+/// Moves the origin of each joint along its axis to where it is nearest to the axis before, and the
+/// target with the last. The values of the joints stay.
+void move_origins(ArmChain& chain, LinkFrame& target);
+
+}  // namespace regulus

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `regulus solve` for a program: all configurations, poses or postures at one place.
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <vector>
+
+#include "codegen/question/engine/options.hpp"
+#include "codegen/question/solve/solutions.hpp"
+#include "codegen/use/api/question.hpp"
+
+namespace regulus {
+
+struct SolveOptions {
+  SearchOptions search{};
+  std::vector<std::string> at{};    ///< "NAME=VALUE": values of pose parameters
+  std::vector<std::string> hold{};  ///< joints of an arm that keep the values of the motion
+};
+
+struct SolveFinding {
+  Solutions solutions;
+  std::string headline;  ///< "COMPLETE: 6 poses"
+  std::string report;    ///< the lines that precede it on a terminal
+  std::string json;      ///< the report that --json prints
+  double seconds = 0;    ///< of the whole call
+};
+
+/// Finds all solutions, and proves that these are all, or says why this is not shown. Threads and
+/// errors as check().
+[[nodiscard]] SolveFinding solve(const Question& question, const SolveOptions& options = {},
+                                 const std::atomic<bool>* interrupt = nullptr);
+
+}  // namespace regulus

@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files of --checkpoint that claim what is false, for each kind of question that has one. Whatever a
+// file says, no answer is better than the truth, which is known in closed form.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "runtime/checkpoint/checkpoint.hpp"
+#include "tests/support/command.hpp"
+#include "tests/support/interrupted_runs.hpp"
+
+namespace regulus::test {
+namespace {
+
+using nlohmann::json;
+
+/// det = (x² − 2)² + 2(y² − 3)², which is 0 at (√2, √3) alone, and has no other sign nearby. There
+/// no force holds a load. With g it is 0 up to x = 1.4 if |g| ≥ 0.04, and σ_min ≤ |0.04 − |g||.
+constexpr const char* kTouch = R"toml(regulus = 1
+name = "touch"
+[pose]
+x = "m"
+y = "m"
+[geometry]
+g = { value = 0, tolerance = 0, group = "base" }
+[matrix]
+twist = ["v_x", "v_y"]
+rows = [["x^2 - 2 - g", "2*y^2 - 6"], ["3 - y^2", "x^2 - 2 - g"]]
+[load.push]
+force = [[-1, 1], [-1, 1]]
+[actuators]
+force = [-10, 10]
+[motion.all]
+x = [0, 2]
+y = [0, 2]
+)toml";
+
+/// A report, and the lines of --output without the last.
+struct Told {
+  json report;
+  std::vector<json> boxes;
+};
+
+using IsTrue = std::function<bool(const Told&)>;
+
+bool is_not(const Told& told, const char* verdict) { return told.report.at("verdict") != verdict; }
+
+/// True if no box with this place claims one of these.
+bool claims_none(const Told& told, const std::vector<std::pair<std::string, double>>& place,
+                 const std::vector<std::string>& kinds) {
+  return std::ranges::none_of(told.boxes, [&](const json& line) {
+    const bool is_there = std::ranges::all_of(place, [&](const auto& at) {
+      const json& range = line.at("box").at(at.first);
+      return range.at(0) <= at.second && at.second <= range.at(1);
+    });
+    return is_there && std::ranges::find(kinds, line.at("kind").get<std::string>()) != kinds.end();
+  });
+}
+
+bool is_at_most(const Told& told, const char* key, double most) {
+  return told.report.at(key).is_null() || told.report.at(key) <= most;
+}
+
+struct Kind {
+  const char* name;
+  std::vector<std::string> words;  ///< command, model, options
+  const char* easy;                ///< a range in which a better answer is true
+  IsTrue is_true;                  ///< of an answer over the whole range
+};
+
+void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
+
+const std::vector<std::pair<std::string, double>> kZero = {{"x", std::sqrt(2.0)},
+                                                           {"y", std::sqrt(3.0)}};
+const std::string kFourBar = model_path("four_bar");
+constexpr double kToggle = 2.3138160;  // rad: 132.5719°
+
+bool is_not_regular(const Told& told) { return is_not(told, "no-singularity"); }
+bool is_not_feasible(const Told& told) { return is_not(told, "feasible"); }
+bool is_open_at_zero(const Told& told) {
+  return claims_none(told, kZero, {"free", "feasible", "outside"});
+}
+bool is_open_at_toggles(const Told& told) {
+  return claims_none(told, {{"theta", kToggle}}, {"free", "outside"}) &&
+         claims_none(told, {{"theta", -kToggle}}, {"free", "outside"});
+}
+IsTrue is_proved_up_to(const char* key, double most) {
+  return [=](const Told& told) { return is_at_most(told, key, most); };
+}
+/// κ + 1/κ = ‖A‖²/|det A| = 45.1922/18.0961 at (1.3, 0).
+bool is_condition(const Told& told) {
+  return told.report.at("proved").is_null() || told.report.at("proved") >= 1.9964;
+}
+bool is_datasheet(const Told& told) {
+  return std::ranges::all_of(told.report.at("bounds"), [](const json& bound) {
+    if (bound.at("proved").is_null() || bound.at("attained").is_null()) return true;
+    const double proved = bound.at("proved"), attained = bound.at("attained");
+    const bool is_least = bound.at("least");
+    const bool is_sigma = bound.at("quantity").at("kind") == "sigma-min";
+    return (is_least ? proved <= attained : proved >= attained) && (!is_sigma || proved <= 0.31);
+  });
+}
+
+Words words_in(const char* text) {
+  std::istringstream in(text);
+  return {std::istream_iterator<std::string>(in), {}};
+}
+
+std::vector<Kind> kinds() {
+  const auto touch = [](const char* name, const char* words, IsTrue is_true) {
+    return Kind{name, words_in(words), "x=0:1", std::move(is_true)};
+  };
+  const auto bar = [](const char* name, const char* command, const char* more, IsTrue is_true) {
+    Words words{command, kFourBar, "turn"};
+    for (const std::string& word : words_in(more)) words.push_back(word);
+    return Kind{name, std::move(words), "theta=-2:2", std::move(is_true)};
+  };
+  return {
+      touch("check", "check touch all", is_not_regular),
+      touch("check_variables", "check touch all --tolerance base=0.001 --uncertainty variables",
+            is_not_regular),
+      touch("locate", "locate touch all --resolution 1/64", is_open_at_zero),
+      touch("check_load", "check touch all --load push", is_not_feasible),
+      touch("locate_load", "locate touch all --load push --resolution 1/64", is_open_at_zero),
+      touch("margin", "margin touch all --range x=0:1.4 --tolerance base=0:1 --gap 0.3",
+            is_proved_up_to("certified", 0.04)),
+      touch("margin_quantity",
+            "margin touch all --range x=0:1.4 --tolerance base=0:1 --gap 0.3 --quantity sigma-min "
+            "--limit 0.01",
+            is_proved_up_to("certified", 0.03)),
+      touch("bound", "bound touch all sigma-min --gap 0.2 --range x=0:1.3",
+            is_proved_up_to("proved", 0.31)),
+      touch("condition", "bound touch all condition --norm 2 --gap 0.05 --range x=0:1.3",
+            is_condition),
+      touch("datasheet", "datasheet touch all --gap 0.3 --range x=0:1.3", is_datasheet),
+      bar("check_closure", "check", "", is_not_regular),
+      bar("locate_closure", "locate", "--resolution 1/256", is_open_at_toggles),
+  };
+}
+
+class ForgedCheckpoint : public testing::TestWithParam<Kind> {
+ protected:
+  ForgedCheckpoint() { std::ofstream(path("touch")) << kTouch; }
+
+  [[nodiscard]] std::string path(const std::string& name) const { return folder_.path() / name; }
+
+  [[nodiscard]] CommandResult run(const std::vector<std::string>& more) const {
+    std::vector<std::string> words{kCommand};
+    for (const std::string& word : GetParam().words)
+      words.push_back(word == "touch" ? path("touch") : word);
+    if (std::ranges::find(more, "--range") != more.end())
+      if (const auto range = std::ranges::find(words, "--range"); range != words.end())
+        words.erase(range, range + 2);
+    words.insert(words.end(), {"--threads", "1", "--engine", "interpreted", "--json"});
+    if (is_paving()) words.insert(words.end(), {"--output", path("lines")});
+    words.insert(words.end(), more.begin(), more.end());
+    return run_command(words);
+  }
+  [[nodiscard]] static bool is_paving() { return GetParam().words[0] == "locate"; }
+
+  [[nodiscard]] Told told(const CommandResult& run) const {
+    Told told{json::parse(run.output), {}};
+    std::ifstream lines(path("lines"));
+    for (std::string line; std::getline(lines, line);) {
+      json read = json::parse(line);
+      if (read.contains("kind") && read.contains("box")) told.boxes.push_back(std::move(read));
+    }
+    return told;
+  }
+
+  /// Returns the file of a run that is stopped after so many boxes; null if it leaves none.
+  [[nodiscard]] json saved_after(std::uint64_t boxes, std::vector<std::string> more) const {
+    std::filesystem::remove(path("saved"));
+    more.insert(more.end(), {"--max-boxes", std::to_string(boxes), "--checkpoint", path("saved")});
+    const CommandResult stopped = run(more);
+    EXPECT_LE(stopped.exit_code, 2) << stopped.errors;
+    const std::string text = text_of(path("saved"));
+    return text.empty() ? json() : json::parse(text);
+  }
+  /// Returns the file of a run that is stopped as late as can be.
+  [[nodiscard]] json saved_late(const std::vector<std::string>& more) const {
+    const std::uint64_t boxes = json::parse(run(more).output).at("boxes");
+    for (std::uint64_t part = 15; part > 0; --part)
+      if (json saved = saved_after(boxes * part / 16, more); saved.is_object()) return saved;
+    return {};
+  }
+
+  /// Goes on from a file. Its answer is true, or the file is refused.
+  void expect_true_answer(const json& saved, const std::string& what) const {
+    std::ofstream(path("saved")) << saved.dump();
+    const CommandResult continued = run({"--checkpoint", path("saved")});
+    if (continued.exit_code == 65) {
+      EXPECT_THAT(continued.errors, testing::HasSubstr("cannot continue from this file")) << what;
+      return;
+    }
+    ASSERT_LE(continued.exit_code, 2) << what << continued.errors;
+    EXPECT_TRUE(GetParam().is_true(told(continued))) << what << continued.output.substr(0, 3000);
+  }
+
+  TemporaryDirectory folder_;
+};
+
+/// Calls change(tree) for each tree in a file.
+void for_each_tree(json& saved, const std::function<void(json&)>& change) {
+  for (json& entry : saved.at("known"))
+    if (entry.is_object() && entry.contains("steps")) change(entry);
+}
+
+bool has_tree(json saved) {
+  bool is_there = false;
+  for_each_tree(saved, [&is_there](json&) { is_there = true; });
+  return is_there;
+}
+
+std::vector<std::string> words_of(const json& text) {
+  std::istringstream in(text.get<std::string>());
+  return {std::istream_iterator<std::string>(in), {}};
+}
+
+std::string text_from(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += word + ' ';
+  return text;
+}
+
+/// Changes the lines of the state of a search, and signs it again.
+void change_state(json& tree, const std::function<void(std::vector<std::string>&)>& change) {
+  if (!tree.contains("state")) return;
+  std::istringstream in(tree["state"].get<std::string>());
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  lines.pop_back();
+  change(lines);
+  std::string text;
+  for (const std::string& line : lines) text += line + '\n';
+  tree["state"] = text + end_of_checkpoint(text);
+}
+
+/// Leaves the first open boxes out of the state.
+void leave_out_of_state(json& tree, std::size_t count) {
+  change_state(tree, [count](std::vector<std::string>& lines) {
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      if (lines[i].starts_with("units")) lines[i] = "units";
+      if (!lines[i].starts_with("open ")) continue;
+      const std::size_t open = lines.size() - i - 1, gone = std::min(open, count);
+      lines.erase(lines.end() - std::ptrdiff_t(open), lines.end() - std::ptrdiff_t(open - gone));
+      lines[i] = "open " + std::to_string(open - gone);
+    }
+  });
+}
+
+/// The claims that a leaf may have: of a rule, a bound of a condition number, none.
+const std::vector<std::string> kClaims = {"=0x0p+0",   "=0x1p+0", "=0x1.8p+1", "=0x1.4p+2",
+                                          "=0x1.2p+3", "=0x1p-3", "=0x1.6p+3", "-"};
+
+/// All open boxes are leaves that claim this.
+json with_leaves_for_open(json saved, const std::string& claim) {
+  for_each_tree(saved, [&](json& tree) {
+    std::vector<std::string> steps = words_of(tree["steps"]);
+    for (const std::string& word : words_of(tree["open"]))
+      steps.push_back(word.substr(0, word.find_first_of("-=")) + claim);
+    tree["steps"] = text_from(steps);
+    tree["open"] = "";
+    leave_out_of_state(tree, ~std::size_t{0});
+  });
+  return saved;
+}
+
+/// All leaves have another claim.
+json with_claims(json saved, const std::string& claim) {
+  for_each_tree(saved, [&](json& tree) {
+    std::vector<std::string> steps = words_of(tree["steps"]);
+    for (std::string& word : steps)
+      if (word.find(':') == std::string::npos)
+        word = word.substr(0, word.find_first_of("-=")) + claim;
+    tree["steps"] = text_from(steps);
+  });
+  return saved;
+}
+
+/// A box is missing: the open one that comes first, or a leaf.
+json without_open(json saved) {
+  for_each_tree(saved, [](json& tree) {
+    std::vector<std::string> open = words_of(tree["open"]);
+    if (!open.empty()) open.erase(open.begin());
+    tree["open"] = text_from(open);
+    leave_out_of_state(tree, 1);
+  });
+  return saved;
+}
+json without_leaf(json saved) {
+  for_each_tree(saved, [](json& tree) {
+    std::vector<std::string> steps = words_of(tree["steps"]);
+    const auto leaf = std::ranges::find_if(
+        steps, [](const std::string& word) { return word.find(':') == std::string::npos; });
+    if (leaf != steps.end()) steps.erase(leaf);
+    tree["steps"] = text_from(steps);
+  });
+  return saved;
+}
+
+/// The boxes that are left are smaller.
+json with_smaller_boxes(json saved) {
+  for_each_tree(saved, [](json& tree) {
+    change_state(tree, [](std::vector<std::string>& lines) {
+      for (std::string& line : lines)
+        if (line.starts_with("b ")) {
+          const std::size_t colon = line.rfind(':'), space = line.rfind(' ');
+          line.replace(colon, line.size(), ':' + line.substr(space + 1, colon - space - 1));
+        }
+    });
+  });
+  return saved;
+}
+
+/// Every search of a bracket has proved its value.
+json with_proved_values(json saved) {
+  if (saved["known"].contains("brackets"))
+    for (json& bracket : saved["known"]["brackets"])
+      for (json& entry : bracket) entry["certified"] = true, entry["reason"] = 0;
+  return saved;
+}
+
+/// Every search of a bracket has ended in vain, so that the next values are others.
+json with_failures(json saved, Reason reason) {
+  if (saved["known"].contains("brackets"))
+    for (json& bracket : saved["known"]["brackets"])
+      for (json& entry : bracket)
+        entry["certified"] = false, entry["reason"] = static_cast<int>(reason);
+  return saved;
+}
+
+TEST_P(ForgedCheckpoint, ProvesNothing) {
+  const json late = saved_late({});
+  ASSERT_TRUE(late.is_object()) << "the search is too short";
+  const std::uint64_t boxes = json::parse(run({}).output).at("boxes");
+  for (const json& saved : {saved_after(std::max<std::uint64_t>(boxes / 3, 4), {}), late}) {
+    if (!saved.is_object()) continue;
+    expect_true_answer(saved, "as it is");
+    if (!has_tree(saved)) break;
+    for (const std::string& claim : kClaims) {
+      expect_true_answer(with_leaves_for_open(saved, claim), "open boxes claim " + claim);
+      expect_true_answer(with_claims(saved, claim), "leaves claim " + claim);
+    }
+    expect_true_answer(without_open(saved), "an open box is missing");
+    expect_true_answer(without_leaf(saved), "a leaf is missing");
+    expect_true_answer(with_smaller_boxes(saved), "boxes are smaller");
+  }
+  for (const json& saved : {with_proved_values(late), with_failures(late, Reason::kWidth),
+                            with_failures(late, Reason::kEmptyVariety)})
+    expect_true_answer(saved, "searches of the bracket end otherwise");
+}
+
+/// The search of one question with the question of another, for which its claims are false.
+TEST_P(ForgedCheckpoint, OfAnotherRangeProvesNothing) {
+  json easy = saved_late({"--range", GetParam().easy});
+  const json hard = saved_after(4, {});
+  ASSERT_TRUE(easy.is_object() && hard.is_object()) << "the search is too short";
+  expect_true_answer(easy, "the question of the file is another");
+  easy["question"] = hard.at("question");
+  expect_true_answer(easy, "the question of the file is forged");
+  if (!has_tree(easy)) return;
+  for (const std::string& claim : kClaims)
+    expect_true_answer(with_leaves_for_open(easy, claim), "and open boxes claim " + claim);
+}
+
+std::string name_of(const testing::TestParamInfo<Kind>& kind) { return kind.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(Of, ForgedCheckpoint, testing::ValuesIn(kinds()), name_of);
+
+}  // namespace
+}  // namespace regulus::test

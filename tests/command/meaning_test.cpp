@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tests that a report says what its verdict means for the robot, and in which units.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/command.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace regulus::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* kCannotGiveWay =
+    "at no pose of this motion can the platform give way while its legs hold";
+
+std::string meaning_of(std::vector<std::string> words) {
+  words.insert(words.begin(), {kCommand, "check"});
+  words.emplace_back("--json");
+  const json report = json::parse(run_command(words).output);
+  return report.at("meaning").is_null() ? "null" : std::string(report.at("meaning"));
+}
+
+TEST(TheMeaningOfAVerdict, IsAboutTheRobot) {
+  EXPECT_EQ(meaning_of({kRobot1, "wide_15"}), kCannotGiveWay);
+  EXPECT_EQ(meaning_of({kRobot1, "wide_40"}),
+            "at some pose of this motion the platform can give way although its legs hold");
+  EXPECT_EQ(meaning_of({kRobot1, "T1", "--tolerance", "base=0.01"}),
+            std::string(kCannotGiveWay) +
+                ", whatever the uncertain quantities are within their tolerances");
+  EXPECT_EQ(meaning_of({kRobot1, "T1", "--alpha", "1/100"}),
+            "at every pose of this motion |det J⁻¹| is larger than 0.01");
+}
+
+TEST(TheMeaningOfAVerdict, IsAboutTheToolOfAnArm) {
+  EXPECT_EQ(
+      meaning_of({REGULUS_SOURCE_DIR "/models/puma_560_serial.toml", "wrist"}),
+      "at some pose of this motion the joints cannot move the tool in all 6 directions of its "
+      "matrix");
+}
+
+TEST(TheMeaningOfAVerdict, SaysThatAMatrixIsReduced) {
+  EXPECT_EQ(meaning_of({REGULUS_SOURCE_DIR "/models/tsai_3upu_reduced.toml", "wide"}),
+            std::string("as far as the reduced matrix says, ") + kCannotGiveWay);
+}
+
+TEST(TheMeaningOfAVerdict, IsNothingWhereNothingIsProved) {
+  EXPECT_EQ(
+      meaning_of({kRobot1, "wide_15", "--tolerance", "base,platform=0.134", "--max-boxes", "8"}),
+      "null");
+  const CommandResult result = run_command({kCommand, "check", kRobot1, "wide_15", "--tolerance",
+                                            "base,platform=0.134", "--max-boxes", "8"});
+  EXPECT_THAT(result.errors,
+              HasSubstr("claim      nothing is proved: the limit on the number of boxes"));
+  EXPECT_THAT(result.errors, Not(HasSubstr("meaning")));
+}
+
+TEST(UnitsOfAReport, HasTheUnitsOfLengths) {
+  const CommandResult result =
+      run_command({kCommand, "check", kRobot1, "T1", "--tolerance", "base=0.01"});
+  EXPECT_THAT(result.errors, HasSubstr("18 of base ±0.01 cm"));
+  EXPECT_THAT(run_command({kCommand, "check", kRobot1, "wide_40"}).errors,
+              testing::ContainsRegex("witness    x = [-0-9.]+ cm, y = .* rad"));
+}
+
+/// What a constant of [geometry] is measured in, no file says.
+TEST(UnitsOfAReport, HasNoUnitThatTheModelDoesNotGive) {
+  const TemporaryDirectory folder;
+  const std::string path = (folder.path() / "mixed.toml").string();
+  std::ofstream(path) << "regulus = 1\nname = \"mixed\"\n[pose]\nx = \"m\"\n[geometry]\n"
+                         "h = { value = 1, tolerance = 0, group = \"base\" }\n"
+                         "[matrix]\nrows = [[\"x + h\"]]\n[motion.m]\nx = [0, 1]\n";
+  EXPECT_EQ(run_command({kCommand, "margin", path, "--tolerance", "base=0:0.5", "--quiet"}).output,
+            "SAFE UP TO 0.5\n");
+  EXPECT_EQ(
+      run_command({kCommand, "margin", kRobot1, "T1", "--tolerance", "base=0:1/64", "--quiet"})
+          .output,
+      "SAFE UP TO 1/64 cm\n");
+}
+
+}  // namespace
+}  // namespace regulus::test
