@@ -68,7 +68,7 @@ struct AskDatasheet {
   bool markdown = false;
 };
 
-/// What are all configurations, poses or postures at one place?
+/// Asks for all configurations, poses or postures at one place.
 struct AskSolve {
   ModelOptions model;
   SearchOptions search;

@@ -104,7 +104,7 @@ class LoadPavingAnswer : public LoadAnswer {
   Interval feasible{0, 1}, infeasible{0, 1}, undecided{0, 1}, outside{0, 1};
 };
 
-/// What are all solutions?
+/// Asks for all solutions.
 class SolveAnswer : public Answer {
  public:
   Solutions solutions;

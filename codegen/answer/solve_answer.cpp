@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What are all configurations, poses or postures at one place?
+// Answers which configurations, poses or postures there are at one place.
 #include "codegen/answer/ask.hpp"
 #include "codegen/answer/outputs.hpp"
 #include "codegen/answer/refusals.hpp"

@@ -323,7 +323,7 @@ def test_a_report_says_what_is_uncertain_and_by_how_much():
         text=True,
         check=False,
     ).stderr
-    assert "uncertain  18 quantities: 18 of base ±0.05\n" in lines
+    assert "uncertain  18 quantities: 18 of base ±0.05 cm\n" in lines
 
 
 @pytest.mark.parametrize(

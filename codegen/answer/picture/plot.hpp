@@ -18,7 +18,7 @@ struct PlacePoint {
   double across = 0, up = 0;
 };
 
-/// What a line shows; a place is one point.
+/// A line shows these points; a place is one point.
 enum class PathStyle : std::uint8_t { kBase, kPlatform, kRod, kPlace };
 
 /// A plot that grows layer by layer. Later layers are drawn over earlier ones.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a verdict says of the robot, for readers who do not think in matrices. The claim beside it is
+// Says what a verdict means for the robot, for readers who do not think in matrices. The claim beside it is
 // what is proved.
 #pragma once
 

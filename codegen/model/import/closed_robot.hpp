@@ -11,7 +11,7 @@
 
 namespace regulus {
 
-/// What the user says about the robot.
+/// The user chooses these about the robot.
 struct ClosureWishes {
   std::vector<std::string> driven;  ///< names of joints; empty: what the file says
   std::vector<std::string> at;      ///< "JOINT=VALUE": where the loops are closed from

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a loop is cut: what must meet there is its equations.
+// A loop is cut at one place, and its equations say what must meet there.
 //
 // A loop is cut at the joint that leaves the fewest equations: at a ball, whose angles are then no
 // unknowns; at a joint that turns; else anywhere. Between two balls is a rod, which may spin: only

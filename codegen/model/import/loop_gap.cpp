@@ -72,7 +72,7 @@ class GapMeter {
  private:
   static T squared(const Vector<T>& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
 
-  /// Of a point, or of a direction, at the ends of both ways.
+  /// Returns the difference of a point, or of a direction, between the ends of both ways.
   Vector<T> difference(const LoopArc& arc, const Vector<T>& at, bool is_point) const {
     const Vector<T> left = seen(arc.left, at, is_point), right = seen(arc.right, at, is_point);
     return {right[0] - left[0], right[1] - left[1], right[2] - left[2]};

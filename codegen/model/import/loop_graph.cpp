@@ -78,7 +78,7 @@ class LoopFinder {
     std::map<const ImportedJoint*, bool> used;
     for (const std::string& root : roots) {
       if (!up_.emplace(root, Edge{}).second) continue;
-      // Where joints lead to their children first, the file's own tree is kept.
+      // The file's own tree is kept, because joints lead to their children first.
       std::deque<std::string> open{root};
       while (!open.empty()) {
         const std::string link = open.front();

@@ -37,7 +37,7 @@ struct PreparedKernel {
   /// For Engine::kAuto with an interpreted kernel; null: the kernel is compiled or stays
   /// interpreted.
   std::unique_ptr<LateCompilation> late;
-  /// Of a kernel that a person has edited. Then the search decides by its functions alone.
+  /// It belongs to a kernel that a person has edited. The search decides by its functions alone then.
   std::optional<EditedText> text;
   std::vector<FilterFile> filters;  ///< in the order of Settings::filters
   Isa isa = Isa::kPortable;

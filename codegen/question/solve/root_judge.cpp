@@ -27,7 +27,7 @@ double reach(double center, const Interval& box) { return mag(box - Interval(cen
 
 }  // namespace
 
-/// What is known of a box while it is judged.
+/// Holds what is known of a box while it is judged.
 struct RootJudge::Trial {
   Box box;               ///< of the variables, and of the unknowns: what is left of it
   RootFinding* finding;  ///< about it

@@ -20,7 +20,7 @@ struct SolvedUnknown {
   double period = 0;
 };
 
-/// Whether a solution is within the limits of the model: of joints, of legs, of unknowns.
+/// Says whether a solution is within the limits of the model: of joints, of legs, of unknowns.
 enum class WithinLimits : std::uint8_t { kNoLimits, kWithin, kBeyond, kUnknown };
 
 /// A solution that is certain. Where quantities are uncertain, there is one for each of their values.
@@ -41,6 +41,8 @@ enum class Completeness : std::uint8_t {
 
 struct Solutions {
   std::vector<SolvedUnknown> unknowns;
+  /// The file declares tolerances or control errors, and these are solutions without them.
+  bool is_nominal = false;
   std::vector<CertainSolution> found;  ///< pairwise different, in the order of their values
   Completeness completeness = Completeness::kIncomplete;
   /// How completeness is shown, as the end of a sentence: "by a search of 1201 boxes", or "by the

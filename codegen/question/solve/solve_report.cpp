@@ -164,6 +164,11 @@ std::string describe_result(const Solutions& solutions, const SolvedNoun& noun) 
 }
 
 std::string describe_claim(const Solutions& solutions, const SolvedNoun& noun) {
+  if (solutions.is_nominal) {
+    Solutions exact = solutions;
+    exact.is_nominal = false;
+    return "with every tolerance and control error at 0, " + describe_claim(exact, noun);
+  }
   const std::size_t count = solutions.found.size();
   if (solutions.completeness == Completeness::kIncomplete)
     return fmt::format("{} certain; whether there are others is not shown: {}",

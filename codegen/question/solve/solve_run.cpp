@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/solve/solve_run.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "codegen/question/solve/arm_postures.hpp"
 #include "codegen/question/solve/platform_poses.hpp"
 #include "codegen/question/solve/system_solutions.hpp"
@@ -9,6 +13,27 @@
 
 namespace regulus {
 
+namespace {
+
+/// Nothing that a motion says beside its place may be lost.
+void require_place_alone(const Motion& motion) {
+  if (!motion.constraints.empty())
+    throw UsageError(fmt::format(
+        "the motion {} has constraints, and all solutions at a place are listed, whatever they "
+        "meet; give the place by at, or by a motion without constraints",
+        motion.name));
+}
+
+bool has_tolerances(const Request& request) {
+  const auto is_zero = [](const GiNaC::ex& x) { return x.is_zero(); };
+  return !std::ranges::all_of(request.motion.error, is_zero) ||
+         std::ranges::any_of(request.model.geometry, [](const GeometryParameter& g) {
+           return !g.tolerance.is_zero() || g.ball >= 0;
+         });
+}
+
+}  // namespace
+
 Request read_solve_request(const ModelOptions& options, const FormingWatch& watch) {
   ModelOptions given = options;
   given.takes_legs = true;
@@ -16,6 +41,7 @@ Request read_solve_request(const ModelOptions& options, const FormingWatch& watc
   if (request.motion.trajectory)
     throw UsageError(
         "solutions are those at one place; name a motion that has one, or give its values by at");
+  require_place_alone(request.motion);
   require_values(request);
   return request;
 }
@@ -32,12 +58,23 @@ SolvedNoun noun_of(const Request& request) {
   return {"configuration", "configurations", "the derivatives of the equations by the unknowns"};
 }
 
+namespace {
+
+/// Without the tolerances of a robot that is not given by its equations.
+Solutions solve_nominal(const Request& request, const SolveRun& run) {
+  Solutions solutions =
+      request.model.legs.empty() ? solve_arm(request, run) : solve_platform(request, run);
+  solutions.is_nominal = has_tolerances(request);
+  return solutions;
+}
+
+}  // namespace
+
 Solutions solve(const Request& request, const SolveRun& run) {
   const FloatingPointScope nearest(FloatingPointRounding::kNearest);
   if (!run.held.empty() && !request.model.arm)
     throw UsageError("only an arm of [serial] has joints that can be held");
-  if (!request.model.legs.empty()) return solve_platform(request, run);
-  if (request.model.arm) return solve_arm(request, run);
+  if (!request.model.legs.empty() || request.model.arm) return solve_nominal(request, run);
   if (!request.model.closure)
     throw UsageError(
         "the solutions of this model cannot be asked for: give its equations in [closure], or legs "

@@ -27,6 +27,20 @@ force = [1, 9]
 x = [-0.5, 0.5]
 )toml";
 
+/// A point of a circle, by its first coordinate.
+constexpr const char* kCircle = R"toml(regulus = 1
+name = "circle"
+[pose]
+x = "m"
+[closure]
+unknowns = { y = "m" }
+equations = ["x^2 + y^2 - 25"]
+start = { x = 3, y = 4 }
+range = { y = [-9, 9] }
+[motion.point]
+x = 3
+)toml";
+
 Question bead() { return Question::of_text(kBead, "bead", "m"); }
 
 void change_questions() {
@@ -47,6 +61,8 @@ void search() {
   regulus::LocateOptions paving;
   paving.resolution = "1/4";
   std::puts(regulus::name(regulus::locate(bead(), paving).verdict));
+  const Question circle = Question::of_text(kCircle, "circle", "point");
+  std::puts(regulus::solve(circle).headline.c_str());
   std::puts(regulus::name(regulus::check_load(bead(), "push").verdict));
   regulus::LocateLoadOptions loads;
   loads.resolution = "1/4";
@@ -67,6 +83,8 @@ void prepare() {
   regulus::Finding finding = first.check(bead());
   first.describe(bead(), finding);
   std::puts(regulus::name(finding.verdict));
+  const std::vector<regulus::Interval> ranges(first.parameters().size(), {0.25, 0.5});
+  std::puts(regulus::name(first.check(ranges).verdict));
   const Question arm = Question::of_file("arm.toml", "regular");
   regulus::Kernel made(arm, {.engine = regulus::Engine::kAuto}), kernel(std::move(made));
   made = std::move(kernel);

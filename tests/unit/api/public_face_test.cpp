@@ -19,6 +19,8 @@ using regulus::Question;
 using regulus::Verdict;
 using regulus::test::circle;
 using regulus::test::interpreted;
+using testing::HasSubstr;
+using testing::Not;
 
 TEST(PublicFace, AnswersForAFileAsForTheRobotThatItDescribes) {
   const Question file = Question::of_file(REGULUS_SOURCE_DIR "/models/planar_3rpr.toml", "regular");
@@ -33,6 +35,30 @@ TEST(PublicFace, CopiesOfAQuestionAreChangedApart) {
   changed.tolerance("platform", "2");
   EXPECT_EQ(regulus::check(asked, interpreted()).verdict, Verdict::kNoSingularity);
   EXPECT_EQ(regulus::check(changed, interpreted()).verdict, Verdict::kSingularity);
+}
+
+/// What the file says beside the place is neither lost nor taken for zero without a word.
+TEST(PublicFace, SolutionsSayWhichToleranceTheyLeaveOut) {
+  const regulus::SolveOptions at{
+      .search = {}, .at = {"x=0", "y=0", "z=47", "psi=0.1", "theta=0.05", "phi=0.02"}, .hold = {}};
+  Question robot = Question::of_file(REGULUS_SOURCE_DIR "/models/robot_1.toml");
+  const char* const kLeftOut = "with every tolerance and control error at 0, ";
+  EXPECT_THAT(regulus::solve(robot, at).report, Not(HasSubstr(kLeftOut)));
+  EXPECT_THAT(regulus::solve(robot.tolerance("base", "0.1"), at).report, HasSubstr(kLeftOut));
+}
+
+TEST(PublicFace, SolutionsOfAMotionWithConstraintsAreRefused) {
+  const auto circle_with = [](const std::string& line) {
+    return Question::of_text(
+        "regulus = 1\nname = \"circle\"\n[pose]\nx = \"m\"\n[closure]\nunknowns = { y = \"m\" }\n"
+        "equations = [\"x^2 + y^2 - 25\"]\nstart = { x = 3, y = 4 }\nrange = { y = [-9, 9] }\n"
+        "[motion.point]\nx = 3\n" +
+            line,
+        "circle.toml", "point");
+  };
+  EXPECT_EQ(regulus::solve(circle_with("")).solutions.found.size(), 2U);
+  EXPECT_THROW(static_cast<void>(regulus::solve(circle_with("constraints = [\"x - 4\"]\n"))),
+               regulus::UsageError);
 }
 
 TEST(PublicFace, BoundsAQuantity) {
@@ -222,7 +248,7 @@ TEST(PublicFace, ProvesThatForcesHoldALoad) {
   const regulus::LoadFinding other =
       regulus::check_load(bead().range("x", "-0.7", "0.7"), "", interpreted());
   EXPECT_EQ(other.verdict, regulus::FeasibilityVerdict::kInfeasible) << other.report;
-  EXPECT_THAT(other.json, testing::HasSubstr("\"witness\""));
+  EXPECT_THAT(other.json, HasSubstr("\"witness\""));
 }
 
 /// At x the forces give at most 10x + 8 and at least 10x − 8, and the load is within ±2.
@@ -245,7 +271,7 @@ TEST(PublicFace, BoundsAndHoldsALoadAlongWayPoints) {
   std::ofstream(way) << "t,x\n0,-0.5\n1,0.25\n2,0.75\n";
   const regulus::LoadFinding lost = regulus::check_load(bead().waypoints(way), "", interpreted());
   EXPECT_EQ(lost.verdict, regulus::FeasibilityVerdict::kInfeasible) << lost.report;
-  EXPECT_THAT(lost.report, testing::HasSubstr("segment 2, t = "));
+  EXPECT_THAT(lost.report, HasSubstr("segment 2, t = "));
 }
 
 TEST(PublicFace, PavesAMotionUnderALoad) {

@@ -94,8 +94,10 @@ TEST(KeptSolver, FollowsRangesThatMove) {
         if (step % 4 != 0) range = {std::min(a, b), std::max(a, b)};
       }
       c.settings.max_boxes = std::min<std::uint64_t>(c.settings.max_boxes, 500);
-      Solver fresh;
-      EXPECT_EQ(events_of(kept, c), events_of(fresh, c)) << c.name << ' ' << step;
+      for (const double alpha : {0.0, 0.25}) {
+        Solver fresh;
+        EXPECT_EQ(events_of(kept, c, alpha), events_of(fresh, c, alpha)) << c.name << ' ' << step;
+      }
     }
   }
 }
