@@ -18,9 +18,14 @@
 #include "codegen/question/solve/system_solutions.hpp"
 #include "codegen/support/errors.hpp"
 #include "runtime/interval/floating_point_scope.hpp"
+#include "runtime/solutions/arm_postures.hpp"
 
 namespace regulus {
 namespace {
+
+constexpr const char* kTheorem =
+    "by the theorem that six joints that turn have at most 16 isolated complex postures (Primrose "
+    "1986; Lee & Liang 1988; Raghavan & Roth 1993), of which 16 are certain";
 
 constexpr std::size_t kWays = 3;
 /// Each way to choose opposite joints gets so many boxes at first, and then all that are left.
@@ -81,7 +86,9 @@ class ArmSolver {
         best.obstacle.empty() ? Completeness::kComplete : Completeness::kIncomplete;
     solutions_.obstacle = std::move(best.obstacle);
     solutions_.stopped_by = best.stopped_by;
-    solutions_.how = fmt::format("by a search of {} boxes", in_thousands(solutions_.boxes));
+    solutions_.how = is_counted_
+                         ? kTheorem
+                         : fmt::format("by a search of {} boxes", in_thousands(solutions_.boxes));
     return std::move(solutions_);
   }
 
@@ -143,10 +150,31 @@ class ArmSolver {
     return arm.at(0)->also.front().hi < kHalfTurn;
   }
 
+  /// All postures, if as many as the theorem allows are certain among complex numbers.
+  std::optional<Attempt> by_counting() {
+    ArmToEnd arm;
+    for (std::size_t k = 0; k < kJoints; ++k)
+      arm.joints[k] = {{chain_[k].origin.R, chain_[k].origin.d}, chain_[k].axis};
+    arm.end = {target_.R, target_.d};
+    const ArmPostures counted = find_arm_postures(arm);
+    if (!counted.is_complete()) return std::nullopt;
+    Attempt attempt;
+    for (const PostureAngles& angles : counted.postures) {
+      std::vector<double> near;
+      for (const Interval& angle : angles) near.push_back(mid(angle));
+      auto root = judge_of_arm().root_near({}, near);
+      if (!root || !is_posture(*root) || !root->is(angles)) return std::nullopt;
+      attempt.postures.push_back(std::move(*root));
+    }
+    solutions_.complex_found = counted.complex;
+    is_counted_ = true;
+    return attempt;
+  }
+
   Attempt by_opposite_axes() {
     Attempt best;
     const std::uint64_t all = settings_.max_boxes;
-    for (const std::uint64_t most : {std::min(all, kFirstBoxes), all})
+    for (const std::uint64_t most : {std::min(all, kFirstBoxes), all}) {
       for (std::size_t first = 0; first < kWays; ++first) {
         settings_.max_boxes = most;
         Attempt attempt = by_opposite_axes(first);
@@ -158,6 +186,8 @@ class ArmSolver {
           best = std::move(attempt);
         if (is_last) return best;
       }
+      if (auto counted = by_counting()) return std::move(*counted);
+    }
     return best;
   }
 
@@ -323,6 +353,7 @@ class ArmSolver {
   const Problem problem_{};
   RootSettings settings_;
   Solutions solutions_;
+  bool is_counted_ = false;
 };
 
 }  // namespace

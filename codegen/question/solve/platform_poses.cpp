@@ -19,10 +19,12 @@ namespace {
 
 using GiNaC::ex;
 
-constexpr const char* kTheorem =
+constexpr const char* kTheoremOfForty =
     "by the theorem that a platform on six legs has at most 40 isolated complex poses (Ronga & "
-    "Vust "
-    "1995; Lazard 1993; Mourrain 1993), of which 40 are certain";
+    "Vust 1995; Lazard 1993; Mourrain 1993), of which 40 are certain";
+constexpr const char* kTheoremOfPairs =
+    "by the theorem that a platform on six legs that meet in pairs has at most 16 isolated complex "
+    "poses (of Bezout), of which 16 are certain";
 
 /// Returns the square of each length.
 std::vector<ex> squared_lengths(const Request& request) {
@@ -50,6 +52,21 @@ Interval reach_of(const ExtensibleLeg& leg, const NominalGeometry& nominal, cons
          norm(at(leg.platform[0]), at(leg.platform[1]));
 }
 
+/// Returns for each anchor the first one that is equal to it, exactly.
+template <class AnchorOf>
+std::array<std::size_t, 6> points_of(const NominalGeometry& nominal, const AnchorOf& anchor_of) {
+  std::array<std::size_t, 6> points{};
+  for (std::size_t i = 0; i < 6; ++i) {
+    const auto is_same = [&](std::size_t k) {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if (!nominal.at(anchor_of(i)[axis] - anchor_of(k)[axis]).expand().is_zero()) return false;
+      return true;
+    };
+    while (points[i] < i && !is_same(points[i])) ++points[i];
+  }
+  return points;
+}
+
 GoughLegs enclose_legs(const Request& request) {
   const NominalGeometry nominal(request.model);
   const std::vector<ex> squares = squared_lengths(request);
@@ -65,6 +82,9 @@ GoughLegs enclose_legs(const Request& request) {
                          ? sqrt(enclose_constant(squares[i], "a length"))
                          : enclose_constant(request.motion.legs[i], "a length");
   }
+  const auto& all = request.model.legs;
+  legs.base_point = points_of(nominal, [&](std::size_t i) { return all[i].base; });
+  legs.platform_point = points_of(nominal, [&](std::size_t i) { return all[i].platform; });
   return legs;
 }
 
@@ -120,13 +140,14 @@ Solutions count_poses(const Request& request, const SolveRun& run) {
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (poses.is_complete()) {
     solutions.completeness = Completeness::kComplete;
-    solutions.how = kTheorem;
+    solutions.how = poses.most == kPosesOfGough ? kTheoremOfForty : kTheoremOfPairs;
   } else {
     solutions.obstacle = fmt::format(
-        "{} complex poses are certain, and a platform on six legs may have 40; this one has fewer, "
+        "{} complex poses are certain, and a platform on such legs may have {}; this one has "
+        "fewer, "
         "or "
         "some meet, or are not isolated",
-        poses.complex);
+        poses.complex, poses.most);
   }
   return solutions;
 }

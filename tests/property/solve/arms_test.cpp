@@ -178,6 +178,28 @@ TEST(PublishedSolutions, OfAPlanarPlatformHaveTheirSigns) {
   }
 }
 
+/// Legs that meet in pairs have at most 16 complex poses, and the platform's own is among them.
+TEST(AllPosesOfLegsInPairs, ContainThePlantedOne) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> part(-1, 1);
+  int complete = 0;
+  for (int i = 0; i < 10; ++i) {
+    const double x = 2 * part(random), y = 2 * part(random), z = 9 + 2 * part(random);
+    std::vector<std::string> at = {fmt::format("x={}", x), fmt::format("y={}", y),
+                                   fmt::format("z={}", z)};
+    for (const char* angle : {"roll", "pitch", "yaw"})
+      at.push_back(fmt::format("{}={}", angle, 0.3 * part(random)));
+    const Solutions poses = solved(model("octahedral"), at);
+    if (is_complete(poses)) {
+      ++complete;
+      EXPECT_TRUE(has_near(poses, {x, y, z}, 1e-8)) << x << ' ' << y << ' ' << z;
+      EXPECT_EQ(poses.complex_found, 16U);
+      EXPECT_EQ(poses.found.size() % 2, 0U);  // mirrored in the plane of the base
+    }
+  }
+  EXPECT_GE(complete, 9);
+}
+
 TEST(PublishedSolutions, OfDietmaiersPlatformAreForty) {
   const Solutions poses = solved(model("dietmaier"));
   EXPECT_TRUE(is_complete(poses));
