@@ -25,6 +25,11 @@ class WitnessSearch {
   /// `closes_in`: a proof by two points is refined to the zero between them as far as possible.
   WitnessSearch(const Problem& problem, const Settings& settings, bool closes_in = true);
 
+  /// Becomes the search of the problem whose ranges have changed.
+  ///
+  /// Requires  restart() before anything else.
+  void take_ranges();
+
   /// Returns to the initial state, with the oracles that the settings name now.
   void restart() noexcept;
   /// Forgets the candidates and the proof.
@@ -118,6 +123,7 @@ class WitnessSearch {
   void try_exactly() noexcept;
   [[nodiscard]] bool holds_box() noexcept;
 
+  void note_balls();
   void load_piece(std::size_t lane, const std::vector<double>& from, const std::vector<double>& to,
                   Interval part) noexcept;
   void close_in() noexcept;
@@ -155,9 +161,8 @@ class WitnessSearch {
   bool square_, scaled_;
   const bool uses_corners_, uses_descents_;
   bool closes_in_;
-  const ToleranceBalls balls_;
-  const std::vector<std::optional<Interval>>
-      reach_;                                   ///< where points may lie, with the balls' axes
+  ToleranceBalls balls_;
+  std::vector<std::optional<Interval>> reach_;  ///< where points may lie, with the balls' axes
   std::vector<std::optional<Interval>> inner_;  ///< the same, or the part of one box
   RowStructure no_structure_;
   Batch points_;
