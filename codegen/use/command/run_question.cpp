@@ -10,6 +10,7 @@
 #include "codegen/answer/ask.hpp"
 #include "codegen/answer/report/report_text.hpp"
 #include "codegen/support/errors.hpp"
+#include "codegen/support/terminal_width.hpp"
 #include "codegen/use/command/interrupt.hpp"
 #include "codegen/use/command/terminal.hpp"
 
@@ -72,9 +73,10 @@ CommandQuestion question_of(const LocateCommand& command) {
   Services& services = question.services = services_of(command);
   services.pictures = command.pictures;
   services.checkpoint = command.checkpoint;
-  const bool prints_boxes = command.boxes_unless_json && !command.output.json;
+  if (!command.output.quiet && ::isatty(STDERR_FILENO) != 0)
+    services.pictures.map_columns = columns_of_terminal(STDERR_FILENO);
   services.lines.file = command.lines;
-  question.prints_lines = command.lines == "-" || (command.lines.empty() && prints_boxes);
+  question.prints_lines = command.lines == "-";
   if (!question.prints_lines) return question;
   if (command.output.json)
     throw UsageError("--json and --output - both write to standard output; use one of them");
