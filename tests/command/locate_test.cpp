@@ -345,8 +345,8 @@ TEST(Locate, DrewThePictureOfTheManual) {
 }
 
 TEST(Locate, PavesAVarietyOfOnePose) {
-  const CommandResult result =
-      locate({kPlanar, "regular", "--range", "x=0", "--range", "y=15", "--range", "phi=5*deg"});
+  const CommandResult result = locate_boxes(
+      {kPlanar, "regular", "--range", "x=0", "--range", "y=15", "--range", "phi=5*deg"});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(parse(result.output).boxes.size(), 1u);
 }

@@ -106,9 +106,10 @@ TEST(ShellAtATerminal, LocateDrawsAMap) {
   terminal.type(
       "locate crossing --range x=-36:20 --range y=-16:36 --range phi=25*deg "
       "--resolution 1/16\n");
-  ASSERT_TRUE(terminal.shows("\r\nmap        x to the right, y upward: # singular, . free\r\n"))
+  ASSERT_TRUE(terminal.shows(
+      "\r\nmap        x to the right, y upward: # singular, ? undecided, . free\r\n"))
       << terminal.seen();
-  ASSERT_TRUE(terminal.shows("  36 ........"));
+  ASSERT_TRUE(terminal.shows("  36 ..............#."));
   ASSERT_TRUE(terminal.shows("  -36 "));
   ASSERT_TRUE(terminal.shows("\r\nSINGULARITY\r\n"));
 }

@@ -11,7 +11,7 @@
 namespace regulus {
 namespace {
 
-constexpr std::size_t kMostRows = 32;
+constexpr std::size_t kMostMapRows = 32;
 
 struct Sign {
   Claim claim;
@@ -39,7 +39,7 @@ class Characters {
   Characters(const Canvas& canvas, std::size_t most_columns)
       : canvas_(canvas),
         wide_(tiles_together(canvas.columns(), most_columns)),
-        high_(tiles_together(canvas.rows(), kMostRows)) {}
+        high_(tiles_together(canvas.rows(), kMostMapRows)) {}
 
   [[nodiscard]] std::size_t columns() const noexcept { return canvas_.columns() / wide_; }
   [[nodiscard]] std::size_t rows() const noexcept { return canvas_.rows() / high_; }
