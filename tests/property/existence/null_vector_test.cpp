@@ -14,7 +14,8 @@ namespace {
 
 /// A(t) = B + Σ_k (C_k·s_k + D_k·s_k²), s = t − t*, with small whole numbers; B·v* = 0 exactly if `gap` is 0.
 struct Planted {
-  Planted(RandomSource& random, std::size_t d, std::size_t n) : d(d), n(n), m(d + n - 1) {
+  Planted(RandomSource& random, std::size_t variables, std::size_t columns)
+      : d(variables), n(columns), m(d + n - 1) {
     const auto whole = [&] { return double(random.below(9)) - 4.0; };
     for (std::size_t k = 0; k < d; ++k) place.push_back(whole() / 8 + 1.0 / 1024);
     vector.push_back(1);
