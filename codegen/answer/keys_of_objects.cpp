@@ -89,6 +89,8 @@ constexpr Key kPlace[] = {
 constexpr Key kPoint[] = {
     {"determinant", "enclosure?", "null: the matrix has more rows than columns"},
     {"exact?", "exact{}", "coordinates that are known exactly and need not be doubles"},
+    {"enclosed?", "text[]", "names of what has some value of its range, where rank is lost"},
+    {"null_vector?", "enclosure[]", "what the matrix maps to 0 there; one component is 1"},
 };
 constexpr Key kPlaceOfValue[] = {
     {"exact?", "exact{}", "coordinates that are known exactly and need not be doubles"},

@@ -17,6 +17,9 @@ inline constexpr const char* kOppositeSigns = "opposite-signs";
 inline constexpr const char* kSmallDeterminant = "small-determinant";
 inline constexpr const char* kAlwaysSingular = "always-singular";
 inline constexpr const char* kLostRank = "lost-rank";
+inline constexpr const char* kNullVector = "null-vector";
+inline constexpr const char* kChosen = "chosen";  ///< lines of it
+inline constexpr const char* kVector = "vector";
 inline constexpr char kExactValue = '=';  ///< begins a coordinate that is a constant expression
 // Claims about forces within limits that hold a load.
 inline constexpr const char* kFeasible = "FEASIBLE";

@@ -72,6 +72,10 @@ class WitnessSearch {
   /// only.
   void look_for_exact_place(std::span<const Interval> box) noexcept;
 
+  /// Looks for a small box in the variety that certainly has a singular point, as the algebra encloses
+  /// it. Takes as long; without a threshold only.
+  void look_for_null_vector(std::span<const Interval> box) noexcept;
+
   /// Forgets all results and searches inside `box` alone: in its middle, downhill, at its corners.
   /// Returns found().
   bool look_inside(std::span<const Interval> box) noexcept;
@@ -122,6 +126,7 @@ class WitnessSearch {
   void place_at(std::size_t variable, PlaceInRange place) noexcept;
   void try_exactly() noexcept;
   [[nodiscard]] bool holds_box() noexcept;
+  [[nodiscard]] bool is_in_ranges(std::span<const Interval> box) const noexcept;
 
   void note_balls();
   void load_piece(std::size_t lane, const std::vector<double>& from, const std::vector<double>& to,
@@ -188,6 +193,7 @@ class WitnessSearch {
   std::vector<ExactNumber> numbers_;  ///< the same; empty: there are none
   std::vector<Interval> at_ends_;     ///< the point that was found there
   Interval determinant_at_ends_;
+  EnclosedPlace enclosed_;  ///< for Reason::kNullVector, in the place of these
   bool found_ = false, found_at_ends_ = false;
   Reason reason_ = Reason::kOppositeSigns;
   Witness witness_;
