@@ -5,11 +5,14 @@
 
 #include <chrono>
 
+#include "codegen/answer/report/number_text.hpp"
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/degrees.hpp"
 #include "codegen/model/exact/exact_double.hpp"
+#include "codegen/question/engine/settings.hpp"
 #include "codegen/question/solve/arm_chain.hpp"
 #include "codegen/question/solve/nominal.hpp"
+#include "codegen/question/solve/pose_search.hpp"
 #include "codegen/question/solve/system_solutions.hpp"
 #include "runtime/interval/floating_point_scope.hpp"
 #include "runtime/solutions/gough_poses.hpp"
@@ -88,18 +91,9 @@ GoughLegs enclose_legs(const Request& request) {
   return legs;
 }
 
-Matrix3 rotation_of(const std::array<Interval, 4>& q) {
-  const Interval two(2.0), one(1.0);
-  return {one - two * (sqr(q[2]) + sqr(q[3])), two * (q[1] * q[2] - q[0] * q[3]),
-          two * (q[1] * q[3] + q[0] * q[2]),   two * (q[1] * q[2] + q[0] * q[3]),
-          one - two * (sqr(q[1]) + sqr(q[3])), two * (q[2] * q[3] - q[0] * q[1]),
-          two * (q[1] * q[3] - q[0] * q[2]),   two * (q[2] * q[3] + q[0] * q[1]),
-          one - two * (sqr(q[1]) + sqr(q[2]))};
-}
-
 /// The rows of the inverse Jacobian: unit vectors along the legs, and their moments.
 std::vector<Interval> matrix_at(const GoughLegs& legs, const GoughPose& pose) {
-  const Matrix3 R = rotation_of(pose.rotation);
+  const Matrix3 R = rotation_matrix(pose.rotation);
   std::vector<Interval> matrix;
   for (std::size_t i = 0; i < 6; ++i) {
     const Vector3 arm = times(R, legs.platform[i]);
@@ -111,10 +105,14 @@ std::vector<Interval> matrix_at(const GoughLegs& legs, const GoughPose& pose) {
   return matrix;
 }
 
+std::vector<Interval> values_of(const GoughPose& pose) {
+  std::vector<Interval> values(pose.position.begin(), pose.position.end());
+  values.insert(values.end(), pose.rotation.begin(), pose.rotation.end());
+  return values;
+}
+
 CertainSolution solution_at(const GoughLegs& legs, const GoughPose& pose) {
-  CertainSolution solution;
-  solution.values.assign(pose.position.begin(), pose.position.end());
-  solution.values.insert(solution.values.end(), pose.rotation.begin(), pose.rotation.end());
+  CertainSolution solution{values_of(pose)};
   const std::vector<Interval> matrix = matrix_at(legs, pose);
   solution.sign = sign_of_determinant(matrix, 6);
   std::vector<double> middles;
@@ -123,32 +121,74 @@ CertainSolution solution_at(const GoughLegs& legs, const GoughPose& pose) {
   return solution;
 }
 
-Solutions count_poses(const Request& request, const SolveRun& run) {
+void list(Solutions& solutions, const GoughLegs& legs, const std::vector<GoughPose>& poses) {
+  solutions.found.clear();
+  for (const GoughPose& pose : poses) solutions.found.push_back(solution_at(legs, pose));
+  sort_by_values(solutions.found);
+}
+
+RootSettings settings_of(const SolveRun& run) {
+  RootSettings settings;
+  settings.threads = settings_from(run.search).threads;
+  settings.interrupt = run.interrupt;
+  if (run.search.max_boxes != 0) settings.max_boxes = run.search.max_boxes;
+  if (run.search.time_limit != 0) settings.time_limit = run.search.time_limit;
+  return settings;
+}
+
+std::string obstacle_of(const PoseList& list, const GoughPoses& counted) {
+  if (!list.is_searched)
+    return fmt::format(
+        "{} complex poses are certain, and a platform on such legs may have {}; its anchors are "
+        "too "
+        "special for a search",
+        counted.complex, counted.most);
+  if (list.stopped_by) return describe(*list.stopped_by);
+  const auto at = [&](std::size_t i) { return mid(list.open.front().position[i]); };
+  return fmt::format("{} near x = {:.6g}, y = {:.6g}, z = {:.6g}",
+                     list.is_doubtful ? "two poses are not told apart"
+                                      : "several poses meet, or there are infinitely many,",
+                     at(0), at(1), at(2));
+}
+
+/// For a platform that has fewer complex poses than the theorem allows.
+void search_poses(Solutions& solutions, const GoughLegs& legs, const GoughPoses& counted,
+                  const SolveRun& run) {
+  const PoseList found = search_poses(legs, settings_of(run), run.progress);
+  solutions.boxes = found.boxes;
+  solutions.stopped_by = found.stopped_by;
+  if (found.is_complete) {
+    list(solutions, legs, found.poses);
+    solutions.completeness = Completeness::kComplete;
+    solutions.how =
+        fmt::format("by a search of {} boxes over all rotations", in_thousands(found.boxes));
+    return;
+  }
+  if (found.poses.size() > solutions.found.size()) list(solutions, legs, found.poses);
+  for (const GoughPose& box : found.open) solutions.open.push_back(values_of(box));
+  solutions.obstacle = obstacle_of(found, counted);
+}
+
+Solutions poses_in_space(const Request& request, const SolveRun& run) {
   const FloatingPointScope nearest(FloatingPointRounding::kNearest);
   const auto start = std::chrono::steady_clock::now();
   const GoughLegs legs = enclose_legs(request);
   run.begin();
-  const GoughPoses poses = find_gough_poses(legs);
+  const GoughPoses counted = find_gough_poses(legs);
   Solutions solutions;
   for (std::size_t i = 0; i < 3; ++i)
     solutions.unknowns.push_back({request.model.pose[i].name, request.model.pose[i].unit});
   for (const char* name : {"qw", "qx", "qy", "qz"}) solutions.unknowns.push_back({name, "1"});
-  for (const GoughPose& pose : poses.poses) solutions.found.push_back(solution_at(legs, pose));
-  sort_by_values(solutions.found);
-  solutions.complex_found = poses.complex;
+  list(solutions, legs, counted.poses);
+  solutions.complex_found = counted.complex;
+  if (counted.is_complete()) {
+    solutions.completeness = Completeness::kComplete;
+    solutions.how = counted.most == kPosesOfGough ? kTheoremOfForty : kTheoremOfPairs;
+  } else {
+    search_poses(solutions, legs, counted, run);
+  }
   solutions.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (poses.is_complete()) {
-    solutions.completeness = Completeness::kComplete;
-    solutions.how = poses.most == kPosesOfGough ? kTheoremOfForty : kTheoremOfPairs;
-  } else {
-    solutions.obstacle = fmt::format(
-        "{} complex poses are certain, and a platform on such legs may have {}; this one has "
-        "fewer, "
-        "or "
-        "some meet, or are not isolated",
-        poses.complex, poses.most);
-  }
   return solutions;
 }
 
@@ -182,7 +222,7 @@ Request planar_request(const Request& request) {
 }
 
 Solutions solve_platform(const Request& request, const SolveRun& run) {
-  if (request.model.legs.size() != 3) return count_poses(request, run);
+  if (request.model.legs.size() != 3) return poses_in_space(request, run);
   PreparedSystem prepared =
       prepare_system(planar_request(request), 0, run.search, run.watch, false);
   run.begin();
