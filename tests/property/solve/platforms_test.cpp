@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Poses of platforms by a search over all rotations, against counted ones and Newton's method.
+#include <gtest/gtest.h>
+
+#include "codegen/question/solve/pose_search.hpp"
+#include "tests/support/hostile_platforms.hpp"
+
+namespace regulus::test {
+namespace {
+
+PoseList searched(const GoughLegs& legs, std::uint64_t max_boxes = 400'000) {
+  RootSettings settings;
+  settings.max_boxes = max_boxes;
+  settings.boxes_after_problem = 2'000;
+  return search_poses(legs, settings, nullptr);
+}
+
+Pose<double> middle(const GoughPose& pose) {
+  Pose<double> result{};
+  std::ranges::transform(pose.rotation, result.rotation.begin(), [](Interval q) { return mid(q); });
+  std::ranges::transform(pose.position, result.position.begin(), [](Interval t) { return mid(t); });
+  return result;
+}
+
+/// Both lists have the same poses.
+void expect_same(const std::vector<GoughPose>& a, const std::vector<GoughPose>& b) {
+  EXPECT_EQ(a.size(), b.size());
+  for (const GoughPose& pose : a) EXPECT_TRUE(holds(b, middle(pose), 1e-7));
+}
+
+/// A complete list has all that Newton's method finds, the planted pose too, and certain legs.
+void expect_all(const Platform& robot, const GoughLegs& legs, const Pose<double>& planted,
+                const PoseList& list, RandomSource& random, int starts) {
+  EXPECT_TRUE(holds(list.poses, planted, 1e-6));
+  expect_nothing_missing(robot, legs, {list.poses}, random, starts);
+  for (const GoughPose& pose : list.poses)
+    for (std::size_t i = 0; i < 6; ++i) {
+      const Interval square = squared_length<Interval>({pose.rotation, pose.position},
+                                                       robot.base[i], robot.platform[i]);
+      EXPECT_FALSE(certain_disjoint(square, sqr(legs.length[i])));
+      EXPECT_LT(width_ru(square), 1e-4);
+    }
+}
+
+TEST(PosesOfARandomPlatform, AreTheCountedOnes) {
+  RandomSource random(21);
+  int compared = 0;
+  for (int round = 0; round < 6; ++round) {
+    const Platform robot = Platform::random(random);
+    const GoughLegs legs = robot.at(random_pose(random, 2));
+    const GoughPoses counted = find_gough_poses(legs);
+    const PoseList list = searched(legs);
+    if (!counted.is_complete() || !list.is_complete) continue;
+    ++compared;
+    expect_same(counted.poses, list.poses);
+  }
+  EXPECT_GE(compared, 5);
+}
+
+/// Base and platform are flat, and each is its own image in a mirror, leg by leg.
+Platform mirrored(RandomSource& random) {
+  Platform robot;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (Anchors* anchors : {&robot.base, &robot.platform}) {
+      const double x = random.between(0.1, 1), y = random.between(-1, 1);
+      (*anchors)[i] = {x, y, 0};
+      (*anchors)[i + 3] = {-x, y, 0};
+    }
+  return robot;
+}
+
+/// Three pairs of legs, each the one before after a third of a turn.
+Platform threefold(RandomSource& random) {
+  Platform robot;
+  for (Anchors* anchors : {&robot.base, &robot.platform})
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double radius = random.between(0.4, 1), angle = random.between(-3, 3);
+      for (std::size_t turn = 0; turn < 3; ++turn) {
+        const double at = angle + 2 * std::acos(-1.0) / 3 * double(turn);
+        (*anchors)[2 * turn + i] = {radius * std::cos(at), radius * std::sin(at), 0};
+      }
+    }
+  return robot;
+}
+
+TEST(PosesOfAMirroredPlatform, HasNoOthers) {
+  RandomSource random(22);
+  int complete = 0;
+  for (int round = 0; round < 8; ++round) {
+    const Platform robot = mirrored(random);
+    const Pose<double> planted = random_pose(random, 1);
+    const GoughLegs legs = robot.at(planted);
+    EXPECT_FALSE(find_gough_poses(legs).is_complete());
+    const PoseList list = searched(legs);
+    if (!list.is_complete) continue;
+    ++complete;
+    EXPECT_EQ(list.poses.size() % 4, 0U) << "a mirror, and its image below the base";
+    expect_all(robot, legs, planted, list, random, 200);
+  }
+  EXPECT_GE(complete, 7);
+}
+
+TEST(PosesOfAThreefoldPlatform, HasNoOthers) {
+  RandomSource random(23);
+  int complete = 0;
+  for (int round = 0; round < 6; ++round) {
+    const Platform robot = threefold(random);
+    const Pose<double> planted = random_pose(random, 1);
+    const GoughLegs legs = robot.at(planted);
+    const PoseList list = searched(legs);
+    if (!list.is_complete) continue;
+    ++complete;
+    EXPECT_EQ(list.poses.size() % 2, 0U) << "the image below the base";
+    expect_all(robot, legs, planted, list, random, 200);
+  }
+  EXPECT_GE(complete, 5);
+}
+
+/// The same platform in another frame of the base, in another chart for each pose.
+TEST(PosesOfATurnedPlatform, AreAsMany) {
+  RandomSource random(24);
+  for (int round = 0; round < 4; ++round) {
+    Platform robot = mirrored(random);
+    const GoughLegs legs = robot.at(random_pose(random, 1));
+    const PoseList list = searched(legs);
+    const Pose<double> frame = random_pose(random, 1);
+    for (auto& anchor : robot.base) anchor = placed(frame, anchor);
+    const PoseList turned = searched(robot.with(legs.length));
+    if (list.is_complete && turned.is_complete) {
+      EXPECT_EQ(list.poses.size(), turned.poses.size());
+    }
+    EXPECT_TRUE(list.is_complete || turned.is_complete);
+  }
+}
+
+/// A half turn and a quarter turn are on the borders of charts.
+TEST(PosesOnBordersOfCharts, AreListedOnce) {
+  RandomSource random(25);
+  const double s = std::sqrt(0.5);
+  for (const std::array<double, 4>& rotation : {std::array{s, s, 0.0, 0.0},
+                                                {0.5, 0.5, 0.5, 0.5},
+                                                {0.0, s, s, 0.0},
+                                                {0.5, -0.5, 0.5, 0.5}}) {
+    const Platform robot = Platform::random(random);
+    const Pose<double> planted{rotation, {0.3, -0.2, 1.1}};
+    const GoughLegs legs = robot.at(planted);
+    const PoseList list = searched(legs);
+    ASSERT_TRUE(list.is_complete);
+    EXPECT_EQ(std::ranges::count_if(
+                  list.poses, [&](const GoughPose& p) { return distance(p, planted) < 1e-6; }),
+              1);
+  }
+}
+
+TEST(HostilePlatforms, HaveNoFalseListOfPoses) {
+  RandomSource random(26);
+  int complete = 0;
+  for (int round = 0; round < 12; ++round) {
+    const Platform robot = hostile_platform(random);
+    const Pose<double> planted = random_pose(random, 1.5);
+    const GoughLegs legs = robot.at(planted);
+    const PoseList list = searched(legs, 40'000);
+    if (!list.is_complete) continue;
+    ++complete;
+    expect_all(robot, legs, planted, list, random, 60);
+  }
+  EXPECT_GE(complete, 2);
+}
+
+TEST(PlatformsThatMove, AreNeverComplete) {
+  const Platform griffis_duffy{
+      {{{-10, -6, 0}, {0, -6, 0}, {10, -6, 0}, {5, 3, 0}, {0, 12, 0}, {-5, 3, 0}}},
+      {{{0, -3, 0}, {5, -3, 0}, {2.5, 1.5, 0}, {0, 6, 0}, {-2.5, 1.5, 0}, {-5, -3, 0}}}};
+  RandomSource random(27);
+  Pose<double> pose = random_pose(random, 3);
+  pose.position[2] += 15;
+  EXPECT_FALSE(searched(griffis_duffy.at(pose), 20'000).is_complete);
+  EXPECT_FALSE(searched({}).is_complete);
+  GoughLegs legs;
+  legs.length.fill(kEntire);
+  EXPECT_FALSE(searched(legs, 1'000).is_complete);
+}
+
+/// For each choice of lengths there are as many poses, each in one of the enclosures.
+TEST(PosesOfUncertainLegs, AreThoseOfEachLength) {
+  RandomSource random(28);
+  int complete = 0;
+  for (int round = 0; round < 4; ++round) {
+    const Platform robot = mirrored(random);
+    GoughLegs legs = robot.at(random_pose(random, 1));
+    for (Interval& length : legs.length) length = length + Interval(-1e-6, 1e-6);
+    const PoseList wide = searched(legs);
+    if (!wide.is_complete) continue;
+    ++complete;
+    for (int sample = 0; sample < 3; ++sample) {
+      GoughLegs exact = legs;
+      for (Interval& length : exact.length) length = random.between(length.lo, length.hi);
+      const PoseList at = searched(exact);
+      ASSERT_EQ(at.poses.size(), wide.poses.size());
+      for (const GoughPose& pose : at.poses)
+        EXPECT_EQ(std::ranges::count_if(wide.poses,
+                                        [&](const GoughPose& other) {
+                                          return std::ranges::equal(pose.position, other.position,
+                                                                    certain_subset);
+                                        }),
+                  1);
+    }
+  }
+  EXPECT_GE(complete, 2);
+}
+
+}  // namespace
+}  // namespace regulus::test
