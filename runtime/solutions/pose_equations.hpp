@@ -31,7 +31,16 @@ inline constexpr int kChartsOfRotations = 4;
 class PoseEquations {
  public:
   /// What is certain is so for all numbers enclosed.
-  explicit PoseEquations(const GoughLegs& legs);
+  explicit PoseEquations(const GoughLegs& legs) : PoseEquations(legs, {}, nullptr) {}
+
+  /// For the poses at which each leg has a square of its length from ρ² + `deviations`: its equation is
+  /// that of `legs` with a deviation on the right side.
+  PoseEquations(const GoughLegs& legs, const std::array<Interval, 6>& deviations)
+      : PoseEquations(legs, deviations, nullptr) {}
+
+  /// With the unknowns of `like`.
+  PoseEquations(const GoughLegs& legs, const PoseEquations& like)
+      : PoseEquations(legs, {}, &like) {}
 
   /// False: fewer of the seven numbers are determined than the equations need.
   [[nodiscard]] bool exist() const { return !free_.empty(); }
@@ -44,7 +53,20 @@ class PoseEquations {
   ///
   /// Requires  exist(); pointers aligned to 64 bytes.
   /// Shape     boxes: unknowns() intervals; out: rows().all(). Interval layout of runtime/interval/lanes.hpp.
+  /// Ensures   for all deviations; the derivatives are those at a fixed deviation.
   void evaluate(int chart, const double* boxes, double* out, bool has_rates) const;
+
+  /// The same for deviations of 0.
+  void evaluate_exact(int chart, const double* boxes, double* out, bool has_rates) const;
+
+  [[nodiscard]] bool have_deviations() const { return have_deviations_; }
+  [[nodiscard]] const std::array<Interval, 6>& deviations() const { return deviations_; }
+  /// The values at a point are those for deviations of 0 and `bend`, and this matrix times the deviations.
+  struct Spread {
+    std::vector<Interval> by_deviation;  ///< unknowns() × 6, row-major
+    Interval bend;                       ///< of the last value
+  };
+  [[nodiscard]] Spread spread_at(int chart, std::span<const Interval> point) const;
 
   /// Returns the pose of the values of the unknowns, in the lengths of the legs that were given.
   [[nodiscard]] GoughPose pose_of(int chart, std::span<const Interval> values) const;
@@ -54,7 +76,22 @@ class PoseEquations {
                                                              std::span<const Interval> values);
 
  private:
-  PoseForms forms_{};
+  struct Pivot {
+    std::size_t row = 0, number = 0;
+  };
+  class Elimination;
+
+  PoseEquations(const GoughLegs& legs, const std::array<Interval, 6>& deviations,
+                const PoseEquations* like);
+  void make_forms(const Elimination& elimination);
+
+  PoseForms forms_{}, exact_{};  ///< with deviations, and without
+  std::array<Interval, 6> deviations_{};
+  bool have_deviations_ = false;
+  /// What deviations add to r, s, t, and to the forms that are left.
+  std::array<std::array<Interval, 6>, 7> number_by_deviation_{};
+  std::array<std::array<Interval, 6>, kMostFreeNumbers> left_by_deviation_{};
+  std::vector<Pivot> pivots_;
   std::vector<std::size_t> free_;  ///< which of r, s, t
   int exponent_ = 0;
   std::array<double, 3> base_center_{}, platform_center_{};  ///< R and t are between these points

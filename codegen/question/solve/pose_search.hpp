@@ -27,4 +27,26 @@ struct PoseList {
 [[nodiscard]] PoseList search_poses(const GoughLegs& legs, RootSettings settings,
                                     Observer* progress);
 
+/// Where poses are while lengths and anchors are anywhere in a set.
+struct PoseTubes {
+  /// By pose: encloses where it is; nullopt: it may meet another one, or vanish.
+  std::vector<std::optional<GoughPose>> tubes;
+  bool are_all = false;         ///< no legs of the set have other poses
+  std::vector<GoughPose> open;  ///< boxes that may hold singular poses of some legs of the set
+  bool is_searched = true;
+  std::optional<Reason> stopped_by{};
+  std::uint64_t boxes = 0;
+  double seconds = 0;
+};
+
+/// Follows all poses of some legs over the set of all legs that are enclosed.
+///
+/// Requires  `at`: enclosures of one platform in the set `legs`; `poses`: all poses of it.
+/// Ensures   a pose with a tube moves on without a jump, within its tube, as the legs change within the set, and is
+///           regular. If are_all: all have tubes, and each platform of the set has as many poses as `at`.
+/// Rounding  outward; MXCSR at nearest.
+[[nodiscard]] PoseTubes follow_poses(const GoughLegs& at, const GoughLegs& legs,
+                                     const std::vector<GoughPose>& poses, RootSettings settings,
+                                     Observer* progress);
+
 }  // namespace regulus
