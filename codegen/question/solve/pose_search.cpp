@@ -7,6 +7,7 @@
 
 #include "runtime/kernel/buffers.hpp"
 #include "runtime/solutions/pose_equations.hpp"
+#include "runtime/solutions/pose_narrowing.hpp"
 
 namespace regulus {
 namespace {
@@ -222,12 +223,18 @@ std::array<Interval, 6> deviations_of(const GoughLegs& at, const GoughLegs& legs
   return result;
 }
 
+/// Parts of the ranges, and then of boxes, down to which these are split.
+constexpr double kFirstWidth = 0x1p-9, kNextWidth = 0x1p-3;
+constexpr int kLevels = 8;
+constexpr std::size_t kMostUndecided = 200;
+
 class PoseFollowing {
  public:
   PoseFollowing(const GoughLegs& at, const GoughLegs& legs, RootSettings settings,
                 Observer* progress)
       : equations_(at, deviations_of(at, legs)),
         all_(legs, equations_),
+        legs_(legs),
         settings_(std::move(settings)),
         progress_(progress) {}
 
@@ -235,37 +242,65 @@ class PoseFollowing {
     result_.tubes.resize(poses.size());
     result_.is_searched = equations_.exist() && all_.exist();
     if (!result_.is_searched) return std::move(result_);
-    for (int chart = 0; chart < kChartsOfRotations && !result_.stopped_by; ++chart) search(chart);
+    for (; searched_ < kChartsOfRotations && !result_.stopped_by; ++searched_) search(searched_);
     // A chart that was not searched is open all over.
     const bool is_whole = searched_ == kChartsOfRotations;
     for (std::size_t i = 0; is_whole && i < poses.size(); ++i)
-      result_.tubes[i] = tube_about(poses[i], boxes_, result_.open);
+      if (const auto tube = tube_about(poses[i], boxes_, result_.open))
+        result_.tubes[i] = narrow_poses(legs_, *tube).poses;
     result_.are_all = is_whole && result_.open.empty();
     return std::move(result_);
   }
 
  private:
+  /// Boxes that are not decided are searched again, down to smaller parts, as long as they are few.
   void search(int chart) {
+    settings_.min_relative_width = kFirstWidth;
+    std::vector<std::vector<Interval>> undecided = search(chart, equations_.ranges());
+    settings_.min_relative_width = kNextWidth;
+    for (int level = 1; level < kLevels && undecided.size() <= kMostUndecided; ++level) {
+      std::vector<std::vector<Interval>> next;
+      while (!undecided.empty() && next.size() <= kMostUndecided) {
+        const std::vector<Interval> box = std::move(undecided.back());
+        undecided.pop_back();
+        const auto parts = search(chart, box);
+        next.insert(next.end(), parts.begin(), parts.end());
+      }
+      next.insert(next.end(), undecided.begin(), undecided.end());
+      undecided = std::move(next);
+    }
+    for (const auto& box : undecided) result_.open.push_back(equations_.pose_of(chart, box));
+  }
+
+  /// Returns what is not decided.
+  std::vector<std::vector<Interval>> search(int chart, const std::vector<Interval>& box) {
+    if (result_.stopped_by) return {box};
     const std::size_t n = equations_.unknowns();
     Problem problem;
-    problem.outer = equations_.ranges();
-    const RootList found =
-        search_roots({problem,
-                      {0, 0, n, 0},
-                      [&] { return std::make_unique<ChartSystem>(equations_, chart); },
-                      [&] { return std::make_unique<ChartSystem>(all_, chart); }},
-                     std::vector<Interval>(n, Interval(0.0)), settings_, progress_);
-    for (const auto& box : found.regular) boxes_.push_back(equations_.pose_of(chart, box));
-    for (const auto& box : found.open) result_.open.push_back(equations_.pose_of(chart, box));
+    problem.outer = box;
+    RootList found = search_roots({problem,
+                                   {0, 0, n, 0},
+                                   [&] { return std::make_unique<ChartSystem>(equations_, chart); },
+                                   [&] { return std::make_unique<ChartSystem>(all_, chart); }},
+                                  std::vector<Interval>(n, Interval(0.0)), settings_, progress_);
+    for (const auto& part : found.regular)
+      if (const auto narrow = narrow_poses(legs_, equations_.pose_of(chart, part)).poses)
+        boxes_.push_back(*narrow);
+    std::erase_if(found.open, [&](const auto& part) {
+      const NarrowedPoses narrow = narrow_poses(legs_, equations_.pose_of(chart, part));
+      if (narrow.poses && narrow.is_regular) boxes_.push_back(*narrow.poses);
+      return !narrow.poses || narrow.is_regular;
+    });
     result_.stopped_by = found.stopped_by;
-    ++searched_;
     result_.boxes += found.boxes;
     result_.seconds += found.seconds;
     settings_.max_boxes -= std::min(settings_.max_boxes, found.boxes);
     settings_.time_limit -= found.seconds;
+    return std::move(found.open);
   }
 
   const PoseEquations equations_, all_;
+  const GoughLegs& legs_;
   RootSettings settings_;
   Observer* const progress_;
   std::vector<GoughPose> boxes_;  ///< with the open ones they hold all poses of all legs

@@ -209,5 +209,93 @@ TEST(PosesOfUncertainLegs, AreThoseOfEachLength) {
   EXPECT_GE(complete, 2);
 }
 
+/// Legs of the set `legs`, at one of its corners or inside.
+GoughLegs chosen(GoughLegs legs, RandomSource& random) {
+  const auto choose = [&](Interval& x) {
+    x = Interval(random.one_in(3) ? x.lo : random.one_in(2) ? x.hi : random.between(x.lo, x.hi));
+  };
+  for (std::size_t i = 0; i < 6; ++i) {
+    choose(legs.length[i]);
+    for (std::size_t k = 0; k < 3; ++k) choose(legs.base[i][k]), choose(legs.platform[i][k]);
+  }
+  return legs;
+}
+
+/// True if the pose is in the tube, for one of the signs of its rotation.
+bool is_within(const Pose<double>& pose, const GoughPose& tube) {
+  const auto holds_at = [](const auto& numbers, const auto& intervals, double sign) {
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      if (!contains(intervals[i] + Interval(-1e-9, 1e-9), sign * numbers[i])) return false;
+    return true;
+  };
+  return holds_at(pose.position, tube.position, 1) &&
+         (holds_at(pose.rotation, tube.rotation, 1) || holds_at(pose.rotation, tube.rotation, -1));
+}
+
+/// Whatever the legs are within the set, they have as many poses, one in each tube.
+TEST(TubesOfPoses, HoldThePosesOfAllLegs) {
+  RandomSource random(29);
+  int complete = 0;
+  for (int round = 0; round < 6; ++round) {
+    const Platform robot = round % 2 == 0 ? mirrored(random) : threefold(random);
+    const GoughLegs at = robot.at(random_pose(random, 1));
+    GoughLegs legs = at;
+    const double error = round < 2 ? 1e-5 : 1e-4, tolerance = round < 4 ? 0 : 1e-6;
+    for (std::size_t i = 0; i < 6; ++i) {
+      legs.length[i] = legs.length[i] + Interval(-error, error);
+      for (std::size_t k = 0; k < 3; ++k) {
+        legs.base[i][k] = legs.base[i][k] + Interval(-tolerance, tolerance);
+        legs.platform[i][k] = legs.platform[i][k] + Interval(-tolerance, tolerance);
+      }
+    }
+    const PoseList list = searched(at);
+    if (!list.is_complete) continue;
+    RootSettings settings;
+    settings.max_boxes = 200'000;
+    const PoseTubes tubes = follow_poses(at, legs, list.poses, settings, nullptr);
+    ASSERT_EQ(tubes.tubes.size(), list.poses.size());
+    complete += tubes.are_all ? 1 : 0;
+    for (int sample = 0; sample < 2; ++sample) {
+      const PoseList other = searched(chosen(legs, random));
+      if (!other.is_complete) continue;
+      if (tubes.are_all) {
+        EXPECT_EQ(other.poses.size(), list.poses.size());
+      }
+      for (const auto& tube : tubes.tubes)
+        EXPECT_TRUE(!tube || std::ranges::any_of(other.poses, [&](const GoughPose& pose) {
+          return is_within(middle(pose), *tube);
+        }));
+    }
+  }
+  EXPECT_GE(complete, 2);
+}
+
+/// Legs as at a singular pose: the two poses that meet there have no tubes, and nothing is claimed of all.
+TEST(TubesOfPoses, EndWhereTwoMeet) {
+  // Level, and turned by a quarter about z: singular wherever it is.
+  const double s = std::sqrt(3.0);
+  const Platform octahedral{
+      {{{0, 10, 0}, {0, 10, 0}, {-5 * s, -5, 0}, {-5 * s, -5, 0}, {5 * s, -5, 0}, {5 * s, -5, 0}}},
+      {{{3 * s, 3, 0}, {-3 * s, 3, 0}, {-3 * s, 3, 0}, {0, -6, 0}, {0, -6, 0}, {3 * s, 3, 0}}}};
+  const auto turned = [](double angle) {
+    return Pose<double>{{std::cos(angle / 2), 0, 0, std::sin(angle / 2)}, {0, 0, 9}};
+  };
+  const double quarter = std::acos(-1.0) / 2;
+  const GoughLegs at = octahedral.at(turned(quarter - 0.1)),
+                  singular = octahedral.at(turned(quarter));
+  GoughLegs legs = at;
+  for (std::size_t i = 0; i < 6; ++i) legs.length[i] = hull(at.length[i], singular.length[i]);
+  const PoseList list = searched(at);
+  ASSERT_TRUE(list.is_complete);
+  RootSettings settings;
+  settings.max_boxes = 30'000;
+  const PoseTubes tubes = follow_poses(at, legs, list.poses, settings, nullptr);
+  EXPECT_FALSE(tubes.are_all);
+  for (std::size_t i = 0; i < list.poses.size(); ++i)
+    if (distance(list.poses[i], turned(quarter - 0.1)) < 1e-6) {
+      EXPECT_FALSE(tubes.tubes[i]);
+    }
+}
+
 }  // namespace
 }  // namespace regulus::test
