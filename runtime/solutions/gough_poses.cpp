@@ -183,17 +183,6 @@ class PoseHomotopy final : public Homotopy {
   std::array<Leg<Complex>, 6> start_, change_;
 };
 
-/// The unit of lengths, a power of two, in which a platform is about as large as Dietmaier's.
-int exponent_of_size(const GoughLegs& legs) {
-  double size = 0;
-  for (std::size_t i = 0; i < 6; ++i) {
-    size = std::max(size, mag(legs.length[i]));
-    for (std::size_t k = 0; k < 3; ++k)
-      size = std::max({size, mag(legs.base[i][k]), mag(legs.platform[i][k])});
-  }
-  return std::isfinite(size) && size > 0 ? std::ilogb(size) : 0;
-}
-
 std::array<Leg<Interval>, 6> scaled(const GoughLegs& legs, int exponent) {
   const auto scale = [&](Interval x) { return times_power_of_two(x, -exponent); };
   std::array<Leg<Interval>, 6> result;
@@ -273,6 +262,25 @@ Question question_of(const GoughLegs& legs) {
 }
 
 }  // namespace
+
+int exponent_of_size(const GoughLegs& legs) {
+  double size = 0;
+  for (std::size_t i = 0; i < 6; ++i) {
+    size = std::max(size, mag(legs.length[i]));
+    for (std::size_t k = 0; k < 3; ++k)
+      size = std::max({size, mag(legs.base[i][k]), mag(legs.platform[i][k])});
+  }
+  return std::isfinite(size) && size > 0 ? std::ilogb(size) : 0;
+}
+
+std::array<Interval, 9> rotation_matrix(const std::array<Interval, 4>& q) {
+  const Interval two(2.0), one(1.0);
+  return {one - two * (sqr(q[2]) + sqr(q[3])), two * (q[1] * q[2] - q[0] * q[3]),
+          two * (q[1] * q[3] + q[0] * q[2]),   two * (q[1] * q[2] + q[0] * q[3]),
+          one - two * (sqr(q[1]) + sqr(q[3])), two * (q[2] * q[3] - q[0] * q[1]),
+          two * (q[1] * q[3] - q[0] * q[2]),   two * (q[2] * q[3] + q[0] * q[1]),
+          one - two * (sqr(q[1]) + sqr(q[2]))};
+}
 
 GoughPoses find_gough_poses(const GoughLegs& given) {
   const Question question = question_of(given);

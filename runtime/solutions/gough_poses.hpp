@@ -57,4 +57,12 @@ struct GoughPoses {
 /// Rounding  outward; MXCSR at nearest. The result is the same in every run.
 [[nodiscard]] GoughPoses find_gough_poses(const GoughLegs& legs);
 
+/// Returns e such that the platform is about as large as 2ᵉ.
+[[nodiscard]] int exponent_of_size(const GoughLegs& legs);
+
+/// Encloses the rotation of a unit quaternion; row-major.
+///
+/// Rounding  outward; MXCSR at nearest.
+[[nodiscard]] std::array<Interval, 9> rotation_matrix(const std::array<Interval, 4>& quaternion);
+
 }  // namespace regulus

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "codegen/question/solve/arm_postures.hpp"
+#include "codegen/question/solve/platform_legs.hpp"
 #include "codegen/question/solve/platform_poses.hpp"
 #include "codegen/question/solve/system_solutions.hpp"
 #include "codegen/support/errors.hpp"
@@ -22,14 +23,6 @@ void require_place_alone(const Motion& motion) {
         "the motion {} has constraints, and all solutions at a place are listed, whatever they "
         "meet; give the place by at, or by a motion without constraints",
         motion.name));
-}
-
-bool has_tolerances(const Request& request) {
-  const auto is_zero = [](const GiNaC::ex& x) { return x.is_zero(); };
-  return !std::ranges::all_of(request.motion.error, is_zero) ||
-         std::ranges::any_of(request.model.geometry, [](const GeometryParameter& g) {
-           return !g.tolerance.is_zero() || g.ball >= 0;
-         });
 }
 
 }  // namespace
@@ -62,6 +55,7 @@ namespace {
 
 /// Without the tolerances of a robot that is not given by its equations.
 Solutions solve_nominal(const Request& request, const SolveRun& run) {
+  if (request.model.legs.size() == 6) return solve_platform(request, run);
   Solutions solutions =
       request.model.legs.empty() ? solve_arm(request, run) : solve_platform(request, run);
   solutions.is_nominal = has_tolerances(request);
