@@ -18,6 +18,8 @@ constexpr Key kQuestion[] = {
     {"pose_exact?", "text{}",
      "the formulas and constants that the motion gives pose parameters; not along way-points"},
     {"constraints_exact?", "text[]", "each is at most 0; not along way-points"},
+    {"place?", "placed_number{}", "of solve: the numbers that are given"},
+    {"held?", "text[]", "of solve: joints that keep their values"},
     {"options", "options"},
     {"version", "text"},
 };
@@ -149,6 +151,18 @@ constexpr Key kSolution[] = {
     {"limits", "none|within|beyond|border", "those of the model"},
     {"beyond", "text?", "what is beyond them"},
 };
+constexpr Key kPlacedNumber[] = {
+    {"exact", "exact", "in the unit"}, {"enclosure", "enclosure"}, {"unit", "text"}};
+constexpr Key kPlacesFile[] = {
+    {"file", "text"}, {"sha256", "sha256"}, {"time_unit", "text", "empty: none is given"}};
+constexpr Key kSolvedPlace[] = {
+    {"line", "count", "of the file; without one its number, from 1"},
+    {"time?", "approx"},
+    {"place", "placed_number{}", "the numbers that are given"},
+    {"verdict", "complete|none|incomplete"},
+    {"claim", "text"},
+    {"boxes", "count", "that were evaluated"},
+};
 constexpr Key kNearest[] = {
     {"approximate", "flag"},
     {"hadamard_share?", "approx", "of what the rows allow: almost singular"},
@@ -273,6 +287,9 @@ const std::vector<ObjectKind>& object_kinds() {
       {"fold", "a certified singular configuration of a closure", {kFold}},
       {"finite_error_of_unknown", "how far errors move it", {kFiniteError}},
       {"solution", "a certain solution", {kSolution}},
+      {"placed_number", "a number of a place", {kPlacedNumber}},
+      {"places_file", "a table of places", {kPlacesFile}},
+      {"solved_place", "a place and its solutions", {kSolvedPlace, kSolve}},
       {"undefined", "a pose at which expressions have no value", {kPlace, kUndefined}},
       {"undefined_expression", "over that pose", {kExpression}},
       {"share", "of the ranges", {kShare}},

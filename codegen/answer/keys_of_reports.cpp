@@ -144,14 +144,14 @@ constexpr Key kFiniteErrors[] = {
     {"obstacle", "text?", "why there is no bound"},
 };
 
-constexpr Key kSolve[] = {
+constexpr Key kOfSolutions[] = {
     {"solution_units", "text{}", "by unknown"},
-    {"solutions", "solution[]", "pairwise different"},
-    {"open_boxes", "enclosure{}[]", "that may hold others"},
-    {"complex_solutions", "count?", "of a count: those that were certified"},
-    {"how", "text?", "completeness is shown; null: it is not"},
-    {"obstacle", "text?", "why completeness is not shown"},
-    {"stopped_by", "text?", "the limit that ended the search"},
+    {"notes", "text[]", "about the question"},
+};
+constexpr Key kPlaces[] = {
+    {"places_file?", "places_file", "absent: a program gave them"},
+    {"places", "solved_place[]", "in their order"},
+    {"places_left", "count", "that were not asked any more, after an interrupt"},
 };
 
 constexpr Key kDatasheet[] = {
@@ -213,7 +213,11 @@ const std::vector<ObjectKind>& report_kinds() {
       {"bound", "bound", {kNotes, kBound}, kOfBound},
       {"finite_error", "bound error --finite", {kFiniteErrors}, kOfBracket},
       {"datasheet", "datasheet", {kDatasheet}, kOfBracket},
-      {"solutions", "solve", {kSolve}, "complete|none|incomplete"},
+      {"solutions", "solve", {kOfSolutions, kSolve}, "complete|none|incomplete"},
+      {"solutions_at_places",
+       "solve at many places",
+       {kOfSolutions, kPlaces},
+       "complete|none|incomplete"},
       {"forces",
        "check --load and locate --load",
        {kForces, kSubject, kNonempty, kBlocking, kForceShares, kCertificate},

@@ -35,6 +35,14 @@ Services services_of(const Command& command) {
   return services;
 }
 
+/// Sends the JSON lines to standard output.
+void print_lines(CommandQuestion& question) {
+  if (question.output.json)
+    throw UsageError("--json and --output - both write to standard output; use one of them");
+  question.prints_lines = true;
+  question.services.lines = {"", &std::cout, "standard output"};
+}
+
 void print(const Answer& answer, const CommandQuestion& question) {
   const OutputOptions& output = question.output;
   Facts facts(!output.json ? Readers::kPeople : output.quiet ? Readers::kPrograms : Readers::kBoth);
@@ -74,11 +82,7 @@ CommandQuestion question_of(const LocateCommand& command) {
   services.checkpoint = command.checkpoint;
   const bool prints_boxes = command.boxes_unless_json && !command.output.json;
   services.lines.file = command.lines;
-  question.prints_lines = command.lines == "-" || (command.lines.empty() && prints_boxes);
-  if (!question.prints_lines) return question;
-  if (command.output.json)
-    throw UsageError("--json and --output - both write to standard output; use one of them");
-  services.lines = {"", &std::cout, "standard output"};
+  if (command.lines == "-" || (command.lines.empty() && prints_boxes)) print_lines(question);
   return question;
 }
 
@@ -108,8 +112,11 @@ CommandQuestion question_of(const DatasheetCommand& command) {
 }
 
 CommandQuestion question_of(const SolveCommand& command) {
-  return {AskSolve{command.model, command.search, command.held}, command.output,
-          services_of(command.output)};
+  CommandQuestion question{AskSolve{command.model, command.search, command.held, command.table},
+                           command.output, services_of(command.output)};
+  question.services.lines.file = command.lines;
+  if (command.lines == "-") print_lines(question);
+  return question;
 }
 
 int run_question(CommandQuestion question, const std::string& typed) {
