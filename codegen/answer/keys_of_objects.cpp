@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <iterator>
+
 #include "codegen/answer/key_groups.hpp"
 
 namespace regulus {
@@ -258,10 +261,9 @@ constexpr Key kSheetEntry[] = {
     {"claim", "text?"},         {"verdict", "closed|open|refuted|within|exceeded|possible-problem"},
 };
 
-}  // namespace
-
-const std::vector<ObjectKind>& object_kinds() {
-  static const std::vector<ObjectKind> kinds = {
+/// Of questions, searches and solutions.
+std::vector<ObjectKind> kinds_of_parts_of_searches() {
+  return {
       {"question",
        "everything that was asked: with the model of model_sha256 it can be asked again; in a "
        "margin "
@@ -292,6 +294,12 @@ const std::vector<ObjectKind>& object_kinds() {
       {"solved_place", "a place and its solutions", {kSolvedPlace, kSolve}},
       {"undefined", "a pose at which expressions have no value", {kPlace, kUndefined}},
       {"undefined_expression", "over that pose", {kExpression}},
+  };
+}
+
+/// Of pavings, ways, brackets and loads.
+std::vector<ObjectKind> kinds_of_other_parts() {
+  return {
       {"share", "of the ranges", {kShare}},
       {"claim_share", "of the ranges", {kClaimShare}},
       {"workspace", "the part of the ranges that meets the constraints", {kWorkspace}},
@@ -311,6 +319,16 @@ const std::vector<ObjectKind>& object_kinds() {
       {"end_files", "of the ends of a bracket", {kEndFiles}},
       {"end_obstacles", "of the ends of a bracket", {kEndObstacles}},
   };
+}
+
+}  // namespace
+
+const std::vector<ObjectKind>& object_kinds() {
+  static const std::vector<ObjectKind> kinds = [] {
+    std::vector<ObjectKind> all = kinds_of_parts_of_searches();
+    std::ranges::move(kinds_of_other_parts(), std::back_inserter(all));
+    return all;
+  }();
   return kinds;
 }
 

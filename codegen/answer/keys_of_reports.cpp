@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <iterator>
+
 #include "codegen/answer/key_groups.hpp"
 
 namespace regulus {
@@ -175,12 +178,9 @@ constexpr const char* kOfBracket = "closed|open|refuted";
 constexpr const char* kOfBound = "closed|open|refuted|within|exceeded|possible-problem";
 constexpr const char* kOfForces = "feasible|infeasible|possible-problem";
 
-}  // namespace
-
-std::span<const Key> head_keys() { return kHead; }
-
-const std::vector<ObjectKind>& report_kinds() {
-  static const std::vector<ObjectKind> kinds = {
+/// One search over a motion.
+std::vector<ObjectKind> kinds_of_searches() {
+  return {
       {"check",
        "check",
        {kReason, kSubject, kMethod, kBoxes, kCheck, kClosure, kNonempty, kWitness, kBlocking, kPage,
@@ -198,6 +198,12 @@ const std::vector<ObjectKind>& report_kinds() {
        "locate of a motion along way-points",
        {kReason, kWay, kWayMatrix, kMethod, kStretches, kCertificate},
        kOfMatrix},
+  };
+}
+
+/// Brackets, solutions and loads.
+std::vector<ObjectKind> kinds_of_other_answers() {
+  return {
       {"margin",
        "margin",
        {kReason, kNotes, kMethod, kBracket, kClosure, kNonempty, kWitness, kEndProofs},
@@ -231,6 +237,18 @@ const std::vector<ObjectKind>& report_kinds() {
        {kForces, kWay, kExcluded, kSegment, kNonempty, kBlocking, kStretches, kCertificate},
        kOfForces},
   };
+}
+
+}  // namespace
+
+std::span<const Key> head_keys() { return kHead; }
+
+const std::vector<ObjectKind>& report_kinds() {
+  static const std::vector<ObjectKind> kinds = [] {
+    std::vector<ObjectKind> all = kinds_of_searches();
+    std::ranges::move(kinds_of_other_answers(), std::back_inserter(all));
+    return all;
+  }();
   return kinds;
 }
 

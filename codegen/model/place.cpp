@@ -71,6 +71,22 @@ std::vector<PlaceName> missing(const std::vector<PlaceName>& names,
   return rest;
 }
 
+/// Refuses a name that no place of the model has. `known`: the names of places; motions have those of
+/// their parameters, too.
+void refuse_unknown(const Model& model, const std::vector<const std::vector<PlaceName>*>& known,
+                    std::span<const GivenNumber> given) {
+  std::vector<std::string> words;
+  for (const auto* names : known)
+    for (const PlaceName& name : *names) words.push_back(name.name);
+  for (const Motion& motion : model.motions)
+    for (const MotionParameter& p : motion.parameters) words.push_back(p.name);
+  for (const GivenNumber& number : given)
+    if (std::ranges::find(words, number.name) == words.end())
+      throw InputError::statement(
+          "", 0, "no motion is given, and no place has a number " + in_quotes(number.name),
+          suggestion(number.name, words, "places have: " + enumeration(words)), number.name);
+}
+
 /// Refuses numbers of which some are missing, where no motion can have the others.
 void refuse_a_part(const std::vector<PlaceName>& names, std::span<const GivenNumber> given) {
   const std::vector<PlaceName> rest = missing(names, given);
@@ -129,6 +145,7 @@ Motion asked_motion(const Model& model, const ModelOptions& options,
     if (options.takes_legs && !tool.empty() && missing(tool, given).empty())
       return standing_motion(model, &Motion::tool, tool.size());
     const bool has_motion = !named_motion(model, options).empty() || model.motions.size() == 1;
+    if (!has_motion) refuse_unknown(model, {&pose, &lengths, &tool}, given);
     for (const auto* names : {&pose, &lengths, &tool})
       if (!has_motion || (names == &pose && !named_motion(model, options).empty()))
         refuse_a_part(*names, given);

@@ -110,7 +110,12 @@ Request request_of(Model model, const ModelOptions& options, std::span<const Giv
   from_option("MOTION", [&] { request.motion = asked_motion(request.model, options, all); });
   for (const GivenNumber& number : at)
     from_option("--at", [&] { set_number(request.model, request.motion, number); });
-  for (const GivenNumber& number : more) set_number(request.model, request.motion, number);
+  for (const GivenNumber& number : more) {
+    if (std::ranges::find(at, number.name, &GivenNumber::name) != at.end())
+      throw InputError::statement("", 0, in_quotes(number.name) + " is given for all places, too",
+                                  "give it once", number.name);
+    set_number(request.model, request.motion, number);
+  }
   apply_changes(request, options);
   if (!options.waypoints.empty())
     follow_waypoints(request.model, request.motion, options.waypoints);

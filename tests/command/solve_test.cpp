@@ -144,6 +144,8 @@ TEST_F(AllSolutionsByCommand, RefuseWhatHasNoMeaning) {
   refuse({"robot_1", "wide_15", "--at", "rho_1=1"}, 64,
          "gives the pose, and 'rho_1' takes its place; give all of rho_1");
   refuse({"robot_1", "--at", "x=1"}, 64, "y, z, psi, theta, phi have no value");
+  refuse({"four_bar", "--at", "teta=1"}, 64, "did you mean 'theta'?");
+  refuse({"rpr_6", "--waypoints", table, "--at", "rho_1=3"}, 65, "'rho_1' is given for all places");
   refuse({"rpr_6", "--output", "x.jsonl"}, 64, "--output: lines are of many places");
   refuse({"rpr_6", "--waypoints", "/nowhere.csv"}, 74, "no such file");
   refuse({"rpr_6", "--waypoints", file("way.nc", "G1 X1\n")}, 65, "moves in G-code");
