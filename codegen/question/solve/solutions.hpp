@@ -59,6 +59,21 @@ struct Solutions {
   std::optional<Reason> stopped_by{};  ///< the limit that ended it
 };
 
+/// A number of the place that was asked about.
+struct PlacedValue {
+  std::string name, unit;
+  std::string exact;  ///< in that unit, as options take it
+  Interval enclosure;
+};
+
+/// One of many places, and what was found there.
+struct SolvedPlace {
+  int line = 0;  ///< of the file; without one its number, from 1
+  std::optional<double> time{};
+  std::vector<PlacedValue> place;
+  Solutions solutions;
+};
+
 /// What is counted, and how the matrix is called whose determinant and condition are told.
 struct SolvedNoun {
   std::string one, many;  ///< "pose", "poses"; "posture"; "configuration"

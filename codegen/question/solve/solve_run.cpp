@@ -28,12 +28,19 @@ void require_place_alone(const Motion& motion) {
 }  // namespace
 
 Request read_solve_request(const ModelOptions& options, const FormingWatch& watch) {
+  return solve_request_of(read_model(model_text(options), options, &watch), options, {});
+}
+
+Request solve_request_of(Model model, const ModelOptions& options,
+                         std::span<const GivenNumber> more) {
   ModelOptions given = options;
   given.takes_legs = true;
-  Request request = read_request(given, &watch);
+  Request request = request_of(std::move(model), given, more);
   if (request.motion.trajectory)
     throw UsageError(
-        "solutions are those at one place; name a motion that has one, or give its values by at");
+        "solutions are those at one place; name a motion that has one, or give its values by at, "
+        "or "
+        "those of many places by waypoints");
   require_place_alone(request.motion);
   require_values(request);
   return request;

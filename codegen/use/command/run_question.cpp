@@ -36,6 +36,14 @@ Services services_of(const Command& command) {
   return services;
 }
 
+/// Sends the JSON lines to standard output.
+void print_lines(CommandQuestion& question) {
+  if (question.output.json)
+    throw UsageError("--json and --output - both write to standard output; use one of them");
+  question.prints_lines = true;
+  question.services.lines = {"", &std::cout, "standard output"};
+}
+
 void print(const Answer& answer, const CommandQuestion& question) {
   const OutputOptions& output = question.output;
   Facts facts(!output.json ? Readers::kPeople : output.quiet ? Readers::kPrograms : Readers::kBoth);
@@ -76,11 +84,7 @@ CommandQuestion question_of(const LocateCommand& command) {
   if (!command.output.quiet && ::isatty(STDERR_FILENO) != 0)
     services.pictures.map_columns = columns_of_terminal(STDERR_FILENO);
   services.lines.file = command.lines;
-  question.prints_lines = command.lines == "-";
-  if (!question.prints_lines) return question;
-  if (command.output.json)
-    throw UsageError("--json and --output - both write to standard output; use one of them");
-  services.lines = {"", &std::cout, "standard output"};
+  if (command.lines == "-") print_lines(question);
   return question;
 }
 
@@ -110,8 +114,11 @@ CommandQuestion question_of(const DatasheetCommand& command) {
 }
 
 CommandQuestion question_of(const SolveCommand& command) {
-  return {AskSolve{command.model, command.search, command.held}, command.output,
-          services_of(command.output)};
+  CommandQuestion question{AskSolve{command.model, command.search, command.held, command.table},
+                           command.output, services_of(command.output)};
+  question.services.lines.file = command.lines;
+  if (command.lines == "-") print_lines(question);
+  return question;
 }
 
 int run_question(CommandQuestion question, const std::string& typed) {
