@@ -62,7 +62,7 @@ void write_proof(const std::string& proof, const std::string& path) {
 }
 
 void cut_proof(const std::string& path, std::uint64_t size) {
-  write(path, write_shards(read(path), path, size));
+  write(path, write_shards(path, path, size));
 }
 
 bool is_in_shards(const std::string& proof) {
