@@ -232,6 +232,34 @@ constraints = ["x*y - 1"]
 error = { y = 0.01 }
 )toml";
 
+/// A branch of an equation, from a start that lies within the motion.
+constexpr const char* kSlider = R"toml(regulus = 1
+name = "slider"
+
+[pose]
+x = "m"
+y = "m"
+
+[geometry]
+a = { value = 1, tolerance = 0.001, group = "a" }
+k = 2
+
+[let]
+d = "p + k"
+
+[closure]
+unknowns = { p = "m", q = "rad" }
+equations = ["d^2 - x - 8*a - 1/(x + 10)", "sin(q) - y*p/4 - 0.1"]
+start = { x = 0, y = 0, p = 1, q = 0.1 }
+radius = { p = 0.5, q = 0.1 }
+
+[motion.work]
+x = [-0.5, 6]
+y = [-0.4, 0.4]
+constraints = ["y - x/4 - 0.3"]
+error = { y = 0.001 }
+)toml";
+
 constexpr const char* kWay = "x,y\n0.1,0.2\n0.3,0.1\n0.2,-0.1\n";
 constexpr const char* kMoves =
     "G21 G90 G17\nG0 X100 Y0 Z1\nG1 X200 Y100 F100\nG2 X300 Y0 I0 J-100\n";
@@ -299,6 +327,11 @@ const std::vector<Base>& bases() {
       {"scara", "scara", {"check", "right_handed"}},
       {"redundant arm", "seven_joints", {"check", "table"}},
       {"cables", "cable_8", {"check", "work"}},
+      {"branch", kSlider, {"check", "work"}},
+      {"five-bar", "five_bar_closure", {"check", "work"}},
+      {"shards", "robot_1", {"check", "wide_15"}, "", "", 400},
+      {"shards of pieces", kEverything, {"check", "way"}, kWay, "way.csv", 60},
+      {"shards of a paving", kCart, {"locate", "work", "--load", "gust"}, "", "", 1000},
   };
   return kBases;
 }
