@@ -10,6 +10,7 @@
 #include "codegen/answer/lines_file.hpp"
 #include "codegen/answer/outputs.hpp"
 #include "codegen/answer/refusals.hpp"
+#include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/progress.hpp"
 #include "codegen/answer/report/report_text.hpp"
 #include "codegen/model/way/place_file.hpp"
@@ -168,7 +169,7 @@ class SolutionsAtPlaces final : public SolveAnswer {
       seconds += place.solutions.seconds;
       boxes += place.solutions.boxes;
     }
-    facts.tell("boxes", boxes, "boxes", fmt::format("{} evaluated", boxes));
+    facts.tell("boxes", boxes, "boxes", fmt::format("{} evaluated", in_thousands(boxes)));
     facts.add("seconds", nlohmann::ordered_json{{"search", seconds}});
     facts.say("time", fmt::format("search {:.3f} ms", 1e3 * seconds));
     if (places_left > 0) facts.say("left", fmt::format("{} places", places_left));

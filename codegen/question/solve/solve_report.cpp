@@ -155,8 +155,9 @@ void say_open_boxes(const Solutions& solutions, Facts& facts) {
   for (std::size_t b = 0; b < shown; ++b) {
     std::string box;
     for (std::size_t i = 0; i < solutions.unknowns.size(); ++i)
-      box += fmt::format("{}{} in {}", box.empty() ? "" : ", ", solutions.unknowns[i].name,
-                         short_interval(solutions.open[b][i]));
+      box += fmt::format("{}{} in {}{}", box.empty() ? "" : ", ", solutions.unknowns[i].name,
+                         short_interval(solutions.open[b][i]),
+                         unit_suffix(solutions.unknowns[i].unit));
     facts.say(b == 0 ? "open" : "", box);
   }
   if (shown < solutions.open.size())
