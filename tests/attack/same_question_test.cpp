@@ -143,6 +143,21 @@ TEST(SameQuestion, MayHaveWhatOptionsSet) {
   EXPECT_EQ(difference(wide, kRegularity, {.tolerances = true}), "");
 }
 
+TEST(SameQuestion, HasPiecesOfTheSamePoses) {
+  const std::string pieces =
+      changed(changed(kRegularity, "parameter s in 0 : 1",
+                      "parameter s in 0 : 1\npiecewise a r w\npiece 1 | 0 | 3\npiece 2 | 1/2 | 4"),
+              "entry x\n", "entry x + a + r*cos(w*s)\n");
+  expect_same(pieces, pieces);
+  expect_same(changed(pieces, "piece 1 | 0 | 3", "piece 1 | 0 | 7"), pieces);
+  expect_another(changed(pieces, "piece 2 | 1/2 | 4", "piece 2 | 1/2 | 7"), pieces);
+  expect_another(changed(pieces, "piece 1 | 0 | 3", "piece 5/4 | 0 | 3"), pieces);
+  expect_another(changed(pieces, "piece 1 | 0 | 3\n", ""), pieces);
+  expect_another(
+      changed(pieces, "piece 1 | 0 | 3\npiece 2 | 1/2 | 4", "piece 2 | 1/2 | 4\npiece 1 | 0 | 3"),
+      pieces);
+}
+
 TEST(SameQuestion, OfAClosureHasItsEquationsAndStart) {
   const std::string closure =
       changed(changed(kRegularity, "entry x\nentry s*e1\nentry 0 - s\nentry x + e1\n",

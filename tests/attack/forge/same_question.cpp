@@ -110,9 +110,10 @@ Rational fraction(const std::string& name, int point) {
 /// The lines of a question as words and values at a point.
 class Evaluated {
  public:
-  Evaluated(const std::vector<Line>& lines, int point, const SetByOptions& any,
+  /// `piece`: which of them, if there are pieces.
+  Evaluated(const std::vector<Line>& lines, std::size_t piece, int point, const SetByOptions& any,
             bool is_special = false)
-      : point_(point), any_(any), is_special_(is_special) {
+      : piece_(piece), point_(point), any_(any), is_special_(is_special) {
     for (const Line& line : lines) add(line);
   }
 
@@ -147,12 +148,12 @@ class Evaluated {
     entries_.push_back({line.key, {}});
   }
 
-  /// The names of all pieces have the values of the last one.
+  /// Its values count by the lines that use them: one of them may be multiplied by 0.
   void add_piece(const Line& line) {
+    entries_.push_back({line.key, {}});
+    if (pieces_++ != piece_) return;
     const auto parts = parted(line.text, " | ");
-    add_values(line, parts);
-    for (std::size_t i = 0; i < parts.size(); ++i)
-      at_[piecewise_.at(i)] = entries_.back().values[i];
+    for (std::size_t i = 0; i < parts.size(); ++i) at_[piecewise_.at(i)] = value(parts[i]);
   }
 
   void add_values(const Line& line, const std::vector<std::string>& texts) {
@@ -190,11 +191,13 @@ class Evaluated {
     entries_.push_back({line.key + ' ' + names[0], {commanded, error}});
   }
 
+  const std::size_t piece_;
   const int point_;
   const SetByOptions any_;
   const bool is_special_;
   Point at_;
   std::vector<std::string> piecewise_;
+  std::size_t pieces_ = 0;
   std::vector<Entry> entries_;
 };
 
@@ -264,7 +267,8 @@ std::string difference_of(const std::vector<Evaluated::Entry>& a,
 
 /// True if everything that a claim says to have a value has one; nullopt for a point that is out of
 /// reach.
-std::optional<bool> is_defined(const std::vector<Line>& lines, int point, const SetByOptions& any) {
+std::optional<bool> is_defined(const std::vector<Line>& lines, std::size_t piece, int point,
+                               const SetByOptions& any) {
   static const std::set<std::string> kNoEntries{"expression", "speed", "sigma-min", "sigma-max"};
   bool claims_entries = true, has_load = false;
   for (const Line& line : lines) {
@@ -272,7 +276,7 @@ std::optional<bool> is_defined(const std::vector<Line>& lines, int point, const 
     has_load |= line.key == "load";
   }
   bool all = true;
-  const Evaluated evaluated(lines, point, any, true);
+  const Evaluated evaluated(lines, piece, point, any, true);
   for (const Evaluated::Entry& entry : evaluated.entries()) {
     const std::string key = key_of(entry);
     if (key == "reach" &&
@@ -287,9 +291,10 @@ std::optional<bool> is_defined(const std::vector<Line>& lines, int point, const 
 
 /// Returns true unless `asked` has no value at a point where the other says that there is one.
 bool claims_domain(const std::vector<Line>& verified, const std::vector<Line>& asked,
-                   const SetByOptions& any) {
+                   std::size_t piece, const SetByOptions& any) {
   for (int point = 0; point < kSpecialPoints; ++point) {
-    const auto first = is_defined(verified, point, any), second = is_defined(asked, point, any);
+    const auto first = is_defined(verified, piece, point, any),
+               second = is_defined(asked, piece, point, any);
     if (first && second && *first && !*second) return false;
   }
   return true;
@@ -301,12 +306,13 @@ bool have_one_ratio(const std::vector<std::pair<Value, Value>>& determinants) {
                      [&](const auto& other) { return is_same(a * other.second, b * other.first); });
 }
 
-std::string difference_of(const std::vector<Line>& a, const std::vector<Line>& b,
-                          const SetByOptions& any) try {
+std::string difference_of(const std::vector<Line>& a, const std::vector<Line>& b, std::size_t piece,
+                          const SetByOptions& any) {
   std::vector<std::pair<Value, Value>> determinants;
   bool has_one_matrix = true, is_about_zeros = true;
   for (int point = 0; point < kPoints; ++point) {
-    const Parts left(Evaluated(a, point, any), any), right(Evaluated(b, point, any), any);
+    const Parts left(Evaluated(a, piece, point, any), any),
+        right(Evaluated(b, piece, point, any), any);
     for (const auto& found : {difference_of(left.ordered, right.ordered),
                               difference_of(left.unordered, right.unordered)})
       if (!found.empty()) return found;
@@ -318,9 +324,19 @@ std::string difference_of(const std::vector<Line>& a, const std::vector<Line>& b
     is_about_zeros = is_about_zeros && left.asks_for_regularity() && first && second;
     if (is_about_zeros) determinants.emplace_back(*first, *second);
   }
-  if (!claims_domain(a, b, any)) return "it does not say where there is a value";
+  if (!claims_domain(a, b, piece, any)) return "it does not say where there is a value";
   if (has_one_matrix || (is_about_zeros && have_one_ratio(determinants))) return "";
   return "another matrix";
+}
+
+std::string difference_of(const std::vector<Line>& a, const std::vector<Line>& b,
+                          const SetByOptions& any) try {
+  const auto pieces =
+      std::count_if(a.begin(), a.end(), [](const Line& line) { return line.key == "piece"; });
+  std::string found = difference_of(a, b, 0, any);
+  for (std::ptrdiff_t piece = 1; piece < pieces && found.empty(); ++piece)
+    found = difference_of(a, b, std::size_t(piece), any);
+  return found;
 } catch (const std::exception& error) {
   return std::string("one is no question: ") + error.what();
 }
