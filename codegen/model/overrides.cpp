@@ -107,6 +107,9 @@ void set_range(const Model& model, Motion& motion, const std::string& parameter,
 }
 
 void set_tube(const Model& model, Motion& motion, std::string_view tube) {
+  if (motion.has_no_pose())
+    refuse("this motion gives no pose, and a tube is about one",
+           "give a pose, or errors of the lengths in the motion", "tube");
   std::vector<std::string> names, all;
   for (const PoseParameter& p : model.pose) all.push_back(p.name);
   const std::size_t equals = tube.find('=');

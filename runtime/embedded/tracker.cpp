@@ -16,11 +16,15 @@ namespace {
 constexpr std::size_t kSize = LegsNearPose::kUnknowns;
 using Radii = std::array<double, kSize>;  ///< of u in lengths, and of v
 
-constexpr unsigned kNewtonSteps = 8, kSizes = 40, kSharpenings = 4;
-static_assert(kNewtonSteps + 1 + kSizes + kSharpenings <= REGULUS_TRACK_MOST_TESTS);
-/// v is at most this at first: half the tangent of a right angle's half.
+constexpr unsigned kNewtonSteps = 8, kShapings = 4, kSizes = 24, kSharpenings = 4;
+static_assert(kNewtonSteps + 1 + kShapings + kSizes + kSharpenings <= REGULUS_TRACK_MOST_TESTS);
+/// v is at most this, and Newton's steps are.
 constexpr double kGreatest = 0.5;
-constexpr double kConverged = 0x1p-48;
+/// The least part v of boxes that are tried, and of those by which a shape is found.
+constexpr double kSmall = 0x1p-20;
+/// The size that bounds of second order suggest is made less by this, and then by this again.
+constexpr double kCaution = 0.875;
+constexpr double kConverged = 0x1p-30;
 /// A box is larger than its last image by this.
 constexpr double kRoom = 1 + 0x1p-6;
 constexpr double kLeastRadius = 0x1p-50;
@@ -53,7 +57,10 @@ class Tracking {
   void track(regulus_track_report& report) {
     report.verdict = REGULUS_TRACK_NOT_SHOWN;
     report.pose = last_;
-    if (approach() && find_radius() && sharpen()) tell(report);
+    if (approach() && find_radius()) {
+      sharpen();
+      tell(report);
+    }
     report.tests = tests_;
   }
 
@@ -66,19 +73,13 @@ class Tracking {
     return {legs_, rotation, position};
   }
 
-  /// Evaluates the legs over a box about the pose.
-  LegsNearPose::Values evaluate(const LegsNearPose& legs, const Radii& radius) {
-    ++tests_;
-    LegsNearPose::Unknowns box;
-    for (std::size_t k = 0; k < kSize; ++k) box[k] = Interval(-radius[k], radius[k]);
-    return legs.at(box);
-  }
-
   /// Newton's method, in doubles but for the evaluation. Leaves K and K times the values at the pose.
   bool approach() {
+    double last = kInfinity;
     for (unsigned step = 0;; ++step) {
       const LegsNearPose legs = near();
-      const LegsNearPose::Values at = evaluate(legs, {});
+      const LegsNearPose::Values at = legs.at({});
+      ++tests_;
       std::array<double, kSize * kSize> matrix{};
       std::ranges::transform(at.by_unknown, matrix.begin(), [](Interval x) { return mid(x); });
       if (!approx_invert(matrix, inverse_, kSize)) return false;
@@ -90,7 +91,12 @@ class Tracking {
         largest = std::fmax(largest, std::fabs(mid(offset_[i])) / (i < 3 ? size_ : 1));
       }
       if (!(largest < kGreatest)) return false;
-      if (largest < kConverged || step == kNewtonSteps) return true;
+      const bool is_at_end = largest < kConverged && !(largest < last / 2);
+      if (is_at_end || largest == 0 || step == kNewtonSteps) {
+        note_spread(at);
+        return true;
+      }
+      last = largest;
       LegsNearPose::Unknowns moved;
       for (std::size_t k = 0; k < kSize; ++k) moved[k] = Interval(-mid(offset_[k]));
       const GoughPose next = legs.pose_of(moved);
@@ -99,46 +105,108 @@ class Tracking {
     }
   }
 
-  /// Sets the left side of the test of Krawczyk for a box. Returns true if it passes.
-  bool passes(const LegsNearPose& legs, const Radii& radius, Radii& image) {
-    const LegsNearPose::Values over = evaluate(legs, radius);
-    bool is_inside = true;
-    for (std::size_t i = 0; i < kSize; ++i) {
-      image[i] = mag(offset_[i]);
+  /// Bounds |K·F′ − 1| at the pose.
+  void note_spread(const LegsNearPose::Values& at) {
+    for (std::size_t i = 0; i < kSize; ++i)
       for (std::size_t k = 0; k < kSize; ++k) {
         Interval sum(i == k ? -1.0 : 0.0);
         for (std::size_t j = 0; j < kSize; ++j)
-          sum += Interval(inverse_[i * kSize + j]) * over.by_unknown[j * kSize + k];
-        image[i] = add_ru(image[i], mul_ru(mag(sum), radius[k]));
+          sum += Interval(inverse_[i * kSize + j]) * at.by_unknown[j * kSize + k];
+        spread_[i * kSize + k] = mag(sum);
       }
+  }
+
+  /// Row i of K times a column of numbers, one for each leg.
+  template <class ByLeg>
+  [[nodiscard]] double combined(std::size_t i, const ByLeg& by_leg) const {
+    Interval sum(0.0);
+    for (std::size_t j = 0; j < kSize; ++j) sum += Interval(inverse_[i * kSize + j]) * by_leg(j);
+    return mag(sum);
+  }
+
+  /// Bounds |K·F′ − 1|·r over a box: what it is at the pose, and K times all second derivatives over the box.
+  [[nodiscard]] Radii change_over(const LegsNearPose& legs, const Radii& r) {
+    ++tests_;
+    LegsNearPose::Unknowns box;
+    for (std::size_t k = 0; k < kSize; ++k) box[k] = Interval(-r[k], r[k]);
+    const LegsNearPose::Bends bends = legs.bends(box);
+    Radii change{};
+    for (std::size_t i = 0; i < kSize; ++i) {
+      const auto add = [&](double bound, double x, double y) {
+        change[i] = add_ru(change[i], mul_ru(bound, mul_ru(x, y)));
+      };
+      for (std::size_t k = 0; k < kSize; ++k) add(spread_[i * kSize + k], r[k], 1);
+      const double by_u = combined(i, [&](std::size_t) { return bends.by_u; });
+      for (std::size_t j = 0; j < 3; ++j) {
+        add(by_u, r[j], r[j]);
+        for (std::size_t k = 0; k < 3; ++k) {
+          const std::size_t e = 3 * j + k;
+          // Once in the row of u_j, and once in that of v_k.
+          add(combined(i, [&](std::size_t leg) { return bends.by_u_and_v[leg][e]; }), 2 * r[j],
+              r[3 + k]);
+          if (k < j) continue;
+          add(combined(i, [&](std::size_t leg) { return bends.by_v[leg][e]; }),
+              (j == k ? 1 : 2) * r[3 + j], r[3 + k]);
+        }
+      }
+    }
+    return change;
+  }
+
+  /// Sets the left side of the test of Krawczyk for a box. Returns true if it passes.
+  bool passes(const LegsNearPose& legs, const Radii& radius, Radii& image) {
+    image = change_over(legs, radius);
+    bool is_inside = true;
+    for (std::size_t i = 0; i < kSize; ++i) {
+      image[i] = add_ru(image[i], mag(offset_[i]));
       is_inside = is_inside && image[i] < radius[i];
     }
     return is_inside;
   }
 
+  [[nodiscard]] static Radii radii(double u, double v) { return {u, u, u, v, v, v}; }
+
+  /// Looks for the largest box: its shape by small ones, in which all grows with the square of the size, and
+  /// then its size.
   bool find_radius() {
     const LegsNearPose legs = near();
-    double v = kGreatest;
-    for (unsigned i = 0; i < kSizes; ++i, v /= 2) {
-      radius_.fill(v);
-      for (std::size_t k = 0; k < 3; ++k) radius_[k] = v * size_;
+    double u = kSmall * size_, greatest = 0;
+    Radii change{};
+    for (unsigned i = 0; i < kShapings; ++i) {
+      change = change_over(legs, radii(u, kSmall));
+      const double by_u = *std::max_element(change.begin(), change.begin() + 3) / u;
+      const double by_v = *std::max_element(change.begin() + 3, change.end()) / kSmall;
+      greatest = std::fmax(by_u, by_v);
+      if (!(greatest < 1) || !(by_v > 0)) return false;
+      if (i + 1 < kShapings) u *= std::sqrt(by_u / by_v);
+    }
+    double factor = std::fmin(kCaution / greatest, kGreatest / kSmall);
+    for (unsigned i = 0; i < kSizes; ++i, factor *= i < kSizes / 2 ? kCaution : 0.25) {
+      radius_ = radii(factor * u, factor * kSmall);
       if (passes(legs, radius_, image_)) return true;
     }
     return false;
   }
 
-  /// The solution is in the image of each box that contains it.
-  bool sharpen() {
+  /// A small box that passes has the same solution, if it is a part of the large one; and the solution is in
+  /// the image of each box that contains it.
+  void sharpen() {
     const LegsNearPose legs = near();
-    for (unsigned i = 0; i < kSharpenings; ++i) {
-      Radii smaller = image_, image;
-      for (std::size_t k = 0; k < kSize; ++k)
-        smaller[k] = kRoom * smaller[k] + kLeastRadius * (k < 3 ? size_ : 1);
-      static_cast<void>(passes(legs, smaller, image));
-      for (std::size_t k = 0; k < kSize; ++k)
-        if (image[k] < image_[k]) image_[k] = image[k];
+    Radii image;
+    double factor = 1.5;
+    for (unsigned i = 0; i < kSharpenings; ++i, factor *= 4) {
+      Radii small;
+      bool is_part = true;
+      for (std::size_t k = 0; k < kSize; ++k) {
+        small[k] = factor * mag(offset_[k]) + kLeastRadius * (k < 3 ? size_ : 1);
+        is_part = is_part && small[k] <= radius_[k];
+      }
+      if (!is_part) return;
+      if (passes(legs, small, image)) {
+        image_ = image;
+        return;
+      }
     }
-    return true;
   }
 
   /// Poses within r and α of the last one are within r + d and α + β of `pose`, if the last one is at the
@@ -171,7 +239,7 @@ class Tracking {
   regulus_pose pose_;
   double size_ = 0;
   unsigned tests_ = 0;
-  std::array<double, kSize * kSize> inverse_{};
+  std::array<double, kSize * kSize> inverse_{}, spread_{};
   LegsNearPose::Unknowns offset_;
   Radii radius_{}, image_{};
 };

@@ -77,6 +77,35 @@ LegsNearPose::Values LegsNearPose::at(const Unknowns& z) const {
   return values;
 }
 
+/// With g = u − c: the derivative of Q(v)b by v_k is 2(b_k v − v_k b + (v·b)e_k + e_k × b), and by v_j, too,
+/// 2(b_k e_j + b_j e_k − δ_jk b).
+LegsNearPose::Bends LegsNearPose::bends(const Unknowns& z) const {
+  const Interval two(2.0), four(4.0);
+  const Vector v{z[3], z[4], z[5]};
+  const auto at = [](std::size_t j, std::size_t k) { return 3 * j + k; };
+  Bends bends;
+  bends.by_u = two * (Interval(1.0) + square_of(v));
+  for (std::size_t i = 0; i < kUnknowns; ++i) {
+    const Vector& b = platform_[i];
+    const Vector gap{z[0] - base_[i][0], z[1] - base_[i][1], z[2] - base_[i][2]};
+    const Interval vb = dot(v, b);
+    const Interval sum = two * (square_of(gap) + square_[i]) - four * dot(gap, b);
+    for (std::size_t k = 0; k < 3; ++k) {
+      // e_k × b
+      const Vector turned = k == 0   ? Vector{Interval(0.0), -b[2], b[1]}
+                            : k == 1 ? Vector{b[2], Interval(0.0), -b[0]}
+                                     : Vector{-b[1], b[0], Interval(0.0)};
+      for (std::size_t j = 0; j < 3; ++j) {
+        const Interval turn = b[k] * v[j] - v[k] * b[j] + turned[j];
+        bends.by_u_and_v[i][at(j, k)] = four * (v[k] * gap[j] + (j == k ? turn + vb : turn));
+        const Interval sides = four * (b[k] * gap[j] + b[j] * gap[k]);
+        bends.by_v[i][at(j, k)] = j == k ? sides + sum : sides;
+      }
+    }
+  }
+  return bends;
+}
+
 std::optional<LegsNearPose::Unknowns> LegsNearPose::unknowns_of(const GoughPose& pose) const {
   const Quaternion<Interval> turn = conj(rotation_) * pose.rotation;
   if (contains_zero(turn[0])) return std::nullopt;

@@ -34,6 +34,14 @@ class LegsNearPose {
 
   [[nodiscard]] Values at(const Unknowns& unknowns) const;
 
+  /// By leg, the second derivatives: twice n by each part of u; by u_j and v_k; by v_j and v_k.
+  struct Bends {
+    Interval by_u;
+    std::array<std::array<Interval, 9>, kUnknowns> by_u_and_v;  ///< row-major: by j
+    std::array<std::array<Interval, 9>, kUnknowns> by_v;        ///< symmetric
+  };
+  [[nodiscard]] Bends bends(const Unknowns& unknowns) const;
+
   /// Encloses the unknowns of poses whose rotation is not a half turn from here; nullopt: one may be.
   [[nodiscard]] std::optional<Unknowns> unknowns_of(const GoughPose& pose) const;
   [[nodiscard]] GoughPose pose_of(const Unknowns& unknowns) const;
