@@ -213,7 +213,7 @@ const std::vector<ObjectKind>& report_kinds() {
       {"bound", "bound", {kNotes, kBound}, kOfBound},
       {"finite_error", "bound error --finite", {kFiniteErrors}, kOfBracket},
       {"datasheet", "datasheet", {kDatasheet}, kOfBracket},
-      {"solutions", "solve", {kSolve}, "complete|none|incomplete"},
+      {"solutions", "solve", {kSolve, kCertificate}, "complete|none|incomplete"},
       {"forces",
        "check --load and locate --load",
        {kForces, kSubject, kNonempty, kBlocking, kForceShares, kCertificate},

@@ -4,6 +4,7 @@
 #include "codegen/answer/outputs.hpp"
 #include "codegen/answer/refusals.hpp"
 #include "codegen/answer/report/progress.hpp"
+#include "codegen/question/solve/solve_certificate.hpp"
 #include "codegen/question/solve/solve_report.hpp"
 #include "codegen/question/solve/solve_run.hpp"
 
@@ -15,6 +16,8 @@ class FoundSolutions final : public SolveAnswer {
   FoundSolutions(const AskSolve& asked, const Services& services)
       : search_(asked.search),
         request_(read_solve_request(asked.model, watch_of(services, search_))) {
+    if (!services.certificate.empty()) refuse_proof_of_solutions(request_, services);
+    set_outputs_aside(asked.model, asked.search, services);
     SearchDisplay display(display_of(services));
     SolveRun run{search_,
                  watch_of(services, search_),
@@ -24,15 +27,20 @@ class FoundSolutions final : public SolveAnswer {
                  asked.held};
     noun = noun_of(request_);
     solutions = solve(request_, run);
+    proof_ = certify_solutions(services.certificate, request_, solutions, {});
+    if (proof_.is_lost()) lost.push_back(proof_.obstacle());
   }
 
   void tell(Facts& facts) const override {
     tell_solutions(request_, search_, solutions, noun, facts);
+    proof_.tell(facts);
   }
+  [[nodiscard]] std::string about_files() const override { return proof_.line(); }
 
  private:
   SearchOptions search_;
   Request request_;
+  ProofStatus proof_;
 };
 
 }  // namespace

@@ -26,7 +26,8 @@ constexpr const char* kTheoremOfPairs =
     "by the theorem that a platform on six legs that meet in pairs has at most 16 isolated complex "
     "poses (of Bezout), of which 16 are certain";
 
-/// Returns the square of each length.
+}  // namespace
+
 std::vector<ex> squared_lengths(const Request& request) {
   std::vector<ex> squares;
   for (const ex& length : request.motion.legs) squares.push_back(pow(length, 2));
@@ -42,6 +43,8 @@ std::vector<ex> squared_lengths(const Request& request) {
   }
   return squares;
 }
+
+namespace {
 
 Interval norm(const Interval& x, const Interval& y) { return sqrt(sqr(x) + sqr(y)); }
 
@@ -136,6 +139,8 @@ Solutions count_poses(const Request& request, const SolveRun& run) {
   for (const GoughPose& pose : poses.poses) solutions.found.push_back(solution_at(legs, pose));
   sort_by_values(solutions.found);
   solutions.complex_found = poses.complex;
+  for (const ApproxPose& pose : poses.approx)
+    solutions.roots.emplace_back(pose.begin(), pose.end());
   solutions.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (poses.is_complete()) {

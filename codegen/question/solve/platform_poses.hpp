@@ -12,6 +12,9 @@ namespace regulus {
 /// Requires  request.model.legs: 3 in the plane, or 6 in space; the motion has values.
 [[nodiscard]] Solutions solve_platform(const Request& request, const SolveRun& run);
 
+/// Returns the squares of the lengths, exactly.
+[[nodiscard]] std::vector<GiNaC::ex> squared_lengths(const Request& request);
+
 /// Returns the equations of a planar platform as a closure of a model without pose parameters.
 [[nodiscard]] Request planar_request(const Request& request);
 

@@ -63,6 +63,7 @@ struct SolveCommand {
   SearchOptions search;
   std::vector<std::string> held;
   OutputOptions output;
+  std::string certificate{};  ///< file; empty: none
 };
 
 struct VerifyCommand {

@@ -108,8 +108,10 @@ CommandQuestion question_of(const DatasheetCommand& command) {
 }
 
 CommandQuestion question_of(const SolveCommand& command) {
-  return {AskSolve{command.model, command.search, command.held}, command.output,
-          services_of(command.output)};
+  CommandQuestion question{AskSolve{command.model, command.search, command.held}, command.output,
+                           services_of(command.output)};
+  question.services.certificate = command.certificate;
+  return question;
 }
 
 int run_question(CommandQuestion question, const std::string& typed) {
