@@ -219,7 +219,7 @@ std::vector<ObjectKind> kinds_of_other_answers() {
       {"bound", "bound", {kNotes, kBound}, kOfBound},
       {"finite_error", "bound error --finite", {kFiniteErrors}, kOfBracket},
       {"datasheet", "datasheet", {kDatasheet}, kOfBracket},
-      {"solutions", "solve", {kOfSolutions, kSolve}, "complete|none|incomplete"},
+      {"solutions", "solve", {kOfSolutions, kSolve, kCertificate}, "complete|none|incomplete"},
       {"solutions_at_places",
        "solve at many places",
        {kOfSolutions, kPlaces},

@@ -14,6 +14,7 @@
 #include "codegen/answer/report/progress.hpp"
 #include "codegen/answer/report/report_text.hpp"
 #include "codegen/model/way/place_file.hpp"
+#include "codegen/question/solve/solve_certificate.hpp"
 #include "codegen/question/solve/solve_report.hpp"
 #include "codegen/question/solve/solve_run.hpp"
 
@@ -26,6 +27,8 @@ class FoundSolutions final : public SolveAnswer {
       : search_(asked.search),
         held_(asked.held),
         request_(read_solve_request(asked.model, watch_of(services, search_))) {
+    if (!services.certificate.empty()) refuse_proof_of_solutions(request_, services);
+    set_outputs_aside(asked.model, asked.search, services);
     SearchDisplay display(display_of(services));
     SolveRun run{search_,
                  watch_of(services, search_),
@@ -35,16 +38,21 @@ class FoundSolutions final : public SolveAnswer {
                  held_};
     noun = noun_of(request_);
     solutions = solve(request_, run);
+    proof_ = certify_solutions(services.certificate, request_, solutions, {});
+    if (proof_.is_lost()) lost.push_back(proof_.obstacle());
   }
 
   void tell(Facts& facts) const override {
     tell_solutions({request_, search_, held_}, solutions, noun, facts);
+    proof_.tell(facts);
   }
+  [[nodiscard]] std::string about_files() const override { return proof_.line(); }
 
  private:
   SearchOptions search_;
   std::vector<std::string> held_;
   Request request_;
+  ProofStatus proof_;
 };
 
 /// Notes are about the file, and those of places that have them first.
@@ -55,6 +63,9 @@ class SolutionsAtPlaces final : public SolveAnswer {
   SolutionsAtPlaces(const AskSolve& asked, const Services& services)
       : asked_(asked), tells_at_once_(services.on_line) {
     has_places_ = true;
+    if (!services.certificate.empty())
+      throw UsageError(services.dashes +
+                       "certificate: a list of many places has no proof in a file; ask about one");
     const FormingWatch watch = watch_of(services, asked.search);
     const Model model = read_model(model_text(asked.model), asked.model, &watch);
     rows_ = rows_of(model);

@@ -44,8 +44,12 @@ struct GoughPose {
 inline constexpr std::size_t kPosesOfGough = 40;
 inline constexpr std::size_t kPosesOfPairedLegs = 16;
 
+/// The origin's position, and a quaternion up to a factor: roughly a complex pose.
+using ApproxPose = std::array<Complex, 7>;
+
 struct GoughPoses {
   std::vector<GoughPose> poses;      ///< the real ones among those found, each certain and simple
+  std::vector<ApproxPose> approx{};  ///< all that were found
   std::size_t complex = 0;           ///< distinct simple poses found, real ones included
   std::size_t most = kPosesOfGough;  ///< no such platform has more simple poses
 

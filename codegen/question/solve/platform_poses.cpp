@@ -178,6 +178,8 @@ Solutions poses_in_space(const Request& request, const SolveRun& run) {
     solutions.is_nominal = solutions.completeness != Completeness::kComplete;
     if (!solutions.is_nominal) follow(solutions, request, legs, poses, run);
   }
+  for (const ApproxPose& pose : counted.approx)
+    solutions.roots.emplace_back(pose.begin(), pose.end());
   solutions.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return solutions;

@@ -10,6 +10,7 @@
 
 #include "runtime/interval/interval.hpp"
 #include "runtime/problem/result.hpp"
+#include "runtime/solutions/complex.hpp"
 
 namespace regulus {
 
@@ -54,6 +55,8 @@ struct Solutions {
   std::vector<std::vector<Interval>> open{};
   /// Of a count: the solutions among complex numbers that were certified; nullopt: not counted.
   std::optional<std::uint64_t> complex_found{};
+  /// The same, roughly: their values by unknown, a quaternion up to a factor.
+  std::vector<std::vector<Complex>> roots{};
   std::uint64_t boxes = 0;  ///< of the search
   double seconds = 0;
   std::optional<Reason> stopped_by{};  ///< the limit that ended it

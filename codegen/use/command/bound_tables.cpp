@@ -34,6 +34,11 @@ constexpr const char* kSolveFooter =
     "one is NONE.\n"
     "Exit: as above; 64 usage, 65 bad model, 70 internal fault, 74 file error.";
 
+constexpr const char* kSolveCertificate =
+    "Write a proof that these are all, or that these are certain, to FILE: of configurations, and "
+    "of "
+    "poses on six legs";
+
 constexpr const char* kBoundCertificate =
     "Write two proofs for each leg or freedom: FILE.leg_3.safe proves that no value is beyond the "
     "bracket, FILE.leg_3.singular that its other end is attained";
@@ -104,6 +109,7 @@ void CommandTables::add_solve() {
       ->type_name("FILE.jsonl");
   add_search_options(*solve_command, solve.search);
   solve_command->get_option("--time-limit")->default_str("60");
+  add_certificate_option(*solve_command, solve.certificate, kSolveCertificate);
   add_output_options(*solve_command, solve.output);
   solve_command->footer(kSolveFooter);
 }

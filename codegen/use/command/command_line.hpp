@@ -62,8 +62,9 @@ struct SolveCommand {
   SearchOptions search;
   std::vector<std::string> held;
   OutputOptions output;
-  std::string table{};  ///< file of places, as of way-points; empty: there is one place
-  std::string lines{};  ///< file of the JSON lines of many places, "-" = standard output
+  std::string table{};        ///< file of places, as of way-points; empty: there is one place
+  std::string lines{};        ///< file of the JSON lines of many places, "-" = standard output
+  std::string certificate{};  ///< file; empty: none
 };
 
 struct VerifyCommand {

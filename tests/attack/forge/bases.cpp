@@ -329,6 +329,7 @@ const std::vector<Base>& bases() {
       {"cables", "cable_8", {"check", "work"}},
       {"branch", kSlider, {"check", "work"}},
       {"five-bar", "five_bar_closure", {"check", "work"}},
+      {"poses", "dietmaier", {"solve", "legs"}},
       {"shards", "robot_1", {"check", "wide_15"}, "", "", 400},
       {"shards of pieces", kEverything, {"check", "way"}, kWay, "way.csv", 60},
       {"shards of a paving", kCart, {"locate", "work", "--load", "gust"}, "", "", 1000},

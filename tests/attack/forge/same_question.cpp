@@ -16,7 +16,8 @@ namespace {
 
 constexpr int kPoints = 3, kSpecialPoints = 48;
 /// Labels, and lines that change the proof only.
-const std::set<std::string> kIgnored{"model", "sha256", "combined", "norms", "reference"};
+const std::set<std::string> kIgnored{"model", "sha256",    "combined",
+                                     "norms", "reference", "solution"};
 /// Their words are labels, not names of quantities.
 const std::set<std::string> kLabelled{"load", "twist", "quantity", "side"};
 /// Not compared line by line: the claim says that all of them have a value. Of an expression, this is the
@@ -133,6 +134,7 @@ class Evaluated {
     if (line.key == "pose") return add_pose(line);
     if (line.key == "piecewise") return begin_pieces(line);
     if (line.key == "piece") return add_piece(line);
+    if (line.key == "leg") return add_values(line, parted(line.text, " | "));
     if (line.key == "limits") return add_values(line, parted(line.text, " : "));
     if (line.key == "wrench") return add_values(line, parted(line.text, " +- "));
     static const std::set<std::string> kExpressions{
