@@ -52,6 +52,7 @@ class RobotCloser {
     find_idle();
     choose_rows();
     hold();
+    tell_limits();
     return write();
   }
 
@@ -78,17 +79,26 @@ class RobotCloser {
     Indices elsewhere;
     std::vector<std::string> outside;
     for (const std::string& name : is_asked ? wishes_.driven : mechanism_.actuated) {
+      const auto joint = std::ranges::find(mechanism_.joints, name, &ImportedJoint::name);
       if (const auto known = variable(name))
         driven_.insert(*known);
-      else if (std::ranges::find(mechanism_.joints, name, &ImportedJoint::name) !=
-               mechanism_.joints.end())
-        outside.push_back(in_quotes(name));
-      else if (is_asked)
+      else if (joint == mechanism_.joints.end() && is_asked)
         throw UsageError("--actuated: there is no joint " + in_quotes(name));
+      else if (joint != mechanism_.joints.end() && !drive_leader(*joint))
+        outside.push_back(in_quotes(name));
     }
-    if (!outside.empty())
-      note(fmt::format("driven, but in no loop, or follows another joint: {}",
-                       fmt::join(outside, ", ")));
+    if (!outside.empty()) note(fmt::format("driven, but in no loop: {}", fmt::join(outside, ", ")));
+  }
+
+  /// The motor of a joint that follows another turns that one, too.
+  bool drive_leader(const ImportedJoint& joint) {
+    if (!joint.mimics || !joint.rule || joint.rule->multiplier.is_zero()) return false;
+    const auto leader = variable(*joint.mimics);
+    if (!leader) return false;
+    driven_.insert(*leader);
+    note(fmt::format("the motor of {} drives {}, which it follows", in_quotes(joint.name),
+                     quoted({*leader})));
+    return true;
   }
 
   void find_passive() {
@@ -110,8 +120,7 @@ class RobotCloser {
       const auto known = variable(at.substr(0, equals));
       if (equals == std::string::npos || !known)
         throw UsageError("--at: " + in_quotes(at) +
-                         " is no JOINT=VALUE with a joint of a loop, such as " +
-                         graph_.variables.front().name + "=0.1");
+                         " is no JOINT=VALUE with a joint of a loop that follows none");
       const ex value = parse_constant(at.substr(equals + 1), {.file = "--at", .key = at}).value;
       pose_.values[*known] = WrittenNumber{value, ""}.approx();
       placed_.insert(*known);
@@ -193,41 +202,92 @@ class RobotCloser {
     for (const LoopVariable& v : graph_.variables) {
       joints_.push_back({v.name, v.slides, 0, 0, GiNaC::realsymbol(v.name)});
     }
-    idle_.assign(pose_.gap().size(), 1);
-    LoopPose any = pose_;
-    for (int trial = 0; trial < 4; ++trial) {
-      const std::vector<double> gap = any.gap();
-      for (std::size_t i = 0; i < gap.size(); ++i)
-        if (std::fabs(gap[i]) > (trial == 0 ? kClosed : kZero)) idle_[i] = 0;
-      for (std::size_t v = 0; v < any.values.size(); ++v)
-        any.values[v] = pose_.values[v] + std::sin(1.7 * double(v + 1) + 2.3 * trial);
-    }
-    std::size_t begin = 0;
+    measure_gaps();
+    idle_.assign(gaps_.front().size(), 0);
     for (const CutLoop& loop : loops_) {
-      const std::vector<ex> exact = gap_of(loop, graph_.joints, symbols());
-      std::size_t positions = 0, turns = 0;
-      for (std::size_t i = 0; i < exact.size(); ++i) {
-        exact_.push_back(exact[i]);
-        if (idle_[begin + i] == 0) continue;
-        if (!is_certainly_zero(exact[i]))
-          refuse(loop.line,
-                 fmt::format("{} has an equation that is nearly always true, but not exactly",
-                             loop.name),
-                 "its numbers are rounded; a larger --snap may make its joints parallel");
-        ++(i < 3 ? positions : turns);
-      }
-      most_.push_back(loop.equations() - dropped(loop, positions, turns));
-      begin += exact.size();
+      const std::size_t begin = exact_.size();
+      for (const ex& part : gap_of(loop, graph_.joints, symbols())) exact_.push_back(part);
+      for (std::size_t i = begin; i < exact_.size(); ++i)
+        idle_[i] = is_idle(loop, {{i, 1.0, 1}}) ? 1 : 0;
+      if (loop.kind == CutLoop::Kind::kBall || loop.kind == CutLoop::Kind::kHinge)
+        for (std::size_t i = begin; i < exact_.size(); i += 3) find_idle_across(loop, i);
+      most_.push_back(loop.equations() - dropped(loop, begin));
     }
   }
 
-  /// Returns how many equations the idle parts stand for. Two rotations that differ by a turn in a
-  /// plane agree in five of nine entries.
-  std::size_t dropped(const CutLoop& loop, std::size_t positions, std::size_t turns) {
+  /// The gaps of the closed loops, and those of other poses, where they are open.
+  void measure_gaps() {
+    LoopPose any = pose_;
+    for (int trial = 0; trial < 4; ++trial) {
+      gaps_.push_back(any.gap());
+      for (std::size_t v = 0; v < any.values.size(); ++v)
+        any.values[v] = pose_.values[v] + std::sin(1.7 * double(v + 1) + 2.3 * trial);
+    }
+  }
+
+  struct Term {
+    std::size_t part;
+    double approx;
+    ex factor;
+  };
+
+  /// True for a sum of parts of the gap that is 0 wherever the joints are.
+  bool is_idle(const CutLoop& loop, const std::vector<Term>& sum) const {
+    for (std::size_t trial = 0; trial < gaps_.size(); ++trial) {
+      double value = 0;
+      for (const Term& term : sum) value += term.approx * gaps_[trial][term.part];
+      if (std::fabs(value) > (trial == 0 ? kClosed : kZero)) return false;
+    }
+    ex exact = 0;
+    for (const Term& term : sum) exact += term.factor * exact_[term.part];
+    if (!is_certainly_zero(exact))
+      refuse(
+          loop.line,
+          fmt::format("{} has an equation that is nearly always true, but not exactly", loop.name),
+          "its numbers are rounded; a larger --snap may make its joints parallel");
+    return true;
+  }
+
+  /// A loop may keep its plane where that is no coordinate plane. Its joints in the middle, whose
+  /// frame the gap is seen from, are then across it. A vector without a component across the plane
+  /// is 0 if two of its parts are; the third must have a share in that component.
+  void find_idle_across(const CutLoop& loop, std::size_t begin) {
+    if (idle_[begin] + idle_[begin + 1] + idle_[begin + 2] > 0) return;
+    for (const auto* way : {&loop.arc.left, &loop.arc.right}) {
+      if (way->empty() || way->front().kind != LoopStep::Kind::kJoint) continue;
+      const LoopJoint& joint = graph_.joints[way->front().joint];
+      std::vector<Term> sum;
+      std::size_t most = 0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        sum.push_back({begin + i, joint.approx_axis[i], joint.axis[i]});
+        if (std::fabs(joint.approx_axis[i]) > std::fabs(joint.approx_axis[most])) most = i;
+      }
+      if (!is_idle(loop, sum)) continue;
+      idle_[begin + most] = 1;
+      return;
+    }
+  }
+
+  /// Returns how many equations the idle parts of a loop stand for.
+  ///
+  /// Hinge     the directions of an axis on both sides have one component that is the same: then the
+  ///           other two have the same length, and only its turn is left.
+  /// Weld      two rotations have a row, or a column, that is the same: then they differ by a turn
+  ///           about it.
+  std::size_t dropped(const CutLoop& loop, std::size_t begin) {
     if (loop.kind == CutLoop::Kind::kRod) return 0;
-    std::size_t count = positions;
-    if (loop.kind == CutLoop::Kind::kHinge) count += turns == 3 ? 2 : 0;
-    if (loop.kind == CutLoop::Kind::kWeld) count += turns == 9 ? 3 : turns >= 5 ? 2 : 0;
+    const auto count_of = [&](std::size_t from, std::size_t step) -> std::size_t {
+      return std::size_t(idle_[begin + from]) + std::size_t(idle_[begin + from + step]) +
+             std::size_t(idle_[begin + from + 2 * step]);
+    };
+    std::size_t count = count_of(0, 1);
+    if (loop.kind == CutLoop::Kind::kHinge) count += std::min<std::size_t>(count_of(3, 1), 2);
+    if (loop.kind == CutLoop::Kind::kWeld) {
+      std::size_t lines = 0;
+      for (std::size_t i = 0; i < 3; ++i)
+        lines += (count_of(3 + i, 3) == 3 ? 1U : 0U) + (count_of(3 + 3 * i, 1) == 3 ? 1U : 0U);
+      count += lines == 6 ? 3 : lines > 0 ? 2 : 0;
+    }
     if (count > 0)
       note(fmt::format("{}: {} of {} equations are always true and were dropped", loop.name, count,
                        loop.equations()));
@@ -260,6 +320,11 @@ class RobotCloser {
     Indices all = passive_;
     all.insert(all.end(), motors_.begin(), motors_.end());
     const std::size_t whole = independent_rows(pose_, all, most_, idle_).rows.size();
+    if (whole == all.size())
+      refuse(loops_[worst].line,
+             fmt::format("{} is rigid: the loops leave no freedom, so that no motor can move ({})",
+                         loops_[worst].name, counts),
+             "correct the joints, or the loops");
     if (all.size() - whole < motors_.size())
       refuse(loops_[worst].line,
              fmt::format("the loops leave {} freedoms for {} motors, {}: {}", all.size() - whole,
@@ -282,16 +347,97 @@ class RobotCloser {
       if (!determined.contains(v)) held.push_back(v);
     unknowns_.assign(determined.begin(), determined.end());
     if (held.empty()) return;
-    if (motors_.empty())
-      throw UsageError(fmt::format(
-          "the loops leave {} freedom{}; name as many driven joints: --actuated JOINT,JOINT of {}",
-          held.size(), held.size() == 1 ? "" : "s", quoted(passive_)));
+    require_idle(held);
     for (const std::size_t v : held) pose_.values[v] = rounded(pose_.values[v]);
     close_loops(pose_, unknowns_);
     require_closed(pose_.largest_gap());
     for (const std::size_t v : held) held_[joints_[v].symbol] = exact_value(v);
-    note(fmt::format("no motor and no loop determines {}, held at {}; the claim is about the rest",
-                     quoted(held), fmt::join(texts_of(held), ", ")));
+    note(
+        fmt::format("no motor and no loop determines {}, held at {}: exact algebra shows that it "
+                    "moves no more than links between pins in line; the claim is about the rest",
+                    quoted(held), fmt::join(texts_of(held), ", ")));
+  }
+
+  /// With the motors locked, a held joint would move, and what it moves with it, unless the gap does
+  /// not depend on it, or depends on its sum or difference with another one.
+  void require_idle(const Indices& held) const {
+    Indices loose;
+    for (const std::size_t v : held)
+      if (!is_idle_joint(v)) loose.push_back(v);
+    if (loose.empty()) return;
+    if (motors_.empty())
+      throw UsageError(fmt::format(
+          "the loops leave {} freedom{}; name as many driven joints: --actuated JOINT,JOINT of {}",
+          loose.size(), loose.size() == 1 ? "" : "s", quoted(passive_)));
+    Indices motors = motors_;
+    motors.insert(motors.end(), loose.begin(), loose.end());
+    std::vector<std::string> names;
+    for (const std::size_t v : motors) names.push_back(graph_.variables[v].name);
+    refuse(graph_.variables[loose.front()].line,
+           fmt::format("the loops leave {} freedom{} that no motor holds: {} can move while the "
+                       "motors are locked",
+                       loose.size(), loose.size() == 1 ? "" : "s", quoted(loose)),
+           fmt::format("name as many driven joints more, such as --actuated {}",
+                       fmt::join(names, ",")));
+  }
+
+  bool is_idle_joint(std::size_t v) const {
+    if (has_no_slope({{v, 1}})) return true;
+    return std::ranges::any_of(unknowns_, [&](std::size_t other) {
+      return has_no_slope({{v, 1}, {other, 1}}) || has_no_slope({{v, 1}, {other, -1}});
+    });
+  }
+
+  /// True if the gap has no derivative along a direction, wherever the joints are.
+  bool has_no_slope(const std::vector<std::pair<std::size_t, int>>& direction) const {
+    LoopPose any = pose_;
+    for (std::size_t i = 0; i < any.values.size(); ++i)
+      any.values[i] += std::sin(1.3 * double(i + 1));
+    Indices by;
+    for (const auto& [v, sign] : direction) by.push_back(v);
+    const std::vector<double> slopes = any.slopes(by);
+    for (std::size_t r = 0; r < exact_.size(); ++r) {
+      double slope = 0;
+      for (std::size_t i = 0; i < by.size(); ++i)
+        slope += direction[i].second * slopes[r * by.size() + i];
+      if (std::fabs(slope) > 1e-7) return false;
+    }
+    return std::ranges::all_of(exact_, [&](const ex& part) {
+      ex slope = 0;
+      for (const auto& [v, sign] : direction) slope += sign * part.diff(joints_[v].symbol);
+      return is_certainly_zero(slope);
+    });
+  }
+
+  /// The limits of motors and unknowns are those of the model; others are named.
+  void tell_limits() {
+    std::set<std::size_t> without;
+    for (const CutLoop& loop : loops_)
+      without.insert(loop.without_value.begin(), loop.without_value.end());
+    Indices beyond, absent, counted;
+    for (std::size_t v = 0; v < graph_.variables.size(); ++v) {
+      if (!graph_.variables[v].limits) continue;
+      if (without.contains(v) || held_.contains(joints_[v].symbol))
+        absent.push_back(v);
+      else
+        (has_limits(v) ? counted : beyond).push_back(v);
+    }
+    if (!counted.empty()) note("within the limits of the file: " + quoted(counted));
+    if (!beyond.empty())
+      note(fmt::format(
+          "the start is beyond the limits of {} in the file, which the model leaves out; "
+          "--at JOINT=VALUE begins elsewhere",
+          quoted(beyond)));
+    if (!absent.empty())
+      note("the limits of " + quoted(absent) +
+           " are no part of the model, because it has no value of them");
+  }
+
+  /// True if there are limits and the start is in them.
+  bool has_limits(std::size_t v) const {
+    const auto& limits = graph_.variables[v].limits;
+    return limits && limits->range.lower.approx() <= pose_.values[v] &&
+           pose_.values[v] <= limits->range.upper.approx();
   }
 
   std::vector<std::string> texts_of(const Indices& variables) const {
@@ -310,7 +456,8 @@ class RobotCloser {
     const auto add = [&](std::vector<ClosedJoint>& to, std::size_t v) {
       const LoopVariable& variable = graph_.variables[v];
       const std::string name = identifiers_.of(variable.name);
-      to.push_back({name, variable.slides, pose_.values[v], reach_of(v), GiNaC::realsymbol(name)});
+      to.push_back({name, variable.slides, pose_.values[v], reach_of(v), GiNaC::realsymbol(name),
+                    has_limits(v) ? variable.limits : std::nullopt});
       names[joints_[v].symbol] = to.back().symbol;
     };
     Indices rows = rows_.rows;
@@ -319,6 +466,8 @@ class RobotCloser {
       if (std::ranges::any_of(rows,
                               [&](std::size_t r) { return exact_[r].has(joints_[v].symbol); }))
         add(robot.driven, v);
+      else
+        note("moves no passive joint: " + quoted({v}));
     if (robot.driven.empty())
       refuse(loops_.front().line, "no driven joint is in a loop",
              "name the driven joints: --actuated JOINT,JOINT");
@@ -327,9 +476,15 @@ class RobotCloser {
     robot.summary = fmt::format("{} loop{}: {} equation{} in as many passive joints; driven: {}",
                                 loops_.size(), loops_.size() == 1 ? "" : "s", rows.size(),
                                 rows.size() == 1 ? "" : "s", quoted(motors_));
-    for (const CutLoop& loop : loops_)
+    for (const CutLoop& loop : loops_) {
       if (!loop.at.empty())
         note(fmt::format("{}: cut at {}, whose angles are no unknowns", loop.name, loop.at));
+      for (const std::string& ball : loop.made_balls)
+        note(
+            fmt::format("{} are taken as a ball: a pose where two of their axes are in line is no "
+                        "part of the question",
+                        ball));
+    }
     return robot;
   }
 
@@ -358,10 +513,11 @@ class RobotCloser {
   std::vector<CutLoop> loops_;
   Indices passive_, motors_, unknowns_;
   LoopPose pose_{loops_, graph_.joints, {}};
-  std::vector<ClosedJoint> joints_;  ///< by variable
-  std::vector<ex> exact_;            ///< the gap
-  std::vector<char> idle_;           ///< parts of it
-  Indices most_;                     ///< equations of each loop
+  std::vector<ClosedJoint> joints_;        ///< by variable
+  std::vector<ex> exact_;                  ///< the gap
+  std::vector<std::vector<double>> gaps_;  ///< at some poses
+  std::vector<char> idle_;                 ///< parts of the gap that are always 0, or follow
+  Indices most_;                           ///< equations of each loop
   IndependentRows rows_;
   GiNaC::exmap held_;
 };
