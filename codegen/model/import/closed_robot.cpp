@@ -11,6 +11,7 @@
 #include <set>
 
 #include "codegen/model/exact/expression_parser.hpp"
+#include "codegen/model/import/idle_equations.hpp"
 #include "codegen/model/import/loop_closing.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
@@ -20,9 +21,6 @@ namespace {
 
 using GiNaC::ex;
 using Indices = std::vector<std::size_t>;
-
-constexpr double kClosed = 1e-9;  ///< a larger gap is open
-constexpr double kZero = 1e-11;   ///< part of a gap that is always 0, computed in doubles
 
 /// A value with six decimals.
 double rounded(double x) { return std::round(x * 1e6) / 1e6; }
@@ -132,7 +130,7 @@ class RobotCloser {
     const std::vector<double> begin = pose_.values;
     const double open = pose_.largest_gap();
     close_loops(pose_, passive_);
-    if (pose_.largest_gap() > kClosed) {
+    if (pose_.largest_gap() > kClosedGap) {
       const double with_motors_at_rest = pose_.largest_gap();
       pose_.values = begin;
       Indices all = passive_;
@@ -142,11 +140,11 @@ class RobotCloser {
       require_closed(std::fmin(with_motors_at_rest, pose_.largest_gap()));
       round_motors();
     }
-    if (open > kClosed) tell_moves(begin, open);
+    if (open > kClosedGap) tell_moves(begin, open);
   }
 
   void require_closed(double gap) const {
-    if (gap <= kClosed) return;
+    if (gap <= kClosedGap) return;
     std::size_t worst = 0;
     for (std::size_t i = 1; i < loops_.size(); ++i)
       if (pose_.gap_of_loop(i) > pose_.gap_of_loop(worst)) worst = i;
@@ -170,7 +168,7 @@ class RobotCloser {
     LoopPose nice = pose_;
     for (const std::size_t v : motors_) nice.values[v] = rounded(nice.values[v]);
     close_loops(nice, passive_);
-    if (nice.largest_gap() <= kClosed) pose_.values = nice.values;
+    if (nice.largest_gap() <= kClosedGap) pose_.values = nice.values;
   }
 
   void tell_moves(const std::vector<double>& begin, double open) {
@@ -179,7 +177,7 @@ class RobotCloser {
     const auto change = [&](std::size_t v) { return std::fabs(pose_.values[v] - begin[v]); };
     for (std::size_t v = 0; v < begin.size(); ++v) {
       if (change(v) > change(most)) most = v;
-      if (change(v) > kClosed && driven_.contains(v)) moved.push_back(v);
+      if (change(v) > kClosedGap && driven_.contains(v)) moved.push_back(v);
     }
     note(fmt::format(
         "the loops are open by {:.3g} in the file's pose; they close where {} has moved "
@@ -199,99 +197,13 @@ class RobotCloser {
 
   /// Parts of gaps that are 0 wherever the joints are: a planar loop stays in its plane.
   void find_idle() {
-    for (const LoopVariable& v : graph_.variables) {
+    for (const LoopVariable& v : graph_.variables)
       joints_.push_back({v.name, v.slides, 0, 0, GiNaC::realsymbol(v.name)});
-    }
-    measure_gaps();
-    idle_.assign(gaps_.front().size(), 0);
-    for (const CutLoop& loop : loops_) {
-      const std::size_t begin = exact_.size();
-      for (const ex& part : gap_of(loop, graph_.joints, symbols())) exact_.push_back(part);
-      for (std::size_t i = begin; i < exact_.size(); ++i)
-        idle_[i] = is_idle(loop, {{i, 1.0, 1}}) ? 1 : 0;
-      if (loop.kind == CutLoop::Kind::kBall || loop.kind == CutLoop::Kind::kHinge)
-        for (std::size_t i = begin; i < exact_.size(); i += 3) find_idle_across(loop, i);
-      most_.push_back(loop.equations() - dropped(loop, begin));
-    }
-  }
-
-  /// The gaps of the closed loops, and those of other poses, where they are open.
-  void measure_gaps() {
-    LoopPose any = pose_;
-    for (int trial = 0; trial < 4; ++trial) {
-      gaps_.push_back(any.gap());
-      for (std::size_t v = 0; v < any.values.size(); ++v)
-        any.values[v] = pose_.values[v] + std::sin(1.7 * double(v + 1) + 2.3 * trial);
-    }
-  }
-
-  struct Term {
-    std::size_t part;
-    double approx;
-    ex factor;
-  };
-
-  /// True for a sum of parts of the gap that is 0 wherever the joints are.
-  bool is_idle(const CutLoop& loop, const std::vector<Term>& sum) const {
-    for (std::size_t trial = 0; trial < gaps_.size(); ++trial) {
-      double value = 0;
-      for (const Term& term : sum) value += term.approx * gaps_[trial][term.part];
-      if (std::fabs(value) > (trial == 0 ? kClosed : kZero)) return false;
-    }
-    ex exact = 0;
-    for (const Term& term : sum) exact += term.factor * exact_[term.part];
-    if (!is_certainly_zero(exact))
-      refuse(
-          loop.line,
-          fmt::format("{} has an equation that is nearly always true, but not exactly", loop.name),
-          "its numbers are rounded; a larger --snap may make its joints parallel");
-    return true;
-  }
-
-  /// A loop may keep its plane where that is no coordinate plane. Its joints in the middle, whose
-  /// frame the gap is seen from, are then across it. A vector without a component across the plane
-  /// is 0 if two of its parts are; the third must have a share in that component.
-  void find_idle_across(const CutLoop& loop, std::size_t begin) {
-    if (idle_[begin] + idle_[begin + 1] + idle_[begin + 2] > 0) return;
-    for (const auto* way : {&loop.arc.left, &loop.arc.right}) {
-      if (way->empty() || way->front().kind != LoopStep::Kind::kJoint) continue;
-      const LoopJoint& joint = graph_.joints[way->front().joint];
-      std::vector<Term> sum;
-      std::size_t most = 0;
-      for (std::size_t i = 0; i < 3; ++i) {
-        sum.push_back({begin + i, joint.approx_axis[i], joint.axis[i]});
-        if (std::fabs(joint.approx_axis[i]) > std::fabs(joint.approx_axis[most])) most = i;
-      }
-      if (!is_idle(loop, sum)) continue;
-      idle_[begin + most] = 1;
-      return;
-    }
-  }
-
-  /// Returns how many equations the idle parts of a loop stand for.
-  ///
-  /// Hinge     the directions of an axis on both sides have one component that is the same: then the
-  ///           other two have the same length, and only its turn is left.
-  /// Weld      two rotations have a row, or a column, that is the same: then they differ by a turn
-  ///           about it.
-  std::size_t dropped(const CutLoop& loop, std::size_t begin) {
-    if (loop.kind == CutLoop::Kind::kRod) return 0;
-    const auto count_of = [&](std::size_t from, std::size_t step) -> std::size_t {
-      return std::size_t(idle_[begin + from]) + std::size_t(idle_[begin + from + step]) +
-             std::size_t(idle_[begin + from + 2 * step]);
-    };
-    std::size_t count = count_of(0, 1);
-    if (loop.kind == CutLoop::Kind::kHinge) count += std::min<std::size_t>(count_of(3, 1), 2);
-    if (loop.kind == CutLoop::Kind::kWeld) {
-      std::size_t lines = 0;
-      for (std::size_t i = 0; i < 3; ++i)
-        lines += (count_of(3 + i, 3) == 3 ? 1U : 0U) + (count_of(3 + 3 * i, 1) == 3 ? 1U : 0U);
-      count += lines == 6 ? 3 : lines > 0 ? 2 : 0;
-    }
-    if (count > 0)
-      note(fmt::format("{}: {} of {} equations are always true and were dropped", loop.name, count,
-                       loop.equations()));
-    return count;
+    IdleEquations found = find_idle_equations(graph_, loops_, pose_, symbols(), file_);
+    exact_ = std::move(found.exact);
+    idle_ = std::move(found.idle);
+    most_ = std::move(found.most);
+    for (const std::string& text : found.notes) note(text);
   }
 
   void choose_rows() {
@@ -312,7 +224,7 @@ class RobotCloser {
     for (std::size_t i = 0; i < motors_.size(); ++i)
       near.values[motors_[i]] += 0.01 * std::cos(1.3 * double(i + 1));
     close_loops(near, passive_);
-    const bool follows = near.largest_gap() <= kClosed;
+    const bool follows = near.largest_gap() <= kClosedGap;
     if (follows && independent_rows(near, passive_, most_, idle_).rows.size() > rank)
       refuse(loops_[worst].line,
              fmt::format("the loops are closed in a singular configuration: {}", counts),
@@ -363,7 +275,7 @@ class RobotCloser {
   void require_idle(const Indices& held) const {
     Indices loose;
     for (const std::size_t v : held)
-      if (!is_idle_joint(v)) loose.push_back(v);
+      if (!is_idle_joint(v, unknowns_, pose_, exact_, symbols())) loose.push_back(v);
     if (loose.empty()) return;
     if (motors_.empty())
       throw UsageError(fmt::format(
@@ -379,34 +291,6 @@ class RobotCloser {
                        loose.size(), loose.size() == 1 ? "" : "s", quoted(loose)),
            fmt::format("name as many driven joints more, such as --actuated {}",
                        fmt::join(names, ",")));
-  }
-
-  bool is_idle_joint(std::size_t v) const {
-    if (has_no_slope({{v, 1}})) return true;
-    return std::ranges::any_of(unknowns_, [&](std::size_t other) {
-      return has_no_slope({{v, 1}, {other, 1}}) || has_no_slope({{v, 1}, {other, -1}});
-    });
-  }
-
-  /// True if the gap has no derivative along a direction, wherever the joints are.
-  bool has_no_slope(const std::vector<std::pair<std::size_t, int>>& direction) const {
-    LoopPose any = pose_;
-    for (std::size_t i = 0; i < any.values.size(); ++i)
-      any.values[i] += std::sin(1.3 * double(i + 1));
-    Indices by;
-    for (const auto& [v, sign] : direction) by.push_back(v);
-    const std::vector<double> slopes = any.slopes(by);
-    for (std::size_t r = 0; r < exact_.size(); ++r) {
-      double slope = 0;
-      for (std::size_t i = 0; i < by.size(); ++i)
-        slope += direction[i].second * slopes[r * by.size() + i];
-      if (std::fabs(slope) > 1e-7) return false;
-    }
-    return std::ranges::all_of(exact_, [&](const ex& part) {
-      ex slope = 0;
-      for (const auto& [v, sign] : direction) slope += sign * part.diff(joints_[v].symbol);
-      return is_certainly_zero(slope);
-    });
   }
 
   /// The limits of motors and unknowns are those of the model; others are named.
@@ -456,8 +340,8 @@ class RobotCloser {
     const auto add = [&](std::vector<ClosedJoint>& to, std::size_t v) {
       const LoopVariable& variable = graph_.variables[v];
       const std::string name = identifiers_.of(variable.name);
-      to.push_back({name, variable.slides, pose_.values[v], reach_of(v), GiNaC::realsymbol(name),
-                    has_limits(v) ? variable.limits : std::nullopt});
+      to.push_back({name, variable.slides, pose_.values[v], reach_of(graph_, v),
+                    GiNaC::realsymbol(name), has_limits(v) ? variable.limits : std::nullopt});
       names[joints_[v].symbol] = to.back().symbol;
     };
     Indices rows = rows_.rows;
@@ -488,22 +372,6 @@ class RobotCloser {
     return robot;
   }
 
-  /// A hundredth of the length of a loop that the joint is in.
-  double reach_of(std::size_t v) const {
-    for (const Loop& loop : graph_.loops) {
-      double length = 0;
-      bool is_in_loop = false;
-      for (const LoopStep& step : loop.steps) {
-        if (step.kind == LoopStep::Kind::kFixed)
-          length += std::hypot(step.approx[9], step.approx[10], step.approx[11]);
-        if (step.kind == LoopStep::Kind::kJoint)
-          is_in_loop = is_in_loop || graph_.joints[step.joint].variable == v;
-      }
-      if (is_in_loop) return length / 100;
-    }
-    return 0;
-  }
-
   Mechanism& mechanism_;
   const std::string& file_;
   const ClosureWishes& wishes_;
@@ -513,11 +381,10 @@ class RobotCloser {
   std::vector<CutLoop> loops_;
   Indices passive_, motors_, unknowns_;
   LoopPose pose_{loops_, graph_.joints, {}};
-  std::vector<ClosedJoint> joints_;        ///< by variable
-  std::vector<ex> exact_;                  ///< the gap
-  std::vector<std::vector<double>> gaps_;  ///< at some poses
-  std::vector<char> idle_;                 ///< parts of the gap that are always 0, or follow
-  Indices most_;                           ///< equations of each loop
+  std::vector<ClosedJoint> joints_;  ///< by variable
+  std::vector<ex> exact_;            ///< the gap
+  std::vector<char> idle_;           ///< parts of the gap that are always 0, or follow
+  Indices most_;                     ///< equations of each loop
   IndependentRows rows_;
   GiNaC::exmap held_;
 };

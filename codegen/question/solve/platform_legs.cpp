@@ -55,14 +55,14 @@ SymbolRanges geometry_of(const Model& model) {
   return ranges;
 }
 
-/// Returns for each anchor the first one that is equal to it, exactly, whatever is uncertain.
-template <class AnchorOf>
-std::array<std::size_t, 6> points_of(const AnchorOf& anchor_of) {
+/// Returns for each anchor the first one that is equal to it, exactly. `value_of`: takes an expression.
+template <class AnchorOf, class ValueOf>
+std::array<std::size_t, 6> points_of(const AnchorOf& anchor_of, const ValueOf& value_of) {
   std::array<std::size_t, 6> points{};
   for (std::size_t i = 0; i < 6; ++i) {
     const auto is_same = [&](std::size_t k) {
       for (std::size_t axis = 0; axis < 3; ++axis)
-        if (!(anchor_of(i)[axis] - anchor_of(k)[axis]).expand().is_zero()) return false;
+        if (!value_of(anchor_of(i)[axis] - anchor_of(k)[axis]).expand().is_zero()) return false;
       return true;
     };
     while (points[i] < i && !is_same(points[i])) ++points[i];
@@ -71,16 +71,17 @@ std::array<std::size_t, 6> points_of(const AnchorOf& anchor_of) {
 }
 
 /// The legs without their lengths; `enclose`: takes an expression and what it is called.
-template <class Enclose>
-GoughLegs legs_between_anchors(const Model& model, const Enclose& enclose) {
+template <class Enclose, class ValueOf>
+GoughLegs legs_between_anchors(const Model& model, const Enclose& enclose,
+                               const ValueOf& value_of) {
   GoughLegs legs;
   for (std::size_t i = 0; i < legs.length.size(); ++i)
     for (std::size_t axis = 0; axis < 3; ++axis) {
       legs.base[i][axis] = enclose(model.legs[i].base[axis], "an anchor of the base");
       legs.platform[i][axis] = enclose(model.legs[i].platform[axis], "an anchor of the platform");
     }
-  legs.base_point = points_of([&](std::size_t i) { return model.legs[i].base; });
-  legs.platform_point = points_of([&](std::size_t i) { return model.legs[i].platform; });
+  legs.base_point = points_of([&](std::size_t i) { return model.legs[i].base; }, value_of);
+  legs.platform_point = points_of([&](std::size_t i) { return model.legs[i].platform; }, value_of);
   return legs;
 }
 
@@ -117,9 +118,10 @@ std::vector<ex> squared_lengths(const Request& request) {
 
 GoughLegs enclose_legs(const Request& request) {
   const NominalGeometry nominal(request.model);
-  GoughLegs legs = legs_between_anchors(request.model, [&](const ex& x, const char* what) {
-    return enclose_constant(nominal.at(x), what);
-  });
+  GoughLegs legs = legs_between_anchors(
+      request.model,
+      [&](const ex& x, const char* what) { return enclose_constant(nominal.at(x), what); },
+      [&](const ex& x) { return nominal.at(x); });
   const std::vector<ex> squares = squared_lengths(request);
   for (std::size_t i = 0; i < squares.size(); ++i)
     legs.length[i] = request.motion.legs.empty()
@@ -131,7 +133,8 @@ GoughLegs enclose_legs(const Request& request) {
 GoughLegs enclose_uncertain_legs(const Request& request) {
   const SymbolRanges ranges = geometry_of(request.model);
   GoughLegs legs = legs_between_anchors(
-      request.model, [&](const ex& x, const char* what) { return ranges.enclose(x, what); });
+      request.model, [&](const ex& x, const char* what) { return ranges.enclose(x, what); },
+      [](const ex& x) { return x; });
   const GoughLegs nominal = enclose_legs(request);
   for (std::size_t i = 0; i < legs.length.size(); ++i) {
     const Interval around =

@@ -30,6 +30,12 @@ constexpr const char* kTheoremOfPairs =
     "by the theorem that a platform on six legs that meet in pairs has at most 16 isolated complex "
     "poses (of Bezout), of which 16 are certain";
 
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
 Interval norm(const Interval& x, const Interval& y) { return sqrt(sqr(x) + sqr(y)); }
 
 /// The origin of the platform is within this distance from the anchor of the base.
@@ -124,9 +130,9 @@ std::vector<GoughPose> search_poses(Solutions& solutions, const GoughLegs& legs,
 
 /// Widens the poses of the nominal legs to where they are within tolerances and errors.
 void follow(Solutions& solutions, const Request& request, const GoughLegs& legs,
-            const std::vector<GoughPose>& poses, const SolveRun& run) {
+            const std::vector<GoughPose>& poses, const RootSettings& settings, Observer* progress) {
   const GoughLegs uncertain = enclose_uncertain_legs(request);
-  const PoseTubes tubes = follow_poses(legs, uncertain, poses, settings_of(run), run.progress);
+  const PoseTubes tubes = follow_poses(legs, uncertain, poses, settings, progress);
   solutions.boxes += tubes.boxes;
   solutions.found.clear();
   for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -157,7 +163,7 @@ void follow(Solutions& solutions, const Request& request, const GoughLegs& legs,
 
 Solutions poses_in_space(const Request& request, const SolveRun& run) {
   const FloatingPointScope nearest(FloatingPointRounding::kNearest);
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = Clock::now();
   const GoughLegs legs = enclose_legs(request);
   run.begin();
   const GoughPoses counted = find_gough_poses(legs);
@@ -176,12 +182,13 @@ Solutions poses_in_space(const Request& request, const SolveRun& run) {
   }
   if (has_tolerances(request)) {
     solutions.is_nominal = solutions.completeness != Completeness::kComplete;
-    if (!solutions.is_nominal) follow(solutions, request, legs, poses, run);
+    RootSettings left = settings_of(run);
+    left.time_limit -= seconds_since(start);
+    if (!solutions.is_nominal) follow(solutions, request, legs, poses, left, run.progress);
   }
   for (const ApproxPose& pose : counted.approx)
     solutions.roots.emplace_back(pose.begin(), pose.end());
-  solutions.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  solutions.seconds = seconds_since(start);
   return solutions;
 }
 

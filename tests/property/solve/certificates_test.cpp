@@ -207,21 +207,21 @@ TEST(AListOfPoses, IsComparedWithItsFile) {
   EXPECT_EQ(with("[motion.legs]", "[load.x]\nforce = [0, 0, 1]\n[motion.legs]"),
             Outcome::kVerified);
   EXPECT_EQ(with("[gough]", "[matrix]\nrows = [[1]]\n[gough]"), Outcome::kUnfinished);
-  // The claim is about the middles of tolerances.
-  EXPECT_EQ(with("[gough]", "[gough]\nbase_tolerance = 0.01"), Outcome::kVerified);
+  // The claim is about one platform.
+  EXPECT_EQ(with("[gough]", "[gough]\nbase_tolerance = 0.01"), Outcome::kUnfinished);
+  EXPECT_EQ(with("[gough]", "[gough]\nbase_tolerance = 0.0"), Outcome::kVerified);
 }
 
 constexpr const char* kAtPose = R"toml(regulus = 1
 name = "at a pose"
 [geometry]
-h = { value = 0.125, tolerance = 0.001 }
+h = { value = 0.125, tolerance = 0 }
 [let]
 twice = "2*h"
 [legs]
 orientation = "euler-zxz"
 angle_unit = "deg"
 type = "UPS"
-base_tolerance = 0.01
 [[legs.leg]]
 base = [0, 0, "h"]
 platform = [0.1, 0, 0]
@@ -229,7 +229,7 @@ platform = [0.1, 0, 0]
 base = [1.107915, 0, 0]
 platform = [0.542805, 0, "twice"]
 [[legs.leg]]
-base = { value = [0.549094, 0.756063, 0], tolerance = 0.02 }
+base = [0.549094, 0.756063, 0]
 platform = [0.956919, -0.528915, 0]
 [[legs.leg]]
 base = [0.735077, -0.223935, 0.525991]
@@ -247,7 +247,6 @@ z = 1
 psi = 10
 theta = "25*deg"
 phi = 5
-error = { x = 0.001 }
 )toml";
 
 /// The lengths are those at a pose: of a motion, or of an option.
@@ -258,6 +257,16 @@ TEST(AListOfPoses, IsComparedWithThePlaceOfTheMotion) {
   const verifier::Verification v = verified(made.text, model);
   EXPECT_EQ(v.outcome, Outcome::kVerified) << describe(v);
   const std::string plain = without_sum(made.text);
+  for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
+           {"tolerance = 0 ", "tolerance = 0.001 "},
+           {"base = [0.549094, 0.756063, 0]",
+            "base = { value = [0.549094, 0.756063, 0], tolerance = 0.02 }"},
+           {"phi = 5", "phi = 5\nerror = { x = 0.001 }"}}) {
+    std::string changed = model;
+    changed.replace(changed.find(from), from.size(), to);
+    EXPECT_EQ(outcome(plain, changed), Outcome::kUnfinished) << from;
+    EXPECT_EQ(certified(changed, {}, "here").text, "");
+  }
   for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
            {"25*deg", "26*deg"}, {"0.125", "0.25"}, {"psi = 10", "psi = 11"}, {"2*h", "3*h"}}) {
     std::string changed = model;

@@ -163,13 +163,16 @@ class RandomLoops {
       robot_.motors.push_back(motor);
       scalars.erase(scalars.begin() + std::ptrdiff_t(at));
     }
-    if (!motor.empty() && random_.one_in(3)) {
-      FileJoint& follower = add_joint(end, Moves::kTurns);
-      const double multipliers[] = {1, -1, 0.5, 2};
-      follower.rule = {motor, multipliers[random_.below(4)], random_.one_in(2) ? 0 : 0.3};
-      end = follower.child;
-    }
+    if (!motor.empty() && random_.one_in(3)) end = add_follower(end, motor);
     close(end, to, holds_frames, closing);
+  }
+
+  /// Returns the link behind a joint that follows the motor.
+  std::string add_follower(const std::string& end, const std::string& motor) {
+    FileJoint& follower = add_joint(end, Moves::kTurns);
+    const double multipliers[] = {1, -1, 0.5, 2};
+    follower.rule = {motor, multipliers[random_.below(4)], random_.one_in(2) ? 0 : 0.3};
+    return follower.child;
   }
 
   /// The joint that a URDF constraint or an SDF file has where the loop is closed.
