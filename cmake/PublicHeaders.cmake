@@ -4,7 +4,7 @@
 #   runtime      headers for generated kernels and filters, and for searches with such kernels
 #   development  the interface of codegen/use/api, by its one header regulus/regulus.hpp
 set(REGULUS_RUNTIME_HEADERS
-  runtime/embedded/checker.h runtime/embedded/checker.hpp
+  runtime/embedded/checker.h runtime/embedded/checker.hpp runtime/embedded/tracker.h
   runtime/kernel/abi.hpp runtime/kernel/pack.hpp runtime/kernel/isa.hpp
   runtime/kernel/self_test.hpp runtime/kernel/self_test_program.hpp
   runtime/problem/filter.h)

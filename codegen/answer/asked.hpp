@@ -73,6 +73,10 @@ struct AskSolve {
   ModelOptions model;
   SearchOptions search;
   std::vector<std::string> held{};  ///< joints of an arm that keep the values of the motion
+  /// A table of places, as of way-points; each is asked for itself. Empty: there is one place.
+  std::string table{};
+  /// In the place of a table: of each place "NAME=VALUE" of its numbers.
+  std::vector<std::vector<std::string>> places{};
 };
 
 using Asked = std::variant<AskCheck, AskPaving, AskMargin, AskBound, AskLoad, AskLoadPaving,

@@ -28,4 +28,13 @@ inline constexpr Key kBound[] = {
     {"components", "component[]"},
 };
 
+inline constexpr Key kSolve[] = {
+    {"solutions", "solution[]", "pairwise different"},
+    {"open_boxes", "enclosure{}[]", "that may hold others"},
+    {"complex_solutions", "count?", "of a count: those that were certified"},
+    {"how", "text?", "completeness is shown; null: it is not"},
+    {"obstacle", "text?", "why completeness is not shown"},
+    {"stopped_by", "text?", "the limit that ended the search"},
+};
+
 }  // namespace regulus

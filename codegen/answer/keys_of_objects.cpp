@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <iterator>
+
 #include "codegen/answer/key_groups.hpp"
 
 namespace regulus {
@@ -18,6 +21,8 @@ constexpr Key kQuestion[] = {
     {"pose_exact?", "text{}",
      "the formulas and constants that the motion gives pose parameters; not along way-points"},
     {"constraints_exact?", "text[]", "each is at most 0; not along way-points"},
+    {"place?", "placed_number{}", "of solve: the numbers that are given"},
+    {"held?", "text[]", "of solve: joints that keep their values"},
     {"options", "options"},
     {"version", "text"},
 };
@@ -89,6 +94,8 @@ constexpr Key kPlace[] = {
 constexpr Key kPoint[] = {
     {"determinant", "enclosure?", "null: the matrix has more rows than columns"},
     {"exact?", "exact{}", "coordinates that are known exactly and need not be doubles"},
+    {"enclosed?", "text[]", "names of what has some value of its range, where rank is lost"},
+    {"null_vector?", "enclosure[]", "what the matrix maps to 0 there; one component is 1"},
 };
 constexpr Key kPlaceOfValue[] = {
     {"exact?", "exact{}", "coordinates that are known exactly and need not be doubles"},
@@ -148,6 +155,18 @@ constexpr Key kSolution[] = {
     {"condition", "approx?", "in the 2-norm; null: infinite"},
     {"limits", "none|within|beyond|border", "those of the model"},
     {"beyond", "text?", "what is beyond them"},
+};
+constexpr Key kPlacedNumber[] = {
+    {"exact", "exact", "in the unit"}, {"enclosure", "enclosure"}, {"unit", "text"}};
+constexpr Key kPlacesFile[] = {
+    {"file", "text"}, {"sha256", "sha256"}, {"time_unit", "text", "empty: none is given"}};
+constexpr Key kSolvedPlace[] = {
+    {"line", "count", "of the file; without one its number, from 1"},
+    {"time?", "approx"},
+    {"place", "placed_number{}", "the numbers that are given"},
+    {"verdict", "complete|none|incomplete"},
+    {"claim", "text"},
+    {"boxes", "count", "that were evaluated"},
 };
 constexpr Key kNearest[] = {
     {"approximate", "flag"},
@@ -244,10 +263,9 @@ constexpr Key kSheetEntry[] = {
     {"claim", "text?"},         {"verdict", "closed|open|refuted|within|exceeded|possible-problem"},
 };
 
-}  // namespace
-
-const std::vector<ObjectKind>& object_kinds() {
-  static const std::vector<ObjectKind> kinds = {
+/// Of questions, searches and solutions.
+std::vector<ObjectKind> kinds_of_parts_of_searches() {
+  return {
       {"question",
        "everything that was asked: with the model of model_sha256 it can be asked again; in a "
        "margin "
@@ -273,8 +291,17 @@ const std::vector<ObjectKind>& object_kinds() {
       {"fold", "a certified singular configuration of a closure", {kFold}},
       {"finite_error_of_unknown", "how far errors move it", {kFiniteError}},
       {"solution", "a certain solution", {kSolution}},
+      {"placed_number", "a number of a place", {kPlacedNumber}},
+      {"places_file", "a table of places", {kPlacesFile}},
+      {"solved_place", "a place and its solutions", {kSolvedPlace, kSolve}},
       {"undefined", "a pose at which expressions have no value", {kPlace, kUndefined}},
       {"undefined_expression", "over that pose", {kExpression}},
+  };
+}
+
+/// Of pavings, ways, brackets and loads.
+std::vector<ObjectKind> kinds_of_other_parts() {
+  return {
       {"share", "of the ranges", {kShare}},
       {"claim_share", "of the ranges", {kClaimShare}},
       {"workspace", "the part of the ranges that meets the constraints", {kWorkspace}},
@@ -294,6 +321,16 @@ const std::vector<ObjectKind>& object_kinds() {
       {"end_files", "of the ends of a bracket", {kEndFiles}},
       {"end_obstacles", "of the ends of a bracket", {kEndObstacles}},
   };
+}
+
+}  // namespace
+
+const std::vector<ObjectKind>& object_kinds() {
+  static const std::vector<ObjectKind> kinds = [] {
+    std::vector<ObjectKind> all = kinds_of_parts_of_searches();
+    std::ranges::move(kinds_of_other_parts(), std::back_inserter(all));
+    return all;
+  }();
   return kinds;
 }
 

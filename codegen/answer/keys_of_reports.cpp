@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <iterator>
+
 #include "codegen/answer/key_groups.hpp"
 
 namespace regulus {
@@ -144,14 +147,14 @@ constexpr Key kFiniteErrors[] = {
     {"obstacle", "text?", "why there is no bound"},
 };
 
-constexpr Key kSolve[] = {
+constexpr Key kOfSolutions[] = {
     {"solution_units", "text{}", "by unknown"},
-    {"solutions", "solution[]", "pairwise different"},
-    {"open_boxes", "enclosure{}[]", "that may hold others"},
-    {"complex_solutions", "count?", "of a count: those that were certified"},
-    {"how", "text?", "completeness is shown; null: it is not"},
-    {"obstacle", "text?", "why completeness is not shown"},
-    {"stopped_by", "text?", "the limit that ended the search"},
+    {"notes", "text[]", "about the question"},
+};
+constexpr Key kPlaces[] = {
+    {"places_file?", "places_file", "absent: a program gave them"},
+    {"places", "solved_place[]", "in their order"},
+    {"places_left", "count", "that were not asked any more, after an interrupt"},
 };
 
 constexpr Key kDatasheet[] = {
@@ -175,12 +178,9 @@ constexpr const char* kOfBracket = "closed|open|refuted";
 constexpr const char* kOfBound = "closed|open|refuted|within|exceeded|possible-problem";
 constexpr const char* kOfForces = "feasible|infeasible|possible-problem";
 
-}  // namespace
-
-std::span<const Key> head_keys() { return kHead; }
-
-const std::vector<ObjectKind>& report_kinds() {
-  static const std::vector<ObjectKind> kinds = {
+/// One search over a motion.
+std::vector<ObjectKind> kinds_of_searches() {
+  return {
       {"check",
        "check",
        {kReason, kSubject, kMethod, kBoxes, kCheck, kClosure, kNonempty, kWitness, kBlocking, kPage,
@@ -198,6 +198,12 @@ const std::vector<ObjectKind>& report_kinds() {
        "locate of a motion along way-points",
        {kReason, kWay, kWayMatrix, kMethod, kStretches, kCertificate},
        kOfMatrix},
+  };
+}
+
+/// Brackets, solutions and loads.
+std::vector<ObjectKind> kinds_of_other_answers() {
+  return {
       {"margin",
        "margin",
        {kReason, kNotes, kMethod, kBracket, kClosure, kNonempty, kWitness, kEndProofs},
@@ -213,7 +219,11 @@ const std::vector<ObjectKind>& report_kinds() {
       {"bound", "bound", {kNotes, kBound}, kOfBound},
       {"finite_error", "bound error --finite", {kFiniteErrors}, kOfBracket},
       {"datasheet", "datasheet", {kDatasheet}, kOfBracket},
-      {"solutions", "solve", {kSolve}, "complete|none|incomplete"},
+      {"solutions", "solve", {kOfSolutions, kSolve, kCertificate}, "complete|none|incomplete"},
+      {"solutions_at_places",
+       "solve at many places",
+       {kOfSolutions, kPlaces},
+       "complete|none|incomplete"},
       {"forces",
        "check --load and locate --load",
        {kForces, kSubject, kNonempty, kBlocking, kForceShares, kCertificate},
@@ -227,6 +237,18 @@ const std::vector<ObjectKind>& report_kinds() {
        {kForces, kWay, kExcluded, kSegment, kNonempty, kBlocking, kStretches, kCertificate},
        kOfForces},
   };
+}
+
+}  // namespace
+
+std::span<const Key> head_keys() { return kHead; }
+
+const std::vector<ObjectKind>& report_kinds() {
+  static const std::vector<ObjectKind> kinds = [] {
+    std::vector<ObjectKind> all = kinds_of_searches();
+    std::ranges::move(kinds_of_other_answers(), std::back_inserter(all));
+    return all;
+  }();
   return kinds;
 }
 

@@ -107,11 +107,16 @@ class LoadPavingAnswer : public LoadAnswer {
 /// Asks for all solutions.
 class SolveAnswer : public Answer {
  public:
-  Solutions solutions;
+  Solutions solutions;                ///< at the only place
+  std::vector<SolvedPlace> places{};  ///< empty: there is only one
+  std::uint64_t places_left = 0;      ///< that were not asked any more
   SolvedNoun noun;
 
   [[nodiscard]] Word word() const override;
   [[nodiscard]] std::string headline() const override;
+
+ protected:
+  bool has_places_ = false;
 };
 
 class DatasheetAnswer : public Answer {

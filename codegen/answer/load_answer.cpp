@@ -159,9 +159,13 @@ class VarietyLoadPaving final : public LoadPavingAnswer {
       lines.finish();
     });
     write_beside([&] { pictures.draw(volumes_.by_stand_in()); });
+    map_ = pictures.map();
   }
 
-  void tell(Facts& facts) const override { search_.tell(&volumes_, facts); }
+  void tell(Facts& facts) const override {
+    search_.tell(&volumes_, facts);
+    facts.say("map", map_);
+  }
   [[nodiscard]] std::string about_files() const override { return search_.about_files(); }
 
  private:
@@ -181,6 +185,7 @@ class VarietyLoadPaving final : public LoadPavingAnswer {
 
   LoadSearch search_;
   ForceVolumes volumes_;
+  std::string map_;
   double resolution_ = 1;
 };
 

@@ -72,6 +72,7 @@ class VarietyPaving final : public PavingAnswer {
   void tell(Facts& facts) const override {
     tell_paving(prepared_, search_, options_, volumes_, result, facts);
     proof.tell(facts);
+    facts.say("map", map_);
   }
   [[nodiscard]] std::string about_files() const override { return proof.line() + checkpoint_line_; }
 
@@ -113,6 +114,7 @@ class VarietyPaving final : public PavingAnswer {
       lines.finish();
     });
     write_beside([&] { pictures.draw(volumes_); });
+    map_ = pictures.map();
     write_beside([&] { checkpoint.finish(can_continue); });
     checkpoint_line_ = checkpoint.line();
   }
@@ -137,7 +139,7 @@ class VarietyPaving final : public PavingAnswer {
   PavingOptions options_;
   Problem problem_;
   Volumes volumes_;
-  std::string checkpoint_line_;
+  std::string map_, checkpoint_line_;
 };
 
 /// The answer for a motion along way-points has stretches, and no boxes.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "codegen/answer/outputs.hpp"
+#include "codegen/model/request.hpp"
 #include "codegen/question/closure/closure_run.hpp"
 #include "codegen/question/way/read_trajectory.hpp"
 #include "codegen/support/errors.hpp"
@@ -54,8 +55,16 @@ constexpr std::string_view kNoProofOfFiniteErrors =
     "finite errors have no proof in a file; ask check for one of the branch";
 constexpr std::string_view kNoWayTheorem = "Coq has the theorem about a force over ranges alone";
 
-constexpr std::string_view kNoProofOfSolutions =
-    "a list of all solutions has no proof in a file; leave the certificate out";
+constexpr std::string_view kNoProofOfPlanarPoses =
+    "a list of planar poses has no proof in a file; leave the certificate out, or give the "
+    "equations "
+    "in [closure]";
+constexpr std::string_view kNoProofOfPostures =
+    "a list of postures has no proof in a file; leave the certificate out";
+constexpr std::string_view kNoShardsOfSolutions =
+    "a proof of a list of solutions is short, and one file; leave the shards out";
+constexpr std::string_view kNoTheoremOfSolutions =
+    "Coq has no theorem about a list of solutions; regulus-verify proves this";
 constexpr std::string_view kNoCheckpointOfSolutions =
     "a search for all solutions keeps no checkpoint; leave it out";
 constexpr std::string_view kNoRanksOfSolutions =
@@ -111,16 +120,14 @@ constexpr Refusal kRefusals[] = {
     {kClosureFiniteErrors, kRanks, kNoRanksOfClosures},
     {kClosureFiniteErrors, kPage, kNoPageOfClosures},
     {kWaySolve, kAnswer, kNoWayOfSolutions},
-    {kSolve, kProof, kNoProofOfSolutions},
-    {kSolve, kShards, kNoProofOfSolutions},
-    {kSolve, kTheorem, kNoProofOfSolutions},
+    {kSolve, kShards, kNoShardsOfSolutions},
+    {kSolve, kTheorem, kNoTheoremOfSolutions},
     {kSolve, kCheckpoint, kNoCheckpointOfSolutions},
     {kSolve, kRanks, kNoRanksOfSolutions},
     {kSolve, kPage, kNoPageOfSolutions},
     {kSolve, kPicture, kNoBoxesOfSolutions, false},
-    {kClosureSolve, kProof, kNoProofOfSolutions},
-    {kClosureSolve, kShards, kNoProofOfSolutions},
-    {kClosureSolve, kTheorem, kNoProofOfSolutions},
+    {kClosureSolve, kShards, kNoShardsOfSolutions},
+    {kClosureSolve, kTheorem, kNoTheoremOfSolutions},
     {kClosureSolve, kCheckpoint, kNoCheckpointOfSolutions},
     {kClosureSolve, kRanks, kNoRanksOfSolutions},
     {kClosureSolve, kPage, kNoPageOfSolutions},
@@ -265,7 +272,8 @@ constexpr std::string_view kIntroduction =
     "Python "
     "ask the same questions as the\ncommand. Every search takes limits, threads and an interrupt, "
     "and "
-    "shows its progress on a terminal. Of bounds over\nranges Coq proves those of forces.\n\n";
+    "shows its progress on a terminal. Of bounds over\nranges Coq proves those of forces. Of lists "
+    "of solutions those of planar poses and of postures have no proof.\n\n";
 
 /// Returns the number of a reason, from 1.
 std::size_t number_of(std::string_view reason, std::vector<std::string_view>& reasons) {
@@ -321,6 +329,13 @@ std::optional<std::string_view> refusal(Kind kind, Service service) {
   for (const Refusal& row : kRefusals)
     if (row.kind == kind && (row.service == service || row.service == kAnswer)) return row.why;
   return std::nullopt;
+}
+
+void refuse_proof_of_solutions(const Request& request, const Services& services) {
+  const bool is_planar = request.model.legs.size() == 3, is_arm = request.model.arm != nullptr;
+  if (is_planar || is_arm)
+    throw UsageError(fmt::format("{}certificate: {}", services.dashes,
+                                 is_arm ? kNoProofOfPostures : kNoProofOfPlanarPoses));
 }
 
 void refuse_services(Kind kind, const ModelOptions& model, const SearchOptions& search,

@@ -13,6 +13,8 @@
 
 namespace regulus {
 
+struct Request;
+
 /// The kinds of questions, as far as they differ in what they take.
 enum class Kind {
   kCheck,
@@ -70,6 +72,9 @@ struct Refusal {
 [[nodiscard]] std::span<const Refusal> refusals();
 /// Returns the reason; nullopt if the question has the service.
 [[nodiscard]] std::optional<std::string_view> refusal(Kind kind, Service service);
+
+/// Throws UsageError for a robot whose list of solutions has no proof.
+void refuse_proof_of_solutions(const Request& request, const Services& services);
 
 /// An option of a search that has no meaning for a kind of question.
 struct OptionRefusal {

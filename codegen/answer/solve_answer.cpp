@@ -1,9 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Answers which configurations, poses or postures there are at one place.
+// Answers which configurations, poses or postures there are, at one place or at many.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
 #include "codegen/answer/ask.hpp"
+#include "codegen/answer/lines_file.hpp"
 #include "codegen/answer/outputs.hpp"
 #include "codegen/answer/refusals.hpp"
+#include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/progress.hpp"
+#include "codegen/answer/report/report_text.hpp"
+#include "codegen/model/way/place_file.hpp"
+#include "codegen/question/solve/solve_certificate.hpp"
 #include "codegen/question/solve/solve_report.hpp"
 #include "codegen/question/solve/solve_run.hpp"
 
@@ -14,39 +25,247 @@ class FoundSolutions final : public SolveAnswer {
  public:
   FoundSolutions(const AskSolve& asked, const Services& services)
       : search_(asked.search),
+        held_(asked.held),
         request_(read_solve_request(asked.model, watch_of(services, search_))) {
+    if (!services.certificate.empty()) refuse_proof_of_solutions(request_, services);
+    set_outputs_aside(asked.model, asked.search, services);
     SearchDisplay display(display_of(services));
     SolveRun run{search_,
                  watch_of(services, search_),
                  services.interrupt,
                  display.observer(),
                  [&services] { services.begin_search(); },
-                 asked.held};
+                 held_};
     noun = noun_of(request_);
     solutions = solve(request_, run);
+    proof_ = certify_solutions(services.certificate, request_, solutions, {});
+    if (proof_.is_lost()) lost.push_back(proof_.obstacle());
   }
 
   void tell(Facts& facts) const override {
-    tell_solutions(request_, search_, solutions, noun, facts);
+    tell_solutions({request_, search_, held_}, solutions, noun, facts);
+    proof_.tell(facts);
   }
+  [[nodiscard]] std::string about_files() const override { return proof_.line(); }
 
  private:
   SearchOptions search_;
+  std::vector<std::string> held_;
   Request request_;
+  ProofStatus proof_;
 };
 
-}  // namespace
+/// Notes are about the file, and those of places that have them first.
+constexpr std::size_t kMostNotes = 8;
 
-Word SolveAnswer::word() const {
+class SolutionsAtPlaces final : public SolveAnswer {
+ public:
+  SolutionsAtPlaces(const AskSolve& asked, const Services& services)
+      : asked_(asked), tells_at_once_(services.on_line) {
+    has_places_ = true;
+    if (!services.certificate.empty())
+      throw UsageError(services.dashes +
+                       "certificate: a list of many places has no proof in a file; ask about one");
+    const FormingWatch watch = watch_of(services, asked.search);
+    const Model model = read_model(model_text(asked.model), asked.model, &watch);
+    rows_ = rows_of(model);
+    set_outputs_aside(asked.model, asked.search, services);
+    lines_.emplace(services.lines);
+    SearchDisplay display(display_of(services));
+    const SolveRun run{asked.search,
+                       watch,
+                       services.interrupt,
+                       display.observer(),
+                       [&services] { services.begin_search(); },
+                       asked.held};
+    // A mistake is told before the first search.
+    for (const PlaceRow& row : rows_) note(request_at(row, model).notes);
+    first_ = request_at(rows_.front(), model);
+    noun = noun_of(*first_);
+    services.tell(text_of_facts([this](Facts& facts) { tell_head(facts); }));
+    for (const PlaceRow& row : rows_) {
+      if (!places.empty() && services.interrupt != nullptr && services.interrupt->load()) break;
+      add(request_at(row, model), row, run);
+      services.tell(line_of(places.size() - 1));
+    }
+    places_left = rows_.size() - places.size();
+    write_beside([&] {
+      if (lines_->is_wanted()) lines_->finish();
+    });
+  }
+
+  void tell(Facts& facts) const override {
+    facts.add("verdict", word() == Word::kProved    ? "complete"
+                         : word() == Word::kRefuted ? "none"
+                                                    : "incomplete");
+    Facts head = tells_at_once_ ? Facts(Readers::kPrograms) : facts.part();
+    tell_head(head);
+    for (std::size_t i = 0; i < places.size() && !tells_at_once_; ++i) head.say_lines(line_of(i));
+    if (!tells_at_once_ || facts.are_for_programs()) facts.append(std::move(head));
+    tell_numbers(facts);
+  }
+
+ private:
+  void tell_head(Facts& facts) const {
+    tell_places_asked({*first_, asked_.search, asked_.held}, unknowns_, facts);
+    if (!asked_.table.empty())
+      facts.tell("places_file",
+                 {{"file", asked_.table}, {"sha256", sha256_}, {"time_unit", time_unit_}}, "places",
+                 fmt::format("{} in {}", rows_.size(), asked_.table));
+    for (const std::string& note : notes_) facts.say("note", note);
+    facts.add("notes", notes_);
+  }
+
+  std::vector<PlaceRow> rows_of(const Model& model) {
+    if (!asked_.table.empty()) {
+      PlaceFile file = read_places(model, asked_.table);
+      sha256_ = std::move(file.sha256);
+      time_unit_ = std::move(file.time_unit);
+      notes_ = std::move(file.notes);
+      return std::move(file.rows);
+    }
+    std::vector<PlaceRow> rows;
+    for (const std::vector<std::string>& place : asked_.places) {
+      PlaceRow& row = rows.emplace_back();
+      row.line = int(rows.size());
+      for (const std::string& number : place) {
+        const Assignment given = split_assignment(number, "--at");
+        row.numbers.push_back({given.name, given.value});
+      }
+    }
+    return rows;
+  }
+
+  void note(const std::vector<std::string>& notes) {
+    for (const std::string& one : notes)
+      if (notes_.size() < kMostNotes && std::ranges::find(notes_, one) == notes_.end())
+        notes_.push_back(one);
+  }
+
+  void add(const Request& request, const PlaceRow& row, const SolveRun& run) {
+    SolvedPlace& place = places.emplace_back();
+    place.line = row.line;
+    place.time = row.time;
+    place.place = placed_values(request);
+    place.solutions = solve(request, run);
+    if (places.size() == 1) unknowns_ = place.solutions.unknowns;
+    if (lines_->is_wanted() && !(lines_->stream() << report_text(json_solved(place, noun)) << '\n'))
+      lines_->finish();  // throws, with the reason that the file has
+  }
+
+  /// A mistake in a row is told with its place.
+  Request request_at(const PlaceRow& row, const Model& model) const {
+    try {
+      return solve_request_of(model, asked_.model, row.numbers);
+    } catch (const InputError& error) {
+      if (asked_.table.empty())
+        throw UsageError(fmt::format("at: place {}: {}", row.line, error.what()));
+      if (error.file().empty() || error.file() == asked_.model.path)
+        throw error.at(asked_.table, row.line);
+      throw;
+    }
+  }
+
+  [[nodiscard]] std::string line_of(std::size_t index) const {
+    const SolvedPlace& place = places[index];
+    return fmt::format("{:11}{} {}{}: {}\n", index == 0 ? "answers" : "",
+                       asked_.table.empty() ? "place" : "line", place.line,
+                       describe_time(place, time_unit_), describe_result(place.solutions, noun));
+  }
+
+  void tell_numbers(Facts& facts) const {
+    double seconds = 0;
+    std::uint64_t boxes = 0;
+    for (const SolvedPlace& place : places) {
+      seconds += place.solutions.seconds;
+      boxes += place.solutions.boxes;
+    }
+    facts.tell("boxes", boxes, "boxes", fmt::format("{} evaluated", in_thousands(boxes)));
+    facts.add("seconds", nlohmann::ordered_json{{"search", seconds}});
+    facts.say("time", fmt::format("search {:.3f} ms", 1e3 * seconds));
+    if (places_left > 0) facts.say("left", fmt::format("{} places", places_left));
+    facts.add("places_left", places_left);
+    if (!facts.are_for_programs()) return;
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const SolvedPlace& place : places) list.push_back(json_solved(place, noun));
+    facts.add("places", std::move(list));
+    facts.add("claim", nullptr);
+  }
+
+  AskSolve asked_;
+  std::optional<LinesFile> lines_;
+  bool tells_at_once_;
+  std::vector<PlaceRow> rows_;
+  std::string sha256_, time_unit_;
+  std::vector<std::string> notes_;
+  std::optional<Request> first_;
+  std::vector<SolvedUnknown> unknowns_;
+};
+
+Word word_of_place(const Solutions& solutions) {
   if (solutions.completeness == Completeness::kIncomplete) return Word::kOpen;
   return solutions.found.empty() ? Word::kRefuted : Word::kProved;
 }
 
-std::string SolveAnswer::headline() const { return describe_result(solutions, noun); }
+/// How many places have each answer, the worst first.
+std::string describe_places(const std::vector<SolvedPlace>& places, std::uint64_t left,
+                            const SolvedNoun& noun) {
+  std::array<std::size_t, 3> counts{};
+  std::size_t found = 0;
+  for (const SolvedPlace& place : places) {
+    ++counts[std::size_t(word_of_place(place.solutions))];
+    found += place.solutions.found.size();
+  }
+  std::string text;
+  for (const auto& [word, name] : {std::pair{Word::kOpen, "INCOMPLETE"},
+                                   {Word::kRefuted, "NONE"},
+                                   {Word::kProved, "COMPLETE"}})
+    if (const std::size_t count = counts[std::size_t(word)]; count > 0)
+      text += fmt::format("{}{} at {}", text.empty() ? "" : ", ", name, count);
+  if (left > 0) text += fmt::format("{}not asked at {}", text.empty() ? "" : ", ", left);
+  const std::size_t all = places.size() + left;
+  return fmt::format("{} of {} place{}: {}{} {}", text, all, all == 1 ? "" : "s",
+                     counts[std::size_t(Word::kOpen)] > 0 || left > 0 ? "at least " : "", found,
+                     found == 1 ? noun.one : noun.many);
+}
+
+void refuse_for_one_place(const Services& services) {
+  if (services.lines.is_wanted())
+    throw UsageError(services.dashes +
+                     "output: lines are of many places, from waypoints; of one place ask for json");
+}
+
+void refuse_for_many_places(const AskSolve& asked, const Services& services) {
+  const auto refuse = [&services](bool is_asked, const char* option, const char* why) {
+    if (is_asked) throw UsageError(fmt::format("{}{}: {}", services.dashes, option, why));
+  };
+  refuse(!asked.table.empty() && !asked.places.empty(), "waypoints",
+         "places are given, too; give one of them");
+  refuse(!services.certificate.empty(), "certificate",
+         "a proof is about the solutions at one place; ask for each");
+}
+
+}  // namespace
+
+Word SolveAnswer::word() const {
+  if (!has_places_) return word_of_place(solutions);
+  if (places_left > 0) return Word::kOpen;
+  Word worst = Word::kProved;
+  for (const SolvedPlace& place : places) worst = std::max(worst, word_of_place(place.solutions));
+  return worst;
+}
+
+std::string SolveAnswer::headline() const {
+  return has_places_ ? describe_places(places, places_left, noun)
+                     : describe_result(solutions, noun);
+}
 
 std::unique_ptr<SolveAnswer> ask(const AskSolve& asked, const Services& services) {
+  const bool has_places = !asked.table.empty() || !asked.places.empty();
   refuse_changed_options(option_refusals_of_solutions(), asked.model, asked.search);
+  has_places ? refuse_for_many_places(asked, services) : refuse_for_one_place(services);
   refuse_services(Kind::kSolve, asked.model, asked.search, services);
+  if (has_places) return std::make_unique<SolutionsAtPlaces>(asked, services);
   return std::make_unique<FoundSolutions>(asked, services);
 }
 

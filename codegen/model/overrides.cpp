@@ -83,16 +83,22 @@ const Motion& find_motion(const Model& model, std::string_view name) {
 
 void set_range(const Model& model, Motion& motion, const std::string& parameter,
                std::string_view text) {
+  const Place place{.file = "", .key = parameter};
+  set_range(model, motion, parameter,
+            parse_range(text, place, motion.must_be_defined,
+                        number_unit(unit_of(model, motion, parameter))));
+}
+
+void set_range(const Model& model, Motion& motion, const std::string& parameter,
+               const Range& range) {
   const auto at = std::ranges::find(motion.parameters, parameter, &MotionParameter::name);
   if (motion.waypoints)
     refuse("a motion along way-points has no ranges", "use --tube for errors around it", parameter);
-  const std::string unit = unit_of(model, motion, parameter);
-  const Place place{.file = "", .key = parameter};
-  const Range range = parse_range(text, place, motion.must_be_defined, number_unit(unit));
   std::erase_if(motion.warnings, [&](const std::string& warning) {
     return warning.find("." + parameter + " is ") != std::string::npos;
   });
-  warn_about_angle(motion.warnings, range, unit, place);
+  warn_about_angle(motion.warnings, range, unit_of(model, motion, parameter),
+                   {.file = "", .key = parameter});
   if (at != motion.parameters.end())
     at->range = range;
   else if (!free_constant(model, motion, parameter, range))
@@ -101,6 +107,9 @@ void set_range(const Model& model, Motion& motion, const std::string& parameter,
 }
 
 void set_tube(const Model& model, Motion& motion, std::string_view tube) {
+  if (motion.has_no_pose())
+    refuse("this motion gives no pose, and a tube is about one",
+           "give a pose, or errors of the lengths in the motion", "tube");
   std::vector<std::string> names, all;
   for (const PoseParameter& p : model.pose) all.push_back(p.name);
   const std::size_t equals = tube.find('=');

@@ -18,6 +18,9 @@ namespace regulus {
 /// motion becomes a motion parameter.
 void set_range(const Model& model, Motion& motion, const std::string& parameter,
                std::string_view range);
+/// The same with a range in the unit of the parameter.
+void set_range(const Model& model, Motion& motion, const std::string& parameter,
+               const Range& range);
 
 /// Sets the control errors of pose parameters: "p,q=E" of those named, in their unit, "E" of all,
 /// which must then have one unit.

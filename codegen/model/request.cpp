@@ -9,6 +9,7 @@
 #include "codegen/model/mechanism/reach.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/model/overrides.hpp"
+#include "codegen/model/place.hpp"
 #include "codegen/model/way/trajectory.hpp"
 
 namespace regulus {
@@ -34,47 +35,6 @@ void take_notes(Request& request, const ModelOptions& options) {
   stay_within_limits(request, options);
   if (options.warn)
     for (const std::string& note : request.notes) options.warn(note);
-}
-
-}  // namespace
-
-namespace {
-
-/// A motion that holds every pose parameter at 0.
-Motion standing_motion(const Model& model) {
-  Motion motion;
-  motion.name = "at";
-  motion.pose.assign(model.pose.size(), 0);
-  motion.error.assign(model.pose.size(), 0);
-  return motion;
-}
-
-/// Returns the name of the only motion without a pose, if one may be meant.
-std::string named_motion(const Model& model, const ModelOptions& options) {
-  if (!options.takes_legs || !options.motion.empty() ||
-      std::ranges::count_if(model.motions, &Motion::has_no_pose) != 1)
-    return options.motion;
-  return std::ranges::find_if(model.motions, &Motion::has_no_pose)->name;
-}
-
-Motion asked_motion(const Model& model, const ModelOptions& options) {
-  std::vector<Assignment> given;
-  for (const std::string& at : options.at) given.push_back(split_assignment(at, "--at"));
-  const bool has_all = std::ranges::all_of(model.pose, [&given](const PoseParameter& p) {
-    return std::ranges::find(given, p.name, &Assignment::name) != given.end();
-  });
-  Motion motion = options.motion.empty() && has_all
-                      ? standing_motion(model)
-                      : find_motion(model, named_motion(model, options));
-  if (motion.has_no_pose() && !options.takes_legs)
-    throw InputError::statement(
-        "", 0,
-        "the motion " + in_quotes(motion.name) +
-            " has the lengths of the legs or the place of the tool, and no pose",
-        "ask solve for its solutions, or name another motion", motion.name);
-  for (const Assignment& one : given)
-    from_option("--at", [&] { set_range(model, motion, one.name, one.value); });
-  return motion;
 }
 
 }  // namespace
@@ -111,16 +71,51 @@ Request read_request(const ModelOptions& options, const FormingWatch* watch) {
   return read_request(model_text(options), options, watch);
 }
 
+namespace {
+
+/// The numbers of ModelOptions::at.
+std::vector<GivenNumber> numbers_at(const ModelOptions& options) {
+  std::vector<GivenNumber> numbers;
+  for (const std::string& at : options.at) {
+    const Assignment given = split_assignment(at, "--at");
+    if (std::ranges::find(numbers, given.name, &GivenNumber::name) != numbers.end())
+      throw UsageError("--at: " + in_quotes(given.name) + " is given twice; give one value");
+    numbers.push_back({given.name, given.value});
+  }
+  return numbers;
+}
+
+}  // namespace
+
 Request read_request(std::string_view text, const ModelOptions& options,
                      const FormingWatch* watch) {
-  Request request;
+  return request_of(read_model(text, options, watch), options);
+}
+
+Model read_model(std::string_view text, const ModelOptions& options, const FormingWatch* watch) {
   try {
-    request.model = parse_model(text, options.path, options.asked, watch);
+    Model model = parse_model(text, options.path, options.asked, watch);
+    model.path = options.path;
+    return model;
   } catch (const FormingStopped& stopped) {
     throw ReadingStopped(stopped.interrupted);
   }
-  request.model.path = options.path;
-  from_option("MOTION", [&] { request.motion = asked_motion(request.model, options); });
+}
+
+Request request_of(Model model, const ModelOptions& options, std::span<const GivenNumber> more) {
+  Request request{std::move(model), {}};
+  const std::vector<GivenNumber> at = numbers_at(options);
+  std::vector<GivenNumber> all = at;
+  all.insert(all.end(), more.begin(), more.end());
+  from_option("MOTION", [&] { request.motion = asked_motion(request.model, options, all); });
+  for (const GivenNumber& number : at)
+    from_option("--at", [&] { set_number(request.model, request.motion, number); });
+  for (const GivenNumber& number : more) {
+    if (std::ranges::find(at, number.name, &GivenNumber::name) != at.end())
+      throw InputError::statement("", 0, in_quotes(number.name) + " is given for all places, too",
+                                  "give it once", number.name);
+    set_number(request.model, request.motion, number);
+  }
   apply_changes(request, options);
   if (!options.waypoints.empty())
     follow_waypoints(request.model, request.motion, options.waypoints);

@@ -64,6 +64,7 @@ regulus_check_reason word_of(Reason reason) noexcept {
     case Reason::kSeemsSingular:
     case Reason::kStalled:
     case Reason::kLostRank:
+    case Reason::kNullVector:
       break;
   }
   return REGULUS_CHECK_BAD_RANGES;

@@ -88,4 +88,11 @@ void Batch::learn_from_root() noexcept {
   lanes_.fix_from(plan_.splittable);
 }
 
+void Batch::forget_root() noexcept {
+  clear();
+  pose_.forget_root();
+  if (expansion_) expansion_->forget_root();
+  lanes_.fix_none();
+}
+
 }  // namespace regulus

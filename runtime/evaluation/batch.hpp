@@ -130,6 +130,8 @@ class Batch {
   ///
   /// Requires  that box is in every lane.
   void learn_from_root() noexcept;
+  /// Forgets it, for the boxes of another root. The lanes are empty then.
+  void forget_root() noexcept;
 
   /// Calls a function of the kernel on the boxes.
   [[nodiscard]] LaneMask call_on_boxes(regulus_function function, double* out) noexcept {

@@ -46,6 +46,8 @@ class BoxLanes {
   ///
   /// Requires  the present box is in every lane.
   void fix_from(std::size_t first) noexcept;
+  /// Every variable is loaded again.
+  void fix_none() noexcept { changing_ = variables_; }
 
   [[nodiscard]] LaneMask loaded() const noexcept { return loaded_; }
   [[nodiscard]] const regulus_kernel& kernel() const noexcept { return kernel_; }

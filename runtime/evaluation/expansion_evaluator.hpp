@@ -24,6 +24,11 @@ class ExpansionEvaluator {
     computed_.forget();
     computed_along_motion_.forget();
   }
+  /// Forgets what is known of the variables that did not change from box to box.
+  void forget_root() noexcept {
+    point_known_ = false;
+    orthant_hint_ = {};
+  }
 
   [[nodiscard]] std::size_t order() const noexcept { return second_order_.order(); }
   /// Returns T, of order order(); +∞ in lanes without T.

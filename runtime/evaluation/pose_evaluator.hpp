@@ -32,6 +32,8 @@ class PoseEvaluator {
 
   /// Declares that what holds for the box of lane 0 holds for all boxes to come.
   void learn_from_root() noexcept { posed_everywhere_ = has_lane(certain_posed(), 0); }
+  /// Forgets what it learned.
+  void forget_root() noexcept { posed_everywhere_ = false; }
 
  private:
   struct Sides {

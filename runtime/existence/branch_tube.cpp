@@ -194,15 +194,14 @@ bool has_one_solution(const BranchTube& tube, const TubeImage& image) {
   return !tube.radius.empty();
 }
 
-std::optional<std::vector<double>> approx_inverse_of(std::span<const double> matrix,
-                                                     std::size_t n) {
-  std::vector<double> a(matrix.begin(), matrix.end()), inverse(n * n, 0.0);
+bool approx_invert(std::span<double> a, std::span<double> inverse, std::size_t n) noexcept {
+  std::ranges::fill(inverse, 0.0);
   for (std::size_t i = 0; i < n; ++i) inverse[i * n + i] = 1;
   for (std::size_t c = 0; c < n; ++c) {
     std::size_t pivot = c;
     for (std::size_t i = c + 1; i < n; ++i)
       if (std::abs(a[i * n + c]) > std::abs(a[pivot * n + c])) pivot = i;
-    if (!(std::abs(a[pivot * n + c]) > 0)) return std::nullopt;
+    if (!(std::abs(a[pivot * n + c]) > 0)) return false;
     for (std::size_t j = 0; j < n; ++j) {
       std::swap(a[c * n + j], a[pivot * n + j]);
       std::swap(inverse[c * n + j], inverse[pivot * n + j]);
@@ -218,7 +217,13 @@ std::optional<std::vector<double>> approx_inverse_of(std::span<const double> mat
       }
     }
   }
-  if (!std::ranges::all_of(inverse, [](double x) { return std::isfinite(x); })) return std::nullopt;
+  return std::ranges::all_of(inverse, [](double x) { return std::isfinite(x); });
+}
+
+std::optional<std::vector<double>> approx_inverse_of(std::span<const double> matrix,
+                                                     std::size_t n) {
+  std::vector<double> a(matrix.begin(), matrix.end()), inverse(n * n);
+  if (!approx_invert(a, inverse, n)) return std::nullopt;
   return inverse;
 }
 

@@ -80,6 +80,10 @@ struct TubeImage {
 /// |E|·r.
 [[nodiscard]] bool has_one_solution(const BranchTube& tube, const TubeImage& image);
 
+/// Inverts an n×n matrix, approximately, and destroys it. Returns false if elimination finds no inverse.
+[[nodiscard]] bool approx_invert(std::span<double> matrix, std::span<double> inverse,
+                                 std::size_t n) noexcept;
+
 /// Returns the inverse of an n×n matrix, approximately; nullopt if elimination finds none.
 [[nodiscard]] std::optional<std::vector<double>> approx_inverse_of(std::span<const double> matrix,
                                                                    std::size_t n);

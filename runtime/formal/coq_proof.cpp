@@ -115,6 +115,8 @@ void refuse_other_claims(const Question& question) {
   if (question.load)
     throw Unfinished("a claim about forces within limits cannot be written as a theorem");
   if (question.closure) throw Unfinished("a claim about a closure cannot be written as a theorem");
+  if (question.solutions)
+    throw Unfinished("a claim about all solutions cannot be written as a theorem");
 }
 
 void refuse_quantity(const Question& question) {

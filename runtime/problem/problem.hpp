@@ -159,6 +159,15 @@ struct ExactPlace {
   std::vector<ExactNumber> numbers;
 };
 
+/// A small box that contains a singular point.
+struct EnclosedPlace {
+  /// By variable. For any values of the variables that are not in `chosen`, each within its interval,
+  /// there are values of the chosen ones, within theirs, where A·v = 0 for a v within `null_vector`.
+  std::vector<Interval> variables;
+  std::vector<std::uint32_t> chosen;  ///< rising
+  std::vector<Interval> null_vector;  ///< of the model's A; a component is 1, some may be 0
+};
+
 /// Knows the model's expressions themselves, not only their bounds. Only the thread that called the
 /// search uses it.
 ///
@@ -203,6 +212,17 @@ class AlgebraOracle {
   ///           if it is defined there, by an exact identity between numbers. It may violate
   ///           constraints.
   [[nodiscard]] virtual std::optional<ExactPlace> find_singular(
+      std::span<const Interval> box) noexcept {
+    static_cast<void>(box);
+    return std::nullopt;
+  }
+
+  /// Looks for a small box with a singular point, first near the middle of `box`. It finds none where
+  /// the determinant only touches 0.
+  ///
+  /// Ensures   as EnclosedPlace says, by a test of existence; A is defined and continuous on the box of
+  ///           `variables`, which may violate ranges and constraints.
+  [[nodiscard]] virtual std::optional<EnclosedPlace> enclose_singular(
       std::span<const Interval> box) noexcept {
     static_cast<void>(box);
     return std::nullopt;

@@ -43,6 +43,8 @@ const char* describe(Reason reason) noexcept {
       return "the problem cannot be searched";
     case Reason::kLostRank:
       return "a point where the matrix loses rank, by exact algebra";
+    case Reason::kNullVector:
+      return "a pose at which the matrix loses rank and its null vector, both enclosed";
     case Reason::kStalled:
       return "boxes are certified so slowly that the search would not end";
     case Reason::kEmptyVariety:

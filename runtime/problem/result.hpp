@@ -33,6 +33,7 @@ enum class Reason : std::uint8_t {
   kSeemsSingular,  ///< the determinant seems to vanish at every pose, but nothing proves this
   kStalled,        ///< boxes are certified so slowly that the search would not end
   kLostRank,       ///< a point where a matrix with more rows than columns has not full rank
+  kNullVector,     ///< a box with a point where a null vector exists, which is enclosed, too
 };
 
 /// Tells if the constraints leave any pose of the variety.
@@ -70,9 +71,14 @@ struct WitnessPoint {
   /// This is det A for opposite signs, det J⁻¹ for a small determinant. A lost rank has none.
   Interval determinant;
   std::vector<Interval> pose;
+  /// Empty, or an enclosure of v, A·v = 0, in the model's units; its largest component is the number 1.
+  /// The singular point is then in the box of `variables`: those of `chosen` have some value of their
+  /// intervals there, each other one has its own value.
+  std::vector<Interval> null_vector{};
+  std::vector<std::uint32_t> chosen{};
 };
 
-/// Two points of opposite signs, or one of small determinant or lost rank.
+/// Two points of opposite signs, or one of small determinant, lost rank or with a null vector.
 struct Witness {
   std::vector<WitnessPoint> points;
   /// The point with the smallest determinant of all tested on the way to the zero. Exhaustive

@@ -17,17 +17,26 @@ inline constexpr const char* kOppositeSigns = "opposite-signs";
 inline constexpr const char* kSmallDeterminant = "small-determinant";
 inline constexpr const char* kAlwaysSingular = "always-singular";
 inline constexpr const char* kLostRank = "lost-rank";
+inline constexpr const char* kNullVector = "null-vector";
+inline constexpr const char* kChosen = "chosen";  ///< lines of it
+inline constexpr const char* kVector = "vector";
 inline constexpr char kExactValue = '=';  ///< begins a coordinate that is a constant expression
 // Claims about forces within limits that hold a load.
 inline constexpr const char* kFeasible = "FEASIBLE";
 inline constexpr const char* kInfeasible = "INFEASIBLE";
 inline constexpr const char* kPaving = "PAVING";
 inline constexpr const char* kShortage = "shortage";  ///< the reason of INFEASIBLE
+// Claims about all solutions at one place.
+inline constexpr const char* kComplete = "COMPLETE";
+inline constexpr const char* kNone = "NONE";
+inline constexpr const char* kIncomplete = "INCOMPLETE";
 // Leaves of these claims.
 inline constexpr const char* kFeasibleLeaf = "feasible";
 inline constexpr const char* kInfeasibleLeaf = "infeasible";
 inline constexpr const char* kUndecidedLeaf = "undecided";
 inline constexpr const char* kOutsideLeaf = "outside";
+inline constexpr const char* kNoneLeaf = "none";  ///< of a claim about all solutions
+inline constexpr const char* kOneLeaf = "one";
 inline constexpr const char* kTubeLeaf = "tube";   ///< of a claim about a closure
 inline constexpr const char* kLowerEnd = "lower";  ///< a coordinate that is the end of its range
 inline constexpr const char* kUpperEnd = "upper";
@@ -65,6 +74,7 @@ inline constexpr std::size_t kMostLoadRanges = 10;   ///< components of a load t
 inline constexpr std::size_t kMostLines = 20000;     ///< of the header
 inline constexpr std::size_t kMostPieces = 1 << 20;  ///< of a trajectory
 inline constexpr std::size_t kMostPieceNames = 512;
+inline constexpr std::size_t kMostSolutions = 1 << 12;
 inline constexpr std::size_t kMostUnknowns = 32;          ///< of a closure
 inline constexpr std::size_t kMostTubes = 1 << 20;        ///< leaves of a proof about a closure
 inline constexpr std::size_t kMostTubeNumbers = 1 << 25;  ///< of all its tubes
@@ -161,6 +171,33 @@ struct ClaimedBound {
   return "the mechanism has exactly one configuration on its branch, and the " +
          (set.rows == 1 ? "equation is" : std::to_string(set.rows) + " equations are") +
          " defined and regular there, " + describe_place(set, true) + " of the variety";
+}
+
+/// A claim about all solutions.
+struct ClaimedSolutions {
+  std::string verdict;  ///< kComplete, kNone or kIncomplete
+  std::string robot;    ///< kOfSixLegs, …
+  std::string one, many;
+  std::size_t count = 0;
+  std::size_t uncertain = 0;  ///< quantities, control errors among them
+};
+inline constexpr const char* kOfUnknowns =
+    "a mechanism with these equations and ranges of its unknowns";
+inline constexpr const char* kOfSixLegs = "a platform on six legs with these anchors and lengths";
+
+/// Returns a claim about all solutions in words.
+[[nodiscard]] inline std::string describe_solutions_claim(const ClaimedSolutions& claimed) {
+  const std::string robot =
+      (claimed.uncertain == 0 ? ""
+                              : "at every value of the " + std::to_string(claimed.uncertain) +
+                                    " uncertain quantities, ") +
+      claimed.robot;
+  if (claimed.verdict == kNone) return robot + " has no " + claimed.one;
+  const std::string count =
+      std::to_string(claimed.count) + ' ' + (claimed.count == 1 ? claimed.one : claimed.many);
+  return robot + (claimed.verdict == kComplete ? " has exactly " : " has at least ") + count +
+         (claimed.count == 1 ? ", within the line 'solution'"
+                             : ", one within each line 'solution'");
 }
 
 /// Returns a claim about singularity in words. Nothing but these functions words a claim.

@@ -12,6 +12,7 @@ namespace {
 const char* word_of(Reason reason) noexcept {
   if (reason == Reason::kSmallDeterminant) return format::kSmallDeterminant;
   if (reason == Reason::kLostRank) return format::kLostRank;
+  if (reason == Reason::kNullVector) return format::kNullVector;
   return reason == Reason::kAlwaysSingular ? format::kAlwaysSingular : format::kOppositeSigns;
 }
 
@@ -45,6 +46,16 @@ std::string point_line(const WitnessPoint& point, const char* sign) {
   std::string line = std::string("point ") + sign;
   for (std::size_t k = 0; k < point.variables.size(); ++k) line += ' ' + coordinate(point, k);
   return line + '\n';
+}
+
+/// Empty for a point without a null vector.
+std::string null_vector_lines(const WitnessPoint& point) {
+  if (point.null_vector.empty()) return {};
+  std::string lines = format::kChosen;
+  for (const std::uint32_t k : point.chosen) lines += ' ' + std::to_string(k);
+  lines += std::string("\n") + format::kVector;
+  for (const Interval& x : point.null_vector) lines += ' ' + coordinate_text(x);
+  return lines + '\n';
 }
 
 }  // namespace
@@ -94,7 +105,10 @@ std::string witness_lines(const Result& result) {
   std::string lines = std::string("reason ") + word_of(result.reason) + '\n';
   const bool signs = result.reason == Reason::kOppositeSigns;
   for (const WitnessPoint& point : result.witness->points)
-    lines += point_line(point, !signs ? "0" : is_positive(point.determinant) ? "+" : "-");
+    lines += point_line(point, !signs                           ? "0"
+                               : is_positive(point.determinant) ? "+"
+                                                                : "-") +
+             null_vector_lines(point);
   return lines + (signs ? "path segment\nend\n" : "end\n");
 }
 

@@ -77,12 +77,13 @@ void ask_algebra(Result& result, const Problem& problem, const Settings& setting
 }
 
 /// A singularity that is touched and not crossed, or a lost rank, has no change of sign. It may still
-/// be at a place that is known exactly.
-void look_for_exact_place(Result& result, const Problem& problem, const Settings& settings) {
+/// be at a place that is known exactly; a rank that is lost transversally is so in a small box.
+void look_for_place(Result& result, const Problem& problem, const Settings& settings) {
   if (settings.algebra == nullptr || result.verdict != Verdict::kPossibleProblem) return;
   if (was_cut_short(result) || result.blocking_box.size() != problem.outer.size()) return;
   WitnessSearch search(problem, settings);
   search.look_for_exact_place(result.blocking_box);
+  search.look_for_null_vector(result.blocking_box);
   if (!search.found()) return;
   result.verdict = Verdict::kSingularity;
   result.reason = search.reason();
@@ -113,7 +114,7 @@ void complete(Result& result, const Problem& problem, const Settings& settings) 
     return;
   }
   ask_algebra(result, problem, settings);
-  look_for_exact_place(result, problem, settings);
+  look_for_place(result, problem, settings);
 }
 
 }  // namespace regulus

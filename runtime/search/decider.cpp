@@ -51,10 +51,20 @@ Decider::Decider(const Problem& problem, const Settings& settings, const RowStru
       middle_(problem.kernel->variables) {
   if (tries_easy_tests) easy_tests_ = make_easy_tests(problem, settings, structure);
   if (settings.exhaustive) box_witness_.emplace(problem, settings);
-  batch_.clear();
-  batch_.load(0, problem.outer);
+  learn_from_root();
+}
+
+void Decider::learn_from_root() noexcept {
+  batch_.forget_root();
+  batch_.load(0, problem_.outer);
   batch_.seal(1);
   batch_.learn_from_root();
+}
+
+void Decider::take_ranges() {
+  bisector_ = Bisector(problem_, settings_);
+  if (box_witness_) box_witness_.emplace(problem_, settings_);
+  learn_from_root();
 }
 
 void Decider::load(Decisions& decisions) noexcept {

@@ -20,6 +20,9 @@ class Decider {
   Decider(const Problem& problem, const Settings& settings, const RowStructure& structure,
           bool tries_easy_tests = false);
 
+  /// Becomes the decider of the problem whose ranges have changed.
+  void take_ranges();
+
   /// Decides the boxes of `decisions`, 1…8. Their proofs refer to this object until its next call,
   /// unless `keep_proofs` is true.
   ///
@@ -37,6 +40,7 @@ class Decider {
   [[nodiscard]] std::size_t order() const noexcept { return batch_.order(); }
 
  private:
+  void learn_from_root() noexcept;
   void load(Decisions& decisions) noexcept;
   void leave(std::size_t lane, Rule rule, std::size_t order = 0) noexcept;
   void leave_with_witness(std::size_t lane);

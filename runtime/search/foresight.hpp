@@ -50,6 +50,8 @@ class Foresight {
 
   /// Takes what a search of another problem has taught, with as many variables.
   void learn_from(const Foresight& other) noexcept;
+  /// Takes what the last search has taught for the problem whose ranges have changed.
+  void take_ranges() noexcept { learn_from(*this); }
 
   /// Starts a search of these boxes, with what the last one from a root has taught.
   void begin(std::span<const OpenBox> open, const SearchState& state) noexcept;

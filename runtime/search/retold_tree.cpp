@@ -31,8 +31,8 @@ bool may_have_reason(const Leaf& leaf) noexcept {
 
 Leaf leaf_of(double bound) {
   const double reason = std::floor(bound / kReasonUnit), rule = bound - reason * kReasonUnit;
-  const bool is_leaf =
-      reason <= static_cast<double>(Reason::kLostRank) && rule < kRules && rule == std::floor(rule);
+  const bool is_leaf = reason <= static_cast<double>(Reason::kNullVector) && rule < kRules &&
+                       rule == std::floor(rule);
   if (!is_leaf) throw SavedTreeError("a leaf has no rule");
   const Leaf leaf{static_cast<Rule>(unsigned(rule)), static_cast<Reason>(unsigned(reason))};
   if (!may_have_reason(leaf)) throw SavedTreeError("a leaf has another reason");

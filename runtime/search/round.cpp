@@ -69,6 +69,11 @@ Round::Round(const Problem& problem, const Settings& settings, const RowStructur
   deciders_.push_back(std::make_unique<Decider>(problem, settings, structure));
 }
 
+void Round::take_ranges() {
+  clear();
+  for (const std::unique_ptr<Decider>& decider : deciders_) decider->take_ranges();
+}
+
 Round::~Round() = default;
 
 Decisions* Round::append() noexcept try {

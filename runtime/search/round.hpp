@@ -24,6 +24,9 @@ class Round {
   Round(const Problem& problem, const Settings& settings, const RowStructure& structure);
   ~Round();
 
+  /// Becomes that of the problem whose ranges have changed.
+  void take_ranges();
+
   /// After `deadline`, or after an interrupt, batches after the first are not decided.
   void begin(Clock::time_point deadline) noexcept { deadline_ = deadline; }
   void clear() noexcept { size_ = 0; }

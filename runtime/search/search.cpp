@@ -39,6 +39,12 @@ Search::Search(const Problem& problem, const Settings& settings)
 
 void Search::learn_from(const Search& other) noexcept { foresight_.learn_from(other.foresight_); }
 
+void Search::take_ranges() {
+  record_.witness.take_ranges();
+  round_.take_ranges();
+  foresight_.take_ranges();
+}
+
 Result Search::run(std::span<const OpenBox> open, const SearchState& state, Observer* observer) {
   closed_form_made_ = false;
   foresight_.begin(open, state);

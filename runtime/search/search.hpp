@@ -22,6 +22,8 @@ class Search {
   /// Takes what searches of another problem have taught; it changes the time of the next, not its
   /// result.
   void learn_from(const Search& other) noexcept;
+  /// Becomes the search of the problem whose ranges have changed in place.
+  void take_ranges();
 
   /// Does the work of Solver::resume. The result depends on nothing but the problem, the settings,
   /// the boxes and the state.

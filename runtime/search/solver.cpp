@@ -27,6 +27,14 @@ bool keeps_ranges(const Problem& problem, const Settings& settings, const OpenBo
                     problem.outer.begin() + static_cast<std::ptrdiff_t>(first));
 }
 
+/// Of problems without faults.
+bool same_but_for_ranges(const Problem& a, const Problem& b) {
+  Problem with_ranges = a;
+  with_ranges.outer = b.outer;
+  with_ranges.inner = b.inner;
+  return with_ranges == b;
+}
+
 }  // namespace
 
 /// The search refers to the copies, so that it sees new budgets and oracles.
@@ -44,15 +52,27 @@ Solver::Solver(Solver&&) noexcept = default;
 Solver& Solver::operator=(Solver&&) noexcept = default;
 Solver::~Solver() = default;
 
-/// Returns the kept search if only members have changed that it reads anew in each run.
+/// Returns the kept search if only ranges have changed, or members that it reads anew in each run.
 Search& Solver::search_for(const Problem& problem, const Settings& settings) {
-  const bool fits =
-      kept_ != nullptr && kept_->problem == problem && same_but_for_run(kept_->settings, settings);
-  if (fits)
+  const bool fits = kept_ != nullptr && same_but_for_ranges(kept_->problem, problem) &&
+                    same_but_for_run(kept_->settings, settings);
+  if (fits) {
     kept_->settings = settings;
-  else
+    if (!(kept_->problem == problem)) take_ranges(problem);
+  } else {
     keep(std::make_unique<Kept>(problem, settings));
+  }
   return kept_->search;
+}
+
+/// The search refers to the kept problem, which therefore stays where it is.
+void Solver::take_ranges(const Problem& problem) try {
+  std::ranges::copy(problem.outer, kept_->problem.outer.begin());
+  std::ranges::copy(problem.inner, kept_->problem.inner.begin());
+  kept_->search.take_ranges();
+} catch (...) {
+  kept_.reset();
+  throw;
 }
 
 /// Searches of one robot resemble each other.

@@ -12,7 +12,7 @@ namespace regulus {
 class Search;
 
 /// Decides problems, one after the other. What it needs for a problem is kept for the next search
-/// of the same problem, which then takes only the time of its boxes.
+/// of the same problem, or of the same with other ranges, which then takes only the time of its boxes.
 class Solver {
  public:
   Solver() noexcept;
@@ -46,6 +46,7 @@ class Solver {
  private:
   struct Kept;
   void keep(std::unique_ptr<Kept> next) noexcept;
+  void take_ranges(const Problem& problem);
   [[nodiscard]] Search& search_for(const Problem& problem, const Settings& settings);
 
   std::unique_ptr<Kept> kept_;

@@ -23,6 +23,8 @@ void put(ByteWriter& to, const WitnessPoint& point) {
   to.put_list(std::span<const ExactNumber>(point.numbers));
   to.put(point.determinant);
   to.put_list(std::span<const Interval>(point.pose));
+  to.put_list(std::span<const Interval>(point.null_vector));
+  to.put_list(std::span<const std::uint32_t>(point.chosen));
 }
 
 WitnessPoint take_point(ByteReader& from) {
@@ -32,6 +34,8 @@ WitnessPoint take_point(ByteReader& from) {
   point.numbers = from.take_list<ExactNumber>();
   point.determinant = from.take<Interval>();
   point.pose = from.take_list<Interval>();
+  point.null_vector = from.take_list<Interval>();
+  point.chosen = from.take_list<std::uint32_t>();
   return point;
 }
 

@@ -17,8 +17,8 @@ constexpr std::uint64_t kFirstDescent = 4;
 constexpr unsigned kFewVariables = 4;
 
 /// A matrix with more rows than columns has no determinant whose sign changes. The number of boxes
-/// at which to look for an exact place for the first time, and the factor from one time to the next.
-constexpr std::uint64_t kFirstExactPlace = 8192, kNextExactPlace = 16;
+/// at which to look for a singular place by algebra for the first time, and the factor from one time to the next.
+constexpr std::uint64_t kFirstPlace = 8192, kNextPlace = 16;
 
 }  // namespace
 
@@ -28,7 +28,7 @@ void WitnessSchedule::look_after(const Decisions& batch, SearchState& state) noe
   if (undecided == 0 || boxes < state.next_descent) return;
   std::size_t lane = 0;
   while (!has_lane(undecided, lane)) ++lane;
-  if (!is_square()) return look_for_exact_place(batch.open(lane).box, state);
+  if (!is_square()) return look_for_place(batch.open(lane).box, state);
   if (problem_.kernel->constraints > 0) {
     undecided &= batch.inside;
     if (undecided == 0) return;
@@ -47,7 +47,7 @@ void WitnessSchedule::look_after(const Decisions& batch, SearchState& state) noe
 void WitnessSchedule::look_from(std::span<const Interval> box, SearchState& state) noexcept {
   const std::uint64_t boxes = state.statistics.boxes;
   if (boxes < state.next_descent) return;
-  if (!is_square()) return look_for_exact_place(box, state);
+  if (!is_square()) return look_for_place(box, state);
   if (problem_.kernel->constraints > 0)
     state.next_descent = boxes + 1 + boxes / 8;
   else
@@ -70,11 +70,12 @@ bool WitnessSchedule::is_square() const noexcept {
 }
 
 /// Also sets the next time. The conclusion of the search looks once more, near a box that blocks.
-void WitnessSchedule::look_for_exact_place(std::span<const Interval> box,
-                                           SearchState& state) noexcept {
+void WitnessSchedule::look_for_place(std::span<const Interval> box, SearchState& state) noexcept {
   const std::uint64_t boxes = state.statistics.boxes;
-  state.next_descent = std::max(kNextExactPlace * boxes, kFirstExactPlace);
-  if (boxes >= kFirstExactPlace) witness_.look_for_exact_place(box);
+  state.next_descent = std::max(kNextPlace * boxes, kFirstPlace);
+  if (boxes < kFirstPlace) return;
+  witness_.look_for_exact_place(box);
+  witness_.look_for_null_vector(box);
 }
 
 /// Looks at them once, and sets the next time to go downhill.

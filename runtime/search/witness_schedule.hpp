@@ -37,7 +37,7 @@ class WitnessSchedule {
 
  private:
   [[nodiscard]] bool is_square() const noexcept;
-  void look_for_exact_place(std::span<const Interval> box, SearchState& state) noexcept;
+  void look_for_place(std::span<const Interval> box, SearchState& state) noexcept;
   void look_at_all_corners(SearchState& state) noexcept;
   void look_at_exact_ends(std::span<const Interval> box) noexcept;
 

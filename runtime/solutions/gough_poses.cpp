@@ -183,17 +183,6 @@ class PoseHomotopy final : public Homotopy {
   std::array<Leg<Complex>, 6> start_, change_;
 };
 
-/// The unit of lengths, a power of two, in which a platform is about as large as Dietmaier's.
-int exponent_of_size(const GoughLegs& legs) {
-  double size = 0;
-  for (std::size_t i = 0; i < 6; ++i) {
-    size = std::max(size, mag(legs.length[i]));
-    for (std::size_t k = 0; k < 3; ++k)
-      size = std::max({size, mag(legs.base[i][k]), mag(legs.platform[i][k])});
-  }
-  return std::isfinite(size) && size > 0 ? std::ilogb(size) : 0;
-}
-
 std::array<Leg<Interval>, 6> scaled(const GoughLegs& legs, int exponent) {
   const auto scale = [&](Interval x) { return times_power_of_two(x, -exponent); };
   std::array<Leg<Interval>, 6> result;
@@ -243,6 +232,15 @@ GoughPose pose_of(const RootBox& root, int exponent, bool is_back) {
   return pose;
 }
 
+ApproxPose approx_pose_of(const RootBox& root, int exponent, bool is_back) {
+  Quaternion<Complex> x, y;
+  for (std::size_t i = 0; i < 4; ++i) x[i] = root.center[i], y[i] = root.center[4 + i];
+  if (is_back) x = conj(x), y = conj(y);
+  const Complex factor = Complex(std::ldexp(1.0, exponent)) * inverse(dot(x, x));
+  const Quaternion<Complex> t = y * conj(x);
+  return {factor * t[1], factor * t[2], factor * t[3], x[0], x[1], x[2], x[3]};
+}
+
 /// Legs in an order in which 0 and 1 have a point in common, 2 and 3, 4 and 5; nullopt: there is none.
 std::optional<std::array<std::size_t, 6>> pairs_of(const std::array<std::size_t, 6>& points) {
   std::array<std::size_t, 6> order{0, 1, 2, 3, 4, 5};
@@ -274,6 +272,25 @@ Question question_of(const GoughLegs& legs) {
 
 }  // namespace
 
+int exponent_of_size(const GoughLegs& legs) {
+  double size = 0;
+  for (std::size_t i = 0; i < 6; ++i) {
+    size = std::max(size, mag(legs.length[i]));
+    for (std::size_t k = 0; k < 3; ++k)
+      size = std::max({size, mag(legs.base[i][k]), mag(legs.platform[i][k])});
+  }
+  return std::isfinite(size) && size > 0 ? std::ilogb(size) : 0;
+}
+
+std::array<Interval, 9> rotation_matrix(const std::array<Interval, 4>& q) {
+  const Interval two(2.0), one(1.0);
+  return {one - two * (sqr(q[2]) + sqr(q[3])), two * (q[1] * q[2] - q[0] * q[3]),
+          two * (q[1] * q[3] + q[0] * q[2]),   two * (q[1] * q[2] + q[0] * q[3]),
+          one - two * (sqr(q[1]) + sqr(q[3])), two * (q[2] * q[3] - q[0] * q[1]),
+          two * (q[1] * q[3] - q[0] * q[2]),   two * (q[2] * q[3] + q[0] * q[1]),
+          one - two * (sqr(q[1]) + sqr(q[2]))};
+}
+
 GoughPoses find_gough_poses(const GoughLegs& given) {
   const Question question = question_of(given);
   const int exponent = exponent_of_size(question.legs);
@@ -283,9 +300,11 @@ GoughPoses find_gough_poses(const GoughLegs& given) {
   std::vector<std::vector<Complex>> starts;
   for (const auto& pose : question.known.poses) starts.push_back(start_of(pose));
   const std::vector<RootBox> roots = follow_roots(homotopy, starts, {system, kPatch, certain_pose});
-  GoughPoses found{{}, roots.size(), starts.size()};
-  for (const RootBox& root : roots)
+  GoughPoses found{{}, {}, roots.size(), starts.size()};
+  for (const RootBox& root : roots) {
+    found.approx.push_back(approx_pose_of(root, exponent, question.is_back));
     if (root.is_real) found.poses.push_back(pose_of(root, exponent, question.is_back));
+  }
   return found;
 }
 

@@ -44,8 +44,12 @@ struct GoughPose {
 inline constexpr std::size_t kPosesOfGough = 40;
 inline constexpr std::size_t kPosesOfPairedLegs = 16;
 
+/// The origin's position, and a quaternion up to a factor: roughly a complex pose.
+using ApproxPose = std::array<Complex, 7>;
+
 struct GoughPoses {
   std::vector<GoughPose> poses;      ///< the real ones among those found, each certain and simple
+  std::vector<ApproxPose> approx{};  ///< all that were found
   std::size_t complex = 0;           ///< distinct simple poses found, real ones included
   std::size_t most = kPosesOfGough;  ///< no such platform has more simple poses
 
@@ -56,5 +60,13 @@ struct GoughPoses {
 ///           platform has no other pose, real or complex.
 /// Rounding  outward; MXCSR at nearest. The result is the same in every run.
 [[nodiscard]] GoughPoses find_gough_poses(const GoughLegs& legs);
+
+/// Returns e such that the platform is about as large as 2ᵉ.
+[[nodiscard]] int exponent_of_size(const GoughLegs& legs);
+
+/// Encloses the rotation of a unit quaternion; row-major.
+///
+/// Rounding  outward; MXCSR at nearest.
+[[nodiscard]] std::array<Interval, 9> rotation_matrix(const std::array<Interval, 4>& quaternion);
 
 }  // namespace regulus

@@ -238,6 +238,25 @@ bool BranchTest::has_no_solution(const Box& place, const TubeNumbers& tube) {
   return false;
 }
 
+/// From KΦ(x, c) + KM(p − c) = 0 with M in the enclosure of Φ_p: p = c − KΦ(x, c) − (KM − I)(p − c).
+std::optional<Box> BranchTest::solutions_in(const Box& places, const Box& unknowns) {
+  std::vector<double> center;
+  for (const Interval x : unknowns) center.push_back(mid(x));
+  if (!bound_center(joined(places, points_of(center))) ||
+      !take(*over_, first_, joined(places, unknowns), first_values_))
+    return std::nullopt;
+  Box result;
+  for (std::size_t i = 0; i < n_; ++i) {
+    Interval p = point(center[i]) - value_[i];
+    for (std::size_t l = 0; l < n_; ++l) {
+      const Interval entry = times_inverse(i, first_values_, all_, m_ + l);
+      p = p - (l == i ? entry - point(1.0) : entry) * (unknowns[l] - point(center[l]));
+    }
+    result.push_back(p);
+  }
+  return result;
+}
+
 bool BranchTest::has_one_solution(const Box& place, const std::vector<double>& middle,
                                   const std::vector<double>& outer,
                                   const std::vector<double>& inner) {

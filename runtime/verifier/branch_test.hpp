@@ -35,6 +35,10 @@ class BranchTest {
   /// Returns true only if the equations have no solution in the tube at any place of a small box.
   [[nodiscard]] bool has_no_solution(const Box& place, const TubeNumbers& tube);
 
+  /// Encloses the unknowns of all solutions that are in a box, at any place of `places`; nullopt:
+  /// nothing is known. It may be empty, with an interval whose ends are in the wrong order.
+  [[nodiscard]] std::optional<Box> solutions_in(const Box& places, const Box& unknowns);
+
   /// Returns a small box in which the equations have exactly one solution at each place of `place`,
   /// a small box. It is looked for near `start`, to a small part of `scale`.
   [[nodiscard]] std::optional<SolutionBox> solution_near(const Box& place,

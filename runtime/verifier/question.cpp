@@ -9,6 +9,7 @@
 #include "runtime/verifier/closure_lines.hpp"
 #include "runtime/verifier/load_lines.hpp"
 #include "runtime/verifier/quantity_lines.hpp"
+#include "runtime/verifier/solution_lines.hpp"
 
 namespace regulus::verifier {
 namespace {
@@ -36,6 +37,8 @@ class QuestionReader {
     read_verdict();
     const std::string claim(take("claim"));
     read_labels();
+    if (q_.solutions) return read_solutions(claim);
+    read_alpha();
     read_variables();
     if (is("piecewise")) {
       q_.is_piecewise = true;
@@ -48,12 +51,36 @@ class QuestionReader {
     read_motion();
     if (q_.load) read_load_lines(lines_, q_);
     if (!q_.load && !q_.closure && is("quantity")) read_quantity_lines(lines_, q_);
-    if (lines_.text() != "proof") throw Rejection("expected the line 'proof'");
-    if (claim != q_.claim())
-      throw Rejection("the claim is not about this matrix and set: expected '" + q_.claim() + "'");
+    read_end(claim, "the claim is not about this matrix and set");
   }
 
  private:
+  void read_solutions(const std::string& claim) {
+    if (is("alpha")) read_equations();
+    read_solution_lines(lines_, q_);
+    read_end(claim, "the claim is not about these lines");
+  }
+
+  /// All solutions of the equations of a closure, at one place.
+  void read_equations() {
+    read_alpha();
+    read_variables();
+    read_poses();
+    keep_names();
+    read_unknown_lines(lines_, q_, commanded_, actual_);
+    read_model();
+    read_motion();
+    const bool has_range = std::ranges::any_of(
+        q_.variables, [](const Variable& v) { return v.kind == VariableKind::kParameter; });
+    if (has_range || !q_.constraints.empty() || q_.closure->names.empty())
+      throw Rejection("a claim about all solutions has unknowns, no parameter and no constraint");
+  }
+
+  void read_end(const std::string& claim, const std::string& otherwise) const {
+    if (lines_.text() != "proof") throw Rejection("expected the line 'proof'");
+    if (claim != q_.claim()) throw Rejection(otherwise + ": expected '" + q_.claim() + "'");
+  }
+
   void advance() {
     if (!lines_.next()) throw Rejection("the file ends before the proof");
     if (lines_.number() > format::kMostLines)
@@ -85,16 +112,23 @@ class QuestionReader {
     if (verdict == format::kFeasible || verdict == format::kInfeasible ||
         verdict == format::kPaving)
       q_.load.emplace().verdict = verdict;
+    else if (verdict == format::kComplete || verdict == format::kNone ||
+             verdict == format::kIncomplete)
+      q_.solutions.emplace().verdict = verdict;
     else if (!q_.singular && verdict != format::kNoSingularity)
       throw Rejection("the verdict is not " + std::string(format::kNoSingularity) + ", " +
                       format::kSingularity + ", " + format::kFeasible + ", " + format::kInfeasible +
-                      " or " + format::kPaving);
+                      ", " + format::kPaving + ", " + format::kComplete + ", " + format::kNone +
+                      " or " + format::kIncomplete);
   }
 
   void read_labels() {
     q_.model = take("model");
     q_.sha256 = take("sha256");
     q_.motion = take("motion");
+  }
+
+  void read_alpha() {
     const std::string alpha = take("alpha");
     q_.alpha = note("alpha", "", constant(alpha), alpha);
     q_.has_threshold = alpha != "0";
@@ -313,44 +347,7 @@ class QuestionReader {
   std::set<int> in_ball_;
 };
 
-/// True if a character in UTF-8 could change what a terminal shows of the others: C1, the separators
-/// of lines and paragraphs, and the bidirectional controls of Unicode Standard Annex #9.
-bool hides_text(std::string_view line) {
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const auto byte = [&](std::size_t k) {
-      return i + k < line.size() ? static_cast<unsigned char>(line[i + k]) : 0U;
-    };
-    const unsigned first = byte(0), second = byte(1), third = byte(2);
-    if ((first == 0xc2 && second < 0xa0) || (first == 0xd8 && second == 0x9c)) return true;
-    if (first != 0xe2) continue;
-    if (second == 0x80 && (third == 0x8e || third == 0x8f || (third >= 0xa8 && third <= 0xae)))
-      return true;
-    if (second == 0x81 && third >= 0xa6 && third <= 0xa9) return true;
-  }
-  return false;
-}
-
 }  // namespace
-
-bool Lines::next() {
-  text_.clear();
-  ++number_;
-  named_ = 0;
-  for (int c; (c = in_.get()) != std::istream::traits_type::eof();) {
-    if (left_-- == 0) throw Rejection("the file is too large");
-    if (c == '\n') {
-      if (hides_text(text_)) throw Rejection("the line contains a control character");
-      if (keeps_) kept_.push_back(text_);
-      return true;
-    }
-    if (c < ' ' || c == 127) throw Rejection("the line contains a control character");
-    if (text_.size() == format::kLongestLine) throw Rejection("the line is too long");
-    text_.push_back(char(c));
-  }
-  if (in_.bad()) throw std::runtime_error("the file cannot be read");
-  if (!text_.empty()) throw Rejection("the last line has no newline");
-  return false;
-}
 
 format::ClaimedSet Question::claimed_set() const {
   format::ClaimedSet set{rows, columns, 0, has_threshold, is_within_reach};
@@ -359,6 +356,11 @@ format::ClaimedSet Question::claimed_set() const {
 }
 
 std::string Question::claim() const {
+  if (solutions)
+    return format::describe_solutions_claim(
+        {solutions->verdict, closure ? format::kOfUnknowns : format::kOfSixLegs,
+         closure ? "configuration" : "pose", closure ? "configurations" : "poses",
+         solutions->solutions.size(), claimed_set().uncertain});
   if (load) return format::describe_load_claim(claimed_set(), load->verdict);
   if (quantity) return quantity->claim;
   if (closure) return format::describe_closure_claim(claimed_set());

@@ -2,6 +2,7 @@
 // The first part of a certificate: the claim, the matrix and the set.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <istream>
 #include <map>
@@ -12,6 +13,7 @@
 #include "runtime/proof/format.hpp"
 #include "runtime/verifier/exact_range.hpp"
 #include "runtime/verifier/expression.hpp"
+#include "runtime/verifier/interval.hpp"
 
 namespace regulus::verifier {
 
@@ -116,6 +118,25 @@ struct ClosureLines {
   std::vector<NodeId> equations;
 };
 
+/// A telescopic leg of a platform: its anchors and its squared length, which are constant expressions.
+struct LegLine {
+  std::array<NodeId, 3> base{}, platform{};
+  NodeId square = kNoNode;
+};
+
+/// A solution: the enclosure of each of its values.
+struct SolutionLine {
+  std::size_t line = 0;
+  std::vector<Interval> values;
+};
+
+/// A claim about all solutions at one place: FORMAT.md, "All solutions".
+struct SolutionLines {
+  std::string verdict;  ///< format::kComplete, kNone or kIncomplete
+  std::vector<LegLine> legs;
+  std::vector<SolutionLine> solutions;
+};
+
 /// An expression with its line.
 struct StatedValue {
   NodeId node = kNoNode;
@@ -149,12 +170,15 @@ struct Question {
   std::optional<QuantityLines> quantity;
   /// A claim about a closure has this. There is no matrix; `rows` and `columns` count the equations.
   std::optional<ClosureLines> closure;
+  /// A claim about all solutions has this, and nothing of what is above but the labels.
+  std::optional<SolutionLines> solutions;
 
   // For the comparison with a model file.
   /// The stated values, by kind and name: "alpha ", "lower x", "upper x", "value a", "spread a",
   /// "pose x", "error x", "entry 0", "scale 0", "constraint 0", "reach 0", "wrench 0",
   /// "wrench-spread 0", "wrench-ball 0", "least 0", "largest 0", "motor-error 0", "stiffness 0",
-  /// "factor 0", "unknown p", "unknown-radius p", "start x", "equation 0".
+  /// "factor 0", "unknown p", "unknown-radius p", "start x", "equation 0",
+  /// "base 0_x", "platform 0_x", "square 0".
   std::map<std::string, StatedValue, std::less<>> stated;
   Scope actual;     ///< names of constants and of poses with their errors
   Scope commanded;  ///< names of parameters, constants and commanded poses

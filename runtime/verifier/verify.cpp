@@ -11,6 +11,7 @@
 #include "runtime/verifier/quantity_lines.hpp"
 #include "runtime/verifier/shards.hpp"
 #include "runtime/verifier/single_values.hpp"
+#include "runtime/verifier/solution_count.hpp"
 #include "runtime/verifier/usual_environment.hpp"
 
 namespace regulus::verifier {
@@ -23,6 +24,7 @@ void compare(Question& question, const Options& options, Verification& result) {
     return compare(with_variables, options, result);
   }
   const WrittenValues model = read_model_values(options.model_text);
+  if (question.solutions) return compare_with_file(question, model, options, result);
   const WaypointComparison waypoints(model, question.motion, options.model_name, options.waypoints);
   if (!waypoints.is_named()) return compare_with_file(question, model, options, result);
   if (!question.singular && waypoints.pieces() != 1)
@@ -47,6 +49,8 @@ void check(Lines& lines, Question& question, const Options& options, Verificatio
     throw Rejection("an index is for the proof of a claim about all poses");
   if (question.is_index && question.closure)
     throw Unfinished("the proof about a closure must be in one file");
+  if (question.is_index && question.solutions)
+    throw Rejection("a claim about all solutions is in one file");
   if (question.is_piecewise) return check_pieces(lines, question.is_index, options, result);
   const std::vector<std::string> head = lines.take_kept();
   result.claim = question.claim();
@@ -55,6 +59,7 @@ void check(Lines& lines, Question& question, const Options& options, Verificatio
   result.motion = question.motion;
   question.graph.end_of_file();
   if (!options.model_text.empty()) compare(question, options, result);
+  if (question.solutions) return check_solutions(lines, question, options, result);
   describe_bound(question, result);
   if (question.quantity) border(question);
   const Variety variety = enclose_variety(question);
@@ -128,6 +133,9 @@ std::string describe(const Verification& v) {
   if (v.leaves > 0)
     line("leaves", std::to_string(v.leaves) + ", in " + std::to_string(v.boxes) + " boxes");
   line("paved", describe_paved(v));
+  if (v.roots > 0)
+    line("roots", std::to_string(v.roots) + " that differ are proved, " +
+                      std::to_string(v.real_roots) + " of them real");
   if (v.links > 0)
     line("links", std::to_string(v.links) + " pairs of neighbours with one configuration");
   if (v.numbers > 0)

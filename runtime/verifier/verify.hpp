@@ -67,6 +67,8 @@ struct Verification {
   std::uint64_t boxes = 0;                                ///< into which the leaves were cut
   std::array<std::uint64_t, kPavedWords.size()> paved{};  ///< of a paving: its leaves by claim
   std::uint64_t links = 0;               ///< of a closure: pairs of leaves of one branch
+  std::size_t roots = 0;                 ///< of a count: complex solutions that are proved
+  std::size_t real_roots = 0;            ///< real ones among them
   std::size_t numbers = 0;               ///< values of the model file that were compared
   std::vector<std::string> differences;  ///< those that options have set to other values
   std::string note;                      ///< more information about a claim that was verified

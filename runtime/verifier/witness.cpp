@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // A witness: a point with determinant at most alpha, or two points of opposite signs and the
-// segment between them, on which the model is defined and no constraint is violated.
+// segment between them, on which the model is defined and no constraint is violated; or a box that
+// has a singular point with a null vector.
 #include <algorithm>
 
 #include "runtime/verifier/bordered_matrix.hpp"
+#include "runtime/verifier/enclosed_zero.hpp"
 #include "runtime/verifier/exact_determinant.hpp"
 #include "runtime/verifier/exact_point.hpp"
+#include "runtime/verifier/linear_algebra.hpp"
 #include "runtime/verifier/proof.hpp"
 #include "runtime/verifier/ratio.hpp"
 #include "runtime/verifier/shortage.hpp"
@@ -29,9 +32,10 @@ class WitnessChecker {
     if (q_.quantity && is_about_ratio(*q_.quantity)) return check_ratio();
     const std::string reason = next_line();
     if (reason == std::string("reason ") + format::kLostRank) return check_lost_rank();
+    if (reason == std::string("reason ") + format::kNullVector) return check_null_vector();
     if (q_.rows != q_.columns)
       throw Rejection("for a matrix with more rows than columns, expected 'reason " +
-                      std::string(format::kLostRank) + "'");
+                      std::string(format::kLostRank) + "' or '" + format::kNullVector + "'");
     if (reason == std::string("reason ") + format::kOppositeSigns) return check_signs();
     if (reason == std::string("reason ") + format::kSmallDeterminant) return check_small();
     if (reason == std::string("reason ") + format::kAlwaysSingular) return check_always();
@@ -165,6 +169,56 @@ class WitnessChecker {
       throw Unfinished("the matrix is not certainly defined at the point, within the constraints");
     if (!ExactPoint(q_, point).has_lost_rank())
       throw Unfinished("exact algebra does not find the rank to be lost at the point");
+  }
+
+  /// `chosen K …`: variables from 0, rising, whose values are in an interval within their range.
+  std::vector<std::size_t> read_chosen(const ClaimedPoint& point) {
+    const auto words = words_of(next_line());
+    if (words.size() < 2 || words[0] != format::kChosen)
+      throw Rejection("expected '" + std::string(format::kChosen) + "' and numbers of variables");
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = 1; i < words.size(); ++i) {
+      const std::size_t k = read_count(words[i], format::kMostVariables);
+      if (k >= q_.variables.size() || (i > 1 && chosen.back() >= k))
+        throw Rejection("expected rising numbers of variables, from 0");
+      // The one value of a range without a double, or an end, is no unknown.
+      if (point.values[k] != kNoNode || !variety_.inner[k])
+        throw Rejection("a chosen variable has an interval inside its range");
+      chosen.push_back(k);
+    }
+    return chosen;
+  }
+
+  /// `vector X …`: as coordinates; one of them is the number 1.
+  std::vector<Interval> read_vector() {
+    const auto words = words_of(next_line());
+    if (words.size() != q_.columns + 1 || words[0] != format::kVector)
+      throw Rejection("expected '" + std::string(format::kVector) + "' and " +
+                      std::to_string(q_.columns) + " numbers");
+    std::vector<Interval> components;
+    for (std::size_t j = 0; j < q_.columns; ++j)
+      components.push_back(read_coordinate(words[j + 1]));
+    if (std::none_of(components.begin(), components.end(), is_one))
+      throw Rejection("no component of the vector is the number 1");
+    return components;
+  }
+
+  void check_null_vector() {
+    if (q_.has_threshold) throw Rejection("a null vector is no proof about a threshold");
+    const ClaimedPoint point = read_point("0");
+    NullVector vector;
+    vector.chosen = read_chosen(point);
+    vector.components = read_vector();
+    read_end();
+    require_value(point.box, point.box);
+    if (!is_defined_within_constraints(point))
+      throw Unfinished("the matrix is not certainly defined in the box, within the constraints");
+    if (has_null_vector(q_, point.box, vector)) return;
+    const auto values = values_over(q_, point.box, options_.max_bits);
+    if (values && independent_rows(values->matrix, q_.rows, q_.columns, options_.max_bits).size() ==
+                      q_.columns)
+      throw Rejection("the matrix has full rank all over the box");
+    throw Unfinished("Krawczyk's test does not show a null vector in the box");
   }
 
   /// One point at which the determinant is 0 is enough for the claim.

@@ -91,10 +91,36 @@ void WitnessSearch::look_for_exact_place(std::span<const Interval> box) noexcept
   found_ = found_at_ends_ = true;
 }
 
+/// The inner range of a ball's coordinate is a side of a cube in the ball.
+bool WitnessSearch::is_in_ranges(std::span<const Interval> box) const noexcept {
+  for (std::size_t k = 0; k < variables_; ++k) {
+    const std::optional<Interval>& inner = problem_.inner[k];
+    if (!(inner ? certain_subset(box[k], *inner) : box[k] == problem_.outer[k])) return false;
+  }
+  return true;
+}
+
+void WitnessSearch::look_for_null_vector(std::span<const Interval> box) noexcept {
+  if (found_ || algebra_ == nullptr || !uses_descents_ || scaled_) return;
+  std::optional<EnclosedPlace> place = algebra_->enclose_singular(box);
+  if (!place || !is_in_ranges(place->variables)) return;
+  for (const std::uint32_t k : place->chosen)
+    if (!problem_.inner[k]) return;  // its one value is no unknown
+  std::copy(place->variables.begin(), place->variables.end(), box_.begin());
+  if (!holds_box()) return;
+  determinant_at_ends_ = square_ ? enclose_at(0, false, Effort::kElimination) : Interval(0.0);
+  enclosed_ = std::move(*place);
+  reason_ = Reason::kNullVector;
+  found_ = found_at_ends_ = true;
+}
+
 void WitnessSearch::report_ends(WitnessPoint& into) {
-  into.variables = at_ends_;
-  into.places = places_;
-  into.numbers = numbers_;
+  const bool is_enclosed = reason_ == Reason::kNullVector;
+  into.variables = is_enclosed ? enclosed_.variables : at_ends_;
+  into.places = is_enclosed ? std::vector<PlaceInRange>() : places_;
+  into.numbers = is_enclosed ? std::vector<ExactNumber>() : numbers_;
+  into.null_vector = is_enclosed ? enclosed_.null_vector : std::vector<Interval>();
+  into.chosen = is_enclosed ? enclosed_.chosen : std::vector<std::uint32_t>();
   into.determinant = determinant_at_ends_;
   copy_pose(into.variables, into.pose);
 }

@@ -52,8 +52,18 @@ WitnessSearch::WitnessSearch(const Problem& problem, const Settings& settings, b
     candidate->point.resize(variables_);
   for (std::vector<double>& point : along_) point.resize(variables_);
   for (Start& start : starts_) start.point.resize(variables_);
-  for (std::size_t k = 0; k < variables_; ++k) in_ball_[k] = balls_.axis(k).has_value();
+  note_balls();
   witness_.points.reserve(2);
+}
+
+void WitnessSearch::note_balls() {
+  for (std::size_t k = 0; k < variables_; ++k) in_ball_[k] = balls_.axis(k).has_value();
+}
+
+void WitnessSearch::take_ranges() {
+  balls_ = ToleranceBalls(problem_);
+  reach_ = reach_of(problem_, balls_);
+  note_balls();
 }
 
 void WitnessSearch::restart() noexcept {

@@ -25,6 +25,11 @@ class WitnessSearch {
   /// `closes_in`: a proof by two points is refined to the zero between them as far as possible.
   WitnessSearch(const Problem& problem, const Settings& settings, bool closes_in = true);
 
+  /// Becomes the search of the problem whose ranges have changed.
+  ///
+  /// Requires  restart() before anything else.
+  void take_ranges();
+
   /// Returns to the initial state, with the oracles that the settings name now.
   void restart() noexcept;
   /// Forgets the candidates and the proof.
@@ -66,6 +71,10 @@ class WitnessSearch {
   /// matrix is singular, first near the middle of `box`. Takes up to a second; without a threshold
   /// only.
   void look_for_exact_place(std::span<const Interval> box) noexcept;
+
+  /// Looks for a small box in the variety that certainly has a singular point, as the algebra encloses
+  /// it. Takes as long; without a threshold only.
+  void look_for_null_vector(std::span<const Interval> box) noexcept;
 
   /// Forgets all results and searches inside `box` alone: in its middle, downhill, at its corners.
   /// Returns found().
@@ -117,7 +126,9 @@ class WitnessSearch {
   void place_at(std::size_t variable, PlaceInRange place) noexcept;
   void try_exactly() noexcept;
   [[nodiscard]] bool holds_box() noexcept;
+  [[nodiscard]] bool is_in_ranges(std::span<const Interval> box) const noexcept;
 
+  void note_balls();
   void load_piece(std::size_t lane, const std::vector<double>& from, const std::vector<double>& to,
                   Interval part) noexcept;
   void close_in() noexcept;
@@ -155,9 +166,8 @@ class WitnessSearch {
   bool square_, scaled_;
   const bool uses_corners_, uses_descents_;
   bool closes_in_;
-  const ToleranceBalls balls_;
-  const std::vector<std::optional<Interval>>
-      reach_;                                   ///< where points may lie, with the balls' axes
+  ToleranceBalls balls_;
+  std::vector<std::optional<Interval>> reach_;  ///< where points may lie, with the balls' axes
   std::vector<std::optional<Interval>> inner_;  ///< the same, or the part of one box
   RowStructure no_structure_;
   Batch points_;
@@ -183,6 +193,7 @@ class WitnessSearch {
   std::vector<ExactNumber> numbers_;  ///< the same; empty: there are none
   std::vector<Interval> at_ends_;     ///< the point that was found there
   Interval determinant_at_ends_;
+  EnclosedPlace enclosed_;  ///< for Reason::kNullVector, in the place of these
   bool found_ = false, found_at_ends_ = false;
   Reason reason_ = Reason::kOppositeSigns;
   Witness witness_;

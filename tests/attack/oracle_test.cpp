@@ -81,6 +81,50 @@ TEST_P(EveryFamily, IsNotConfirmedAtAnotherPoint) {
 INSTANTIATE_TEST_SUITE_P(, EveryFamily, testing::ValuesIn(families().begin(), families().end()),
                          [](const auto& family) { return std::string(family.param.name); });
 
+ListedSolutions listed(const std::string& verdict, std::vector<std::pair<double, double>> ends) {
+  ListedSolutions list{verdict, {}};
+  for (const auto& one : ends) list.solutions.push_back({{"x", one}});
+  return list;
+}
+
+TEST(Lists, AreFalseIfTheyLackASolutionOrHaveAnother) {
+  SolveTruth truth;
+  truth.known = {{{"x", Rational(1, 3)}}, {{"x", Rational(2)}}};
+  const std::pair<double, double> third{0.3333333, 0.3333334}, two{2, 2};
+  EXPECT_FALSE(refute_list(truth, listed("complete", {third, two})));
+  EXPECT_FALSE(refute_list(truth, listed("complete", {third, two, {5, 6}})));
+  EXPECT_FALSE(refute_list(truth, listed("incomplete", {third})));
+  EXPECT_TRUE(refute_list(truth, listed("complete", {third})));
+  EXPECT_TRUE(refute_list(truth, listed("complete", {{0.33333334, 0.3334}, two})));
+  EXPECT_TRUE(refute_list(truth, listed("none", {})));
+  EXPECT_TRUE(refute_list(truth, listed("incomplete", {third, third})));
+  EXPECT_TRUE(refute_list(truth, listed("incomplete", {{0, 3}})));
+  truth.count = 2;
+  EXPECT_TRUE(refute_list(truth, listed("complete", {third, two, {5, 6}})));
+  EXPECT_TRUE(refute_list(truth, listed("incomplete", {{5, 6}})));
+  truth.is_degenerate = true;
+  EXPECT_TRUE(refute_list(truth, listed("complete", {third, two})));
+}
+
+TEST(Lists, CompareAnglesByTurnsAndRotationsByTheirSigns) {
+  SolveTruth truth;
+  truth.known = {{{"x", pi()}}};
+  truth.periods["x"] = "2*pi";
+  EXPECT_FALSE(refute_list(truth, listed("complete", {{-3.1415927, -3.1415926}})));
+  EXPECT_TRUE(refute_list(truth, listed("complete", {{3.2, 3.3}})));
+  truth.known = {{{"qw", Rational(3, 5)}, {"qx", Rational(-4, 5)}}};
+  truth.has_opposites = true;
+  EXPECT_FALSE(refute_list(truth, {"complete", {{{"qw", {-0.61, -0.59}}, {"qx", {0.79, 0.81}}}}}));
+  EXPECT_TRUE(refute_list(truth, {"complete", {{{"qw", {-0.61, -0.59}}, {"qx", {-0.81, -0.79}}}}}));
+}
+
+TEST(Lists, LackWhatNewtonsMethodFinds) {
+  SolveTruth truth;
+  truth.near = {{{"x", 2}}};
+  EXPECT_TRUE(refute_list(truth, listed("complete", {{1, 1}})));
+  EXPECT_FALSE(refute_list(truth, listed("complete", {{1, 1}, {2, 2}})));
+}
+
 TEST(Families, AreAtLeastFifteenWithDifferentNames) {
   std::set<std::string> names;
   for (const Family& family : families()) names.insert(family.name);

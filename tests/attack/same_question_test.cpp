@@ -52,11 +52,11 @@ std::string changed(std::string text, const std::string& from, const std::string
 }
 
 void expect_same(const std::string& verified, const std::string& asked) {
-  EXPECT_EQ(difference(verified, asked, false), "") << verified;
+  EXPECT_EQ(difference(verified, asked), "") << verified;
 }
 
 void expect_another(const std::string& verified, const std::string& asked) {
-  EXPECT_NE(difference(verified, asked, false), "") << verified;
+  EXPECT_NE(difference(verified, asked), "") << verified;
 }
 
 TEST(SameQuestion, IsTheTextItself) {
@@ -123,6 +123,63 @@ TEST(SameQuestion, OfAQuantityHasItsBoundLoadAndSide) {
            {"entry x", "entry 2*x"},
            {"entry x", "scale 2\nentry x"}})
     expect_another(changed(kQuantity, from, to), kQuantity);
+}
+
+TEST(SameQuestion, HasZeroTimesWhatever) {
+  for (const char* zero : {"sqrt((0*x)^2) - 0*x", "0*sqrt(x + 2)", "0*sin(x)", "sqrt(0*cos(x))"})
+    expect_same(changed(kRegularity, "entry x\n", "entry x + " + std::string(zero) + '\n'),
+                kRegularity);
+  expect_another(changed(kRegularity, "entry x\n", "entry x + sqrt(sin(x)^2) - 0.9*sin(x)\n"),
+                 kRegularity);
+}
+
+TEST(SameQuestion, MayHaveWhatOptionsSet) {
+  const std::string low = changed(kRegularity, "entry x\n", "alpha 1/100\nentry x\n"),
+                    high = changed(kRegularity, "entry x\n", "alpha 1/10\nentry x\n");
+  EXPECT_NE(difference(low, high), "");
+  EXPECT_EQ(difference(low, high, {.alpha = true}), "");
+  EXPECT_NE(difference(changed(low, "size 2 2", "size 1 4"), high, {.alpha = true}), "");
+  const std::string wide = changed(kRegularity, "+- 1/10", "+- 1/5");
+  EXPECT_EQ(difference(wide, kRegularity, {.tolerances = true}), "");
+}
+
+TEST(SameQuestion, HasPiecesOfTheSamePoses) {
+  const std::string pieces =
+      changed(changed(kRegularity, "parameter s in 0 : 1",
+                      "parameter s in 0 : 1\npiecewise a r w\npiece 1 | 0 | 3\npiece 2 | 1/2 | 4"),
+              "entry x\n", "entry x + a + r*cos(w*s)\n");
+  expect_same(pieces, pieces);
+  expect_same(changed(pieces, "piece 1 | 0 | 3", "piece 1 | 0 | 7"), pieces);
+  expect_another(changed(pieces, "piece 2 | 1/2 | 4", "piece 2 | 1/2 | 7"), pieces);
+  expect_another(changed(pieces, "piece 1 | 0 | 3", "piece 5/4 | 0 | 3"), pieces);
+  expect_another(changed(pieces, "piece 1 | 0 | 3\n", ""), pieces);
+  expect_another(
+      changed(pieces, "piece 1 | 0 | 3\npiece 2 | 1/2 | 4", "piece 2 | 1/2 | 4\npiece 1 | 0 | 3"),
+      pieces);
+}
+
+TEST(SameQuestion, OfAClosureHasItsEquationsAndStart) {
+  const std::string closure =
+      changed(changed(kRegularity, "entry x\nentry s*e1\nentry 0 - s\nentry x + e1\n",
+                      "unknown p = 1 +- 1/2\nunknown q = 2 +- 1/2\nstart 1\nstart 0\n"
+                      "equation p^2 - x\nequation q - p*s\n"),
+              "size 2 2\n", "");
+  expect_same(closure, closure);
+  expect_same(changed(closure, "q - p*s", "q - s*p"), closure);
+  for (const auto& [from, to] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"p^2 - x", "p^2 - x + 1/1000000"},
+           {"p = 1 +- 1/2", "p = 1 +- 1/3"},
+           {"q = 2 +-", "q = 3 +-"},
+           {"start 1\nstart 0", "start 0\nstart 1"},
+           {"equation q - p*s\n", ""}})
+    expect_another(changed(closure, from, to), closure);
+}
+
+TEST(EqualFiles, DifferInTheSpellingOfNumbers) {
+  EXPECT_TRUE(
+      are_equal_files("a = 0\nb = [1.50, \"x1 - 0\"]\n", "a = 0.0\nb = [1.5, \"x1 - (-0)\"]\n"));
+  EXPECT_FALSE(are_equal_files("a = 1.5\n", "a = 1.50000001\n"));
+  EXPECT_FALSE(are_equal_files("a = x1\n", "a = x01\n"));
 }
 
 TEST(SameQuestion, IsNoneWithoutAMeaning) {

@@ -72,8 +72,8 @@ TEST_F(ForcesCommandTest, ShowsThePoseAndTheWrenchThatIsNotHeld) {
 }
 
 TEST_F(ForcesCommandTest, PavesTheMotion) {
-  const CommandResult r = regulus(
-      {"locate", model_, "--load", "push", "--range", "x=-2:2", "--resolution", "1/64", "--quiet"});
+  const CommandResult r = regulus({"locate", model_, "--load", "push", "--range", "x=-2:2",
+                                   "--resolution", "1/64", "--quiet", "--output", "-"});
   EXPECT_EQ(r.exit_code, 1) << r.errors;
   std::istringstream lines(r.output);
   std::string line;
@@ -143,8 +143,8 @@ TEST_F(ForcesCommandTest, PavesWayPointsThatHoldTheLoad) {
   const std::string way = folder_.path() / "way.csv";
   std::ofstream(way) << "x\n-0.5\n0.5\n";
   const std::string proof = folder_.path() / "proof";
-  const CommandResult r = regulus(
-      {"locate", model_, "--waypoints", way, "--load", "push", "--quiet", "--certificate", proof});
+  const CommandResult r = regulus({"locate", model_, "--waypoints", way, "--load", "push",
+                                   "--quiet", "--certificate", proof, "--output", "-"});
   EXPECT_EQ(r.exit_code, 0) << r.errors;
   EXPECT_THAT(r.output, HasSubstr("\"kind\":\"feasible\",\"segments\":[1,1]"));
   EXPECT_EQ(regulus({"verify", proof, "--quiet"}).output, "VERIFIED\n");

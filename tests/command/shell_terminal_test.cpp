@@ -97,6 +97,23 @@ TEST(ShellAtATerminal, AnErrorDoesNotEndItAndQuitDoes) {
   EXPECT_EQ(terminal.exit_code(), 0);
 }
 
+TEST(ShellAtATerminal, LocateDrawsAMap) {
+  const TemporaryDirectory home;
+  Terminal terminal(home.path().string());
+  ASSERT_TRUE(terminal.shows("regulus> "));
+  terminal.type("load " REGULUS_SOURCE_DIR "/models/planar_3rpr.toml\n");
+  ASSERT_TRUE(terminal.shows("regulus planar_3rpr> ")) << terminal.seen();
+  terminal.type(
+      "locate crossing --range x=-36:20 --range y=-16:36 --range phi=25*deg "
+      "--resolution 1/16\n");
+  ASSERT_TRUE(terminal.shows(
+      "\r\nmap        x to the right, y upward: # singular, ? undecided, . free\r\n"))
+      << terminal.seen();
+  ASSERT_TRUE(terminal.shows("  36 ..............#."));
+  ASSERT_TRUE(terminal.shows("  -36 "));
+  ASSERT_TRUE(terminal.shows("\r\nSINGULARITY\r\n"));
+}
+
 TEST(ShellAtATerminal, GreetsWithLinesThatWork) {
   const TemporaryDirectory home;
   Terminal terminal(home.path().string());

@@ -96,7 +96,7 @@ TEST_F(WarmCommand, CountsNoTimeTwice) {
 
 TEST_F(WarmCommand, LooksForTheNearestSingularityAsTheColdOneDid) {
   const std::string three_legs =
-      R"toml(["1", "x - 1/3"], ["y + 2/3", "sin(x - 1/3)"], ["r", "3*y + 2"])toml";
+      R"toml(["1", "(x - 1/3)^2 + (y + 2/3)^2"], ["y + 2/3", "0"], ["r", "0"])toml";
   const std::string model = model_file(text_of_model(three_legs, "[-1, 1]", "[-1, 1]"));
   const std::vector<std::string> words = {"check", model, "--max-boxes", "50"};
   const json first = cold(words);

@@ -13,8 +13,8 @@ cmake_minimum_required(VERSION 3.25)
 set(floors
     "runtime/files"
     "runtime/interval"
-    "runtime/kernel runtime/regularity runtime/existence runtime/solutions"
-    "runtime/machine runtime/problem"
+    "runtime/kernel runtime/regularity runtime/existence"
+    "runtime/machine runtime/problem runtime/solutions"
     "runtime/cluster runtime/evaluation"
     "runtime/witness"
     "runtime/search"

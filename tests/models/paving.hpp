@@ -49,6 +49,7 @@ class Paving {
   Paving(const ShippedModel& model, std::vector<std::string> words, std::string p, std::string q)
       : p_(std::move(p)), q_(std::move(q)) {
     words.insert(words.begin(), {REGULUS_BINARY_DIR "/bin/regulus", "locate", model.path()});
+    words.insert(words.end(), {"--output", "-"});
     std::istringstream lines(run_command(words).output);
     for (std::string line; std::getline(lines, line);)
       if (line.starts_with('{')) add(nlohmann::json::parse(line));

@@ -131,7 +131,9 @@ std::vector<nlohmann::json> free_boxes_of_puma() {
                                           "--resolution",
                                           "1/64",
                                           "--threads",
-                                          "1"};
+                                          "1",
+                                          "--output",
+                                          "-"};
   std::istringstream lines(run_command(words).output);
   std::vector<nlohmann::json> boxes;
   for (std::string line; std::getline(lines, line);)

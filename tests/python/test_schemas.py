@@ -176,6 +176,8 @@ LIMIT = ("--quantity", "sigma-max", "--limit", "2")
         ("forces", ("locate", "cable_8", "hall", "--load", "weight", "--resolution", "1/2")),
         ("path_forces", ("check", "cable_8", "hall", "--load", "weight", *HALL)),
         ("path_force_paving", ("locate", "cable_8", "hall", "--load", "weight", *HALL)),
+        ("solutions", ("solve", "rpr_6", "legs")),
+        ("solutions_at_places", ("solve", "planar_3rpr", "regular", *WAYS)),
     ],
 )
 def test_every_report_is_accepted_and_states_the_question(kind, arguments, tmp_path):

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -19,7 +20,8 @@ struct PictureRequest {
   std::string axes{};    ///< "p,q"; empty: the first two that are not single values nor sliced
   std::string slices{};  ///< "p=N"; empty: one picture of all values
   Shade shade = Shade::kWorst;
-  bool robot = false;  ///< draw the robot, too
+  bool robot = false;           ///< draw the robot, too
+  std::size_t map_columns = 0;  ///< of a map in text, of at most two ranges; 0: none
 };
 
 }  // namespace regulus

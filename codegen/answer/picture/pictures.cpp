@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "codegen/answer/picture/picture.hpp"
+#include "codegen/answer/picture/text_map.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus {
@@ -28,11 +29,16 @@ Pictures::Pictures(const PictureRequest& request, const PavingOptions& paving,
 
 Pictures::Pictures(const PictureRequest& request, const PavingOptions& paving,
                    const PreparedSearch& preparation, WordOfClaim word, std::string subject)
-    : preparation_(preparation), options_(resolve_pictures(request, paving, preparation)) {
+
+    : preparation_(preparation),
+      options_(resolve_pictures(request, paving, preparation)),
+      map_columns_(request.map_columns) {
   options_.word = word;
   options_.subject = std::move(subject);
   for (const std::string& file : request.files) open(file);
   if (!grids_.empty()) boxes_.emplace(preparation, options_);
+  const std::size_t ranges = paving.axes.size();
+  if (map_columns_ > 0 && (ranges == 1 || ranges == 2)) map_.emplace(preparation, options_);
   if (drawings_.empty()) return;
   if (options_.slices.empty()) canvases_.emplace_back(preparation, options_);
   for (const Slice& slice : options_.slices) canvases_.emplace_back(preparation, options_, slice);
@@ -49,6 +55,7 @@ std::vector<Observer*> Pictures::observers() {
   std::vector<Observer*> observers;
   for (Canvas& canvas : canvases_) observers.push_back(&canvas);
   if (boxes_) observers.push_back(&*boxes_);
+  if (map_) observers.push_back(&*map_);
   return observers;
 }
 
@@ -63,6 +70,10 @@ void Pictures::draw(const Volumes& volumes) {
       grid.file.write(text);
       grid.file.put_in_place();
     });
+}
+
+std::string Pictures::map() const {
+  return map_ ? text_map(preparation_, options_, *map_, map_columns_) : "";
 }
 
 }  // namespace regulus

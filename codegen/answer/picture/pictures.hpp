@@ -31,6 +31,8 @@ class Pictures {
   [[nodiscard]] std::vector<Observer*> observers();
   /// Throws FileError if a picture cannot be written.
   void draw(const Volumes& volumes);
+  /// Returns the map in text, if it is wanted and there are one or two ranges.
+  [[nodiscard]] std::string map() const;
 
  private:
   struct Drawing {
@@ -49,6 +51,8 @@ class Pictures {
   std::vector<GridFile> grids_;
   std::deque<Canvas> canvases_;
   std::optional<BoxGrid> boxes_;
+  std::optional<Canvas> map_;
+  std::size_t map_columns_;
 };
 
 }  // namespace regulus

@@ -2,7 +2,6 @@
 #include "codegen/answer/report/progress.hpp"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,6 +10,7 @@
 #include <utility>
 
 #include "codegen/answer/report/number_text.hpp"
+#include "codegen/support/terminal_width.hpp"
 
 namespace regulus {
 namespace {
@@ -20,12 +20,7 @@ constexpr std::chrono::milliseconds kPeriod{150};
 /// The widths of the bar, without its brackets.
 constexpr std::size_t kLongestBar = 24, kShortestBar = 6;
 
-/// Returns the width of a terminal; one that does not say has 80 columns.
-std::size_t columns_of(std::FILE* terminal) {
-  winsize size{};
-  const bool is_known = ::ioctl(::fileno(terminal), TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return is_known ? size.ws_col : 80;
-}
+std::size_t columns_of(std::FILE* terminal) { return columns_of_terminal(::fileno(terminal)); }
 
 /// Rewrites the line; the last column stays free, because a full line would wrap.
 void rewrite_line(std::FILE* terminal, const std::string& line) {

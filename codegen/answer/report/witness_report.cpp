@@ -2,6 +2,7 @@
 #include "codegen/answer/report/witness_report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
@@ -79,8 +80,30 @@ std::string describe_exact_values(const SearchSubject& p, const WitnessPoint& po
   return words;
 }
 
+double widest(std::span<const Interval> box) {
+  double width = 0;
+  for (const Interval& x : box) width = std::max(width, x.hi - x.lo);
+  return width;
+}
+
+/// Returns the names of the variables whose values are enclosed, in their order.
+std::vector<std::string> names_of_chosen(const SearchSubject& p, const WitnessPoint& point) {
+  std::vector<std::string> names;
+  for (const std::uint32_t k : point.chosen) names.push_back(p.labels.variables[k].name);
+  return names;
+}
+
+void say_enclosure(const SearchSubject& p, const WitnessPoint& point, Facts& facts) {
+  facts.say("", fmt::format("its rank is less than {} for some {} within {:.1g} of this",
+                            p.labels.columns, fmt::join(names_of_chosen(p, point), ", "),
+                            widest(point.variables)));
+  facts.say("", "what is lost there is enclosed, too, by a test of existence");
+}
+
 void say_proof(const SearchSubject& p, const Witness& witness, const std::optional<double>& scale,
                Facts& facts) {
+  if (!witness.points.front().null_vector.empty())
+    return say_enclosure(p, witness.points.front(), facts);
   if (p.labels.rows != p.labels.columns) {
     facts.say("",
               fmt::format("its rank is less than {} there, by exact algebra", p.labels.columns));
@@ -119,6 +142,11 @@ Json json_point(const SearchSubject& p, const WitnessPoint& point) {
                  {"uncertain", json_uncertain(p, point.variables)},
                  {"determinant", has_determinant ? json_interval(point.determinant) : Json()}};
   if (!point.numbers.empty()) report["exact"] = json_exact(p, point);
+  if (!point.null_vector.empty()) {
+    report["enclosed"] = names_of_chosen(p, point);
+    report["null_vector"] = Json::array();
+    for (const Interval& x : point.null_vector) report["null_vector"].push_back(json_interval(x));
+  }
   return report;
 }
 
@@ -163,6 +191,8 @@ void tell_nearest(const SearchSubject& p, const LeastSingular& nearest, Facts& f
     told.say("", fmt::format("the least singular value met, about {:.2g} of the largest; this "
                              "proves nothing",
                              nearest.degeneracy.singular_values.back()));
+  if (is_lost)
+    told.say("", "a determinant or a rank that is touched there, and not crossed, stays open");
   // People read of no loss unless something is lost, and not where the matrix is only almost singular.
   Facts lost = is_lost ? told.part() : Facts(Readers::kPrograms);
   tell_degeneracy(p, nearest.degeneracy, lost);

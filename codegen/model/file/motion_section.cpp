@@ -135,14 +135,34 @@ class MotionReader {
       toml_.reject(list, "this robot has no legs whose lengths make a pose",
                    "give the pose, or a robot of [gough], or of [legs] with three legs RPR, or six "
                    "legs UPS or SPS");
-    refuse_beside(list, "a motion by the lengths of the legs");
+    refuse_beside(list, "a motion by the lengths of the legs", {"error"});
     const auto lengths = toml_.elements(list, "a list of lengths, one for each leg");
     if (lengths.size() != count)
       toml_.refuse(list, std::to_string(lengths.size()) + " lengths in " + list.path,
                    std::to_string(count) + ", one for each leg");
     for (const TomlEntry& length : lengths)
       motion_.legs.push_back(nonnegative(length, NumberUnit::kPlain));
-    return without_pose();
+    Motion motion = without_pose();
+    read_errors_of_lengths(motion.error);
+    return motion;
+  }
+
+  /// `error`: { legs = ± on each length, or a list, one for each leg }.
+  void read_errors_of_lengths(std::vector<GiNaC::ex>& error) {
+    const TomlEntry given = toml_.optional(entry_, "error");
+    if (!given.node) return;
+    (void)toml_.entries(given, std::vector<std::string>{"legs"});
+    const TomlEntry legs = toml_.required(given, "legs");
+    if (!legs.node->is_array()) {
+      error.assign(error.size(), nonnegative(legs, NumberUnit::kPlain));
+      return;
+    }
+    const auto each = toml_.elements(legs, "a list of errors, one for each leg");
+    if (each.size() != error.size())
+      toml_.refuse(legs, std::to_string(each.size()) + " errors in " + legs.path,
+                   std::to_string(error.size()) + ", one for each leg");
+    for (std::size_t i = 0; i < each.size(); ++i)
+      error[i] = nonnegative(each[i], NumberUnit::kPlain);
   }
 
   /// Reads the place of an arm's tool in the place of a pose.
@@ -162,9 +182,10 @@ class MotionReader {
     return without_pose();
   }
 
-  void refuse_beside(const TomlEntry& only, const std::string& motion) const {
+  void refuse_beside(const TomlEntry& only, const std::string& motion,
+                     const std::vector<std::string>& also = {}) const {
     for (const TomlEntry& e : toml_.entries(entry_))
-      if (e.key != only.key)
+      if (e.key != only.key && std::ranges::find(also, e.key) == also.end())
         toml_.reject(e, motion + " has no " + in_quotes(e.key), "remove one of them");
   }
 

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "codegen/model/exact/expression_parser.hpp"
+#include "codegen/model/import/idle_equations.hpp"
 #include "codegen/model/import/loop_closing.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
@@ -20,9 +21,6 @@ namespace {
 
 using GiNaC::ex;
 using Indices = std::vector<std::size_t>;
-
-constexpr double kClosed = 1e-9;  ///< a larger gap is open
-constexpr double kZero = 1e-11;   ///< part of a gap that is always 0, computed in doubles
 
 /// A value with six decimals.
 double rounded(double x) { return std::round(x * 1e6) / 1e6; }
@@ -52,6 +50,7 @@ class RobotCloser {
     find_idle();
     choose_rows();
     hold();
+    tell_limits();
     return write();
   }
 
@@ -78,17 +77,26 @@ class RobotCloser {
     Indices elsewhere;
     std::vector<std::string> outside;
     for (const std::string& name : is_asked ? wishes_.driven : mechanism_.actuated) {
+      const auto joint = std::ranges::find(mechanism_.joints, name, &ImportedJoint::name);
       if (const auto known = variable(name))
         driven_.insert(*known);
-      else if (std::ranges::find(mechanism_.joints, name, &ImportedJoint::name) !=
-               mechanism_.joints.end())
-        outside.push_back(in_quotes(name));
-      else if (is_asked)
+      else if (joint == mechanism_.joints.end() && is_asked)
         throw UsageError("--actuated: there is no joint " + in_quotes(name));
+      else if (joint != mechanism_.joints.end() && !drive_leader(*joint))
+        outside.push_back(in_quotes(name));
     }
-    if (!outside.empty())
-      note(fmt::format("driven, but in no loop, or follows another joint: {}",
-                       fmt::join(outside, ", ")));
+    if (!outside.empty()) note(fmt::format("driven, but in no loop: {}", fmt::join(outside, ", ")));
+  }
+
+  /// The motor of a joint that follows another turns that one, too.
+  bool drive_leader(const ImportedJoint& joint) {
+    if (!joint.mimics || !joint.rule || joint.rule->multiplier.is_zero()) return false;
+    const auto leader = variable(*joint.mimics);
+    if (!leader) return false;
+    driven_.insert(*leader);
+    note(fmt::format("the motor of {} drives {}, which it follows", in_quotes(joint.name),
+                     quoted({*leader})));
+    return true;
   }
 
   void find_passive() {
@@ -110,8 +118,7 @@ class RobotCloser {
       const auto known = variable(at.substr(0, equals));
       if (equals == std::string::npos || !known)
         throw UsageError("--at: " + in_quotes(at) +
-                         " is no JOINT=VALUE with a joint of a loop, such as " +
-                         graph_.variables.front().name + "=0.1");
+                         " is no JOINT=VALUE with a joint of a loop that follows none");
       const ex value = parse_constant(at.substr(equals + 1), {.file = "--at", .key = at}).value;
       pose_.values[*known] = WrittenNumber{value, ""}.approx();
       placed_.insert(*known);
@@ -123,7 +130,7 @@ class RobotCloser {
     const std::vector<double> begin = pose_.values;
     const double open = pose_.largest_gap();
     close_loops(pose_, passive_);
-    if (pose_.largest_gap() > kClosed) {
+    if (pose_.largest_gap() > kClosedGap) {
       const double with_motors_at_rest = pose_.largest_gap();
       pose_.values = begin;
       Indices all = passive_;
@@ -133,11 +140,11 @@ class RobotCloser {
       require_closed(std::fmin(with_motors_at_rest, pose_.largest_gap()));
       round_motors();
     }
-    if (open > kClosed) tell_moves(begin, open);
+    if (open > kClosedGap) tell_moves(begin, open);
   }
 
   void require_closed(double gap) const {
-    if (gap <= kClosed) return;
+    if (gap <= kClosedGap) return;
     std::size_t worst = 0;
     for (std::size_t i = 1; i < loops_.size(); ++i)
       if (pose_.gap_of_loop(i) > pose_.gap_of_loop(worst)) worst = i;
@@ -161,7 +168,7 @@ class RobotCloser {
     LoopPose nice = pose_;
     for (const std::size_t v : motors_) nice.values[v] = rounded(nice.values[v]);
     close_loops(nice, passive_);
-    if (nice.largest_gap() <= kClosed) pose_.values = nice.values;
+    if (nice.largest_gap() <= kClosedGap) pose_.values = nice.values;
   }
 
   void tell_moves(const std::vector<double>& begin, double open) {
@@ -170,7 +177,7 @@ class RobotCloser {
     const auto change = [&](std::size_t v) { return std::fabs(pose_.values[v] - begin[v]); };
     for (std::size_t v = 0; v < begin.size(); ++v) {
       if (change(v) > change(most)) most = v;
-      if (change(v) > kClosed && driven_.contains(v)) moved.push_back(v);
+      if (change(v) > kClosedGap && driven_.contains(v)) moved.push_back(v);
     }
     note(fmt::format(
         "the loops are open by {:.3g} in the file's pose; they close where {} has moved "
@@ -190,48 +197,13 @@ class RobotCloser {
 
   /// Parts of gaps that are 0 wherever the joints are: a planar loop stays in its plane.
   void find_idle() {
-    for (const LoopVariable& v : graph_.variables) {
+    for (const LoopVariable& v : graph_.variables)
       joints_.push_back({v.name, v.slides, 0, 0, GiNaC::realsymbol(v.name)});
-    }
-    idle_.assign(pose_.gap().size(), 1);
-    LoopPose any = pose_;
-    for (int trial = 0; trial < 4; ++trial) {
-      const std::vector<double> gap = any.gap();
-      for (std::size_t i = 0; i < gap.size(); ++i)
-        if (std::fabs(gap[i]) > (trial == 0 ? kClosed : kZero)) idle_[i] = 0;
-      for (std::size_t v = 0; v < any.values.size(); ++v)
-        any.values[v] = pose_.values[v] + std::sin(1.7 * double(v + 1) + 2.3 * trial);
-    }
-    std::size_t begin = 0;
-    for (const CutLoop& loop : loops_) {
-      const std::vector<ex> exact = gap_of(loop, graph_.joints, symbols());
-      std::size_t positions = 0, turns = 0;
-      for (std::size_t i = 0; i < exact.size(); ++i) {
-        exact_.push_back(exact[i]);
-        if (idle_[begin + i] == 0) continue;
-        if (!is_certainly_zero(exact[i]))
-          refuse(loop.line,
-                 fmt::format("{} has an equation that is nearly always true, but not exactly",
-                             loop.name),
-                 "its numbers are rounded; a larger --snap may make its joints parallel");
-        ++(i < 3 ? positions : turns);
-      }
-      most_.push_back(loop.equations() - dropped(loop, positions, turns));
-      begin += exact.size();
-    }
-  }
-
-  /// Returns how many equations the idle parts stand for. Two rotations that differ by a turn in a
-  /// plane agree in five of nine entries.
-  std::size_t dropped(const CutLoop& loop, std::size_t positions, std::size_t turns) {
-    if (loop.kind == CutLoop::Kind::kRod) return 0;
-    std::size_t count = positions;
-    if (loop.kind == CutLoop::Kind::kHinge) count += turns == 3 ? 2 : 0;
-    if (loop.kind == CutLoop::Kind::kWeld) count += turns == 9 ? 3 : turns >= 5 ? 2 : 0;
-    if (count > 0)
-      note(fmt::format("{}: {} of {} equations are always true and were dropped", loop.name, count,
-                       loop.equations()));
-    return count;
+    IdleEquations found = find_idle_equations(graph_, loops_, pose_, symbols(), file_);
+    exact_ = std::move(found.exact);
+    idle_ = std::move(found.idle);
+    most_ = std::move(found.most);
+    for (const std::string& text : found.notes) note(text);
   }
 
   void choose_rows() {
@@ -252,7 +224,7 @@ class RobotCloser {
     for (std::size_t i = 0; i < motors_.size(); ++i)
       near.values[motors_[i]] += 0.01 * std::cos(1.3 * double(i + 1));
     close_loops(near, passive_);
-    const bool follows = near.largest_gap() <= kClosed;
+    const bool follows = near.largest_gap() <= kClosedGap;
     if (follows && independent_rows(near, passive_, most_, idle_).rows.size() > rank)
       refuse(loops_[worst].line,
              fmt::format("the loops are closed in a singular configuration: {}", counts),
@@ -260,6 +232,11 @@ class RobotCloser {
     Indices all = passive_;
     all.insert(all.end(), motors_.begin(), motors_.end());
     const std::size_t whole = independent_rows(pose_, all, most_, idle_).rows.size();
+    if (whole == all.size())
+      refuse(loops_[worst].line,
+             fmt::format("{} is rigid: the loops leave no freedom, so that no motor can move ({})",
+                         loops_[worst].name, counts),
+             "correct the joints, or the loops");
     if (all.size() - whole < motors_.size())
       refuse(loops_[worst].line,
              fmt::format("the loops leave {} freedoms for {} motors, {}: {}", all.size() - whole,
@@ -282,16 +259,69 @@ class RobotCloser {
       if (!determined.contains(v)) held.push_back(v);
     unknowns_.assign(determined.begin(), determined.end());
     if (held.empty()) return;
-    if (motors_.empty())
-      throw UsageError(fmt::format(
-          "the loops leave {} freedom{}; name as many driven joints: --actuated JOINT,JOINT of {}",
-          held.size(), held.size() == 1 ? "" : "s", quoted(passive_)));
+    require_idle(held);
     for (const std::size_t v : held) pose_.values[v] = rounded(pose_.values[v]);
     close_loops(pose_, unknowns_);
     require_closed(pose_.largest_gap());
     for (const std::size_t v : held) held_[joints_[v].symbol] = exact_value(v);
-    note(fmt::format("no motor and no loop determines {}, held at {}; the claim is about the rest",
-                     quoted(held), fmt::join(texts_of(held), ", ")));
+    note(
+        fmt::format("no motor and no loop determines {}, held at {}: exact algebra shows that it "
+                    "moves no more than links between pins in line; the claim is about the rest",
+                    quoted(held), fmt::join(texts_of(held), ", ")));
+  }
+
+  /// With the motors locked, a held joint would move, and what it moves with it, unless the gap does
+  /// not depend on it, or depends on its sum or difference with another one.
+  void require_idle(const Indices& held) const {
+    Indices loose;
+    for (const std::size_t v : held)
+      if (!is_idle_joint(v, unknowns_, pose_, exact_, symbols())) loose.push_back(v);
+    if (loose.empty()) return;
+    if (motors_.empty())
+      throw UsageError(fmt::format(
+          "the loops leave {} freedom{}; name as many driven joints: --actuated JOINT,JOINT of {}",
+          loose.size(), loose.size() == 1 ? "" : "s", quoted(passive_)));
+    Indices motors = motors_;
+    motors.insert(motors.end(), loose.begin(), loose.end());
+    std::vector<std::string> names;
+    for (const std::size_t v : motors) names.push_back(graph_.variables[v].name);
+    refuse(graph_.variables[loose.front()].line,
+           fmt::format("the loops leave {} freedom{} that no motor holds: {} can move while the "
+                       "motors are locked",
+                       loose.size(), loose.size() == 1 ? "" : "s", quoted(loose)),
+           fmt::format("name as many driven joints more, such as --actuated {}",
+                       fmt::join(names, ",")));
+  }
+
+  /// The limits of motors and unknowns are those of the model; others are named.
+  void tell_limits() {
+    std::set<std::size_t> without;
+    for (const CutLoop& loop : loops_)
+      without.insert(loop.without_value.begin(), loop.without_value.end());
+    Indices beyond, absent, counted;
+    for (std::size_t v = 0; v < graph_.variables.size(); ++v) {
+      if (!graph_.variables[v].limits) continue;
+      if (without.contains(v) || held_.contains(joints_[v].symbol))
+        absent.push_back(v);
+      else
+        (has_limits(v) ? counted : beyond).push_back(v);
+    }
+    if (!counted.empty()) note("within the limits of the file: " + quoted(counted));
+    if (!beyond.empty())
+      note(fmt::format(
+          "the start is beyond the limits of {} in the file, which the model leaves out; "
+          "--at JOINT=VALUE begins elsewhere",
+          quoted(beyond)));
+    if (!absent.empty())
+      note("the limits of " + quoted(absent) +
+           " are no part of the model, because it has no value of them");
+  }
+
+  /// True if there are limits and the start is in them.
+  bool has_limits(std::size_t v) const {
+    const auto& limits = graph_.variables[v].limits;
+    return limits && limits->range.lower.approx() <= pose_.values[v] &&
+           pose_.values[v] <= limits->range.upper.approx();
   }
 
   std::vector<std::string> texts_of(const Indices& variables) const {
@@ -310,7 +340,8 @@ class RobotCloser {
     const auto add = [&](std::vector<ClosedJoint>& to, std::size_t v) {
       const LoopVariable& variable = graph_.variables[v];
       const std::string name = identifiers_.of(variable.name);
-      to.push_back({name, variable.slides, pose_.values[v], reach_of(v), GiNaC::realsymbol(name)});
+      to.push_back({name, variable.slides, pose_.values[v], reach_of(graph_, v),
+                    GiNaC::realsymbol(name), has_limits(v) ? variable.limits : std::nullopt});
       names[joints_[v].symbol] = to.back().symbol;
     };
     Indices rows = rows_.rows;
@@ -319,6 +350,8 @@ class RobotCloser {
       if (std::ranges::any_of(rows,
                               [&](std::size_t r) { return exact_[r].has(joints_[v].symbol); }))
         add(robot.driven, v);
+      else
+        note("moves no passive joint: " + quoted({v}));
     if (robot.driven.empty())
       refuse(loops_.front().line, "no driven joint is in a loop",
              "name the driven joints: --actuated JOINT,JOINT");
@@ -327,26 +360,16 @@ class RobotCloser {
     robot.summary = fmt::format("{} loop{}: {} equation{} in as many passive joints; driven: {}",
                                 loops_.size(), loops_.size() == 1 ? "" : "s", rows.size(),
                                 rows.size() == 1 ? "" : "s", quoted(motors_));
-    for (const CutLoop& loop : loops_)
+    for (const CutLoop& loop : loops_) {
       if (!loop.at.empty())
         note(fmt::format("{}: cut at {}, whose angles are no unknowns", loop.name, loop.at));
-    return robot;
-  }
-
-  /// A hundredth of the length of a loop that the joint is in.
-  double reach_of(std::size_t v) const {
-    for (const Loop& loop : graph_.loops) {
-      double length = 0;
-      bool is_in_loop = false;
-      for (const LoopStep& step : loop.steps) {
-        if (step.kind == LoopStep::Kind::kFixed)
-          length += std::hypot(step.approx[9], step.approx[10], step.approx[11]);
-        if (step.kind == LoopStep::Kind::kJoint)
-          is_in_loop = is_in_loop || graph_.joints[step.joint].variable == v;
-      }
-      if (is_in_loop) return length / 100;
+      for (const std::string& ball : loop.made_balls)
+        note(
+            fmt::format("{} are taken as a ball: a pose where two of their axes are in line is no "
+                        "part of the question",
+                        ball));
     }
-    return 0;
+    return robot;
   }
 
   Mechanism& mechanism_;
@@ -360,7 +383,7 @@ class RobotCloser {
   LoopPose pose_{loops_, graph_.joints, {}};
   std::vector<ClosedJoint> joints_;  ///< by variable
   std::vector<ex> exact_;            ///< the gap
-  std::vector<char> idle_;           ///< parts of it
+  std::vector<char> idle_;           ///< parts of the gap that are always 0, or follow
   Indices most_;                     ///< equations of each loop
   IndependentRows rows_;
   GiNaC::exmap held_;

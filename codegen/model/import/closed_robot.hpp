@@ -24,6 +24,8 @@ struct ClosedJoint {
   double value = 0;  ///< at the start
   double reach = 0;  ///< of a motor that slides: how far it moves around the start
   GiNaC::realsymbol symbol;
+  /// Of the file, with the start in them; nullopt where it has none, or the start is beyond them.
+  std::optional<RangeOfJoint> limits{};
 };
 
 struct ClosedRobot {
@@ -33,10 +35,11 @@ struct ClosedRobot {
 };
 
 /// Returns the robot if the mechanism has loops. Notes say how they were closed, what was dropped and
-/// what is held.
+/// what is held, and which limits of the file the model has.
 ///
 /// Throws    InputError with the loop that cannot be closed, whose equations are dependent, or that no
-///           motor drives; UsageError for `wishes`.
+///           motor drives, and for a freedom that moves more than a link between two pins in line and
+///           that no motor holds; UsageError for `wishes`.
 [[nodiscard]] std::optional<ClosedRobot> find_closed_robot(Mechanism& mechanism,
                                                            const std::string& file,
                                                            const ClosureWishes& wishes,

@@ -2,9 +2,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/model/import/closed_robot.hpp"
+#include "codegen/model/import/serial_text.hpp"
 
 namespace regulus {
 namespace {
@@ -21,11 +23,36 @@ std::string start_text(double value) {
   return fmt::format("{:.15g}", std::fabs(value) < 1e-14 ? 0.0 : value);
 }
 
+std::string limits_text(const RangeOfJoint& limits) {
+  return fmt::format("[{}, {}]", toml_number(limits.range.lower), toml_number(limits.range.upper));
+}
+
+/// Around the start, within the limits.
 std::string range_text(const ClosedJoint& joint) {
+  constexpr double kRounding = 1e-9;
   const std::string at = start_text(joint.value);
-  if (joint.slides) return fmt::format("[\"{0} - {1:.3g}\", \"{0} + {1:.3g}\"]", at, joint.reach);
-  if (at == "0") return "[\"-5*deg\", \"5*deg\"]";
-  return fmt::format("[\"{0} - 5*deg\", \"{0} + 5*deg\"]", at);
+  const double reach = joint.slides ? joint.reach : 5 * std::numbers::pi / 180;
+  const std::string written = joint.slides ? fmt::format("{:.3g}", reach) : "5*deg";
+  const std::string from = at == "0" ? "" : at + " ";
+  std::string lower = fmt::format("\"{}-{}{}\"", from, at == "0" ? "" : " ", written);
+  std::string upper =
+      at == "0" ? fmt::format("\"{}\"", written) : fmt::format("\"{} + {}\"", at, written);
+  if (joint.limits) {
+    const JointLimits& limits = joint.limits->range;
+    if (limits.lower.approx() > joint.value - reach - kRounding) lower = toml_number(limits.lower);
+    if (limits.upper.approx() < joint.value + reach + kRounding) upper = toml_number(limits.upper);
+  }
+  return fmt::format("[{}, {}]", lower, upper);
+}
+
+/// The lines of unknowns with limits; empty without any.
+std::string ranges_text(const std::vector<ClosedJoint>& joints) {
+  std::string text;
+  for (const ClosedJoint& joint : joints)
+    if (joint.limits)
+      text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", joint.name,
+                          limits_text(*joint.limits));
+  return text.empty() ? "" : fmt::format("range = {{ {} }} # the limits of the file\n", text);
 }
 
 }  // namespace
@@ -49,10 +76,10 @@ std::string closure_text(const ClosedRobot& robot) {
   return fmt::format(
       "[pose] # the driven joints\n{}\n\n"
       "[closure] # the passive joints, and what closes the loops\n"
-      "unknowns = {{ {} }}\nequations = [\n{}]\nstart = {{ {} }}\nradius = {{ {} }}\n\n"
+      "unknowns = {{ {} }}\nequations = [\n{}]\nstart = {{ {} }}\nradius = {{ {} }}\n{}\n"
       "[motion.home]\n{}\n[motion.around_home] # a guess: give it the ranges of your robot\n{}",
       units_text(robot.driven, "\n"), units_text(robot.passive, ", "), equations, start, radius,
-      home, around);
+      ranges_text(robot.passive), home, around);
 }
 
 }  // namespace regulus

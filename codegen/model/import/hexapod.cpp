@@ -219,7 +219,7 @@ std::string hexapod_text(const Hexapod& hexapod, std::vector<std::string>& notes
   notes.emplace_back("angles are zero where every joint of the file is at zero");
   notes.emplace_back(
       "the claim is about the six legs; the joints at their ends may have singular poses "
-      "of their own");
+      "of their own; joint ranges are not taken over");
   return text + home + around;
 }
 

@@ -125,14 +125,21 @@ class Narrowing {
 
 }  // namespace
 
-RangeOfJoint range_of(const ImportedJoint& joint, const Chain& chain, const std::string& file,
-                      std::vector<std::string>& notes) {
-  const std::vector<const ImportedJoint*> followers = followers_of(joint, chain);
+std::optional<RangeOfJoint> limits_of(const ImportedJoint& joint,
+                                      const std::vector<const ImportedJoint*>& followers,
+                                      const std::string& file) {
   Narrowing narrowing(joint, file);
   for (const ImportedJoint* follower : followers)
     if (follower->limits) narrowing.narrow(*follower);
-  if (!narrowing.range()) return assumed(joint, followers, notes);
-  return {*narrowing.range(), narrowing.remark()};
+  if (!narrowing.range()) return std::nullopt;
+  return RangeOfJoint{*narrowing.range(), narrowing.remark()};
+}
+
+RangeOfJoint range_of(const ImportedJoint& joint, const Chain& chain, const std::string& file,
+                      std::vector<std::string>& notes) {
+  const std::vector<const ImportedJoint*> followers = followers_of(joint, chain);
+  auto limits = limits_of(joint, followers, file);
+  return limits ? std::move(*limits) : assumed(joint, followers, notes);
 }
 
 }  // namespace regulus

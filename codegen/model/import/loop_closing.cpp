@@ -110,10 +110,7 @@ std::vector<double> LoopPose::gap() const {
 }
 
 double LoopPose::gap_of_loop(std::size_t loop) const {
-  double largest = 0;
-  for (const double part : regulus::gap_of(loops[loop], joints, values))
-    largest = std::fmax(largest, std::fabs(part));
-  return largest;
+  return opening_of(loops[loop], joints, values);
 }
 
 double LoopPose::largest_gap() const {

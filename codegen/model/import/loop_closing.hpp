@@ -16,7 +16,7 @@ struct LoopPose {
   std::vector<double> values;  ///< by variable
 
   [[nodiscard]] std::vector<double> gap() const;             ///< of all loops, one after another
-  [[nodiscard]] double gap_of_loop(std::size_t loop) const;  ///< the largest part
+  [[nodiscard]] double gap_of_loop(std::size_t loop) const;  ///< by how much it is open
   [[nodiscard]] double largest_gap() const;
   /// Derivatives of the gap; row-major, parts of the gap × `by`.
   [[nodiscard]] std::vector<double> slopes(const std::vector<std::size_t>& by) const;

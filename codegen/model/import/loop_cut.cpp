@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
@@ -38,6 +39,11 @@ class LoopCutter {
     CutLoop result;
     result.name = loop.name;
     result.line = loop.line;
+    for (const std::size_t ball : balls) {
+      if (!steps[ball].hinges.empty()) result.made_balls.push_back(steps[ball].name);
+      for (const std::size_t joint : steps[ball].hinges)
+        result.without_value.push_back(graph_.joints[joint].variable);
+    }
     if (balls.size() > 2)
       throw InputError::statement(file_, loop.line,
                                   fmt::format("{} has {} balls", loop.name, balls.size()),
@@ -50,6 +56,7 @@ class LoopCutter {
     } else if (const auto hinge = own_hinge(loop)) {
       result.kind = CutLoop::Kind::kHinge;
       result.hinge = loop.steps[*hinge].joint;
+      result.without_value.push_back(graph_.joints[result.hinge].variable);
       result.at = in_quotes(graph_.joints[result.hinge].name);
       result.arc = balanced(after(loop.steps, *hinge));
     } else {
@@ -73,7 +80,8 @@ class LoopCutter {
                                   "write it as three joints that turn about one point");
   }
 
-  /// Three joints of one loop that turn about one point, no two in line, are a ball.
+  /// Three joints of one loop that turn about one point, each at a right angle to the next, are a
+  /// ball: they have all orientations.
   Steps with_balls(const Steps& steps) const {
     Steps result;
     for (std::size_t i = 0; i < steps.size();) {
@@ -110,8 +118,9 @@ class LoopCutter {
         continue;
       }
       if (!is_own(step)) return std::nullopt;
-      if (!hinges.empty() && are_parallel(graph_.joints[steps[hinges.back()].joint].approx_axis,
-                                          turn, graph_.joints[step.joint].approx_axis))
+      if (!hinges.empty() &&
+          !are_perpendicular(graph_.joints[steps[hinges.back()].joint].approx_axis, turn,
+                             graph_.joints[step.joint].approx_axis))
         return std::nullopt;
       hinges.push_back(i);
       turn = {1, 0, 0, 0, 1, 0, 0, 0, 1};
@@ -129,20 +138,23 @@ class LoopCutter {
     return c;
   }
 
-  /// u and R·v, at less than a degree.
-  static bool are_parallel(const std::array<double, 3>& u, const std::array<double, 9>& R,
-                           const std::array<double, 3>& v) {
+  /// u and R·v.
+  static bool are_perpendicular(const std::array<double, 3>& u, const std::array<double, 9>& R,
+                                const std::array<double, 3>& v) {
     double cosine = 0;
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j) cosine += u[i] * R[i * 3 + j] * v[j];
-    return std::fabs(cosine) > 0.9998;
+    return std::fabs(cosine) < 1e-9;
   }
 
-  /// The joint nearest to where the file's tree is closed: often two in line meet there.
+  /// A joint without limits, if there is one: the nearest to where the file's tree is closed, because
+  /// often two in line meet there.
   std::optional<std::size_t> own_hinge(const Loop& loop) const {
     std::optional<std::size_t> nearest;
-    const auto distance = [&loop](std::size_t i) {
-      return std::abs(2 * std::ptrdiff_t(i) + 1 - 2 * std::ptrdiff_t(loop.closes_at));
+    const auto distance = [this, &loop](std::size_t i) {
+      const std::size_t variable = graph_.joints[loop.steps[i].joint].variable;
+      return std::pair(graph_.variables[variable].limits.has_value(),
+                       std::abs(2 * std::ptrdiff_t(i) + 1 - 2 * std::ptrdiff_t(loop.closes_at)));
     };
     for (std::size_t i = 0; i < loop.steps.size(); ++i)
       if (is_own(loop.steps[i]) && (!nearest || distance(i) < distance(*nearest))) nearest = i;

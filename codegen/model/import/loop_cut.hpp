@@ -2,7 +2,7 @@
 // A loop is cut at one place, and its equations say what must meet there.
 //
 // A loop is cut at the joint that leaves the fewest equations: at a ball, whose angles are then no
-// unknowns; at a joint that turns; else anywhere. Between two balls is a rod, which may spin: only
+// unknowns; at a joint that turns, at best one without limits, which need a value; else anywhere. Between two balls is a rod, which may spin: only
 // the distance of their centres counts.
 #pragma once
 
@@ -24,10 +24,12 @@ struct CutLoop {
   Kind kind = Kind::kWeld;
   std::string name;
   int line = 0;
-  LoopArc arc;          ///< of a rod: what is between its balls
-  LoopArc other;        ///< of a rod: the other way between them
-  std::size_t hinge{};  ///< the joint that was cut
-  std::string at;       ///< where it was cut
+  LoopArc arc;                               ///< of a rod: what is between its balls
+  LoopArc other;                             ///< of a rod: the other way between them
+  std::size_t hinge{};                       ///< the joint that was cut
+  std::string at;                            ///< where it was cut
+  std::vector<std::string> made_balls{};     ///< of three joints: their names
+  std::vector<std::size_t> without_value{};  ///< variables of joints that are cut
 
   /// Returns the number of equations without what is always true.
   [[nodiscard]] std::size_t equations() const;

@@ -52,8 +52,10 @@ class GapMeter {
       : joints_(joints), variables_(variables) {}
 
   std::vector<T> gap(const CutLoop& loop) const {
-    if (loop.kind == CutLoop::Kind::kRod)
-      return {squared(difference(loop.arc, {}, true)) - squared(difference(loop.other, {}, true))};
+    if (loop.kind == CutLoop::Kind::kRod) {
+      const auto [one, other] = squared_lengths(loop);
+      return {one - other};
+    }
     std::vector<T> gap;
     const auto add = [&gap](const Vector<T>& v) { gap.insert(gap.end(), v.begin(), v.end()); };
     add(difference(loop.arc, {}, true));
@@ -67,6 +69,11 @@ class GapMeter {
       for (const Vector<T>& e : {Vector<T>{1, 0, 0}, Vector<T>{0, 1, 0}, Vector<T>{0, 0, 1}})
         add(difference(loop.arc, e, false));
     return gap;
+  }
+
+  /// Between the balls of a rod, one way and the other.
+  std::pair<T, T> squared_lengths(const CutLoop& loop) const {
+    return {squared(difference(loop.arc, {}, true)), squared(difference(loop.other, {}, true))};
   }
 
  private:
@@ -128,6 +135,18 @@ template <class T>
 std::vector<T> gap_of(const CutLoop& loop, const std::vector<LoopJoint>& joints,
                       const std::vector<T>& variables) {
   return GapMeter<T>(joints, variables).gap(loop);
+}
+
+double opening_of(const CutLoop& loop, const std::vector<LoopJoint>& joints,
+                  const std::vector<double>& variables) {
+  const GapMeter<double> meter(joints, variables);
+  if (loop.kind == CutLoop::Kind::kRod) {
+    const auto [one, other] = meter.squared_lengths(loop);
+    return std::fabs(std::sqrt(one) - std::sqrt(other));
+  }
+  double largest = 0;
+  for (const double part : meter.gap(loop)) largest = std::fmax(largest, std::fabs(part));
+  return largest;
 }
 
 template std::vector<double> gap_of(const CutLoop&, const std::vector<LoopJoint>&,

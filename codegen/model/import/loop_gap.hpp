@@ -20,6 +20,10 @@ template <class T>
 [[nodiscard]] std::vector<T> gap_of(const CutLoop& loop, const std::vector<LoopJoint>& joints,
                                     const std::vector<T>& variables);
 
+/// By how much a loop is open: the largest part of its gap; of a rod, the difference of the lengths.
+[[nodiscard]] double opening_of(const CutLoop& loop, const std::vector<LoopJoint>& joints,
+                                const std::vector<double>& variables);
+
 extern template std::vector<double> gap_of(const CutLoop&, const std::vector<LoopJoint>&,
                                            const std::vector<double>&);
 extern template std::vector<GiNaC::ex> gap_of(const CutLoop&, const std::vector<LoopJoint>&,

@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <map>
+#include <set>
 
+#include "codegen/model/exact/exact_algebra.hpp"
 #include "codegen/model/import/body_graph.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
@@ -53,7 +56,15 @@ class LoopFinder {
   LoopGraph find() {
     grow_trees();
     for (const ImportedJoint* joint : closing_) close_by_joint(*joint);
-    for (const ImportedLoop& loop : mechanism_.loops) close(loop);
+    std::set<const ImportedLoop*> closed;
+    for (const ImportedLoop& loop : mechanism_.loops) {
+      if (!closed.insert(&loop).second) continue;
+      const ImportedLoop* const other = second_point_of(loop);
+      if (other != nullptr && closed.insert(other).second)
+        close_by_hinge(loop, *other);
+      else
+        close(loop);
+    }
     return std::move(graph_);
   }
 
@@ -114,6 +125,55 @@ class LoopFinder {
         joint.child);
   }
 
+  static bool is_closed_point(const ImportedLoop& loop) {
+    return loop.type == "connect" && !loop.origins_meet;
+  }
+
+  /// The point in the world with every joint at zero.
+  Point place_of(const ImportedLoop& loop) {
+    Placement anchor;
+    for (std::size_t i = 0; i < 3; ++i) anchor.p[i] = loop.anchor[i].value;
+    return compose(zero().placement(loop.first), anchor).p;
+  }
+
+  /// Another point that holds the same links together where the loop is closed; nullptr without one.
+  const ImportedLoop* second_point_of(const ImportedLoop& loop) {
+    if (!is_closed_point(loop)) return nullptr;
+    for (const ImportedLoop& other : mechanism_.loops) {
+      const bool is_same_pair =
+          std::minmax(loop.first, loop.second) == std::minmax(other.first, other.second);
+      if (&other != &loop && is_closed_point(other) && is_same_pair) return &other;
+    }
+    return nullptr;
+  }
+
+  /// Points that hold the same two links leave them a turn about the line through both.
+  void close_by_hinge(const ImportedLoop& loop, const ImportedLoop& other) {
+    const Point at = place_of(loop), behind = place_of(other);
+    const Point apart =
+        reduced(transposed_times(zero().placement(loop.first).R,
+                                 Point{behind[0] - at[0], behind[1] - at[1], behind[2] - at[2]}));
+    if (std::ranges::all_of(apart, [](const ex& x) { return is_certainly_zero(x); }))
+      return close(loop);  // it is there twice
+    ImportedJoint& hinge = made_.emplace_back();
+    hinge.name = fmt::format("{} of {} and {}", loop.type, loop.first, loop.second);
+    hinge.type = JointType::kContinuous;
+    hinge.line = loop.line;
+    for (std::size_t i = 0; i < 3; ++i) hinge.axis[i] = number_of(apart[i]);
+    hinge.origin.xyz = loop.anchor;
+    Placement anchor;
+    for (std::size_t i = 0; i < 3; ++i) anchor.p[i] = loop.anchor[i].value;
+    Steps between = steps_of({&hinge, false});
+    between.push_back(fixed_step(inverse(in_second(loop, anchor))));
+    add({hinge.name, loop.line, {}, 0}, loop.first, std::move(between), loop.second);
+  }
+
+  /// A frame of the first link, seen from the second with every joint at zero.
+  Placement in_second(const ImportedLoop& loop, const Placement& of_first) {
+    return compose(inverse(zero().placement(loop.second)),
+                   compose(zero().placement(loop.first), of_first));
+  }
+
   void close(const ImportedLoop& loop) {
     const std::string name =
         fmt::format("{} of {} and {}", loop.type, in_quotes(loop.first), in_quotes(loop.second));
@@ -122,8 +182,7 @@ class LoopFinder {
     if (loop.relative)
       first = placement_of(*loop.relative);
     else if (!loop.origins_meet)
-      second = compose(inverse(zero().placement(loop.second)),
-                       compose(zero().placement(loop.first), first));
+      second = in_second(loop, first);
     Steps between{fixed_step(first)};
     if (loop.type == "connect") {
       LoopStep ball;
@@ -158,6 +217,20 @@ class LoopFinder {
     if (std::ranges::any_of(loop.steps,
                             [](const LoopStep& s) { return s.kind != LoopStep::Kind::kFixed; }))
       graph_.loops.push_back(std::move(loop));
+    else
+      require_closed(loop);
+  }
+
+  /// A loop without a joint holds nothing, but it must be true.
+  void require_closed(const Loop& loop) const {
+    constexpr double kRounding = 1e-6;
+    Placement around;
+    for (const LoopStep& step : loop.steps) around = compose(around, step.frame);
+    const LoopStep whole = fixed_step(around);
+    for (std::size_t i = 0; i < whole.approx.size(); ++i)
+      if (std::fabs(whole.approx[i] - (i % 4 == 0 && i < 9 ? 1 : 0)) > kRounding)
+        refuse(loop.line, fmt::format("{} ties frames of one body that are apart", loop.name),
+               "correct the frames, or leave the loop out");
   }
 
   /// Fixed steps after one another become one where it is simple.
@@ -187,8 +260,7 @@ class LoopFinder {
   }
 
   std::size_t index_of(const ImportedJoint& joint) {
-    const auto at = std::ranges::find(graph_.joints, joint.name, &LoopJoint::name);
-    if (at != graph_.joints.end()) return std::size_t(at - graph_.joints.begin());
+    if (const auto known = joints_.find(&joint); known != joints_.end()) return known->second;
     if (joint.type == JointType::kOther)
       refuse(joint.line,
              fmt::format("joint {} of a loop has the type {}", in_quotes(joint.name),
@@ -203,7 +275,7 @@ class LoopFinder {
     if (&leader != &joint) follow(made, joint);
     made.variable = variable_of(leader);
     graph_.joints.push_back(std::move(made));
-    return graph_.joints.size() - 1;
+    return joints_[&joint] = graph_.joints.size() - 1;
   }
 
   const ImportedJoint& leader_of(const ImportedJoint& joint) const {
@@ -227,17 +299,22 @@ class LoopFinder {
   }
 
   std::size_t variable_of(const ImportedJoint& joint) {
-    const auto at = std::ranges::find(graph_.variables, joint.name, &LoopVariable::name);
-    if (at != graph_.variables.end()) return std::size_t(at - graph_.variables.begin());
-    graph_.variables.push_back({joint.name, joint.type == JointType::kPrismatic, joint.line});
-    return graph_.variables.size() - 1;
+    if (const auto known = variables_.find(&joint); known != variables_.end()) return known->second;
+    std::vector<const ImportedJoint*> followers;
+    for (const ImportedJoint& other : mechanism_.joints)
+      if (other.mimics == joint.name && other.rule) followers.push_back(&other);
+    graph_.variables.push_back({joint.name, joint.type == JointType::kPrismatic, joint.line,
+                                limits_of(joint, followers, file_)});
+    return variables_[&joint] = graph_.variables.size() - 1;
   }
 
   const Mechanism& mechanism_;
   const std::string& file_;
-  std::optional<BodyGraph> zero_;  ///< every joint at zero
+  std::optional<BodyGraph> zero_;     ///< every joint at zero
+  std::deque<ImportedJoint> made_{};  ///< that the file has as two points
   std::map<std::string, Edge> up_;
   std::vector<const ImportedJoint*> closing_;
+  std::map<const ImportedJoint*, std::size_t> joints_, variables_;  ///< in the graph
   LoopGraph graph_;
 };
 

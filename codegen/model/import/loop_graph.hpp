@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "codegen/model/import/exact_pose.hpp"
+#include "codegen/model/import/joint_ranges.hpp"
 
 namespace regulus {
 
@@ -15,6 +16,7 @@ struct LoopVariable {
   std::string name;  ///< in the file
   bool slides = false;
   int line = 0;
+  std::optional<RangeOfJoint> limits{};  ///< of the joint and of those that follow it
 };
 
 /// A joint that a loop passes. Its value is multiplier·v + offset of a variable v.
@@ -64,7 +66,7 @@ struct LoopGraph {
 };
 
 /// Finds the loops that the file declares and those that its joints close. Only joints of loops are
-/// in the result.
+/// in the result. Two points that hold the same two links together are a hinge.
 ///
 /// Throws    InputError for a joint of a loop that is of another type, or follows by no line.
 [[nodiscard]] LoopGraph find_loops(const Mechanism& mechanism, const std::string& file);

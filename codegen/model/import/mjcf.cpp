@@ -178,14 +178,19 @@ class MjcfReader {
     if (!joint_names_.insert(joint.name).second) {
       if (element.has("name"))
         element.refuse("joint " + in_quotes(joint.name) + " is there twice", "rename one of them");
-      joint.name = fmt::format("{}_{}", joint.name, element.line());
-      joint_names_.insert(joint.name);
+      do joint.name = fmt::format("{}_{}", joint.name, element.line());
+      while (!joint_names_.insert(joint.name).second);
     }
     const std::string type =
         element.name() == "freejoint" ? "free" : value(element, body_class, "type");
     joint.type_name = type.empty() ? "hinge" : type;
     if (joint.type_name != "hinge" && joint.type_name != "slide") {
       joint.type = JointType::kOther;
+      if (is_limited(element, body_class))
+        result_.notes.push_back(
+            fmt::format("the range of {} is not read: it is no joint that turns "
+                        "about an axis or slides",
+                        in_quotes(joint.name)));
       return joint;
     }
     joint.type = joint.type_name == "slide" ? JointType::kPrismatic : JointType::kContinuous;
@@ -197,12 +202,15 @@ class MjcfReader {
     return joint;
   }
 
-  void read_limits(const XmlElement& element, const std::string& body_class, ImportedJoint& joint) {
+  bool is_limited(const XmlElement& element, const std::string& body_class) const {
     const std::string limited = value(element, body_class, "limited");
+    return !value(element, body_class, "range").empty() &&
+           (limited == "true" || ((limited.empty() || limited == "auto") && limits_by_range_));
+  }
+
+  void read_limits(const XmlElement& element, const std::string& body_class, ImportedJoint& joint) {
+    if (!is_limited(element, body_class)) return;
     const std::string range = value(element, body_class, "range");
-    const bool applies =
-        limited == "true" || ((limited.empty() || limited == "auto") && limits_by_range_);
-    if (range.empty() || !applies) return;
     const XmlPlace place = element.place("the range of joint " + in_quotes(joint.name));
     const auto ends = joint.type == JointType::kPrismatic ? numbers_.lengths(range, place)
                                                           : numbers_.angles(range, unit_, place);
@@ -256,8 +264,16 @@ class MjcfReader {
       else if (name == "connect" || name == "weld")
         add_loop(element);
       else
-        ignore("equality " + name);
+        leave_out(element);
     }
+  }
+
+  void leave_out(const XmlElement& element) {
+    const std::string name = "equality " + element.name();
+    ignore(name);
+    result_.notes.push_back(
+        fmt::format("line {}: {} is not read; the robot moves as if it were not there",
+                    element.line(), visible(name)));
   }
 
   void follow(const XmlElement& element) {
@@ -265,6 +281,9 @@ class MjcfReader {
     const auto joint = std::ranges::find(result_.joints, first, &ImportedJoint::name);
     if (joint == result_.joints.end())
       element.refuse("there is no joint " + in_quotes(first), "correct the name");
+    if (joint->mimics)
+      element.refuse("joint " + in_quotes(first) + " follows two joints",
+                     "keep one equality of it");
     joint->mimics = element.attribute("joint2", "a constant");
     joint->rule.reset();
     if (element.has("joint2")) read_rule(element, *joint);
@@ -319,7 +338,8 @@ class MjcfReader {
     for (const std::string& link : {loop.first, loop.second})
       if (!result_.has_link(link))
         element.refuse("there is no body " + in_quotes(link), "correct the name");
-    if (const std::string relative = element.attribute("relpose"); !relative.empty())
+    if (const std::string relative = element.attribute("relpose");
+        loop.type == "weld" && !relative.empty())
       loop.relative = relative_pose(relative, element.place("relpose"));
     if (element.has("anchor") && loop.type == "connect")
       loop.anchor = read_vector(element.attribute("anchor"), element.place("the anchor"), numbers_);

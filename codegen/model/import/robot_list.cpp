@@ -205,7 +205,8 @@ class ListedRobot {
     first.axis = axis(axes[0]);
     second.axis = axis(axes[1]);
     second.origin = {};
-    second.name += "_2";
+    do second.name += "_2";
+    while (joint(second.name));
     first.child = second.parent = first.name + "_cross";
     while (mechanism_.has_link(first.child)) second.parent = first.child += "_";
     mechanism_.links.push_back(first.child);

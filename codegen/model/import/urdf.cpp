@@ -67,6 +67,7 @@ class UrdfReader {
     } else if (joint.type != JointType::kFixed) {
       const bool is_universal = joint.type_name == "universal";
       if (is_universal) joint.type = JointType::kContinuous;
+      if (joint.type != JointType::kOther) read_limits(element, joint);
       if (joint.type == JointType::kOther)
         element.refuse("the constraint " + in_quotes(joint.name) + " has the type " +
                            in_quotes(joint.type_name),
@@ -102,7 +103,10 @@ class UrdfReader {
   std::string add_constraint_joint(const XmlElement& element, ImportedJoint joint,
                                    const std::string& parent, const char* axis,
                                    const char* suffix) {
-    joint.name += suffix;
+    if (*suffix != '\0') {
+      do joint.name += suffix;
+      while (!names_.insert(joint.name).second);
+    }
     joint.parent = parent;
     joint.child = new_link(joint.name + "_moved");
     const auto given = element.child(axis);

@@ -100,7 +100,7 @@ class WaypointReader {
                      "add a column " + in_quotes(p.name) + ", or give its value in the motion");
       return course;
     }
-    course.factor = factor(*column, p.unit, p.name);
+    course.factor = column_factor(table_, *column, p.unit, file_);
     for (const TableRow& row : table_.rows) course.values.push_back(row.cells[*column]);
     note_jumps(p, course);
     if (is_hermite())
@@ -108,18 +108,6 @@ class WaypointReader {
     else if (result_.interpolation == "cubic")
       course.slopes = spline_slopes(course.values);
     return course;
-  }
-
-  ex factor(std::size_t column, const std::string& unit, const std::string& name) const {
-    const std::string& given = table_.columns[column].unit;
-    if (given.empty()) return 1;
-    const auto found = unit_factor(given, unit);
-    if (!found)
-      fail(table_.heading_line,
-           "the column " + in_quotes(name) + " is in " + in_quotes(given) + ", and the model has " +
-               in_quotes(unit),
-           "write the numbers in the unit of the model, or in another unit of the same kind");
-    return *found;
   }
 
   /// The column "dx [mm/s]" has the derivative of x.
@@ -203,20 +191,11 @@ class WaypointReader {
     }
   }
 
-  /// Refuses an unused column whose name may be a mistyped one; notes the others.
   void note_others() {
-    std::vector<std::string> pose, others;
-    for (const PoseParameter& p : model_.pose) pose.push_back(p.name);
-    for (std::size_t c = 0; c < used_.size(); ++c) {
-      if (used_[c]) continue;
-      const std::string& name = table_.columns[c].name;
-      others.push_back(name);
-      for (std::size_t i = 0; i < pose.size(); ++i)
-        if (courses_[i].is_held && name.size() > 1 && nearest(name, {&pose[i], 1}) == pose[i])
-          fail(table_.heading_line, "no pose parameter is named " + in_quotes(name),
-               "did you mean " + in_quotes(pose[i]) + "? Otherwise remove the column");
-    }
-    if (!others.empty()) result_.notes.push_back("columns not used: " + enumeration(others));
+    std::vector<std::string> held;
+    for (std::size_t i = 0; i < model_.pose.size(); ++i)
+      if (courses_[i].is_held) held.push_back(model_.pose[i].name);
+    note_unused(table_, used_, held, "pose parameter", file_, result_.notes);
   }
 
   void add_piece(std::size_t k) {
@@ -261,6 +240,37 @@ class WaypointReader {
 };
 
 }  // namespace
+
+ex column_factor(const WaypointTable& table, std::size_t column, const std::string& unit,
+                 const std::string& file) {
+  const auto& [name, given] = table.columns[column];
+  if (given.empty()) return 1;
+  const auto found = unit_factor(given, unit);
+  if (!found)
+    throw InputError::statement(
+        file, table.heading_line,
+        "the column " + in_quotes(name) + " is in " + in_quotes(given) + ", and the model has " +
+            in_quotes(unit),
+        "write the numbers in the unit of the model, or in another unit of the same kind");
+  return *found;
+}
+
+void note_unused(const WaypointTable& table, const std::vector<bool>& used,
+                 const std::vector<std::string>& missing, const std::string& noun,
+                 const std::string& file, std::vector<std::string>& notes) {
+  std::vector<std::string> others;
+  for (std::size_t c = 0; c < used.size(); ++c) {
+    if (used[c]) continue;
+    const std::string& name = table.columns[c].name;
+    others.push_back(name);
+    for (const std::string& one : missing)
+      if (name.size() > 1 && nearest(name, {&one, 1}) == one)
+        throw InputError::statement(
+            file, table.heading_line, "no " + noun + " is named " + in_quotes(name),
+            "did you mean " + in_quotes(one) + "? Otherwise remove the column");
+  }
+  if (!others.empty()) notes.push_back("columns not used: " + enumeration(others));
+}
 
 Trajectory read_waypoints(const Model& model, const Motion& motion, const std::string& file) {
   return WaypointReader(model, motion, file).read();

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "codegen/model/way/trajectory.hpp"
+#include "codegen/model/way/waypoint_table.hpp"
 
 namespace regulus {
 
@@ -20,6 +22,17 @@ constexpr std::size_t kMostWaypoints = 1'000'000;
 /// Errors    InputError with the line of the file; FileError.
 [[nodiscard]] Trajectory read_waypoints(const Model& model, const Motion& motion,
                                         const std::string& file);
+
+/// Returns what the numbers of a column are multiplied with, for this unit. Throws InputError for a unit
+/// of another kind.
+[[nodiscard]] GiNaC::ex column_factor(const WaypointTable& table, std::size_t column,
+                                      const std::string& unit, const std::string& file);
+
+/// Adds a note about columns that are not used. Throws InputError if the name of one is nearly that of a
+/// `missing` one; `noun`: what they are.
+void note_unused(const WaypointTable& table, const std::vector<bool>& used,
+                 const std::vector<std::string>& missing, const std::string& noun,
+                 const std::string& file, std::vector<std::string>& notes);
 
 /// Returns the value of a pose parameter that a motion holds. Throws InputError with `remedy` if it
 /// is not constant there.

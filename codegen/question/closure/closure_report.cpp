@@ -19,6 +19,30 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// True for a range that is narrower than the one that an unknown has without its own.
+bool is_narrowed(const Closure& closure, std::size_t i) {
+  const auto approx = [](const GiNaC::ex& e) {
+    return GiNaC::ex_to<GiNaC::numeric>(e.evalf()).to_double();
+  };
+  const std::string& unit = closure.unknowns[i].unit;
+  const double usual = unit == "rad" ? 2 * std::numbers::pi : unit == "deg" ? 360 : 1000;
+  const Range& range = closure.ranges[i];
+  return std::fmin(approx(range.hi - closure.start[i]), approx(closure.start[i] - range.lo)) <
+         usual * (1 - 1e-9);
+}
+
+/// Returns ", which is within the range of knee," if there are such ranges.
+std::string within_ranges(const Closure& closure) {
+  std::string names;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < closure.unknowns.size(); ++i)
+    if (is_narrowed(closure, i))
+      ++count, names += (names.empty() ? "" : ", ") + closure.unknowns[i].name;
+  return count == 0
+             ? ""
+             : fmt::format(", which is within the range{} of {},", count == 1 ? "" : "s", names);
+}
+
 std::string unknown_names(const Closure& closure) {
   std::string names;
   for (const PoseParameter& unknown : closure.unknowns)
@@ -123,7 +147,9 @@ std::vector<double> at_the_border(const PreparedClosure& prepared, std::vector<d
 std::string reason_of(const ClosureFinding& found) {
   if (found.searched.branch.is_empty) return describe(Reason::kEmptyVariety);
   if (!found.searched.branch.is_complete && found.searched.branch.reason == Reason::kWidth)
-    return "a box at the minimum width has no certain branch: it may end there, or be singular";
+    return "a box at the minimum width has no certain branch: it may end there, be singular, or "
+           "leave the "
+           "range of an unknown";
   return found.searched.branch.is_complete ? found.searched.links.obstacle
                                            : describe(found.searched.branch.reason);
 }
@@ -245,10 +271,11 @@ std::string describe_claim(const PreparedClosure& prepared, const ClosureFinding
         size);
   if (!found.searched.is_proved()) return nothing_proved(reason_of(found));
   const std::size_t uncertain = uncertain_count(p);
+  const std::string within = within_ranges(*prepared.request.model.closure);
   return fmt::format(
-      "the branch has exactly one configuration, and its {} matrix of the equations' derivatives "
+      "the branch has exactly one configuration{} and its {} matrix of the equations' derivatives "
       "has full rank, for every {}{}",
-      size, describe_pose(p),
+      within.empty() ? "," : within, size, describe_pose(p),
       uncertain == 0
           ? ""
           : fmt::format(" and every value of the {} uncertain {} ({})", uncertain,

@@ -13,7 +13,9 @@
 #include "codegen/kernel/symbolic/from_ginac.hpp"
 #include "codegen/kernel/symbolic/rewrite.hpp"
 #include "codegen/question/engine/arb_oracle.hpp"
+#include "codegen/question/engine/enclosed_place.hpp"
 #include "codegen/question/engine/exact_place.hpp"
+#include "runtime/interval/floating_point_scope.hpp"
 
 namespace regulus {
 namespace {
@@ -140,6 +142,14 @@ bool ExactAlgebra::is_singular_at(std::span<const Interval> point,
 
 std::optional<ExactPlace> ExactAlgebra::find_singular(std::span<const Interval> box) noexcept try {
   return find_exact_place(preparation_, box);
+} catch (...) {
+  return std::nullopt;  // one more way of not knowing
+}
+
+std::optional<EnclosedPlace> ExactAlgebra::enclose_singular(std::span<const Interval> box) noexcept
+    try {
+  const FloatingPointScope nearest(FloatingPointRounding::kNearest);
+  return find_enclosed_place(preparation_, box);
 } catch (...) {
   return std::nullopt;  // one more way of not knowing
 }

@@ -35,6 +35,10 @@ class ExactAlgebra final : public AlgebraOracle {
   [[nodiscard]] std::optional<ExactPlace> find_singular(
       std::span<const Interval> box) noexcept override;
 
+  /// See enclosed_place.hpp.
+  [[nodiscard]] std::optional<EnclosedPlace> enclose_singular(
+      std::span<const Interval> box) noexcept override;
+
  private:
   const PreparedSearch& preparation_;
 };

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "codegen/kernel/symbolic/exact_rank.hpp"
-#include "codegen/question/engine/point_values.hpp"
 #include "codegen/question/engine/singular_descent.hpp"
 #include "runtime/interval/arithmetic.hpp"
 
@@ -22,8 +21,6 @@ using Place = SingularDescent::Place;
 constexpr int kStarts = 4;
 /// A larger matrix is not multiplied out, because its certificate could not be checked.
 constexpr std::size_t kMostColumns = 8;
-/// The least singular value of a matrix that counts as singular, of the balanced matrix.
-constexpr double kNegligible = 1e-9;
 /// A coordinate so near to a simple value is probably meant to have it. Where a singularity is
 /// touched, a descent ends at half of the digits.
 constexpr double kNear = 1e-4;
@@ -91,7 +88,7 @@ class Simplifier {
     for (std::size_t k = 0; k < place.point.size(); ++k)
       if (chosen_[k]) place.point[k] = Interval(chosen_[k]->approx);
     std::optional<Place> next = descent_.from(place.point);
-    if (!next || next->singular_value > kNegligible) return false;
+    if (!next || next->singular_value > kAlmostLostRank) return false;
     place = std::move(*next);
     return true;
   }
@@ -168,11 +165,6 @@ std::optional<ExactPlace> decide(const Formulation& f, const std::vector<SimpleV
   return place;
 }
 
-ApproxMatrix approx_matrix(const Formulation& f, const Program& entries) {
-  return {std::size_t(f.rows), std::size_t(f.columns), entries.nodes.size(),
-          [&entries](std::span<const Interval> point) { return approx_values(entries, point); }};
-}
-
 bool has_balls(const Formulation& f) {
   return std::any_of(f.variables.begin(), f.variables.end(),
                      [](const Variable& v) { return v.ball >= 0; });
@@ -189,7 +181,7 @@ std::optional<ExactPlace> find_exact_place(const PreparedSearch& p, std::span<co
   for (int number = -1; number < kStarts && !descent.exhausted(); ++number) {
     descent.release();
     const auto place = descent.from(number < 0 ? descent.middle_of(box) : descent.start(number));
-    if (!place || place->singular_value > kNegligible) continue;
+    if (!place || place->singular_value > kAlmostLostRank) continue;
     const auto values = Simplifier(p, descent).simplify(*place);
     if (!values) continue;
     if (auto exact = decide(f, *values)) return exact;

@@ -34,6 +34,11 @@ Interval within(const Interval& range, double x) noexcept {
 
 }  // namespace
 
+ApproxMatrix approx_matrix(const Formulation& f, const Program& entries) {
+  return {std::size_t(f.rows), std::size_t(f.columns), entries.nodes.size(),
+          [&entries](std::span<const Interval> point) { return approx_values(entries, point); }};
+}
+
 SingularDescent::SingularDescent(const PreparedSearch& p, const ApproxMatrix& matrix)
     : matrix_(matrix),
       constraints_(lower_outputs(p.stages->natural_formulation(),

@@ -23,6 +23,12 @@ struct ApproxMatrix {
   std::function<std::optional<std::vector<double>>(std::span<const Interval>)> at;
 };
 
+/// A matrix with a least singular value below it, balanced, counts as singular in a search for a proof.
+inline constexpr double kAlmostLostRank = 1e-9;
+
+/// The matrix of a formulation; `entries`, the program of its entries, must outlive the result.
+[[nodiscard]] ApproxMatrix approx_matrix(const Formulation& formulation, const Program& entries);
+
 class SingularDescent {
  public:
   /// Both must outlive this object.

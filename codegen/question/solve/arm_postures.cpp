@@ -30,6 +30,8 @@ constexpr const char* kTheorem =
 constexpr std::size_t kWays = 3;
 /// Each way to choose opposite joints gets so many boxes at first, and then all that are left.
 constexpr std::uint64_t kFirstBoxes = 3000;
+/// After a box that cannot be split: each way then only looks for more postures that are certain.
+constexpr std::uint64_t kBoxesAfterProblem = 4000;
 constexpr double kOverlapOfTurn = 0x1p-8;  ///< of the search over a turn, in radians
 /// E is no half turn if 3 less its trace is below this.
 constexpr double kHalfTurn = 4;
@@ -61,7 +63,7 @@ class ArmSolver {
     if (chain_.size() != kJoints)
       throw UsageError(
           fmt::format("{} joints are free to move, and a frame fixes six; {}", chain_.size(),
-                      chain_.size() > kJoints ? "hold some at their values: hold=JOINT"
+                      chain_.size() > kJoints ? "name some that keep their values by hold"
                                               : "postures are found of arms with six"));
     for (const std::size_t i : free_)
       solutions_.unknowns.push_back({model_.pose[i].name, model_.pose[i].unit,
@@ -74,6 +76,7 @@ class ArmSolver {
     run_.begin();
     settings_.threads = settings_from(run_.search).threads;
     settings_.interrupt = run_.interrupt;
+    settings_.boxes_after_problem = kBoxesAfterProblem;
     if (run_.search.max_boxes != 0) settings_.max_boxes = run_.search.max_boxes;
     if (run_.search.time_limit != 0) settings_.time_limit = run_.search.time_limit;
     const FloatingPointScope nearest(FloatingPointRounding::kNearest);
@@ -81,6 +84,8 @@ class ArmSolver {
     Attempt best = all_turn ? by_opposite_axes() : by_all_joints();
     for (Root& root : best.postures) add(root);
     sort_by_values(solutions_.found);
+    for (std::vector<Interval>& box : best.open)
+      for (std::size_t k = 0; k < kJoints; ++k) box[k] = in_unit(k, box[k]);
     solutions_.open = std::move(best.open);
     solutions_.completeness =
         best.obstacle.empty() ? Completeness::kComplete : Completeness::kIncomplete;
@@ -88,7 +93,8 @@ class ArmSolver {
     solutions_.stopped_by = best.stopped_by;
     solutions_.how = is_counted_
                          ? kTheorem
-                         : fmt::format("by a search of {} boxes", in_thousands(solutions_.boxes));
+                         : fmt::format("by a search of {} box{}", in_thousands(solutions_.boxes),
+                                       solutions_.boxes == 1 ? "" : "es");
     return std::move(solutions_);
   }
 
@@ -117,6 +123,11 @@ class ArmSolver {
   }
   [[nodiscard]] bool in_degrees(std::size_t joint) const {
     return turns(joint) && is_in_degrees(model_.pose[joint].unit);
+  }
+
+  /// Returns the value of a joint of the chain in the unit of the report.
+  [[nodiscard]] Interval in_unit(std::size_t joint, const Interval& value) const {
+    return in_degrees(free_[joint]) ? Interval(180.0) * value / kPi : value;
   }
 
   /// Makes a joint a part of the link behind it.
@@ -207,7 +218,7 @@ class ArmSolver {
     attempt.stopped_by = list.stopped_by;
     for (const std::vector<Interval>& box : list.open)
       attempt.open.push_back(all_joints(box, first));
-    if (!list.is_complete) attempt.obstacle = obstacle_of(list);
+    if (!list.is_complete) attempt.obstacle = obstacle_of(list, attempt.open);
     for (const Root& four : list.roots)
       if (!add_posture(attempt, four, loop, end, first)) {
         attempt.open.push_back(all_joints(four.values, first));
@@ -265,7 +276,7 @@ class ArmSolver {
     Attempt attempt;
     attempt.stopped_by = list.stopped_by;
     attempt.open = list.open;
-    if (!list.is_complete) attempt.obstacle = obstacle_of(list);
+    if (!list.is_complete) attempt.obstacle = obstacle_of(list, attempt.open);
     for (const Root& root : list.roots) {
       if (is_posture(root)) {
         attempt.postures.push_back(root);
@@ -287,9 +298,17 @@ class ArmSolver {
     settings_.time_limit -= list.seconds;
   }
 
-  [[nodiscard]] static std::string obstacle_of(const RootList& list) {
+  /// `open`: of all joints; those that are not searched have a whole turn.
+  [[nodiscard]] std::string obstacle_of(const RootList& list,
+                                        const std::vector<std::vector<Interval>>& open) const {
     if (list.stopped_by) return describe(*list.stopped_by);
-    return "several postures meet, or there are infinitely many";
+    std::string place;
+    for (std::size_t k = 0; k < kJoints && !open.empty(); ++k)
+      if (const Interval& value = open.front()[k]; width_ru(value) < 1)
+        place += fmt::format("{}{} = {:.6g}{}", place.empty() ? ", near " : ", ",
+                             solutions_.unknowns[k].name, mid(in_unit(k, value)),
+                             unit_suffix(solutions_.unknowns[k].unit));
+    return "several postures meet, or there are infinitely many" + place;
   }
 
   /// A box of four joints as one of all six.
@@ -317,7 +336,7 @@ class ArmSolver {
       Interval value = root.values[k];
       if (turns(i)) value -= Interval(std::round(mid(value) / mid(kTurn))) * kTurn;
       if (!model_.limits.empty()) note_limits(solution, i, value);
-      solution.values.push_back(in_degrees(i) ? Interval(180.0) * value / kPi : value);
+      solution.values.push_back(in_unit(k, value));
     }
     const std::vector<Interval> J = jacobian_at(chain_, posture_at(chain_, root.values));
     std::vector<double> matrix;

@@ -5,11 +5,15 @@
 
 #include <chrono>
 
+#include "codegen/answer/report/number_text.hpp"
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/degrees.hpp"
 #include "codegen/model/exact/exact_double.hpp"
+#include "codegen/question/engine/settings.hpp"
 #include "codegen/question/solve/arm_chain.hpp"
 #include "codegen/question/solve/nominal.hpp"
+#include "codegen/question/solve/platform_legs.hpp"
+#include "codegen/question/solve/pose_search.hpp"
 #include "codegen/question/solve/system_solutions.hpp"
 #include "runtime/interval/floating_point_scope.hpp"
 #include "runtime/solutions/gough_poses.hpp"
@@ -26,21 +30,10 @@ constexpr const char* kTheoremOfPairs =
     "by the theorem that a platform on six legs that meet in pairs has at most 16 isolated complex "
     "poses (of Bezout), of which 16 are certain";
 
-/// Returns the square of each length.
-std::vector<ex> squared_lengths(const Request& request) {
-  std::vector<ex> squares;
-  for (const ex& length : request.motion.legs) squares.push_back(pow(length, 2));
-  if (!squares.empty()) return squares;
-  const NominalGeometry nominal(request.model);
-  const std::vector<ex> pose = pose_of(request.motion);
-  GiNaC::exmap values;
-  for (std::size_t i = 0; i < pose.size(); ++i) values[request.model.pose[i].symbol] = pose[i];
-  for (const ExtensibleLeg& leg : request.model.legs) {
-    ex square = 0;
-    for (const ex& part : leg.vector) square += pow(nominal.at(part).subs(values), 2);
-    squares.push_back(square);
-  }
-  return squares;
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
 Interval norm(const Interval& x, const Interval& y) { return sqrt(sqr(x) + sqr(y)); }
@@ -52,54 +45,9 @@ Interval reach_of(const ExtensibleLeg& leg, const NominalGeometry& nominal, cons
          norm(at(leg.platform[0]), at(leg.platform[1]));
 }
 
-/// Returns for each anchor the first one that is equal to it, exactly.
-template <class AnchorOf>
-std::array<std::size_t, 6> points_of(const NominalGeometry& nominal, const AnchorOf& anchor_of) {
-  std::array<std::size_t, 6> points{};
-  for (std::size_t i = 0; i < 6; ++i) {
-    const auto is_same = [&](std::size_t k) {
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        if (!nominal.at(anchor_of(i)[axis] - anchor_of(k)[axis]).expand().is_zero()) return false;
-      return true;
-    };
-    while (points[i] < i && !is_same(points[i])) ++points[i];
-  }
-  return points;
-}
-
-GoughLegs enclose_legs(const Request& request) {
-  const NominalGeometry nominal(request.model);
-  const std::vector<ex> squares = squared_lengths(request);
-  GoughLegs legs;
-  for (std::size_t i = 0; i < squares.size(); ++i) {
-    const ExtensibleLeg& leg = request.model.legs[i];
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      legs.base[i][axis] = enclose_constant(nominal.at(leg.base[axis]), "an anchor of the base");
-      legs.platform[i][axis] =
-          enclose_constant(nominal.at(leg.platform[axis]), "an anchor of the platform");
-    }
-    legs.length[i] = request.motion.legs.empty()
-                         ? sqrt(enclose_constant(squares[i], "a length"))
-                         : enclose_constant(request.motion.legs[i], "a length");
-  }
-  const auto& all = request.model.legs;
-  legs.base_point = points_of(nominal, [&](std::size_t i) { return all[i].base; });
-  legs.platform_point = points_of(nominal, [&](std::size_t i) { return all[i].platform; });
-  return legs;
-}
-
-Matrix3 rotation_of(const std::array<Interval, 4>& q) {
-  const Interval two(2.0), one(1.0);
-  return {one - two * (sqr(q[2]) + sqr(q[3])), two * (q[1] * q[2] - q[0] * q[3]),
-          two * (q[1] * q[3] + q[0] * q[2]),   two * (q[1] * q[2] + q[0] * q[3]),
-          one - two * (sqr(q[1]) + sqr(q[3])), two * (q[2] * q[3] - q[0] * q[1]),
-          two * (q[1] * q[3] - q[0] * q[2]),   two * (q[2] * q[3] + q[0] * q[1]),
-          one - two * (sqr(q[1]) + sqr(q[2]))};
-}
-
 /// The rows of the inverse Jacobian: unit vectors along the legs, and their moments.
 std::vector<Interval> matrix_at(const GoughLegs& legs, const GoughPose& pose) {
-  const Matrix3 R = rotation_of(pose.rotation);
+  const Matrix3 R = rotation_matrix(pose.rotation);
   std::vector<Interval> matrix;
   for (std::size_t i = 0; i < 6; ++i) {
     const Vector3 arm = times(R, legs.platform[i]);
@@ -111,10 +59,14 @@ std::vector<Interval> matrix_at(const GoughLegs& legs, const GoughPose& pose) {
   return matrix;
 }
 
+std::vector<Interval> values_of(const GoughPose& pose) {
+  std::vector<Interval> values(pose.position.begin(), pose.position.end());
+  values.insert(values.end(), pose.rotation.begin(), pose.rotation.end());
+  return values;
+}
+
 CertainSolution solution_at(const GoughLegs& legs, const GoughPose& pose) {
-  CertainSolution solution;
-  solution.values.assign(pose.position.begin(), pose.position.end());
-  solution.values.insert(solution.values.end(), pose.rotation.begin(), pose.rotation.end());
+  CertainSolution solution{values_of(pose)};
   const std::vector<Interval> matrix = matrix_at(legs, pose);
   solution.sign = sign_of_determinant(matrix, 6);
   std::vector<double> middles;
@@ -123,32 +75,120 @@ CertainSolution solution_at(const GoughLegs& legs, const GoughPose& pose) {
   return solution;
 }
 
-Solutions count_poses(const Request& request, const SolveRun& run) {
+void list(Solutions& solutions, const GoughLegs& legs, const std::vector<GoughPose>& poses) {
+  solutions.found.clear();
+  for (const GoughPose& pose : poses) solutions.found.push_back(solution_at(legs, pose));
+  sort_by_values(solutions.found);
+}
+
+RootSettings settings_of(const SolveRun& run) {
+  RootSettings settings;
+  settings.threads = settings_from(run.search).threads;
+  settings.interrupt = run.interrupt;
+  if (run.search.max_boxes != 0) settings.max_boxes = run.search.max_boxes;
+  if (run.search.time_limit != 0) settings.time_limit = run.search.time_limit;
+  return settings;
+}
+
+std::string place_of(const GoughPose& pose) {
+  return fmt::format("x = {:.6g}, y = {:.6g}, z = {:.6g}", mid(pose.position[0]),
+                     mid(pose.position[1]), mid(pose.position[2]));
+}
+
+std::string obstacle_of(const PoseList& list, const GoughPoses& counted) {
+  if (!list.is_searched)
+    return fmt::format(
+        "{} complex poses are certain, and a platform on such legs may have {}; its anchors are "
+        "too special "
+        "for a search",
+        counted.complex, counted.most);
+  if (list.stopped_by) return describe(*list.stopped_by);
+  return fmt::format("{} near {}",
+                     list.is_doubtful ? "two poses are not told apart"
+                                      : "several poses meet, or there are infinitely many,",
+                     place_of(list.open.front()));
+}
+
+/// For a platform that has fewer complex poses than the theorem allows. Returns the poses if these are all.
+std::vector<GoughPose> search_poses(Solutions& solutions, const GoughLegs& legs,
+                                    const GoughPoses& counted, const SolveRun& run) {
+  PoseList found = search_poses(legs, settings_of(run), run.progress);
+  solutions.boxes = found.boxes;
+  solutions.stopped_by = found.stopped_by;
+  if (found.is_complete) {
+    list(solutions, legs, found.poses);
+    solutions.completeness = Completeness::kComplete;
+    solutions.how =
+        fmt::format("by a search of {} boxes over all rotations", in_thousands(found.boxes));
+    return std::move(found.poses);
+  }
+  if (found.poses.size() > solutions.found.size()) list(solutions, legs, found.poses);
+  for (const GoughPose& box : found.open) solutions.open.push_back(values_of(box));
+  solutions.obstacle = obstacle_of(found, counted);
+  return {};
+}
+
+/// Widens the poses of the nominal legs to where they are within tolerances and errors.
+void follow(Solutions& solutions, const Request& request, const GoughLegs& legs,
+            const std::vector<GoughPose>& poses, const RootSettings& settings, Observer* progress) {
+  const GoughLegs uncertain = enclose_uncertain_legs(request);
+  const PoseTubes tubes = follow_poses(legs, uncertain, poses, settings, progress);
+  solutions.boxes += tubes.boxes;
+  solutions.found.clear();
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (!tubes.tubes[i]) continue;
+    CertainSolution& solution = solutions.found.emplace_back(solution_at(legs, poses[i]));
+    solution.values = values_of(*tubes.tubes[i]);
+  }
+  sort_by_values(solutions.found);
+  if (tubes.are_all) {
+    solutions.how += fmt::format(
+        ", and by a search of {} boxes, none of which has a singular pose within the tolerances "
+        "and "
+        "errors",
+        in_thousands(tubes.boxes));
+    return;
+  }
+  solutions.completeness = Completeness::kIncomplete;
+  solutions.stopped_by = tubes.stopped_by;
+  solutions.open.clear();
+  for (const GoughPose& box : tubes.open) solutions.open.push_back(values_of(box));
+  const std::string why = tubes.stopped_by ? describe(*tubes.stopped_by)
+                          : tubes.open.empty()
+                              ? "the tolerances are too large for a search"
+                              : "within them two may meet near " + place_of(tubes.open.front());
+  solutions.obstacle = fmt::format("without tolerances and errors {} pose{} all; {}", poses.size(),
+                                   poses.size() == 1 ? " is" : "s are", why);
+}
+
+Solutions poses_in_space(const Request& request, const SolveRun& run) {
   const FloatingPointScope nearest(FloatingPointRounding::kNearest);
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = Clock::now();
   const GoughLegs legs = enclose_legs(request);
   run.begin();
-  const GoughPoses poses = find_gough_poses(legs);
+  const GoughPoses counted = find_gough_poses(legs);
+  std::vector<GoughPose> poses = counted.poses;
   Solutions solutions;
   for (std::size_t i = 0; i < 3; ++i)
     solutions.unknowns.push_back({request.model.pose[i].name, request.model.pose[i].unit});
   for (const char* name : {"qw", "qx", "qy", "qz"}) solutions.unknowns.push_back({name, "1"});
-  for (const GoughPose& pose : poses.poses) solutions.found.push_back(solution_at(legs, pose));
-  sort_by_values(solutions.found);
-  solutions.complex_found = poses.complex;
-  solutions.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (poses.is_complete()) {
+  list(solutions, legs, counted.poses);
+  solutions.complex_found = counted.complex;
+  if (counted.is_complete()) {
     solutions.completeness = Completeness::kComplete;
-    solutions.how = poses.most == kPosesOfGough ? kTheoremOfForty : kTheoremOfPairs;
+    solutions.how = counted.most == kPosesOfGough ? kTheoremOfForty : kTheoremOfPairs;
   } else {
-    solutions.obstacle = fmt::format(
-        "{} complex poses are certain, and a platform on such legs may have {}; this one has "
-        "fewer, "
-        "or "
-        "some meet, or are not isolated",
-        poses.complex, poses.most);
+    poses = search_poses(solutions, legs, counted, run);
   }
+  if (has_tolerances(request)) {
+    solutions.is_nominal = solutions.completeness != Completeness::kComplete;
+    RootSettings left = settings_of(run);
+    left.time_limit -= seconds_since(start);
+    if (!solutions.is_nominal) follow(solutions, request, legs, poses, left, run.progress);
+  }
+  for (const ApproxPose& pose : counted.approx)
+    solutions.roots.emplace_back(pose.begin(), pose.end());
+  solutions.seconds = seconds_since(start);
   return solutions;
 }
 
@@ -182,7 +222,7 @@ Request planar_request(const Request& request) {
 }
 
 Solutions solve_platform(const Request& request, const SolveRun& run) {
-  if (request.model.legs.size() != 3) return count_poses(request, run);
+  if (request.model.legs.size() != 3) return poses_in_space(request, run);
   PreparedSystem prepared =
       prepare_system(planar_request(request), 0, run.search, run.watch, false);
   run.begin();

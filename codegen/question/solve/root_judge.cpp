@@ -87,16 +87,30 @@ std::vector<Interval> product(std::span<const double> K, std::span<const Interva
   return result;
 }
 
-/// True if |I − A|·r < r may hold in every component.
+/// True if |I − A|·r < r in every component, where r is the magnitude of the steps: then all matrices of
+/// A are regular.
 bool is_near_unit(std::span<const Interval> A, std::span<const Interval> steps) {
   const std::size_t n = steps.size();
   for (std::size_t i = 0; i < n; ++i) {
     double sum = 0;
     for (std::size_t j = 0; j < n; ++j)
-      sum += mag(A[i * n + j] - Interval(i == j ? 1.0 : 0.0)) * mag(steps[j]);
+      sum = add_ru(sum, mul_ru(mag(A[i * n + j] - Interval(i == j ? 1.0 : 0.0)), mag(steps[j])));
     if (!(sum < mag(steps[i]))) return false;
   }
   return true;
+}
+
+/// Encloses the values, or K times them.
+std::vector<Interval> values_of(const RootSystem::Values& at, const std::vector<double>* K,
+                                std::size_t n) {
+  std::vector<Interval> values = at.core.empty() ? at.value : at.core;
+  if (K != nullptr) values = product(*K, values, n);
+  if (at.core.empty()) return values;
+  const std::vector<Interval> spread = K != nullptr ? product(*K, at.by_datum, n) : at.by_datum;
+  const std::size_t m = at.data.size();
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < m; ++k) values[i] += spread[i * m + k] * at.data[k];
+  return values;
 }
 
 /// Returns for each unknown how much the equations change over the box by it, relative to all.
@@ -149,7 +163,7 @@ void RootJudge::judge(std::span<const Box> boxes, std::span<RootFinding> finding
   for (int round = 0; round < kRounds; ++round) {
     if (std::ranges::none_of(trials, &Trial::is_open)) break;
     narrow(trials);
-    find_roots(trials);
+    regular_ ? test_regularity(trials) : find_roots(trials);
   }
   for (Trial& trial : trials) {
     const auto unknowns = trial.unknowns(question_.shape);
@@ -191,11 +205,11 @@ void RootJudge::narrow(std::span<Trial> trials) {
     for (std::size_t j = 0; j < n; ++j) steps.push_back(P[j] - Interval(trial.center[j]));
     const std::vector<Interval> mean = mean_derivatives(*over[i], *at_center, steps);
     finding.impact = impact_of(mean, steps, m);
-    finding.is_empty = !narrow_by_rows(mean, at_center->value, trial.center, P);
+    finding.is_empty = !narrow_by_rows(mean, values_of(*at_center, nullptr, n), trial.center, P);
     if (finding.is_empty) continue;
     if (const auto K = approx_inverse_of(middles(at_center->by_unknown), n)) {
       const std::vector<Interval> KM = product(*K, mean, n);
-      finding.is_empty = !narrow_by_rows(KM, product(*K, at_center->value, n), trial.center, P);
+      finding.is_empty = !narrow_by_rows(KM, values_of(*at_center, &*K, n), trial.center, P);
       trial.is_promising = is_near_unit(KM, steps);
     }
     for (std::size_t j = 0; j < n; ++j)
@@ -245,6 +259,29 @@ void RootJudge::find_roots(std::span<Trial> trials) {
       root.values.push_back(Interval(trial.center[j]) +
                             Interval(-image.radius[j], image.radius[j]));
     trial.is_open = trial.is_promising = false;
+  }
+}
+
+/// Tests the promising boxes.
+void RootJudge::test_regularity(std::span<Trial> trials) {
+  const std::size_t n = question_.shape.unknowns;
+  std::vector<Trial*> promising;
+  std::vector<Box> boxes;
+  for (Trial& trial : trials)
+    if (trial.is_promising && !trial.finding->is_regular)
+      promising.push_back(&trial), boxes.push_back(trial.box);
+  if (promising.empty()) return;
+  regular_->evaluate(boxes, false);
+  for (std::size_t i = 0; i < promising.size(); ++i) {
+    Trial& trial = *promising[i];
+    trial.is_promising = false;
+    const auto over = regular_->at(i);
+    const auto K = over ? approx_inverse_of(middles(over->by_unknown), n) : std::nullopt;
+    if (!K) continue;
+    std::vector<Interval> steps;
+    for (const Interval& x : trial.unknowns(question_.shape))
+      steps.emplace_back(std::fmax(rad_ru(x), least_radius(mid(x))));
+    trial.finding->is_regular = is_near_unit(product(*K, over->by_unknown, n), steps);
   }
 }
 
@@ -324,6 +361,7 @@ std::optional<Root> RootJudge::root_near(const Box& variables, std::vector<doubl
 void RootJudge::put(cluster::ByteWriter& to, const RootFinding& finding) {
   to.put(finding.is_empty);
   to.put(finding.is_undefined);
+  to.put(finding.is_regular);
   to.put_list(std::span<const Interval>(finding.unknowns));
   to.put_list(std::span<const double>(finding.impact));
   to.put(finding.root.has_value());
@@ -339,6 +377,7 @@ RootFinding RootJudge::take(cluster::ByteReader& from, const RootQuestion& quest
   RootFinding finding;
   finding.is_empty = from.take_flag();
   finding.is_undefined = from.take_flag();
+  finding.is_regular = from.take_flag();
   finding.unknowns = from.take_list_of<Interval>(n);
   finding.impact = from.take_list<double>();
   if (!finding.impact.empty() && finding.impact.size() != question.shape.variables + n)

@@ -28,6 +28,8 @@ class RootSystem {
   using Box = SystemBoxes::Box;
   struct Values : SystemBoxes::System {
     std::vector<Interval> also{};  ///< 0 at the solutions that are looked for, beside the equations
+    /// Empty, or at a point: `value` is in core + by_datum·data for all data. n, n×m row-major, m.
+    std::vector<Interval> core{}, by_datum{}, data{};
   };
 
   RootSystem() = default;
@@ -47,6 +49,9 @@ struct RootQuestion {
   const Problem& problem;  ///< its ranges: of the variables, and where each unknown is looked for
   ClosedShape shape;
   std::function<std::unique_ptr<RootSystem>()> system;
+  /// If there is one, no solutions are looked for: boxes are asked for all over which the derivatives of
+  /// this system are regular. It has the unknowns of the other one.
+  std::function<std::unique_ptr<RootSystem>()> regular{};
 };
 
 /// A solution, for each place of the variables.
@@ -67,6 +72,7 @@ struct Root {
 struct RootFinding {
   bool is_empty = false;             ///< no solution
   bool is_undefined = false;         ///< an expression is not certainly defined
+  bool is_regular = false;           ///< the system `regular` is so all over what is left
   std::optional<Root> root{};        ///< the box has no other; this one may be outside
   std::vector<Interval> unknowns{};  ///< the part of the box with its solutions
   std::vector<double> impact{};      ///< by variable and unknown; empty: not known
@@ -84,7 +90,9 @@ class RootJudge {
 
   /// The parts of the question must outlive this object.
   explicit RootJudge(const RootQuestion& question)
-      : question_(question), system_(question.system()) {}
+      : question_(question),
+        system_(question.system()),
+        regular_(question.regular ? question.regular() : nullptr) {}
 
   /// Requires  at most kLanes boxes, and as many findings, which are new.
   /// Rounding  outward; MXCSR at nearest.
@@ -105,10 +113,11 @@ class RootJudge {
 
   void narrow(std::span<Trial> trials);
   void find_roots(std::span<Trial> trials);
+  void test_regularity(std::span<Trial> trials);
   void sharpen(const Box& variables, Root& root);
 
   const RootQuestion question_;
-  std::unique_ptr<RootSystem> system_;
+  std::unique_ptr<RootSystem> system_, regular_;
 };
 
 }  // namespace regulus

@@ -65,6 +65,10 @@ class RootGoal {
       return course_.leaf(box, Rule::kSecondOrder);
     }
     std::ranges::copy(finding.unknowns, box.box.begin() + std::ptrdiff_t(shape_.variables));
+    if (finding.is_regular) {
+      list_.regular.push_back(unknowns_of(box));
+      return course_.leaf(box, Rule::kSecondOrder);
+    }
     const auto variable =
         choose_variable(box.box, ranges_, finding.impact, settings_.min_relative_width);
     if (!variable) return block(box, finding);

@@ -20,6 +20,8 @@ struct RootSettings : BoxSearchSettings {
 struct RootList {
   std::vector<Root> roots;                  ///< pairwise different
   std::vector<std::vector<Interval>> open;  ///< by unknown: boxes that may hold others
+  /// All solutions are in these, if that was asked: the system `regular` of the question is so there.
+  std::vector<std::vector<Interval>> regular;
   bool is_complete = false;   ///< there are no others in the ranges, also where X has other places
   bool is_undefined = false;  ///< some open box has no certain value of the equations
   bool is_doubtful = false;   ///< two enclosures overlap, and are not shown to be of one solution

@@ -10,6 +10,7 @@
 
 #include "runtime/interval/interval.hpp"
 #include "runtime/problem/result.hpp"
+#include "runtime/solutions/complex.hpp"
 
 namespace regulus {
 
@@ -54,9 +55,26 @@ struct Solutions {
   std::vector<std::vector<Interval>> open{};
   /// Of a count: the solutions among complex numbers that were certified; nullopt: not counted.
   std::optional<std::uint64_t> complex_found{};
+  /// The same, roughly: their values by unknown, a quaternion up to a factor.
+  std::vector<std::vector<Complex>> roots{};
   std::uint64_t boxes = 0;  ///< of the search
   double seconds = 0;
   std::optional<Reason> stopped_by{};  ///< the limit that ended it
+};
+
+/// A number of the place that was asked about.
+struct PlacedValue {
+  std::string name, unit;
+  std::string exact;  ///< in that unit, as options take it
+  Interval enclosure;
+};
+
+/// One of many places, and what was found there.
+struct SolvedPlace {
+  int line = 0;  ///< of the file; without one its number, from 1
+  std::optional<double> time{};
+  std::vector<PlacedValue> place;
+  Solutions solutions;
 };
 
 /// What is counted, and how the matrix is called whose determinant and condition are told.

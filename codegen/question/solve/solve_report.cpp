@@ -2,6 +2,7 @@
 #include "codegen/question/solve/solve_report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,9 @@
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/question_report.hpp"
 #include "codegen/answer/report/search_facts.hpp"
+#include "codegen/kernel/formulation/variety.hpp"
+#include "codegen/model/exact/ginac_text.hpp"
+#include "codegen/model/place.hpp"
 
 namespace regulus {
 namespace {
@@ -127,14 +131,23 @@ Json json_solution(const Solutions& solutions, const CertainSolution& s) {
           {"beyond", s.beyond.empty() ? Json(nullptr) : Json(s.beyond)}};
 }
 
+Json json_units(const std::vector<SolvedUnknown>& unknowns) {
+  Json units = Json::object();
+  for (const SolvedUnknown& unknown : unknowns) units[unknown.name] = unknown.unit;
+  return units;
+}
+
 void add_solutions(const Solutions& solutions, Facts& facts) {
-  Json list = Json::array(), open = Json::array(), units = Json::object();
-  for (const SolvedUnknown& unknown : solutions.unknowns) units[unknown.name] = unknown.unit;
+  const bool is_whole = solutions.completeness == Completeness::kComplete;
+  Json list = Json::array(), open = Json::array();
   for (const CertainSolution& s : solutions.found) list.push_back(json_solution(solutions, s));
   for (const auto& box : solutions.open) open.push_back(json_values(solutions, box));
-  facts.add("solution_units", std::move(units)).add("solutions", std::move(list));
-  facts.add("open_boxes", std::move(open));
+  facts.add("solutions", std::move(list)).add("open_boxes", std::move(open));
   facts.add("complex_solutions", or_null(solutions.complex_found));
+  facts.add("how", is_whole ? Json(solutions.how) : Json(nullptr));
+  facts.add("obstacle", is_whole ? Json(nullptr) : Json(solutions.obstacle));
+  facts.add("stopped_by",
+            solutions.stopped_by ? Json(describe(*solutions.stopped_by)) : Json(nullptr));
 }
 
 void say_open_boxes(const Solutions& solutions, Facts& facts) {
@@ -142,8 +155,9 @@ void say_open_boxes(const Solutions& solutions, Facts& facts) {
   for (std::size_t b = 0; b < shown; ++b) {
     std::string box;
     for (std::size_t i = 0; i < solutions.unknowns.size(); ++i)
-      box += fmt::format("{}{} in {}", box.empty() ? "" : ", ", solutions.unknowns[i].name,
-                         short_interval(solutions.open[b][i]));
+      box += fmt::format("{}{} in {}{}", box.empty() ? "" : ", ", solutions.unknowns[i].name,
+                         short_interval(solutions.open[b][i]),
+                         unit_suffix(solutions.unknowns[i].unit));
     facts.say(b == 0 ? "open" : "", box);
   }
   if (shown < solutions.open.size())
@@ -181,26 +195,104 @@ std::string describe_claim(const Solutions& solutions, const SolvedNoun& noun) {
                     : fmt::format("these {} {} are all, {}", count, noun.many, solutions.how);
 }
 
-void tell_solutions(const Request& asked, const SearchOptions& search, const Solutions& solutions,
-                    const SolvedNoun& noun, Facts& facts) {
-  const bool is_whole = solutions.completeness == Completeness::kComplete;
-  facts.add("verdict", !is_whole ? "incomplete" : solutions.found.empty() ? "none" : "complete");
-  tell_model(asked, facts);
-  for (const std::string& note : asked.notes) facts.say("note", note);
+const char* word_of(const Solutions& solutions) noexcept {
+  if (solutions.completeness != Completeness::kComplete) return "incomplete";
+  return solutions.found.empty() ? "none" : "complete";
+}
+
+std::vector<PlacedValue> placed_values(const Request& request) {
+  std::vector<PlacedValue> values;
+  for (const PlacedNumber& number : place_of(request.model, request.motion))
+    values.push_back({number.name, number.unit, formula_text(number.value),
+                      enclose_constant(number.value, number.name)});
+  return values;
+}
+
+namespace {
+
+Json json_place(const std::vector<PlacedValue>& place) {
+  Json numbers = Json::object();
+  for (const PlacedValue& number : place)
+    numbers[number.name] = {{"exact", number.exact},
+                            {"enclosure", json_interval(number.enclosure)},
+                            {"unit", number.unit}};
+  return numbers;
+}
+
+/// Returns "rho_1 = 14.98 cm, rho_2 = 15.38 cm".
+std::string describe_place(const std::vector<PlacedValue>& place) {
+  std::string text;
+  for (const PlacedValue& number : place)
+    text += fmt::format("{}{} = {}{}", text.empty() ? "" : ", ", number.name,
+                        value_text(number.enclosure), unit_suffix(number.unit));
+  return text;
+}
+
+Json json_asked(const SolveAsked& asked, Json place) {
+  Json question = json_question(asked.request, asked.search);
+  if (place.is_null()) {  // each of many places has its own
+    question["ranges"] = question["ranges_exact"] = Json::object();
+    question.erase("pose_exact");
+  } else {
+    question["place"] = std::move(place);
+  }
+  if (!asked.held.empty()) question["held"] = asked.held;
+  return question;
+}
+
+void say_held(const SolveAsked& asked, Facts& facts) {
+  if (!asked.held.empty()) facts.say("held", fmt::format("{}", fmt::join(asked.held, ", ")));
+}
+
+}  // namespace
+
+void tell_solutions(const SolveAsked& asked, const Solutions& solutions, const SolvedNoun& noun,
+                    Facts& facts) {
+  facts.add("verdict", word_of(solutions));
+  tell_model(asked.request, facts);
+  if (facts.are_for_people()) facts.say("at", describe_place(placed_values(asked.request)));
+  say_held(asked, facts);
+  for (const std::string& note : asked.request.notes) facts.say("note", note);
+  facts.add("notes", asked.request.notes);
   say_table(solutions, noun, facts);
-  if (facts.are_for_programs()) add_solutions(solutions, facts);
-  if (!is_whole) say_open_boxes(solutions, facts);
-  facts.add("how", is_whole ? Json(solutions.how) : Json(nullptr));
-  facts.add("obstacle", is_whole ? Json(nullptr) : Json(solutions.obstacle));
-  facts.add("stopped_by",
-            solutions.stopped_by ? Json(describe(*solutions.stopped_by)) : Json(nullptr));
+  if (facts.are_for_programs()) {
+    facts.add("solution_units", json_units(solutions.unknowns));
+    add_solutions(solutions, facts);
+  }
+  if (solutions.completeness != Completeness::kComplete) say_open_boxes(solutions, facts);
   facts.tell("boxes", solutions.boxes, "boxes",
              fmt::format("{} evaluated", in_thousands(solutions.boxes)));
   facts.add("seconds", Json{{"search", solutions.seconds}});
   facts.say("time", fmt::format("search {:.3f} ms", 1e3 * solutions.seconds));
   const std::string claim = describe_claim(solutions, noun);
   facts.tell("claim", claim, "claim", claim);
-  if (facts.are_for_programs()) add_search(search, json_question(asked, search), facts);
+  if (facts.are_for_programs())
+    add_search(asked.search, json_asked(asked, json_place(placed_values(asked.request))), facts);
+}
+
+Json json_solved(const SolvedPlace& place, const SolvedNoun& noun) {
+  Facts facts(Readers::kPrograms);
+  facts.add("line", place.line);
+  if (place.time) facts.add("time", *place.time);
+  facts.add("place", json_place(place.place)).add("verdict", word_of(place.solutions));
+  add_solutions(place.solutions, facts);
+  facts.add("boxes", place.solutions.boxes);
+  facts.add("claim", describe_claim(place.solutions, noun));
+  return facts.object();
+}
+
+std::string describe_time(const SolvedPlace& place, const std::string& unit) {
+  if (!place.time) return "";
+  return fmt::format(", t = {}{}", shortest_text(*place.time), unit.empty() ? "" : " " + unit);
+}
+
+void tell_places_asked(const SolveAsked& asked, const std::vector<SolvedUnknown>& unknowns,
+                       Facts& facts) {
+  tell_model(asked.request, facts);
+  say_held(asked, facts);
+  if (!facts.are_for_programs()) return;
+  facts.add("solution_units", json_units(unknowns));
+  add_search(asked.search, json_asked(asked, nullptr), facts);
 }
 
 }  // namespace regulus

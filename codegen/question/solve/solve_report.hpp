@@ -2,7 +2,9 @@
 // What an answer about all solutions tells.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "codegen/answer/facts.hpp"
 #include "codegen/model/request.hpp"
@@ -17,8 +19,28 @@ namespace regulus {
 /// Returns the claim as a sentence.
 [[nodiscard]] std::string describe_claim(const Solutions& solutions, const SolvedNoun& noun);
 
-/// `asked`: the request as it was asked.
-void tell_solutions(const Request& asked, const SearchOptions& search, const Solutions& solutions,
-                    const SolvedNoun& noun, Facts& facts);
+/// Returns "complete", "none" or "incomplete".
+[[nodiscard]] const char* word_of(const Solutions& solutions) noexcept;
+
+/// What was asked about all places.
+struct SolveAsked {
+  const Request& request;  ///< at the place, or at the first of many
+  const SearchOptions& search;
+  const std::vector<std::string>& held;
+};
+
+void tell_solutions(const SolveAsked& asked, const Solutions& solutions, const SolvedNoun& noun,
+                    Facts& facts);
+
+/// Returns the numbers of the place that is asked about.
+[[nodiscard]] std::vector<PlacedValue> placed_values(const Request& request);
+
+[[nodiscard]] nlohmann::ordered_json json_solved(const SolvedPlace& place, const SolvedNoun& noun);
+/// Returns ", t = 0.2 s"; nothing for a place without a time.
+[[nodiscard]] std::string describe_time(const SolvedPlace& place, const std::string& unit);
+
+/// The parts of a report about many places that it shares with that about one.
+void tell_places_asked(const SolveAsked& asked, const std::vector<SolvedUnknown>& unknowns,
+                       Facts& facts);
 
 }  // namespace regulus

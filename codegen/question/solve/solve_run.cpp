@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "codegen/question/solve/arm_postures.hpp"
+#include "codegen/question/solve/platform_legs.hpp"
 #include "codegen/question/solve/platform_poses.hpp"
 #include "codegen/question/solve/system_solutions.hpp"
 #include "codegen/support/errors.hpp"
@@ -24,23 +25,22 @@ void require_place_alone(const Motion& motion) {
         motion.name));
 }
 
-bool has_tolerances(const Request& request) {
-  const auto is_zero = [](const GiNaC::ex& x) { return x.is_zero(); };
-  return !std::ranges::all_of(request.motion.error, is_zero) ||
-         std::ranges::any_of(request.model.geometry, [](const GeometryParameter& g) {
-           return !g.tolerance.is_zero() || g.ball >= 0;
-         });
-}
-
 }  // namespace
 
 Request read_solve_request(const ModelOptions& options, const FormingWatch& watch) {
+  return solve_request_of(read_model(model_text(options), options, &watch), options, {});
+}
+
+Request solve_request_of(Model model, const ModelOptions& options,
+                         std::span<const GivenNumber> more) {
   ModelOptions given = options;
   given.takes_legs = true;
-  Request request = read_request(given, &watch);
+  Request request = request_of(std::move(model), given, more);
   if (request.motion.trajectory)
     throw UsageError(
-        "solutions are those at one place; name a motion that has one, or give its values by at");
+        "solutions are those at one place; name a motion that has one, or give its values by at, "
+        "or "
+        "those of many places by waypoints");
   require_place_alone(request.motion);
   require_values(request);
   return request;
@@ -62,6 +62,7 @@ namespace {
 
 /// Without the tolerances of a robot that is not given by its equations.
 Solutions solve_nominal(const Request& request, const SolveRun& run) {
+  if (request.model.legs.size() == 6) return solve_platform(request, run);
   Solutions solutions =
       request.model.legs.empty() ? solve_arm(request, run) : solve_platform(request, run);
   solutions.is_nominal = has_tolerances(request);

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "codegen/model/request.hpp"
+#include "codegen/model/place.hpp"
 #include "codegen/question/engine/pipeline.hpp"
 #include "codegen/question/solve/solutions.hpp"
 #include "runtime/problem/observer.hpp"
@@ -15,6 +15,9 @@ namespace regulus {
 ///
 /// Throws    as read_request(); UsageError if the motion is along way-points or has ranges.
 [[nodiscard]] Request read_solve_request(const ModelOptions& options, const FormingWatch& watch);
+/// The same of a model that is read, with `more` numbers of the place.
+[[nodiscard]] Request solve_request_of(Model model, const ModelOptions& options,
+                                       std::span<const GivenNumber> more);
 
 /// Returns what the solutions of a model are called.
 [[nodiscard]] SolvedNoun noun_of(const Request& request);

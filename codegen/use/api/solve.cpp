@@ -8,19 +8,48 @@
 
 namespace regulus {
 
+namespace {
+
+AskSolve asked_of(const Question& question, const SolveOptions& options) {
+  ModelOptions model = question.options();
+  model.at = options.at;
+  return {std::move(model), options.search, options.hold};
+}
+
+/// What an answer tells to both findings.
+template <class Finding>
+void set_told(const SolveAnswer& answer, Stopwatch& watch, Finding& finding) {
+  finding.headline = answer.headline();
+  set_reports(answer, "", finding);
+  finding.seconds = watch.lap();
+}
+
+}  // namespace
+
 SolveFinding solve(const Question& question, const SolveOptions& options,
                    const std::atomic<bool>* interrupt) {
   const AlgebraLock lock;
   Stopwatch watch;
-  ModelOptions model = question.options();
-  model.at = options.at;
-  const auto answer =
-      ask(AskSolve{std::move(model), options.search, options.hold}, services_of("", 0, interrupt));
+  const auto answer = ask(asked_of(question, options), services_of("", 0, interrupt));
   SolveFinding finding;
   finding.solutions = answer->solutions;
-  finding.headline = answer->headline();
-  set_reports(*answer, "", finding);
-  finding.seconds = watch.lap();
+  set_told(*answer, watch, finding);
+  return finding;
+}
+
+SolveManyFinding solve_many(const Question& question, const Places& places,
+                            const SolveOptions& options, const std::atomic<bool>* interrupt) {
+  const AlgebraLock lock;
+  Stopwatch watch;
+  AskSolve asked = asked_of(question, options);
+  if (places.numbers.empty() && places.table.empty()) throw UsageError("places: there are none");
+  asked.places = places.numbers;
+  asked.table = places.table;
+  const auto answer = ask(asked, services_of("", 0, interrupt));
+  SolveManyFinding finding;
+  finding.places = answer->places;
+  finding.left = answer->places_left;
+  set_told(*answer, watch, finding);
   return finding;
 }
 

@@ -31,4 +31,26 @@ struct SolveFinding {
 [[nodiscard]] SolveFinding solve(const Question& question, const SolveOptions& options = {},
                                  const std::atomic<bool>* interrupt = nullptr);
 
+/// Many places, each "NAME=VALUE" of its numbers beside those of SolveOptions::at; or a table of them
+/// in a file, as of way-points, with one a line.
+struct Places {
+  std::vector<std::vector<std::string>> numbers{};
+  std::string table{};  ///< empty: the numbers above
+};
+
+struct SolveManyFinding {
+  std::vector<SolvedPlace> places;  ///< in their order
+  std::uint64_t left = 0;           ///< places that were not asked any more, after an interrupt
+  std::string headline;             ///< "NONE at 1, COMPLETE at 2 of 3 places: 12 poses"
+  std::string report;               ///< the lines that precede it on a terminal
+  std::string json;                 ///< the report that --json prints
+  double seconds = 0;               ///< of the whole call
+};
+
+/// Solves each of many places. Limits of the search are those of each place; threads and errors as
+/// check(), and UsageError if there is no place.
+[[nodiscard]] SolveManyFinding solve_many(const Question& question, const Places& places,
+                                          const SolveOptions& options = {},
+                                          const std::atomic<bool>* interrupt = nullptr);
+
 }  // namespace regulus

@@ -29,7 +29,15 @@ constexpr const char* kSolveFooter =
     "  NONE                       there is no solution, proved                       (exit 1)\n"
     "  INCOMPLETE: at least 2     these are certain, and there may be others; the report\n"
     "                             says why, and where                                (exit 2)\n"
+    "Of many places: how many have each answer; the exit is 2 if one is INCOMPLETE, otherwise 1 "
+    "if\n"
+    "one is NONE.\n"
     "Exit: as above; 64 usage, 65 bad model, 70 internal fault, 74 file error.";
+
+constexpr const char* kSolveCertificate =
+    "Write a proof that these are all, or that these are certain, to FILE: of configurations, and "
+    "of "
+    "poses on six legs";
 
 constexpr const char* kBoundCertificate =
     "Write two proofs for each leg or freedom: FILE.leg_3.safe proves that no value is beyond the "
@@ -73,9 +81,11 @@ void CommandTables::add_solve() {
       "Find all configurations, poses or postures at one place, and prove that these are all");
   add_model_options(*solve_command, solve.model);
   solve_command
-      ->add_option("--at", solve.model.at,
-                   "The value of a pose parameter; may be repeated. Values of all of them need no "
-                   "MOTION")
+      ->add_option(
+          "--at", solve.model.at,
+          "The value of a pose parameter; in its place of a leg's length, rho_1, or of the "
+          "tool, x, y, z, roll, pitch, yaw; may be repeated. Values of all of them need no "
+          "MOTION")
       ->take_all()
       ->expected(1)
       ->type_name("NAME=VALUE");
@@ -87,8 +97,19 @@ void CommandTables::add_solve() {
       ->take_all()
       ->expected(1)
       ->type_name("JOINT");
+  solve_command
+      ->add_option("--waypoints", solve.table,
+                   "A table of places (CSV), one a line: pose parameters, lengths of all legs, or "
+                   "the tool. Each is solved for itself, with the limits of its own")
+      ->type_name("FILE");
+  solve_command
+      ->add_option("--output", solve.lines,
+                   "With --waypoints: file for the answers, one JSON object on each line; - is "
+                   "standard output")
+      ->type_name("FILE.jsonl");
   add_search_options(*solve_command, solve.search);
   solve_command->get_option("--time-limit")->default_str("60");
+  add_certificate_option(*solve_command, solve.certificate, kSolveCertificate);
   add_output_options(*solve_command, solve.output);
   solve_command->footer(kSolveFooter);
 }

@@ -35,12 +35,11 @@ struct LocateCommand {
   OutputOptions output;
   std::optional<std::string> load{};  ///< as of check
   std::string resolution;  ///< part of each range, an expression; empty: by the number of ranges
-  std::string lines;       ///< file of the JSON lines, "-" = standard output; empty: see --json
+  std::string lines;       ///< file of the JSON lines, "-" = standard output; empty: none
   PictureRequest pictures;
   std::string certificate;       ///< file; empty: none
   std::uint64_t shard_size = 0;  ///< of its shards, in bytes; 0: it is one file
   CheckpointOptions checkpoint;
-  bool boxes_unless_json = true;  ///< print the boxes by default
 };
 
 /// One of the model's tolerances, its alpha, or `size` has a range LO:HI.
@@ -63,6 +62,9 @@ struct SolveCommand {
   SearchOptions search;
   std::vector<std::string> held;
   OutputOptions output;
+  std::string table{};        ///< file of places, as of way-points; empty: there is one place
+  std::string lines{};        ///< file of the JSON lines of many places, "-" = standard output
+  std::string certificate{};  ///< file; empty: none
 };
 
 struct VerifyCommand {

@@ -84,10 +84,8 @@ void add_paving_options(CLI::App& app, LocateCommand& command) {
                  "Split boxes until each side is at most this part of its range, such as 1/64; the "
                  "default is between 1/512 for one range and 1/4 for six ranges")
       ->type_name("R");
-  app.add_option(
-         "--output", command.lines,
-         "File for the boxes, one JSON object on each line; - is standard output, the default "
-         "unless --json")
+  app.add_option("--output", command.lines,
+                 "File for the boxes, one JSON object on each line; - is standard output")
       ->type_name("FILE.jsonl");
   app.add_option("--picture", command.pictures.files,
                  "Draw the paving; may be repeated. A .vtu file has the boxes of three ranges in "

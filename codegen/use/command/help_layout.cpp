@@ -79,7 +79,9 @@ constexpr std::array<Examples, 13> kExamples = {
      {"datasheet", "  regulus datasheet orthoglide cube --gap 0.05 --markdown\n"},
      {"solve",
       "  regulus solve alias_3rpr --at l1=7 --at l2=5 --at l3=5\n"
-      "      all poses of the platform with these legs\n"},
+      "      all poses of the platform with these legs\n"
+      "  regulus solve rpr_6 --waypoints lengths.csv --output poses.jsonl\n"
+      "      the same for each line of a table with the columns rho_1, rho_2, rho_3\n"},
      {"report",
       "  regulus report planar_3rpr crossing --output page.html --paving\n"
       "      one page with the verdict, the robot, the boxes and the proof\n"},

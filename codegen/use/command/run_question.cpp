@@ -10,6 +10,7 @@
 #include "codegen/answer/ask.hpp"
 #include "codegen/answer/report/report_text.hpp"
 #include "codegen/support/errors.hpp"
+#include "codegen/support/terminal_width.hpp"
 #include "codegen/use/command/interrupt.hpp"
 #include "codegen/use/command/terminal.hpp"
 
@@ -33,6 +34,14 @@ Services services_of(const Command& command) {
   services.certificate = command.certificate;
   services.shard_size = command.shard_size;
   return services;
+}
+
+/// Sends the JSON lines to standard output.
+void print_lines(CommandQuestion& question) {
+  if (question.output.json)
+    throw UsageError("--json and --output - both write to standard output; use one of them");
+  question.prints_lines = true;
+  question.services.lines = {"", &std::cout, "standard output"};
 }
 
 void print(const Answer& answer, const CommandQuestion& question) {
@@ -72,13 +81,10 @@ CommandQuestion question_of(const LocateCommand& command) {
   Services& services = question.services = services_of(command);
   services.pictures = command.pictures;
   services.checkpoint = command.checkpoint;
-  const bool prints_boxes = command.boxes_unless_json && !command.output.json;
+  if (!command.output.quiet && ::isatty(STDERR_FILENO) != 0)
+    services.pictures.map_columns = columns_of_terminal(STDERR_FILENO);
   services.lines.file = command.lines;
-  question.prints_lines = command.lines == "-" || (command.lines.empty() && prints_boxes);
-  if (!question.prints_lines) return question;
-  if (command.output.json)
-    throw UsageError("--json and --output - both write to standard output; use one of them");
-  services.lines = {"", &std::cout, "standard output"};
+  if (command.lines == "-") print_lines(question);
   return question;
 }
 
@@ -108,8 +114,12 @@ CommandQuestion question_of(const DatasheetCommand& command) {
 }
 
 CommandQuestion question_of(const SolveCommand& command) {
-  return {AskSolve{command.model, command.search, command.held}, command.output,
-          services_of(command.output)};
+  CommandQuestion question{AskSolve{command.model, command.search, command.held, command.table},
+                           command.output, services_of(command.output)};
+  question.services.certificate = command.certificate;
+  question.services.lines.file = command.lines;
+  if (command.lines == "-") print_lines(question);
+  return question;
 }
 
 int run_question(CommandQuestion question, const std::string& typed) {

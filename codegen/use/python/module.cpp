@@ -10,6 +10,7 @@
 #include "codegen/use/python/calls.hpp"
 #include "codegen/use/python/loads.hpp"
 #include "codegen/use/python/pavings.hpp"
+#include "codegen/use/python/solutions.hpp"
 #include "regulus/version.hpp"
 
 namespace regulus {
@@ -352,6 +353,7 @@ PYBIND11_MODULE(_regulus, module) {
   bind_prepared(module);
   bind_searches(module);
   bind_loads(module);
+  bind_solutions(module);
   bind_import(module);
   bind_files(module);
   // The thread must not be at work while the process takes its libraries down.

@@ -141,7 +141,6 @@ void ShellSession::adopt(CommandLine& line) {
   };
   if (line.check) with(line.check->model, line.check->output), wait(line.check->search);
   if (line.locate) with(line.locate->model, line.locate->output), wait(line.locate->search);
-  if (line.locate) line.locate->boxes_unless_json = false;
   if (line.margin) with(line.margin->model, line.margin->output), wait(line.margin->search);
   if (line.bound) with(line.bound->model, line.bound->output), wait(line.bound->search);
   if (line.datasheet)

@@ -27,8 +27,9 @@ class ClosureComparison {
       require(equation(i), "equation " + std::to_string(i), q_.actual);
     if (values_.contains(equation(closure_.equations.size())))
       comparer_.refuse(comparer_.place_of(equation(closure_.equations.size())), "fewer equations");
-    for (const std::string& name : closure_.names) compare_unknown(name);
-    compare_start();
+    for (const std::string& name : closure_.names)
+      q_.solutions ? compare_range(name) : compare_unknown(name);
+    if (!q_.solutions) compare_start();
     require_known_keys();
   }
 
@@ -79,18 +80,72 @@ class ClosureComparison {
       comparer_.leave_out(from, "it is not certain whether the start is greater than 1");
   }
 
+  /// Where solutions are looked for: the range; of an angle also half a turn about its middle, if the
+  /// range is longer.
+  void compare_range(const std::string& name) {
+    const std::string place = "closure.range." + name;
+    const bool is_given = values_.contains(place + "[0]");
+    const FilePlace from =
+        is_given ? comparer_.place_of(place + "[0]") : FilePlace{place, 0, "not given"};
+    const auto [middle, half] = is_given ? given_range(place) : usual_range(name);
+    if (middle == kNoNode)
+      return comparer_.leave_out(from, "it is not certain whether the start is greater than 1");
+    comparer_.compare(from, middle, "unknown " + name, "");
+    const bool is_turn =
+        values_.at("closure.unknowns." + name).text == "rad" &&
+        equality(q_, q_.stated.at("unknown-radius " + name).node, turn()) == Equality::kEqual &&
+        is_positive(q_.graph.add(Op::kSubtract, half, turn()));
+    comparer_.compare(from, is_turn ? turn() : half, "unknown-radius " + name, "");
+  }
+
+  NodeId turn() { return q_.graph.add(Op::kPi); }
+
+  [[nodiscard]] bool is_positive(NodeId node) const {
+    const auto value = evaluate(q_.graph, {node}, {}, kBits);
+    return value && arb_is_positive((*value)[0].get()) != 0;
+  }
+
+  /// The middle, and half of the width.
+  std::pair<NodeId, NodeId> given_range(const std::string& place) {
+    const Scope none;
+    Graph& graph = q_.graph;
+    if (!values_.contains(place + "[1]")) throw Unfinished(place + " has no upper end");
+    const NodeId lo = comparer_.expression_at(place + "[0]", none),
+                 hi = comparer_.expression_at(place + "[1]", none), half = graph.number("0.5");
+    return {graph.add(Op::kMultiply, half, graph.add(Op::kAdd, lo, hi)),
+            graph.add(Op::kMultiply, half, graph.add(Op::kSubtract, hi, lo))};
+  }
+
+  /// Two turns about the start; of no angle 1000 times the greater of 1 and its magnitude.
+  std::pair<NodeId, NodeId> usual_range(const std::string& name) {
+    const Scope none;
+    Graph& graph = q_.graph;
+    const std::string place = "closure.start." + name;
+    if (!values_.contains(place)) throw Unfinished("the file has no " + place);
+    const NodeId start = comparer_.expression_at(place, none);
+    if (values_.at("closure.unknowns." + name).text == "rad")
+      return {start, graph.add(Op::kMultiply, graph.number("2"), turn())};
+    const NodeId size = larger_of_one(start);
+    if (size == kNoNode) return {kNoNode, kNoNode};
+    return {start, graph.add(Op::kMultiply, graph.number("1000"), size)};
+  }
+
   /// Without an entry it is 1/100 of a radian, or of the greater of 1 and the start's magnitude.
   NodeId usual_radius(const std::string& name) {
     Graph& graph = q_.graph;
     const NodeId hundredth = graph.number("0.01");
     if (values_.at("closure.unknowns." + name).text == "rad") return hundredth;
-    const NodeId start = q_.stated.at("unknown " + name).node;
-    const NodeId size = graph.add(Op::kAbs, start);
-    const auto above =
-        evaluate(graph, {graph.add(Op::kSubtract, size, graph.number("1"))}, {}, kBits);
-    if (above && arb_is_positive((*above)[0].get()) != 0)
-      return graph.add(Op::kMultiply, hundredth, size);
-    return above && arb_is_nonpositive((*above)[0].get()) != 0 ? hundredth : kNoNode;
+    const NodeId size = larger_of_one(q_.stated.at("unknown " + name).node);
+    return size == kNoNode ? kNoNode : graph.add(Op::kMultiply, hundredth, size);
+  }
+
+  /// Returns the greater of 1 and a magnitude; kNoNode: it is not certain which one that is.
+  NodeId larger_of_one(NodeId value) {
+    Graph& graph = q_.graph;
+    const NodeId one = graph.number("1"), size = graph.add(Op::kAbs, value);
+    const auto above = evaluate(graph, {graph.add(Op::kSubtract, size, one)}, {}, kBits);
+    if (above && arb_is_positive((*above)[0].get()) != 0) return size;
+    return above && arb_is_nonpositive((*above)[0].get()) != 0 ? one : kNoNode;
   }
 
   /// Returns the parameter of the motion that a pose parameter is, by name or by its line `pose`;

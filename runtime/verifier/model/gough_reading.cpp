@@ -48,6 +48,23 @@ class GoughReading final : public SectionReading {
     }
   }
 
+  [[nodiscard]] std::vector<SectionLeg> telescopic_legs(SectionComparer& comparer) override {
+    std::vector<SectionLeg> legs;
+    const auto at = [](const char* side, std::size_t leg) {
+      return std::string("gough.") + side + '[' + std::to_string(leg) + ']';
+    };
+    for (std::size_t leg = 0; leg < 6; ++leg)
+      legs.push_back({SectionValues(comparer, false).middle(at("base", leg)),
+                      SectionValues(comparer, false).middle(at("platform", leg))});
+    return legs;
+  }
+
+  [[nodiscard]] NodeId squared_length(const SectionLeg& leg, const Scope& pose,
+                                      SectionComparer& comparer) override {
+    return squared_length_at(leg, orientation_, angle_unit_ != "rad", pose,
+                             comparer.question().graph);
+  }
+
  private:
   static std::string text(const WrittenValues& values, const char* key,
                           const std::string& otherwise) {

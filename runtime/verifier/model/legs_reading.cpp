@@ -122,6 +122,23 @@ class LegsReading final : public SectionReading {
       comparer.refuse({"legs", 0, std::to_string(row) + " rows"}, std::to_string(q.rows) + " rows");
   }
 
+  [[nodiscard]] std::vector<SectionLeg> telescopic_legs(SectionComparer& comparer) override {
+    std::vector<SectionLeg> legs;
+    for (std::size_t i = 0; i < count_; ++i) {
+      const std::string_view name = type_of(i).name, driven = text(shared(i, "actuated"), "2");
+      if ((name != "UPS" && name != "SPS") || driven != "2")
+        throw Unfinished("the legs of " + place(i) + " are not of variable length in space");
+      SectionValues section(comparer, is_in_degrees_);
+      legs.push_back({section.middle(place(i) + ".base"), section.middle(place(i) + ".platform")});
+    }
+    return legs;
+  }
+
+  [[nodiscard]] NodeId squared_length(const SectionLeg& leg, const Scope& pose,
+                                      SectionComparer& comparer) override {
+    return squared_length_at(leg, orientation_, is_in_degrees_, pose, comparer.question().graph);
+  }
+
  private:
   static LegRow constraint(const LegValues& leg, LegAtPose& at, GraphAlgebra& algebra) {
     if (leg.is_hinged) return at.hinge_force();

@@ -7,6 +7,7 @@
 #include "runtime/verifier/model/closure_comparison.hpp"
 #include "runtime/verifier/model/load_comparison.hpp"
 #include "runtime/verifier/model/motion_comparison.hpp"
+#include "runtime/verifier/model/platform_comparison.hpp"
 #include "runtime/verifier/model/question_comparer.hpp"
 
 namespace regulus::verifier {
@@ -48,6 +49,7 @@ class ModelComparison {
         compared_(compared.begin(), compared.end()) {}
 
   void run() {
+    if (q_.solutions && !q_.closure) return compare_solutions();
     compare_geometry();
     const bool is_known = compare_robot();
     compare_motion(comparer_, section_.get(), pose_names(), compared_);
@@ -69,6 +71,15 @@ class ModelComparison {
     add_names_below("pose.", values_, names);
     if (names.empty()) add_names_below("pose ", q_.stated, names);
     return names;
+  }
+
+  void compare_solutions() {
+    for (const char* other : {"matrix.", "pose.", "closure."})
+      if (has_below(values_, other))
+        comparer_.leave_out({other, 0, ""}, "the robot is described twice");
+    compare_platform(comparer_, section_.get());
+    require_known_tables();
+    comparer_.finish(false);
   }
 
   // The robot.

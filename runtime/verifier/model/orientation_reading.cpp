@@ -29,4 +29,22 @@ OrientationNodes read_orientation(const std::string& word, const Scope& scope, b
   return {algebra.scaled_turn(all), algebra.squared_norm(all)};
 }
 
+NodeId squared_length_at(const SectionLeg& leg, const std::string& word, bool in_degrees,
+                         const Scope& scope, Graph& graph) {
+  GraphAlgebra algebra(graph);
+  if (orientation_names(word).empty())
+    throw Unfinished("the orientation '" + word + "' is not known");
+  const OrientationNodes R = read_orientation(word, scope, in_degrees, algebra);
+  VectorNodes X{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto pose = scope.find(std::string_view("xyz").substr(i, 1));
+    if (pose == scope.end()) throw Unfinished("the motion has no position");
+    X[i] = pose->second;
+  }
+  // All lengths are multiplied by the size of R.
+  const VectorNodes d = algebra.sum(algebra.scaled(R.size, algebra.difference(X, leg.base.value)),
+                                    algebra.product(R.scaled, leg.platform.value));
+  return algebra.quotient(algebra.dot(d, d), algebra.square(R.size));
+}
+
 }  // namespace regulus::verifier

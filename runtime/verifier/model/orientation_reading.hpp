@@ -20,4 +20,9 @@ struct OrientationNodes {
 [[nodiscard]] OrientationNodes read_orientation(const std::string& word, const Scope& scope,
                                                 bool in_degrees, GraphAlgebra& algebra);
 
+/// Returns |X + R·b − a|² of a leg from a to b, where X is x, y, z of the scope, and R the orientation.
+/// Throws Unfinished if the scope lacks a name.
+[[nodiscard]] NodeId squared_length_at(const SectionLeg& leg, const std::string& word,
+                                       bool in_degrees, const Scope& scope, Graph& graph);
+
 }  // namespace regulus::verifier

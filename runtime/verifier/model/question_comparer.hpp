@@ -54,6 +54,15 @@ class QuestionComparer final : public SectionComparer {
   NodeId compare_or_zero(const std::string& place, const std::string& stated,
                          const std::string& option = "");
 
+  /// Returns the value at a place of the file that a pose parameter has; it is in its unit.
+  [[nodiscard]] NodeId pose_at(const std::string& place, const std::string& name) {
+    return expressions_.at(place, q_.actual, degrees_.contains(name));
+  }
+  /// The file and the certificate differ, as an option allows.
+  void note_difference(std::string difference) {
+    result_.differences.push_back(std::move(difference));
+  }
+
   [[nodiscard]] Definedness& definedness() noexcept { return definedness_; }
   [[nodiscard]] bool is_compared(const std::string& stated) const { return used_.contains(stated); }
   [[nodiscard]] bool may_differ(const std::string& option) const;

@@ -11,6 +11,7 @@
 
 #include "runtime/verifier/model/equality.hpp"
 #include "runtime/verifier/model/model_file.hpp"
+#include "runtime/verifier/model/rigid_motion.hpp"
 #include "runtime/verifier/question.hpp"
 
 namespace regulus::verifier {
@@ -67,6 +68,17 @@ struct SectionPose {
   std::string name, unit;
 };
 
+/// An anchor, without its tolerance, and the list of its coordinates in the file.
+struct SectionPoint {
+  std::string place;
+  VectorNodes value{};
+};
+
+/// A leg of variable length, from the base to the platform.
+struct SectionLeg {
+  SectionPoint base, platform;
+};
+
 class SectionReading {
  public:
   virtual ~SectionReading() = default;
@@ -89,6 +101,17 @@ class SectionReading {
   [[nodiscard]] virtual std::string place_in_motion(const std::string& /*motion*/,
                                                     const std::string& /*pose*/) const {
     return "";
+  }
+
+  /// Returns the legs of variable length, if the robot is a platform in space on such legs alone.
+  /// Throws Unfinished if it is not. Names of constants mean those of Question::actual.
+  [[nodiscard]] virtual std::vector<SectionLeg> telescopic_legs(SectionComparer&) {
+    throw Unfinished("the file describes no platform on legs of variable length");
+  }
+  /// Returns the squared length of such a leg at the pose of `scope`.
+  [[nodiscard]] virtual NodeId squared_length(const SectionLeg&, const Scope& /*pose*/,
+                                              SectionComparer&) {
+    throw Unfinished("the file describes no platform on legs of variable length");
   }
 
   /// Compares every constant with its spread, every ball, entry and scale, and says what must be

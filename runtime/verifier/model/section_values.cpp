@@ -26,6 +26,13 @@ NodeId SectionValues::constant(const std::string& place) {
   return checked(place, comparer_.expression_at(place, comparer_.question().actual));
 }
 
+SectionPoint SectionValues::middle(const std::string& place) {
+  SectionPoint point{section_quantity(comparer_.values(), place, {}).value};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    point.value[axis] = constant(point.place + '[' + std::to_string(axis) + ']');
+  return point;
+}
+
 NodeId SectionValues::checked(const std::string& place, NodeId node) {
   const Question& q = comparer_.question();
   for (const NodeId part : ingredients(q.graph, {node})) {

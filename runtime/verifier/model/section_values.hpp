@@ -35,6 +35,8 @@ class SectionValues {
 
   /// Returns a value that does not depend on the pose. Throws Unfinished if there is none.
   [[nodiscard]] NodeId constant(const std::string& place);
+  /// Returns a point in space without its tolerance. Throws Unfinished if there is none.
+  [[nodiscard]] SectionPoint middle(const std::string& place);
   /// Returns an angle in its own unit, which may be degrees.
   [[nodiscard]] NodeId number_of_angle(const std::string& place);
   /// Returns an angle in radians.

@@ -37,6 +37,11 @@ constexpr Family kFamilies[] = {
     {"hexapod", "six legs with a planted singular pose", hexapod_singular},
     {"hexapod_regular", "six legs whose determinant is a product of planes", hexapod_regular},
     {"hexapod_tolerance", "six legs, singular within the tolerance", hexapod_tolerance},
+    {"solve_system", "all solutions of polynomials with planted roots", solved_polynomials},
+    {"solve_turns", "all angles of equations with planted ones", solved_turns},
+    {"solve_planar", "all poses of three legs, counted by a resultant", solved_planar_platform},
+    {"solve_arm", "all postures of arms of special geometry", solved_arm},
+    {"solve_hexapod", "all poses of six legs of special geometry", solved_hexapod},
 };
 
 }  // namespace

@@ -53,6 +53,12 @@ Attack badly_scaled(std::uint64_t seed);
 Attack refused(std::uint64_t seed);
 // Equations: closures.cpp
 Attack closure(std::uint64_t seed);
+// All solutions: systems.cpp, mechanisms.cpp
+Attack solved_polynomials(std::uint64_t seed);
+Attack solved_turns(std::uint64_t seed);
+Attack solved_planar_platform(std::uint64_t seed);
+Attack solved_arm(std::uint64_t seed);
+Attack solved_hexapod(std::uint64_t seed);
 // Shapes: shapes.cpp, hexapods.cpp
 Attack rectangular(std::uint64_t seed);
 Attack composition(std::uint64_t seed);

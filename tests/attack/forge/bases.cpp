@@ -215,6 +215,51 @@ wrench = [1]
 x = [-1, 1]
 )toml";
 
+/// A redundant robot that loses rank at one pose, with tolerances, a constraint and an error.
+constexpr const char* kLost = R"toml(regulus = 1
+name = "lost"
+[pose]
+x = "m"
+y = "m"
+[geometry]
+a = { value = 2, tolerance = 0.01 }
+[matrix]
+rows = [["exp(x)", "2"], ["a", "2"], ["y*exp(x)", "1.7*a - 1.7"]]
+[motion.m]
+x = [-1, 1.5]
+y = [0.3, 1.1]
+constraints = ["x*y - 1"]
+error = { y = 0.01 }
+)toml";
+
+/// A branch of an equation, from a start that lies within the motion.
+constexpr const char* kSlider = R"toml(regulus = 1
+name = "slider"
+
+[pose]
+x = "m"
+y = "m"
+
+[geometry]
+a = { value = 1, tolerance = 0.001, group = "a" }
+k = 2
+
+[let]
+d = "p + k"
+
+[closure]
+unknowns = { p = "m", q = "rad" }
+equations = ["d^2 - x - 8*a - 1/(x + 10)", "sin(q) - y*p/4 - 0.1"]
+start = { x = 0, y = 0, p = 1, q = 0.1 }
+radius = { p = 0.5, q = 0.1 }
+
+[motion.work]
+x = [-0.5, 6]
+y = [-0.4, 0.4]
+constraints = ["y - x/4 - 0.3"]
+error = { y = 0.001 }
+)toml";
+
 constexpr const char* kWay = "x,y\n0.1,0.2\n0.3,0.1\n0.2,-0.1\n";
 constexpr const char* kMoves =
     "G21 G90 G17\nG0 X100 Y0 Z1\nG1 X200 Y100 F100\nG2 X300 Y0 I0 J-100\n";
@@ -234,13 +279,12 @@ rows = [["x + 900", "y + z"], ["y/7", "x + y + 1200"]]
 waypoints = "way.ngc"
 )toml";
 
-}  // namespace
-
-const std::vector<Base>& bases() {
-  static const std::vector<Base> kBases = {
+std::vector<Base> written_here() {
+  return {
       {"everything", kEverything, {"check", "m"}},
       {"errors", kEverything, {"check", "plain"}},
       {"path", kEverything, {"check", "path"}},
+      {"lost", kLost, {"check", "m"}},
       {"way", kEverything, {"check", "way"}, kWay, "way.csv"},
       {"moves", kTable, {"check", "way"}, kMoves, "way.ngc"},
       {"removable", kRemovable, {"check", "m"}},
@@ -264,9 +308,17 @@ const std::vector<Base>& bases() {
        {"bound", "work", "deflection", "--load", "gust", "--freedom", "w_z", "--limit", "8"}},
       {"determinant", kPair, {"bound", "work", "determinant", "--limit", "0.001"}},
       {"expression", kPair, {"bound", "work", "x*phi + phi^2/(x + 2)", "--limit", "5"}},
-      {"attained",
-       kPair,
-       {"bound", "work", "force", "--load", "gust", "--leg", "1", "--limit", "0.1"}},
+      {"met", kPair, {"bound", "work", "force", "--load", "gust", "--leg", "1", "--limit", "0.1"}},
+      {"branch", kSlider, {"check", "work"}},
+      {"five-bar", "five_bar_closure", {"check", "work"}},
+      {"shards", "robot_1", {"check", "wide_15"}, "", "", 400},
+      {"shards of pieces", kEverything, {"check", "way"}, kWay, "way.csv", 60},
+      {"shards of a paving", kCart, {"locate", "work", "--load", "gust"}, "", "", 1000},
+  };
+}
+
+std::vector<Base> of_the_library() {
+  return {
       {"gough", "robot_1", {"check", "table4_5", "--tolerance", "base,platform=0.01"}},
       {"threshold", "robot_1", {"check", "table4_5", "--alpha", "1"}},
       {"witness", "robot_1", {"check", "wide_40"}},
@@ -283,7 +335,18 @@ const std::vector<Base>& bases() {
       {"scara", "scara", {"check", "right_handed"}},
       {"redundant arm", "seven_joints", {"check", "table"}},
       {"cables", "cable_8", {"check", "work"}},
+      {"poses", "dietmaier", {"solve", "legs"}},
   };
+}
+
+}  // namespace
+
+const std::vector<Base>& bases() {
+  static const std::vector<Base> kBases = [] {
+    std::vector<Base> all = written_here();
+    for (Base& base : of_the_library()) all.push_back(std::move(base));
+    return all;
+  }();
   return kBases;
 }
 

@@ -2,6 +2,7 @@
 // Genuine certificates: a model file and the command that proves something about it.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ struct Base {
   std::vector<std::string> words;  ///< of the command; the model comes after the first
   const char* waypoints = "";      ///< the text of the file `way.csv` or `way.ngc`
   const char* waypoints_name = "";
+  std::uint64_t shard_size = 0;  ///< in bytes, of a proof that is cut into shards
 };
 
 /// Each line of FORMAT.md and each kind of claim is in one of them.

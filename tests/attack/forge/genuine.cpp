@@ -4,12 +4,12 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <iterator>
 #include <set>
 #include <sstream>
 
 #include "codegen/support/exit_code.hpp"
 #include "codegen/use/command/run_command_line.hpp"
+#include "tests/attack/forge/bundle.hpp"
 
 namespace regulus::attack {
 namespace {
@@ -17,15 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kSeconds = 20;
-
-std::string read(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-void write(const fs::path& path, const std::string& text) {
-  std::ofstream(path, std::ios::binary) << text;
-}
 
 /// The command prints nothing while this lives.
 class Silence {
@@ -78,7 +69,9 @@ Answer answer_about(const Base& base, const std::string& model, const std::strin
   std::set<fs::path> written;
   for (const auto& file : fs::directory_iterator(proofs)) written.insert(file.path());
   if (written.empty()) return {};
-  return {false, read(*written.begin())};
+  const std::string proof = written.begin()->string();
+  if (base.shard_size != 0) cut_proof(proof, base.shard_size);
+  return {false, read_proof(proof)};
 }
 
 verifier::Verification verify_about(const Base& base, const std::string& certificate,
@@ -94,8 +87,14 @@ verifier::Verification verify_about(const Base& base, const std::string& certifi
     for (std::string group; std::getline(groups, group, ',');)
       options.overridden.insert("tolerance " + group);
   }
-  std::istringstream text(certificate);
-  return verifier::verify(text, options);
+  if (!is_in_shards(certificate)) {
+    std::istringstream text(certificate);
+    return verifier::verify(text, options);
+  }
+  options.path = folder + "/index";
+  write_proof(certificate, options.path);
+  std::ifstream index(options.path, std::ios::binary);
+  return verifier::verify(index, options);
 }
 
 }  // namespace regulus::attack

@@ -13,6 +13,7 @@
 #include <set>
 #include <sstream>
 
+#include "tests/attack/forge/bundle.hpp"
 #include "tests/attack/forge/changes.hpp"
 #include "tests/attack/forge/genuine.hpp"
 #include "tests/attack/forge/same_question.hpp"
@@ -25,6 +26,7 @@ struct Options {
   std::uint64_t forgeries = 1000, seed = 1;
   std::string only, json, show, format;
   std::size_t failures = 20;
+  bool is_told_at_once = false;
 };
 
 constexpr int kChangesEach = 2000;
@@ -143,6 +145,7 @@ class Run {
     // The sum of the file would refuse each change of it, whatever else is compared.
     const std::size_t sum = certificate->find("\nsha256 ") + 8;
     certificate->replace(sum, certificate->find('\n', sum) - sum, "-");
+    if (is_in_shards(*certificate)) certificate = signed_again(*certificate);
     // The search may have read another file of way-points: it is written again.
     genuine_.push_back({&base, model, *certificate, {}});
     genuine_.back().answer = verify_about(base, *certificate, model, folder_.path());
@@ -159,6 +162,9 @@ class Run {
     forgery.is_of_certificate = random.one_in(2);
     forgery.change = forgery.is_of_certificate ? change_certificate(g.certificate, random)
                                                : change_model(g.model, random);
+    // Without it, the sums of the shards refuse each change of them.
+    if (forgery.is_of_certificate && is_in_shards(g.certificate) && !random.one_in(4))
+      forgery.change.text = signed_again(forgery.change.text);
     return forgery;
   }
 
@@ -186,25 +192,28 @@ class Run {
     std::ofstream(folder_.path() + '/' + base.waypoints_name, std::ios::binary) << base.waypoints;
   }
 
-  /// The verifier is told that an option has set them.
-  static bool has_tolerances(const Base& base) {
-    return std::find(base.words.begin(), base.words.end(), "--tolerance") != base.words.end();
+  /// The verifier is told of these options.
+  static SetByOptions set_by_options(const Base& base) {
+    const auto has = [&](const char* option) {
+      return std::find(base.words.begin(), base.words.end(), option) != base.words.end();
+    };
+    return {.tolerances = has("--tolerance"), .alpha = has("--alpha")};
   }
 
   /// A change that leaves the question the same may be VERIFIED.
   void judge(const Genuine& g, const Forgery& forgery, std::uint64_t number, Counts& counts) {
     std::string why;
+    const SetByOptions any = set_by_options(*g.base);
     if (forgery.is_of_certificate) {
-      why = difference(forgery.change.text, g.certificate, has_tolerances(*g.base));
-    } else {
+      why = difference(forgery.change.text, g.certificate, any);
+    } else if (!are_equal_files(forgery.change.text, g.model)) {
       const Answer other = answer_about(*g.base, forgery.change.text, folder_.path());
       if (other.is_refused) {
         ++counts.refused;
         return note(refused_, number, g, forgery, "the command refuses that file");
       }
-      why = other.certificate
-                ? difference(g.certificate, *other.certificate, has_tolerances(*g.base))
-                : "the command proves nothing of that file";
+      why = other.certificate ? difference(g.certificate, *other.certificate, any)
+                              : "the command proves nothing of that file";
     }
     if (why.empty()) {
       ++counts.same;
@@ -221,10 +230,11 @@ class Run {
 
   void note(std::vector<std::string>& list, std::uint64_t number, const Genuine& g,
             const Forgery& forgery, const std::string& why) const {
-    if (list.size() < options_.failures)
-      list.push_back(std::to_string(number) + ", " + g.base->name + ", " +
-                     (forgery.is_of_certificate ? "certificate " : "model ") + forgery.change.what +
-                     ": " + why);
+    if (list.size() == options_.failures) return;
+    list.push_back(std::to_string(number) + ", " + g.base->name + ", " +
+                   (forgery.is_of_certificate ? "certificate " : "model ") + forgery.change.what +
+                   ": " + why);
+    if (options_.is_told_at_once) std::cerr << list.back() << std::endl;
   }
 
   [[nodiscard]] Counts count(const Genuine& g) const {
@@ -261,6 +271,7 @@ int main(int argc, char** argv) try {
   app.add_option("--lines-of", options.format,
                  "FORMAT.md: name the lines that no change of a certificate touches");
   app.add_option("--failures", options.failures, "Most lines about failures");
+  app.add_flag("--at-once", options.is_told_at_once, "Also tell each failure when it is found");
   CLI11_PARSE(app, argc, argv);
   regulus::attack::Run run(options);
   if (!options.show.empty()) {

@@ -16,7 +16,8 @@ namespace {
 
 constexpr int kPoints = 3, kSpecialPoints = 48;
 /// Labels, and lines that change the proof only.
-const std::set<std::string> kIgnored{"model", "sha256", "combined", "norms", "reference"};
+const std::set<std::string> kIgnored{"model", "sha256",    "combined",
+                                     "norms", "reference", "solution"};
 /// Their words are labels, not names of quantities.
 const std::set<std::string> kLabelled{"load", "twist", "quantity", "side"};
 /// Not compared line by line: the claim says that all of them have a value. Of an expression, this is the
@@ -25,7 +26,8 @@ const std::set<std::string> kConditions{"defined", "motion-defined", "expression
 /// The values of these are in those of the other lines.
 const std::set<std::string> kShorthand{"let", "constant"};
 /// Their order has no meaning.
-const std::set<std::string> kUnordered{"parameter", "uncertain", "pose", "reach", "constraint"};
+const std::set<std::string> kUnordered{"parameter", "uncertain", "pose",
+                                       "unknown",   "reach",     "constraint"};
 
 struct Line {
   std::string key, text;
@@ -58,7 +60,7 @@ std::vector<std::string> parted(const std::string& text, const std::string& mark
 /// The names of the quantities, in the order of their lines.
 std::vector<std::string> names_of(const std::vector<Line>& lines) {
   std::vector<std::string> names;
-  for (const char* key : {"parameter", "uncertain", "pose"})
+  for (const char* key : {"parameter", "uncertain", "pose", "unknown"})
     for (const Line& line : lines)
       if (line.key == key) names.push_back(line.text.substr(0, line.text.find(' ')));
   return names;
@@ -109,8 +111,10 @@ Rational fraction(const std::string& name, int point) {
 /// The lines of a question as words and values at a point.
 class Evaluated {
  public:
-  Evaluated(const std::vector<Line>& lines, int point, bool any_spread, bool is_special = false)
-      : point_(point), any_spread_(any_spread), is_special_(is_special) {
+  /// `piece`: which of them, if there are pieces.
+  Evaluated(const std::vector<Line>& lines, std::size_t piece, int point, const SetByOptions& any,
+            bool is_special = false)
+      : piece_(piece), point_(point), any_(any), is_special_(is_special) {
     for (const Line& line : lines) add(line);
   }
 
@@ -124,16 +128,18 @@ class Evaluated {
   Value value(const std::string& text) const { return evaluate(text, at_); }
 
   void add(const Line& line) {
-    if (line.key == "parameter" || line.key == "uncertain") return add_quantity(line);
+    static const std::set<std::string> kQuantities{"parameter", "uncertain", "unknown"};
+    if (kQuantities.contains(line.key)) return add_quantity(line);
     if (line.key == "constant" || line.key == "let") return add_constant(line);
     if (line.key == "pose") return add_pose(line);
     if (line.key == "piecewise") return begin_pieces(line);
     if (line.key == "piece") return add_piece(line);
+    if (line.key == "leg") return add_values(line, parted(line.text, " | "));
     if (line.key == "limits") return add_values(line, parted(line.text, " : "));
     if (line.key == "wrench") return add_values(line, parted(line.text, " +- "));
     static const std::set<std::string> kExpressions{
-        "alpha",      "entry",  "scale", "defined",     "motion-defined", "reach",
-        "constraint", "factor", "bound", "motor-error", "stiffness",      "expression-defined"};
+        "alpha",  "entry", "scale",       "defined",   "motion-defined",     "reach", "constraint",
+        "factor", "bound", "motor-error", "stiffness", "expression-defined", "start", "equation"};
     if (kExpressions.contains(line.key)) return add_values(line, {line.text});
     entries_.push_back({line.key + ' ' + line.text, {}});
   }
@@ -144,12 +150,12 @@ class Evaluated {
     entries_.push_back({line.key, {}});
   }
 
-  /// The names of all pieces have the values of the last one.
+  /// Its values count by the lines that use them: one of them may be multiplied by 0.
   void add_piece(const Line& line) {
+    entries_.push_back({line.key, {}});
+    if (pieces_++ != piece_) return;
     const auto parts = parted(line.text, " | ");
-    add_values(line, parts);
-    for (std::size_t i = 0; i < parts.size(); ++i)
-      at_[piecewise_.at(i)] = entries_.back().values[i];
+    for (std::size_t i = 0; i < parts.size(); ++i) at_[piecewise_.at(i)] = value(parts[i]);
   }
 
   void add_values(const Line& line, const std::vector<std::string>& texts) {
@@ -165,7 +171,8 @@ class Evaluated {
     const auto ends = parted(names.at(1), is_range ? " : " : " +- ");
     const Value first = value(ends.at(0)), second = value(ends.at(1));
     const Rational t = fraction(names[0], point_);
-    const Value spread = any_spread_ ? Value(Rational(0)) : second;
+    const bool is_any = any_.tolerances && line.key == "uncertain";
+    const Value spread = is_any ? Value(Rational(0)) : second;
     at_[names[0]] = is_range ? first + Value(t) * (second - first)
                              : first + Value(t + t - Rational(1)) * spread;
     if (is_special_) at_[names[0]] = Value(special(names[0], point_));
@@ -186,10 +193,13 @@ class Evaluated {
     entries_.push_back({line.key + ' ' + names[0], {commanded, error}});
   }
 
+  const std::size_t piece_;
   const int point_;
-  const bool any_spread_, is_special_;
+  const SetByOptions any_;
+  const bool is_special_;
   Point at_;
   std::vector<std::string> piecewise_;
+  std::size_t pieces_ = 0;
   std::vector<Entry> entries_;
 };
 
@@ -214,11 +224,14 @@ std::string key_of(const Evaluated::Entry& entry) {
 struct Parts {
   std::vector<Evaluated::Entry> ordered, unordered;
   std::vector<Value> matrix;
+  bool has_threshold = false;
 
-  explicit Parts(const Evaluated& question) {
+  Parts(const Evaluated& question, const SetByOptions& any) {
     for (const Evaluated::Entry& entry : question.entries()) {
       const std::string key = key_of(entry);
-      if (kConditions.contains(key)) continue;
+      if (key == "alpha")
+        has_threshold = !(entry.values[0].exact() && entry.values[0].exact()->is_zero());
+      if (kConditions.contains(key) || (key == "alpha" && any.alpha)) continue;
       if (key == "entry")
         matrix.push_back(entry.values.front());
       else
@@ -230,12 +243,11 @@ struct Parts {
 
   /// Claims of regularity depend on the zeros of the determinant alone.
   [[nodiscard]] bool asks_for_regularity() const {
-    return std::none_of(ordered.begin(), ordered.end(), [](const Evaluated::Entry& entry) {
-      const std::string key = key_of(entry);
-      const bool has_threshold =
-          key == "alpha" && !(entry.values[0].exact() && entry.values[0].exact()->is_zero());
-      return has_threshold || key == "load" || key == "quantity" || key == "scale";
-    });
+    return !has_threshold &&
+           std::none_of(ordered.begin(), ordered.end(), [](const Evaluated::Entry& entry) {
+             const std::string key = key_of(entry);
+             return key == "load" || key == "quantity" || key == "scale";
+           });
   }
   [[nodiscard]] std::optional<Value> determinant() const {
     std::size_t order = 0;
@@ -257,7 +269,8 @@ std::string difference_of(const std::vector<Evaluated::Entry>& a,
 
 /// True if everything that a claim says to have a value has one; nullopt for a point that is out of
 /// reach.
-std::optional<bool> is_defined(const std::vector<Line>& lines, int point, bool any_spread) {
+std::optional<bool> is_defined(const std::vector<Line>& lines, std::size_t piece, int point,
+                               const SetByOptions& any) {
   static const std::set<std::string> kNoEntries{"expression", "speed", "sigma-min", "sigma-max"};
   bool claims_entries = true, has_load = false;
   for (const Line& line : lines) {
@@ -265,7 +278,7 @@ std::optional<bool> is_defined(const std::vector<Line>& lines, int point, bool a
     has_load |= line.key == "load";
   }
   bool all = true;
-  const Evaluated evaluated(lines, point, any_spread, true);
+  const Evaluated evaluated(lines, piece, point, any, true);
   for (const Evaluated::Entry& entry : evaluated.entries()) {
     const std::string key = key_of(entry);
     if (key == "reach" &&
@@ -280,10 +293,10 @@ std::optional<bool> is_defined(const std::vector<Line>& lines, int point, bool a
 
 /// Returns true unless `asked` has no value at a point where the other says that there is one.
 bool claims_domain(const std::vector<Line>& verified, const std::vector<Line>& asked,
-                   bool any_spread) {
+                   std::size_t piece, const SetByOptions& any) {
   for (int point = 0; point < kSpecialPoints; ++point) {
-    const auto first = is_defined(verified, point, any_spread),
-               second = is_defined(asked, point, any_spread);
+    const auto first = is_defined(verified, piece, point, any),
+               second = is_defined(asked, piece, point, any);
     if (first && second && *first && !*second) return false;
   }
   return true;
@@ -295,12 +308,13 @@ bool have_one_ratio(const std::vector<std::pair<Value, Value>>& determinants) {
                      [&](const auto& other) { return is_same(a * other.second, b * other.first); });
 }
 
-std::string difference_of(const std::vector<Line>& a, const std::vector<Line>& b,
-                          bool any_spread) try {
+std::string difference_of(const std::vector<Line>& a, const std::vector<Line>& b, std::size_t piece,
+                          const SetByOptions& any) {
   std::vector<std::pair<Value, Value>> determinants;
   bool has_one_matrix = true, is_about_zeros = true;
   for (int point = 0; point < kPoints; ++point) {
-    const Parts left(Evaluated(a, point, any_spread)), right(Evaluated(b, point, any_spread));
+    const Parts left(Evaluated(a, piece, point, any), any),
+        right(Evaluated(b, piece, point, any), any);
     for (const auto& found : {difference_of(left.ordered, right.ordered),
                               difference_of(left.unordered, right.unordered)})
       if (!found.empty()) return found;
@@ -312,21 +326,64 @@ std::string difference_of(const std::vector<Line>& a, const std::vector<Line>& b
     is_about_zeros = is_about_zeros && left.asks_for_regularity() && first && second;
     if (is_about_zeros) determinants.emplace_back(*first, *second);
   }
-  if (!claims_domain(a, b, any_spread)) return "it does not say where there is a value";
+  if (!claims_domain(a, b, piece, any)) return "it does not say where there is a value";
   if (has_one_matrix || (is_about_zeros && have_one_ratio(determinants))) return "";
   return "another matrix";
+}
+
+std::string difference_of(const std::vector<Line>& a, const std::vector<Line>& b,
+                          const SetByOptions& any) try {
+  const auto pieces =
+      std::count_if(a.begin(), a.end(), [](const Line& line) { return line.key == "piece"; });
+  std::string found = difference_of(a, b, 0, any);
+  for (std::ptrdiff_t piece = 1; piece < pieces && found.empty(); ++piece)
+    found = difference_of(a, b, std::size_t(piece), any);
+  return found;
 } catch (const std::exception& error) {
   return std::string("one is no question: ") + error.what();
 }
 
+/// Returns the end of a number of a file that begins there, in any of its spellings.
+std::size_t end_of_number(const std::string& text, std::size_t begin) {
+  std::size_t end = begin;
+  while (end < text.size() && (is_word(text[end]) || text[end] == '.' ||
+                               ((text[end] == '-' || text[end] == '+') && end > begin &&
+                                (text[end - 1] == 'e' || text[end - 1] == 'E'))))
+    ++end;
+  return end;
+}
+
+/// The numbers are replaced by their values.
+std::string with_plain_numbers(const std::string& text) {
+  std::string plain;
+  for (std::size_t i = 0; i < text.size();) {
+    const bool begins = is_digit(text[i]) && (i == 0 || !is_word(text[i - 1]));
+    const std::size_t end = begins ? end_of_number(text, i) : i + 1;
+    std::string word = text.substr(i, end - i);
+    if (begins) try {
+        word = toml_number(word).fraction();
+      } catch (const std::invalid_argument&) {  // it is a name
+      }
+    plain += word;
+    i = end;
+  }
+  for (std::size_t at; (at = plain.find("(-0)")) != std::string::npos;) plain.replace(at, 4, "0");
+  return plain;
+}
+
 }  // namespace
 
-std::string difference(const std::string& verified, const std::string& asked, bool any_spread) {
+bool are_equal_files(const std::string& a, const std::string& b) {
+  return with_plain_numbers(a) == with_plain_numbers(b);
+}
+
+std::string difference(const std::string& verified, const std::string& asked,
+                       const SetByOptions& any) {
   const std::vector<Line> a = question_of(verified), b = question_of(asked);
-  const std::string found = difference_of(a, b, any_spread);
+  const std::string found = difference_of(a, b, any);
   const auto from = names_of(a), to = names_of(b);
   if (found.empty() || from == to || from.size() != to.size()) return found;
-  return difference_of(renamed(a, from, to), b, any_spread);
+  return difference_of(renamed(a, from, to), b, any);
 }
 
 }  // namespace regulus::attack

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/attack/oracle/rational.hpp"
+#include "tests/attack/oracle/solutions.hpp"
 
 namespace regulus::attack {
 
@@ -95,6 +96,10 @@ struct Attack {
   bool may_be_refused = false;  ///< a reader need not accept this question
   bool decidable = false;       ///< the true verdict is expected, not only allowed
   std::string argument;         ///< the reason for this truth, in a few words
+
+  /// If it is set, the question is about all solutions; `truth` is then regular if they are, empty if
+  /// there are none, singular if no list can be complete.
+  std::optional<SolveTruth> solve;
 
   // These values serve to check the truth.
   std::vector<Axis> axes;

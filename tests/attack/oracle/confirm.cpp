@@ -190,6 +190,7 @@ Doubt refute_uncertain(const Attack& attack, const Axis& axis, const std::string
 }  // namespace
 
 Doubt refute_truth(const Attack& attack, int samples) {
+  if (attack.solve) return refute_solutions(*attack.solve);
   switch (attack.truth) {
     case Truth::kRefused:
       return std::nullopt;

@@ -22,7 +22,9 @@ class Value {
     arb_init(ball_);
     arb_set_fmpq(ball_, exact.get(), kBits);
   }
+  /// A ball that is the number 0, as 0 times another is, is that rational.
   explicit Value(const arb_t ball) : defined_(arb_is_finite(ball) != 0) {
+    if (arb_is_zero(ball)) exact_ = Rational(0);
     arb_init(ball_);
     arb_set(ball_, ball);
   }

@@ -22,6 +22,16 @@ int true_verdict(Truth truth) {
   }
 }
 
+/// About all solutions.
+Judgement judge_list(const Attack& attack, const Outcome& outcome) {
+  if (!outcome.false_list.empty()) return Judgement::kContradiction;
+  if (outcome.exit_code == kPossibleProblem)
+    return attack.decidable ? Judgement::kMissed : Judgement::kOpen;
+  const bool has_none = outcome.exit_code == kSingularity;
+  const bool is_true = has_none ? attack.solve->known.empty() : attack.truth == Truth::kRegular;
+  return is_true ? Judgement::kTrue : Judgement::kContradiction;
+}
+
 }  // namespace
 
 Judgement judge(const Attack& attack, const Outcome& outcome) {
@@ -34,6 +44,8 @@ Judgement judge(const Attack& attack, const Outcome& outcome) {
     return code <= kPossibleProblem ? Judgement::kContradiction : Judgement::kCrash;
   }
   if (is_refusal(code)) return attack.may_be_refused ? Judgement::kOpen : Judgement::kCrash;
+  if (attack.solve && code >= kNoSingularity && code <= kPossibleProblem)
+    return judge_list(attack, outcome);
   if (code == kPossibleProblem) return attack.decidable ? Judgement::kMissed : Judgement::kOpen;
   if (code != kNoSingularity && code != kSingularity) return Judgement::kCrash;
   // A claim about no pose is true, but it must not look like a claim about some pose.

@@ -23,7 +23,8 @@ struct Outcome {
   Stage stage = Stage::kCheck;  ///< the stage in which it ended
   int exit_code = -1;           ///< of the check
   Proof proof = Proof::kNone;
-  std::string reason;  ///< from the report, or what went wrong
+  std::string reason;      ///< from the report, or what went wrong
+  std::string false_list;  ///< why the list of solutions is false; empty: it is not shown to be
   std::string proof_reason;
   double check_seconds = 0, verify_seconds = 0;  ///< in processor time
   bool may_be_vacuous = false;  ///< the report warns that the claim may be about no pose

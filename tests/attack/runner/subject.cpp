@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
 
 #include "codegen/use/command/run_command_line.hpp"
@@ -81,6 +82,24 @@ bool warns_of_no_pose(const Answer& answer) {
 bool warns_of_proof(const Answer& answer) {
   const auto report = nlohmann::json::parse(answer.output, nullptr, false);
   return report.is_object() && report.contains("certificate_note");
+}
+
+/// Returns the list of solutions of a report; nullopt if there is none.
+std::optional<ListedSolutions> list_of(const Answer& answer) {
+  const auto report = nlohmann::json::parse(answer.output, nullptr, false);
+  if (!report.is_object() || !report.contains("solutions")) return std::nullopt;
+  ListedSolutions listed{report["verdict"], {}};
+  for (const auto& solution : report["solutions"]) {
+    auto& values = listed.solutions.emplace_back();
+    for (const auto& [name, ends] : solution["values"].items()) values[name] = {ends[0], ends[1]};
+  }
+  return listed;
+}
+
+/// Returns why the list is false; empty: it is not shown to be.
+std::string falsehood_of(const Attack& attack, const Answer& answer) {
+  const auto listed = attack.solve ? list_of(answer) : std::nullopt;
+  return listed ? refute_list(*attack.solve, *listed).value_or("") : "";
 }
 
 /// `has_methods`: there is more than one for the model.
@@ -168,9 +187,13 @@ void verify(const Attack& attack, const std::string& model, const std::string& c
 
 std::vector<std::string> check_words(const Attack& attack, const std::string& model_path,
                                      const std::string& certificate_path) {
+  Random random("command" + attack.family, attack.seed);
+  if (attack.solve)
+    return {"regulus",     "solve",    model_path,    "m",         "--json",
+            "--quiet",     "--engine", "interpreted", "--threads", random.one_in(8) ? "2" : "1",
+            "--max-boxes", "30000"};
   std::vector<std::string> words{"regulus", "check",   model_path,      "m",
                                  "--json",  "--quiet", "--certificate", certificate_path};
-  Random random("command" + attack.family, attack.seed);
   add_search_options(random, attack.model.closure.empty(), words);
   words.insert(words.end(), attack.options.begin(), attack.options.end());
   return words;
@@ -189,6 +212,7 @@ Outcome attack_with(const Attack& attack, const Run& run) {
   outcome.check_seconds = answer.seconds;
   outcome.may_be_vacuous = warns_of_no_pose(answer);
   outcome.is_announced = warns_of_proof(answer);
+  outcome.false_list = falsehood_of(attack, answer);
   if (run.mutant == Mutant::kFlipped) outcome.exit_code = falsified(answer.exit_code);
   if (run.verify && run.mutant == Mutant::kNone && std::filesystem::exists(certificate)) {
     run.entering(Stage::kVerify, outcome.exit_code);

@@ -97,7 +97,8 @@ void Summary::add(const Attack& attack, const Outcome& outcome) {
       judgement == Judgement::kSlow)
     note(name(judgement), attack,
          verdict_text(outcome.exit_code) + " where it is " + name(attack.truth) + " (" +
-             attack.argument + "): " + outcome.reason);
+             attack.argument +
+             "): " + (outcome.false_list.empty() ? outcome.reason : outcome.false_list));
   if (outcome.ending == Ending::kSlow && outcome.stage == Stage::kVerify) {
     ++count.slow_proofs;
     note("SLOW PROOF", attack, outcome.reason);

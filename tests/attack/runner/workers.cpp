@@ -79,7 +79,8 @@ std::string line_of(std::uint64_t model, const Outcome& o) {
                                o.check_seconds,
                                o.verify_seconds,
                                o.may_be_vacuous,
-                               o.is_announced};
+                               o.is_announced,
+                               o.false_list};
   return line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }
 
@@ -95,6 +96,7 @@ std::pair<std::uint64_t, Outcome> outcome_in(const std::string& text) {
   o.verify_seconds = line[7];
   o.may_be_vacuous = line[8];
   o.is_announced = line[9];
+  o.false_list = line[10];
   return {line[0], o};
 }
 

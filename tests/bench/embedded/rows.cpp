@@ -14,7 +14,7 @@ namespace regulus::bench {
 namespace {
 
 /// A trajectory of robot 1, and the pieces into which the checks divide it.
-struct Question {
+struct EmbeddedQuestion {
   const char* name;
   const char* motion;
   const char* tolerance;
@@ -23,7 +23,7 @@ struct Question {
   double most_microseconds;  ///< the target
 };
 
-constexpr Question kQuestions[] = {
+constexpr EmbeddedQuestion kQuestions[] = {
     {"T1, exact, whole", "T1", "0", 1, "one parameter, exact geometry", 3},
     {"T2, exact, whole", "T2", "0", 1, "one parameter, exact geometry", 5},
     {"T2, exact, a hundredth", "T2", "0", 100, "what a control loop asks ahead of time", 5},
@@ -35,7 +35,7 @@ constexpr Question kQuestions[] = {
 /// Checks a trajectory, piece after piece.
 class Trajectory {
  public:
-  explicit Trajectory(const Question& question)
+  explicit Trajectory(const EmbeddedQuestion& question)
       : preparation_(prepared_search(question)),
         checker_(preparation_.kernel->functions(), preparation_.variety.outer, kMaxBoxes) {
     if (checker_.kernel().motion_variables != 1)
@@ -64,7 +64,7 @@ class Trajectory {
  private:
   static constexpr unsigned kMaxBoxes = 1000;
 
-  static PreparedSearch prepared_search(const Question& question) {
+  static PreparedSearch prepared_search(const EmbeddedQuestion& question) {
     ModelOptions options;
     options.path = REGULUS_SOURCE_DIR "/models/robot_1.toml";
     options.motion = question.motion;
@@ -86,7 +86,7 @@ Section embedded_rows() {
                   "`Checker::check` of `runtime/embedded`, robot 1, the kernel in memory, on the "
                   "best instruction set; one check of the whole trajectory or of a piece of it.",
                   {}};
-  for (const Question& question : kQuestions) {
+  for (const EmbeddedQuestion& question : kQuestions) {
     Trajectory trajectory(question);
     const Contender only[] = {
         {question.name, static_cast<double>(trajectory.pieces()), [&] { trajectory.check(); }}};

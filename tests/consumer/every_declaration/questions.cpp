@@ -63,6 +63,9 @@ void search() {
   std::puts(regulus::name(regulus::locate(bead(), paving).verdict));
   const Question circle = Question::of_text(kCircle, "circle", "point");
   std::puts(regulus::solve(circle).headline.c_str());
+  regulus::Places places;
+  places.numbers.resize(1);
+  std::puts(regulus::solve_many(circle, places).headline.c_str());
   std::puts(regulus::name(regulus::check_load(bead(), "push").verdict));
   regulus::LocateLoadOptions loads;
   loads.resolution = "1/4";

@@ -8,15 +8,17 @@
 namespace regulus {
 namespace {
 
+using test::changed;
 using test::expect_refused;
 
-/// Expects that a model with this matrix entry is refused.
+/// The entry stands in line 8.
+const std::string kModelOfEntry =
+    "regulus = 1\nname = \"a\"\n[pose]\nx = \"1\"\ny = \"1\"\n[matrix]\nrows = [[\n'''ENTRY''']]\n"
+    "[motion.m]\nx = 1\ny = 1\n";
+
 void expect_refused_entry(const std::string& entry, const std::string& found,
                           const std::string& expected) {
-  expect_refused(
-      "regulus = 1\nname = \"a\"\n[pose]\nx = \"1\"\ny = \"1\"\n[matrix]\nrows = [[\n'''" + entry +
-          "''']]\n[motion.m]\nx = 1\ny = 1\n",
-      8, found, expected);
+  expect_refused(changed(kModelOfEntry, "ENTRY", entry), 8, found, expected);
 }
 
 std::string repeated(const std::string& text, int times) {
@@ -25,87 +27,83 @@ std::string repeated(const std::string& text, int times) {
   return result;
 }
 
-TEST(ExpressionRefusal, Empty) { expect_refused_entry("", "the end (character 1", "a number"); }
+const test::RefusedChange kRefusedEntrys[] = {
+    {"Empty", "ENTRY", "", 8, "the end (character 1", "a number"},
+    {"MissingOperand", "ENTRY", "x + ", 8, "the end (character 5 of 'x + ')",
+     "a number, a name or '('"},
+    {"MissingOperator", "ENTRY", "2 x", 8, "'x' (character 3 of '2 x')", "an operator or the end"},
+    {"NumberGluedToAName", "ENTRY", "0x10", 8, "'x10' (character 2", "an operator or the end"},
+    {"TwoPoints", "ENTRY", "1.2.3", 8, "'.3' (character 4", "an operator or the end"},
+    {"UnclosedBracket", "ENTRY", "2*(x + 1", 8, "the end (character 9",
+     "')' for the '(' at character 3"},
+    {"ClosedButNotOpened", "ENTRY", "x)", 8, "')' (character 2", "an operator or the end"},
+    {"FunctionWithoutBrackets", "ENTRY", "sin x", 8, "'x' (character 5",
+     "'(' after the function sin"},
+    {"FunctionOfNothing", "ENTRY", "sin()", 8, "')' (character 5", "a number, a name or '('"},
+    {"TooManyArguments", "ENTRY", "sin(x, y)", 8, "sin with 2 arguments", "one argument"},
+    {"TooFewArguments", "ENTRY", "atan2(x)", 8, "atan2 with 1 arguments", "two arguments"},
+    {"UnknownFunction", "ENTRY", "system(x)", 8, "undeclared name 'system'",
+     "the declared names are: "},
+    {"NameUsedAsAFunction", "ENTRY", "x(1)", 8, "'(' (character 2", "an operator or the end"},
+    {"Statement", "ENTRY", "x; system(0)", 8, "';' (character 2", "an operator or the end"},
+    {"QuoteAndComment", "ENTRY", "x\"); }//", 8, "'\"' (character 2", "an operator or the end"},
+    {"Preprocessor", "ENTRY", "#include <x>", 8, "'#' (character 1", "a number, a name or '('"},
+    {"BlockComment", "ENTRY", "x /* y */", 8, "'*' (character 4", "a number, a name or '('"},
+    {"Assignment", "ENTRY", "x = 1", 8, "'=' (character 3", "an operator or the end"},
+    {"Power_Of_Another_Language", "ENTRY", "x**2", 8, "'*' (character 3",
+     "a number, a name or '('"},
+    {"OtherLetters", "ENTRY", "\u03c0*x", 8, "'\\xcf' (character 1", "a number, a name or '('"},
+    {"MinusSignOfTypography", "ENTRY", "x \u2212 1", 8, "'\\xe2' (character 3",
+     "an operator or the end"},
+    {"DivisionOfConstantsByZero", "ENTRY", "1/0", 8, "a division by zero",
+     "a divisor that is not zero"},
+    {"ZeroByZero", "ENTRY", "x*(0/0)", 8, "a division by zero", "a divisor that is not zero"},
+    {"DivisionByWhatIsZeroEverywhere", "ENTRY", "1/(x - x)", 8, "a division by zero",
+     "a divisor that is not zero"},
+    {"NegativePowerOfZero", "ENTRY", "0^-1", 8, "a division by zero", "a divisor that is not zero"},
+    {"ZeroToTheZero", "ENTRY", "0^0", 8, "a division by zero", "a divisor that is not zero"},
+    {"RootOfANegativeNumber", "ENTRY", "sqrt(-1)", 8, "the root of a negative number (-1.000000)",
+     "≥ 0"},
+    {"RootOfANegativeIrrational", "ENTRY", "sqrt(3 - pi)", 8,
+     "the root of a negative number (-0.141593)", "≥ 0"},
+    {"FractionalPowerOfANegativeNumber", "ENTRY", "(-8)^(1/3)", 8,
+     "fractional power of a number (-8.000000)", "> 0"},
+    {"LogarithmOfZero", "ENTRY", "log(0)", 8,
+     "logarithm or fractional power of a number (0.000000)", "> 0"},
+    {"ArcSineBeyondOne", "ENTRY", "asin(2)", 8, "the arc sine or cosine of a number (2.000000)",
+     "between -1 and 1"},
+    {"ArcCosineBeyondMinusOne", "ENTRY", "acos(-pi)", 8, "the arc sine or cosine",
+     "between -1 and 1"},
+    {"PoleOfTangent", "ENTRY", "tan(pi/2)", 8, "an operation that has no value",
+     "an operation that is defined"},
+    {"ArcTangentOfTheOrigin", "ENTRY", "atan2(0, 0)", 8, "atan2(0, x) with x ≤ 0",
+     "y ≠ 0 or x > 0"},
+    {"VariableExponent", "ENTRY", "2^x", 8, "an exponent that is not a rational constant",
+     "an integer or a fraction"},
+    {"ExponentThatOnlySimplifiesToAConstant", "ENTRY", "x^(1 + y - y)", 8,
+     "an exponent that is not a rational constant", "an integer or a fraction"},
+    {"IrrationalExponent", "ENTRY", "x^pi", 8, "an exponent that is not a rational constant",
+     "an integer"},
+    {"HugeExponent", "ENTRY", "x^1000000", 8, "an exponent beyond ±100", "a smaller exponent"},
+    {"HugeNegativeExponent", "ENTRY", "x^-1e300", 8, "an exponent beyond ±100",
+     "a smaller exponent"},
+    {"HugeDecimalExponent", "ENTRY", "1e999999999", 8, "'1e999999999'", "an exponent within ±1000"},
+    {"DecimalExponentBeyondAnyInteger", "ENTRY", "1e-99999999999999999999", 8,
+     "'1e-99999999999999999999'", "an exponent within ±1000"},
+    {"NumberOfTooManyDigits", "ENTRY", std::string(1001, '7'), 8, "'7777", "at most 1000 digits"},
+    {"TowerOfPowersOfNumbers", "ENTRY", "(((10^100)^100)^100)^100", 8, "numbers too large", "bits"},
+    {"TenThousandBrackets", "ENTRY", repeated("(", 10000) + "x" + repeated(")", 10000), 8,
+     "an expression nested too deeply", "at most 256 levels"},
+    {"TenThousandMinusSigns", "ENTRY", repeated("-", 10000) + "x", 8,
+     "an expression nested too deeply", "at most 256 levels"},
+    {"TenThousandCarets", "ENTRY", repeated("x^", 10000) + "1", 8,
+     "an expression nested too deeply", "at most 256 levels"},
+};
 
-TEST(ExpressionRefusal, MissingOperand) {
-  expect_refused_entry("x + ", "the end (character 5 of 'x + ')", "a number, a name or '('");
-}
-
-TEST(ExpressionRefusal, MissingOperator) {
-  expect_refused_entry("2 x", "'x' (character 3 of '2 x')", "an operator or the end");
-}
-
-TEST(ExpressionRefusal, NumberGluedToAName) {
-  expect_refused_entry("0x10", "'x10' (character 2", "an operator or the end");
-}
-
-TEST(ExpressionRefusal, TwoPoints) {
-  expect_refused_entry("1.2.3", "'.3' (character 4", "an operator or the end");
-}
-
-TEST(ExpressionRefusal, UnclosedBracket) {
-  expect_refused_entry("2*(x + 1", "the end (character 9", "')' for the '(' at character 3");
-}
-
-TEST(ExpressionRefusal, ClosedButNotOpened) {
-  expect_refused_entry("x)", "')' (character 2", "an operator or the end");
-}
-
-TEST(ExpressionRefusal, FunctionWithoutBrackets) {
-  expect_refused_entry("sin x", "'x' (character 5", "'(' after the function sin");
-}
-
-TEST(ExpressionRefusal, FunctionOfNothing) {
-  expect_refused_entry("sin()", "')' (character 5", "a number, a name or '('");
-}
-
-TEST(ExpressionRefusal, TooManyArguments) {
-  expect_refused_entry("sin(x, y)", "sin with 2 arguments", "one argument");
-}
-
-TEST(ExpressionRefusal, TooFewArguments) {
-  expect_refused_entry("atan2(x)", "atan2 with 1 arguments", "two arguments");
-}
-
-TEST(ExpressionRefusal, UnknownFunction) {
-  expect_refused_entry("system(x)", "undeclared name 'system'", "the declared names are: ");
-}
-
-TEST(ExpressionRefusal, NameUsedAsAFunction) {
-  expect_refused_entry("x(1)", "'(' (character 2", "an operator or the end");
-}
-
-TEST(ExpressionRefusal, Statement) {
-  expect_refused_entry("x; system(0)", "';' (character 2", "an operator or the end");
-}
-
-TEST(ExpressionRefusal, QuoteAndComment) {
-  expect_refused_entry("x\"); }//", "'\"' (character 2", "an operator or the end");
-}
-
-TEST(ExpressionRefusal, Preprocessor) {
-  expect_refused_entry("#include <x>", "'#' (character 1", "a number, a name or '('");
-}
-
-TEST(ExpressionRefusal, BlockComment) {
-  expect_refused_entry("x /* y */", "'*' (character 4", "a number, a name or '('");
-}
-
-TEST(ExpressionRefusal, Assignment) {
-  expect_refused_entry("x = 1", "'=' (character 3", "an operator or the end");
-}
-
-TEST(ExpressionRefusal, Power_Of_Another_Language) {
-  expect_refused_entry("x**2", "'*' (character 3", "a number, a name or '('");
-}
-
-TEST(ExpressionRefusal, OtherLetters) {
-  expect_refused_entry("\u03c0*x", "'\\xcf' (character 1", "a number, a name or '('");
-}
-
-TEST(ExpressionRefusal, MinusSignOfTypography) {
-  expect_refused_entry("x \u2212 1", "'\\xe2' (character 3", "an operator or the end");
-}
+class RefusedEntry : public testing::TestWithParam<test::RefusedChange> {};
+TEST_P(RefusedEntry, IsToldWithItsLine) { expect_refused(GetParam(), kModelOfEntry); }
+INSTANTIATE_TEST_SUITE_P(Each, RefusedEntry, testing::ValuesIn(kRefusedEntrys),
+                         test::name_of_change);
 
 TEST(ExpressionRefusal, ControlCharacter) {
   expect_refused(
@@ -117,114 +115,6 @@ TEST(ExpressionRefusal, NulCharacter) {
   expect_refused(
       "regulus = 1\nname = \"a\"\n[pose]\nx = \"1\"\n[matrix]\nrows = [[\"x\\u0000 y\"]]\n", 6,
       "'\\x00' (character 2", "an operator or the end");
-}
-
-TEST(ExpressionRefusal, DivisionOfConstantsByZero) {
-  expect_refused_entry("1/0", "a division by zero", "a divisor that is not zero");
-}
-
-TEST(ExpressionRefusal, ZeroByZero) {
-  expect_refused_entry("x*(0/0)", "a division by zero", "a divisor that is not zero");
-}
-
-TEST(ExpressionRefusal, DivisionByWhatIsZeroEverywhere) {
-  expect_refused_entry("1/(x - x)", "a division by zero", "a divisor that is not zero");
-}
-
-TEST(ExpressionRefusal, NegativePowerOfZero) {
-  expect_refused_entry("0^-1", "a division by zero", "a divisor that is not zero");
-}
-
-TEST(ExpressionRefusal, ZeroToTheZero) {
-  expect_refused_entry("0^0", "a division by zero", "a divisor that is not zero");
-}
-
-TEST(ExpressionRefusal, RootOfANegativeNumber) {
-  expect_refused_entry("sqrt(-1)", "the root of a negative number (-1.000000)", "≥ 0");
-}
-
-TEST(ExpressionRefusal, RootOfANegativeIrrational) {
-  expect_refused_entry("sqrt(3 - pi)", "the root of a negative number (-0.141593)", "≥ 0");
-}
-
-TEST(ExpressionRefusal, FractionalPowerOfANegativeNumber) {
-  expect_refused_entry("(-8)^(1/3)", "fractional power of a number (-8.000000)", "> 0");
-}
-
-TEST(ExpressionRefusal, LogarithmOfZero) {
-  expect_refused_entry("log(0)", "logarithm or fractional power of a number (0.000000)", "> 0");
-}
-
-TEST(ExpressionRefusal, ArcSineBeyondOne) {
-  expect_refused_entry("asin(2)", "the arc sine or cosine of a number (2.000000)",
-                       "between -1 and 1");
-}
-
-TEST(ExpressionRefusal, ArcCosineBeyondMinusOne) {
-  expect_refused_entry("acos(-pi)", "the arc sine or cosine", "between -1 and 1");
-}
-
-TEST(ExpressionRefusal, PoleOfTangent) {
-  expect_refused_entry("tan(pi/2)", "an operation that has no value",
-                       "an operation that is defined");
-}
-
-TEST(ExpressionRefusal, ArcTangentOfTheOrigin) {
-  expect_refused_entry("atan2(0, 0)", "atan2(0, x) with x ≤ 0", "y ≠ 0 or x > 0");
-}
-
-TEST(ExpressionRefusal, VariableExponent) {
-  expect_refused_entry("2^x", "an exponent that is not a rational constant",
-                       "an integer or a fraction");
-}
-
-TEST(ExpressionRefusal, ExponentThatOnlySimplifiesToAConstant) {
-  expect_refused_entry("x^(1 + y - y)", "an exponent that is not a rational constant",
-                       "an integer or a fraction");
-}
-
-TEST(ExpressionRefusal, IrrationalExponent) {
-  expect_refused_entry("x^pi", "an exponent that is not a rational constant", "an integer");
-}
-
-TEST(ExpressionRefusal, HugeExponent) {
-  expect_refused_entry("x^1000000", "an exponent beyond ±100", "a smaller exponent");
-}
-
-TEST(ExpressionRefusal, HugeNegativeExponent) {
-  expect_refused_entry("x^-1e300", "an exponent beyond ±100", "a smaller exponent");
-}
-
-TEST(ExpressionRefusal, HugeDecimalExponent) {
-  expect_refused_entry("1e999999999", "'1e999999999'", "an exponent within ±1000");
-}
-
-TEST(ExpressionRefusal, DecimalExponentBeyondAnyInteger) {
-  expect_refused_entry("1e-99999999999999999999", "'1e-99999999999999999999'",
-                       "an exponent within ±1000");
-}
-
-TEST(ExpressionRefusal, NumberOfTooManyDigits) {
-  expect_refused_entry(std::string(1001, '7'), "'7777", "at most 1000 digits");
-}
-
-TEST(ExpressionRefusal, TowerOfPowersOfNumbers) {
-  expect_refused_entry("(((10^100)^100)^100)^100", "numbers too large", "bits");
-}
-
-TEST(ExpressionRefusal, TenThousandBrackets) {
-  expect_refused_entry(repeated("(", 10000) + "x" + repeated(")", 10000),
-                       "an expression nested too deeply", "at most 256 levels");
-}
-
-TEST(ExpressionRefusal, TenThousandMinusSigns) {
-  expect_refused_entry(repeated("-", 10000) + "x", "an expression nested too deeply",
-                       "at most 256 levels");
-}
-
-TEST(ExpressionRefusal, TenThousandCarets) {
-  expect_refused_entry(repeated("x^", 10000) + "1", "an expression nested too deeply",
-                       "at most 256 levels");
 }
 
 TEST(ExpressionRefusal, MegabyteIsRefusedAtOnce) {

@@ -32,6 +32,21 @@ inline void expect_refused(const std::string& text, int line, const std::string&
   }
 }
 
+/// A change of a model that makes it one that is refused.
+struct RefusedChange {
+  const char* name;
+  std::string from, to;  ///< without `from`, `to` is the whole text
+  int line;
+  std::string found, expected;
+};
+inline void PrintTo(const RefusedChange& change, std::ostream* out) { *out << change.name; }
+inline std::string name_of_change(const testing::TestParamInfo<RefusedChange>& info) {
+  return info.param.name;
+}
+inline void expect_refused(const RefusedChange& c, const std::string& model) {
+  expect_refused(c.from.empty() ? c.to : changed(model, c.from, c.to), c.line, c.found, c.expected);
+}
+
 /// Expects the same for the example with one change.
 inline void expect_refused_change(const std::string& from, const std::string& to, int line,
                                   const std::string& found, const std::string& expected) {

@@ -145,7 +145,9 @@ TEST(ADeterminantThatJumpsPast0, IsNotSingular) {
 /// The point where the angle has no value stays one, and so does a limit that no pose attains.
 TEST(ACutOfAtan2, IsNotDecidedAtItsEnd) {
   const std::string around = replaced(kModel, "x = [-2, -1]\ny", "x = [-2, 1]\ny");
-  EXPECT_EQ(ask_about(around).verdict, Verdict::kPossibleProblem);
+  EXPECT_EQ(ask_about(replaced(around, "atan2(y + u, x)", "atan2(y + u, x) + 4")).verdict,
+            Verdict::kPossibleProblem);
+  EXPECT_EQ(ask_about(around).verdict, Verdict::kSingularity);  // at y = 0 and x > 0
   const std::string limit = replaced(kModel, "atan2(y + u, x)", "atan2(y + u, x) + pi");
   EXPECT_EQ(ask_about(limit).verdict, Verdict::kPossibleProblem);
 }

@@ -42,9 +42,11 @@ TEST(PublicFace, SolutionsSayWhichToleranceTheyLeaveOut) {
   const regulus::SolveOptions at{
       .search = {}, .at = {"x=0", "y=0", "z=47", "psi=0.1", "theta=0.05", "phi=0.02"}, .hold = {}};
   Question robot = Question::of_file(REGULUS_SOURCE_DIR "/models/robot_1.toml");
+  Question planar = Question::of_file(REGULUS_SOURCE_DIR "/models/rpr_6.toml");
   const char* const kLeftOut = "with every tolerance and control error at 0, ";
   EXPECT_THAT(regulus::solve(robot, at).report, Not(HasSubstr(kLeftOut)));
-  EXPECT_THAT(regulus::solve(robot.tolerance("base", "0.1"), at).report, HasSubstr(kLeftOut));
+  EXPECT_THAT(regulus::solve(robot.tolerance("base", "1e-7"), at).report, Not(HasSubstr(kLeftOut)));
+  EXPECT_THAT(regulus::solve(planar.tolerance("base", "0.1"), {}).report, HasSubstr(kLeftOut));
 }
 
 TEST(PublicFace, SolutionsOfAMotionWithConstraintsAreRefused) {

@@ -329,14 +329,16 @@ INSTANTIATE_TEST_SUITE_P(OfEachClaim, Shards, testing::ValuesIn(claims_with_shar
                          [](const auto& which) { return name_of(which.param); });
 
 /// The proof of a branch links its boxes with each other.
-TEST(ShardsOfClaims, AreRefusedOnlyWhereThereIsNoProofOrABranch) {
+TEST(ShardsOfClaims, AreRefusedWhereThereIsNoProofABranchOrAList) {
   for (std::size_t k = 0; k < kKinds; ++k) {
     const bool is_branch = Kind(k) == Kind::kClosureCheck || Kind(k) == Kind::kClosureMargin;
+    // Of a list of solutions the proof has as many lines as there are roots.
+    const bool is_list = Kind(k) == Kind::kSolve || Kind(k) == Kind::kClosureSolve;
     EXPECT_EQ(refusal(Kind(k), Service::kShards).has_value(),
-              is_branch || refusal(Kind(k), Service::kProof).has_value())
+              is_branch || is_list || refusal(Kind(k), Service::kProof).has_value())
         << name(Kind(k));
   }
-  // Finite errors and lists of solutions have no proof; closures are tried elsewhere.
+  // Finite errors have no proof; closures and lists of solutions are tried elsewhere.
   EXPECT_EQ((std::size(kClaims) + 2) * 3, kKinds);
 }
 

@@ -13,13 +13,13 @@ using verifier::Outcome;
 using verifier::Verification;
 
 /// A model file, and the text about it in a certificate.
-struct Pair {
+struct WrittenTwice {
   std::string entry = "x + 3 + u", x = "[0, 1]", u = "{ value = 0.1, tolerance = 0.05 }", more;
   std::string stated_entry = "x + 3 + u", stated_x = "0 : 1", stated_u = "1/10 +- 1/20",
               stated_more, alpha = "0";
 };
 
-Verification compare(const Pair& p, const std::set<std::string>& overridden = {}) {
+Verification compare(const WrittenTwice& p, const std::set<std::string>& overridden = {}) {
   verifier::Options options;
   options.model_name = "model.toml";
   options.model_text = "regulus = 1\nname = \"m\"\n[pose]\nx = \"m\"\n[geometry]\nu = " + p.u +
@@ -40,7 +40,7 @@ Verification compare(const Pair& p, const std::set<std::string>& overridden = {}
                      options);
 }
 
-void expect_refused(const Pair& p, const std::string& number, const std::string& other) {
+void expect_refused(const WrittenTwice& p, const std::string& number, const std::string& other) {
   const Verification v = compare(p);
   EXPECT_EQ(v.outcome, Outcome::kRejected) << number;
   for (const std::string& part :
@@ -56,7 +56,7 @@ TEST(AModelFile, IsComparedValueByValue) {
 
 /// The front end writes roots for the values of some angles, and other angles in the first quadrant.
 TEST(AnAngleThatIsAPartOfATurn, HasTheValueThatItsOtherFormsHave) {
-  Pair p;
+  WrittenTwice p;
   for (const auto& [ours, stated] :
        {std::pair("cos(108*deg)", "(1 - sqrt(5))/4"), std::pair("sin(54*deg)", "(sqrt(5) + 1)/4"),
         std::pair("cos(144*deg)", "-sqrt(5)/4 - 1/4"), std::pair("sin(-18*deg)", "1/4 - sqrt(5)/4"),
@@ -72,7 +72,7 @@ TEST(AnAngleThatIsAPartOfATurn, HasTheValueThatItsOtherFormsHave) {
 
 /// Each certificate has the shortest decimal of the double nearest to the number in the model.
 TEST(AMisreadNumber, IsRefusedWithBothNumbers) {
-  Pair p;
+  WrittenTwice p;
   p.entry = "x + 0.12345678901234567890123", p.stated_entry = "x + 0.12345678901234568";
   expect_refused(p, "0.12345678901234567890123", "0.12345678901234568");
   p = {};
@@ -102,7 +102,7 @@ TEST(AMisreadNumber, IsRefusedWithBothNumbers) {
 }
 
 TEST(AnError, IsRefusedWhereTheCertificateHasNone) {
-  Pair p;
+  WrittenTwice p;
   p.more = "error = { x = 1e-400 }";
   const Verification v = compare(p);
   EXPECT_EQ(v.outcome, Outcome::kRejected);
@@ -110,7 +110,7 @@ TEST(AnError, IsRefusedWhereTheCertificateHasNone) {
 }
 
 TEST(EveryWayToWriteANumber, MeansTheSame) {
-  Pair p;
+  WrittenTwice p;
   p.stated_x = "-31 : 1000";
   p.stated_entry = "x + 35 + u";
   for (const char* x : {"[-31, 1_000]", "[-31.0, \"10^3\"]", "[-0x1F, 0b1111101000]",
@@ -122,7 +122,7 @@ TEST(EveryWayToWriteANumber, MeansTheSame) {
 }
 
 TEST(AnExpression, IsTheSameHoweverItIsWritten) {
-  Pair p;
+  WrittenTwice p;
   for (const char* entry : {"c", "3 + (x + u)", "d + x", "c*(sin(c)^2 + cos(c)^2)", "180*deg/pi*c",
                             "(c^2 - 1)/(c^2 + 1)*(1 + c^2)/4 + (5 - c^2)/4 + c - 1"}) {
     p.entry = entry;
@@ -147,7 +147,7 @@ TEST(AnExpression, IsTheSameHoweverItIsWritten) {
 
 /// Also below a root, where a quotient has a form of its own.
 TEST(AnExpression, IsTheSameWithAPowerOfAQuotientOrAQuotientOfPowers) {
-  Pair p;
+  WrittenTwice p;
   p.entry = "c + sqrt((1/(x^2 + x + 2))^2*(x + 1) + 1)";
   p.stated_entry = "x + 3 + u + sqrt(1 + (x + 1)/(x^2 + x + 2)^2)";
   EXPECT_EQ(compare(p).outcome, Outcome::kVerified) << compare(p).reason;
@@ -156,7 +156,7 @@ TEST(AnExpression, IsTheSameWithAPowerOfAQuotientOrAQuotientOfPowers) {
 }
 
 TEST(WhatAnOptionHasSet, IsListedAndNotRefused) {
-  Pair p;
+  WrittenTwice p;
   p.stated_x = "0 : 2";
   EXPECT_EQ(compare(p).outcome, Outcome::kRejected);
   EXPECT_EQ(compare(p, {"range y"}).outcome, Outcome::kRejected);
@@ -169,7 +169,7 @@ TEST(WhatAnOptionHasSet, IsListedAndNotRefused) {
 }
 
 TEST(WhatTheReaderDoesNotUnderstand, IsUnfinishedWithItsLine) {
-  Pair p;
+  WrittenTwice p;
   p.entry = "x + unknown";
   const Verification v = compare(p);
   EXPECT_EQ(v.outcome, Outcome::kUnfinished);

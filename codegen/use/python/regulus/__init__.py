@@ -24,6 +24,7 @@ from .sympy_models import from_sympy
 from .paving import LoadPaving, Paving
 from .results import Bound, Certificate, Check, LoadCheck, Margin, PreparedCheck, Verification
 from .robot import Prepared, Robot, from_urdf, load, verify
+from .solutions import Found, Solved, SolvedPlaces
 
 __all__ = [
     "ArgumentTypeError",
@@ -32,6 +33,7 @@ __all__ = [
     "Check",
     "CompileError",
     "FileError",
+    "Found",
     "InputError",
     "InternalError",
     "LoadCheck",
@@ -42,6 +44,8 @@ __all__ = [
     "PreparedCheck",
     "RegulusError",
     "Robot",
+    "Solved",
+    "SolvedPlaces",
     "UsageError",
     "Verification",
     "__version__",

@@ -8,6 +8,7 @@ import os
 from typing import Any, Mapping, Optional, Sequence, Union
 
 from .errors import ArgumentTypeError, UsageError
+from .numbers import Texts
 
 _LARGEST = (1 << 64) - 1
 _BOUNDS = {
@@ -64,6 +65,35 @@ def elements_of(value: Any) -> Optional[Sequence[Any]]:
     if hasattr(value, "tolist") and hasattr(value, "ndim"):
         return list(value) if value.ndim > 0 else None
     return value if isinstance(value, (tuple, list)) else None
+
+
+def assignments_of(name: str, numbers: Any, texts: Texts) -> list[str]:
+    """Returns "NAME=VALUE" of each entry of a dict."""
+    result = []
+    for key, value in mapping_of(name, numbers).items():
+        if elements_of(value) is not None:
+            raise ArgumentTypeError(
+                f"{name}: {key} has several numbers; give one, or ask solve_many()"
+            )
+        result.append(f"{key}={texts.of(value, f'{name}: {key}')}")
+    return result
+
+
+def places_of(name: str, lists: Mapping[str, Sequence[Any]], texts: Texts) -> list[list[str]]:
+    """Returns "NAME=VALUE" of each number of each place, from a list of numbers for each name."""
+    sizes = {key: len(values) for key, values in lists.items()}
+    if len(set(sizes.values())) > 1:
+        raise UsageError(f"{name}: the lists have different lengths: {sizes}")
+    if 0 in sizes.values():
+        raise UsageError(f"{name}: the lists are empty; give a number for each place")
+    columns = []
+    for key, values in lists.items():
+        of_list = Texts()
+        column = [f"{key}={of_list.of(v, f'{name}: {key}[{i}]')}" for i, v in enumerate(values)]
+        columns.append(column)
+        if of_list.notes:
+            texts.notes.append(f"the floats of {key} are the doubles that they are, no decimals")
+    return [list(place) for place in zip(*columns)]
 
 
 def count_of(name: str, value: Any, least: int = 0, most: int = _LARGEST) -> int:

@@ -17,7 +17,7 @@ def _of_python(text: Any) -> Any:
     """Names arguments and functions of Python, where a message names the command's."""
     if not isinstance(text, str):
         return text
-    text = re.sub(r"`?\bregulus (check|locate|margin|bound|verify)\b`?", r"\1()", text)
+    text = re.sub(r"`?\bregulus (check|locate|margin|bound|solve|verify)\b`?", r"\1()", text)
     text = re.sub(r"^(MOTION|QUANTITY): ", lambda place: place[0].lower(), text)
     return re.sub(r"(?<![\w-])--([a-z][a-z0-9-]*)", _argument, text)
 

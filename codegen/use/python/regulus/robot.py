@@ -9,12 +9,14 @@ from typing import Any, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _regulus
 from .arguments import (
+    assignments_of,
     count_of,
     elements_of,
     mapping_of,
     option_of,
     optional_path,
     path_of,
+    places_of,
     proof_of,
     seconds_of,
     text_of,
@@ -24,6 +26,7 @@ from .errors import ArgumentTypeError, FileError, UsageError
 from .numbers import Number, Texts
 from .paving import LoadPaving, Paving
 from .results import Bound, Check, LoadCheck, Margin, Path, PreparedCheck, Verification
+from .solutions import Solved, SolvedPlaces
 
 Range = Union[Number, Tuple[Number, Number], Sequence[Number]]
 """(lower, upper) as a tuple, a list or an array of NumPy, or one value."""
@@ -506,6 +509,91 @@ class Robot:
                     "" if limit is None else of(limit, "limit"),
                     of(gap, "gap"),
                     *proof_of(certificate, shard_size),
+                )
+            )
+        except KeyboardInterrupt as stop:
+            _with_partial(stop, result)
+            raise
+
+    def solve(
+        self,
+        motion: str = "",
+        *,
+        at: Optional[Mapping[str, Number]] = None,
+        hold: Sequence[str] = (),
+        tolerance: Optional[Mapping[str, Number]] = None,
+        **options: Any,
+    ) -> Solved:
+        """Finds all configurations, poses or postures at one place, and proves that these are all.
+
+        Args:
+            motion: one that has one place; "" if the robot has only one, or `at` gives all numbers.
+            at: values of pose parameters; in their place of the legs' lengths, rho_1, rho_2 and so
+                on, or of the tool, x, y, z, roll, pitch, yaw; in their units.
+            hold: joints of an arm that keep the values of the place, where more than six move.
+            tolerance: as for check(), of a model with [closure].
+            options: of the search: threads, time_limit, max_boxes, engine, isa, use_cache,
+                beyond_limits.
+
+        The default of `time_limit` is 60 seconds. Errors are as for check(); the `result` of an
+        interrupt is a Solved.
+        """
+        question = Question(self, motion, None, tolerance)
+        question.set_options({"time_limit": 60, **options})
+        given = assignments_of("at", at, question.texts)
+        held = words_of("hold", hold)
+
+        def result(finding: Any) -> Solved:
+            return Solved(finding, question.texts.notes)
+
+        try:
+            return result(_regulus.solve(question.question, question.options, given, held))
+        except KeyboardInterrupt as stop:
+            _with_partial(stop, result)
+            raise
+
+    def solve_many(
+        self,
+        motion: str = "",
+        *,
+        at: Optional[Mapping[str, Union[Number, Sequence[Number]]]] = None,
+        waypoints: Optional[Path] = None,
+        hold: Sequence[str] = (),
+        tolerance: Optional[Mapping[str, Number]] = None,
+        **options: Any,
+    ) -> SolvedPlaces:
+        """Solves many places, each for itself.
+
+        Args:
+            at: as for solve(), with lists or arrays of NumPy, which have a number for each place; a
+                single number is that of all places.
+            waypoints: a table of places, one a line, in the place of lists.
+
+        Limits of the search are those of each place. The others and the errors are as for solve();
+        the `result` of an interrupt is a SolvedPlaces.
+        """
+        question = Question(self, motion, None, tolerance)
+        question.set_options({"time_limit": 60, **options})
+        given = mapping_of("at", at)
+        columns = {name: elements_of(value) for name, value in given.items()}
+        single = {name: given[name] for name, list_of in columns.items() if list_of is None}
+        lists = {name: list_of for name, list_of in columns.items() if list_of is not None}
+        if bool(lists) == (waypoints is not None):
+            raise UsageError(
+                "solve_many: give the places by lists or arrays in at, or by a table in waypoints"
+            )
+        everywhere = assignments_of("at", single, question.texts)
+        held = words_of("hold", hold)
+        places = places_of("at", lists, question.texts)
+
+        def result(finding: Any) -> SolvedPlaces:
+            return SolvedPlaces(finding, question.texts.notes)
+
+        table = optional_path("waypoints", waypoints)
+        try:
+            return result(
+                _regulus.solve_many(
+                    question.question, question.options, everywhere, held, places, table
                 )
             )
         except KeyboardInterrupt as stop:

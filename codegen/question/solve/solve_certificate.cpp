@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/question/solve/solve_certificate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "codegen/answer/certificate/certificate_expression_writer.hpp"
+#include "codegen/answer/certificate/certificate_question.hpp"
+#include "codegen/kernel/formulation/variety.hpp"
+#include "codegen/question/solve/nominal.hpp"
+#include "codegen/question/solve/platform_legs.hpp"
+#include "codegen/question/solve/system_solutions.hpp"
+#include "runtime/interval/floating_point_scope.hpp"
+
+namespace regulus {
+namespace {
+
+using GiNaC::ex;
+
+constexpr const char* kNoSolutionCertain = "no solution is certain, so nothing is claimed";
+constexpr const char* kNoProofOfSearch =
+    "that these are all is shown by a search over poses, which has no proof in a file";
+constexpr const char* kNoProofOfTolerances =
+    "a list for tolerances and errors that are not 0 has no proof in a file";
+constexpr const char* kAtBorder = "a solution may be at the end of the range of an unknown";
+
+/// The verifier's enclosures of the solutions are within these, also where the given ones are points.
+constexpr double kWiderRelative = 0x1p-51, kWiderAbsolute = 0x1p-60;
+constexpr double kWiderForSearch = 0x1p-36, kUsualCondition = 0x1p-10, kWiderWidth = 0.5;
+
+ex width_of(const Closure& closure, std::size_t unknown) {
+  return closure.ranges[unknown].hi - closure.ranges[unknown].lo;
+}
+
+const char* verdict_of(const Solutions& solutions) {
+  if (solutions.completeness == Completeness::kIncomplete) return format::kIncomplete;
+  return solutions.found.empty() ? format::kNone : format::kComplete;
+}
+
+std::string leg_lines(const Request& request) {
+  const NominalGeometry nominal(request.model);
+  const std::vector<ex> squares = squared_lengths(request);
+  std::string lines;
+  for (std::size_t i = 0; i < squares.size(); ++i) {
+    lines += "leg ";
+    for (const auto* anchor : {&request.model.legs[i].base, &request.model.legs[i].platform})
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        lines += expression_text(nominal.at((*anchor)[axis])) + " | ";
+    lines += expression_text(squares[i]) + '\n';
+  }
+  return lines;
+}
+
+/// Requires  MXCSR at nearest.
+std::string solution_lines(const Solutions& solutions, double size) {
+  std::string lines;
+  for (const CertainSolution& solution : solutions.found) {
+    lines += "solution";
+    for (std::size_t i = 0; i < solution.values.size(); ++i) {
+      const Interval& x = solution.values[i];
+      const double step = kWiderRelative * mag(x) + kWiderAbsolute * (i < 3 ? size : 1);
+      const Interval wider = x + Interval(-step, step);
+      lines += fmt::format(" {:a}:{:a}", wider.lo, wider.hi);
+    }
+    lines += '\n';
+  }
+  return lines;
+}
+
+/// How far the platform may be from the base.
+double size_of(const Request& request, const Solutions& solutions) {
+  double size = 0;
+  for (const ex& square : squared_lengths(request))
+    size = std::max(size, mag(sqrt(enclose_constant(square, "a length"))));
+  for (const CertainSolution& solution : solutions.found)
+    for (std::size_t i = 0; i < 3; ++i) size = std::max(size, mag(solution.values[i]));
+  return size;
+}
+
+/// The roots of the count; without a count the solutions themselves, roughly.
+std::vector<std::vector<Complex>> roots_of(const Solutions& solutions) {
+  if (solutions.completeness == Completeness::kComplete) return solutions.roots;
+  std::vector<std::vector<Complex>> roots;
+  for (const CertainSolution& solution : solutions.found) {
+    roots.emplace_back();
+    for (const Interval& x : solution.values) roots.back().emplace_back(mid(x));
+  }
+  return roots;
+}
+
+std::string root_lines(const std::vector<std::vector<Complex>>& roots) {
+  std::string lines;
+  for (const auto& root : roots) {
+    lines += "root";
+    for (const Complex& z : root) lines += fmt::format(" {} {}", z.re, z.im);
+    lines += '\n';
+  }
+  return lines + fmt::format("end {}\n", roots.size());
+}
+
+std::string head_of(const Solutions& solutions, const std::string& claim,
+                    const std::string& question, const std::string& lines) {
+  return fmt::format("{}\nverdict {}\nclaim {}\n{}{}proof\n", format::kMagic, verdict_of(solutions),
+                     claim, question, lines);
+}
+
+std::string head_of_platform(const Request& request, const Solutions& solutions) {
+  const Model& model = request.model;
+  return head_of(solutions,
+                 format::describe_solutions_claim({verdict_of(solutions), format::kOfSixLegs,
+                                                   "pose", "poses", solutions.found.size()}),
+                 fmt::format("model {}\nsha256 {}\nmotion {}\n{}", model.name,
+                             model.sha256.empty() ? "-" : model.sha256, request.motion.name,
+                             leg_lines(request)),
+                 solution_lines(solutions, size_of(request, solutions)));
+}
+
+/// True if the unknown is looked for all around.
+bool turns(const Closure& closure, std::size_t unknown) {
+  const ex period = period_of(closure, unknown), width = width_of(closure, unknown);
+  return !period.is_zero() &&
+         !(enclose_constant(width, "a range").hi < enclose_constant(period, "a period").lo);
+}
+
+/// The question at one place: an unknown that turns is looked for within half a turn of the middle of
+/// its range, another one in its range.
+Request searched_request(const Request& request) {
+  Request searched = request;
+  Closure& closure = *searched.model.closure;
+  for (std::size_t i = 0; i < closure.unknowns.size(); ++i) {
+    closure.start[i] = (closure.ranges[i].lo + closure.ranges[i].hi) / 2;
+    closure.start_radius[i] =
+        (turns(closure, i) ? period_of(closure, i) : width_of(closure, i)) / 2;
+  }
+  closure.start_pose = searched.motion.pose = pose_of(request.motion);
+  searched.motion.parameters.clear();
+  return searched;
+}
+
+/// Wider than the enclosures, so that the verifier's doubles can show that one solution is in each.
+std::string searched_lines(const Request& searched, const Solutions& solutions) {
+  const Closure& closure = *searched.model.closure;
+  const std::size_t n = closure.unknowns.size();
+  std::vector<double> size(n, 0.0);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (const CertainSolution& s : solutions.found) size[i] = std::max(size[i], mag(s.values[i]));
+    if (solutions.unknowns[i].period > 0 || size[i] == 0) size[i] = std::max(size[i], 1.0);
+  }
+  std::string lines;
+  for (const CertainSolution& solution : solutions.found) {
+    lines += "solution";
+    const double worse = std::max(1.0, solution.condition * kUsualCondition);
+    for (std::size_t i = 0; i < n; ++i) {
+      Interval x = solution.values[i];
+      if (turns(closure, i)) {
+        const Interval period = enclose_constant(period_of(closure, i), "a period");
+        const double middle = mid(enclose_constant(closure.start[i], "a range"));
+        x -= Interval(std::round((mid(x) - middle) / mid(period))) * period;
+      }
+      const double step = std::max(kWiderWidth * width_ru(x), kWiderForSearch * worse * size[i]);
+      const Interval wider = x + Interval(-step, step);
+      lines += fmt::format(" {:a}:{:a}", wider.lo, wider.hi);
+    }
+    lines += '\n';
+  }
+  return lines;
+}
+
+std::string head_of_equations(const Request& request, const Solutions& solutions) {
+  const Request searched = searched_request(request);
+  const std::set<std::string> uncertain = uncertain_names(searched);
+  const std::size_t count = claimed_set(searched, uncertain).uncertain;
+  return head_of(
+      solutions,
+      format::describe_solutions_claim({verdict_of(solutions), format::kOfUnknowns, "configuration",
+                                        "configurations", solutions.found.size(), count}),
+      certified_question(searched, uncertain).text, searched_lines(searched, solutions));
+}
+
+std::string obstacle_of(const Request& request, const Solutions& solutions) {
+  const bool is_complete = solutions.completeness == Completeness::kComplete;
+  if (!is_complete && solutions.found.empty()) return kNoSolutionCertain;
+  if (request.model.closure)
+    return std::ranges::any_of(
+               solutions.found,
+               [](const CertainSolution& s) { return s.limits == WithinLimits::kUnknown; })
+               ? kAtBorder
+               : "";
+  if (has_tolerances(request)) return kNoProofOfTolerances;
+  return is_complete && solutions.boxes > 0 ? kNoProofOfSearch : "";
+}
+
+}  // namespace
+
+ProofStatus certify_solutions(const std::string& path, const Request& request,
+                              const Solutions& solutions, const ProofPlacing& placing) {
+  ProofStatus status(path);
+  if (!status.is_wanted()) return status;
+  const FloatingPointScope nearest(FloatingPointRounding::kNearest);
+  status.set_obstacle(obstacle_of(request, solutions));
+  if (!status.obstacle().empty()) return status;
+  const bool is_search = request.model.closure.has_value();
+  const std::string head =
+      is_search ? head_of_equations(request, solutions) : head_of_platform(request, solutions);
+  status.set_obstacle(obstacle_of_head(head));
+  if (!status.obstacle().empty()) return status;
+  const std::string proof = is_search ? "end\n" : root_lines(roots_of(solutions));
+  status.attempt([&] { write_witness(path, head, proof, placing); });
+  if (status.obstacle().empty()) status.set_written();
+  return status;
+}
+
+}  // namespace regulus

@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: Apache-2.0
+#define REGULUS_POSE_LANES evaluate_poses_avx2
+#include "runtime/solutions/pose_lanes.hpp"

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/verifier/model/platform_comparison.hpp"
+
+#include <algorithm>
+
+namespace regulus::verifier {
+namespace {
+
+constexpr std::string_view kGeometry = "geometry.";
+
+class PlatformComparison {
+ public:
+  PlatformComparison(QuestionComparer& comparer, SectionReading* section)
+      : comparer_(comparer),
+        q_(comparer.question()),
+        values_(comparer.values()),
+        section_(section),
+        motion_("motion." + q_.motion + '.') {}
+
+  void run() {
+    if (section_ == nullptr) comparer_.refuse_model("it has neither [gough] nor [legs]");
+    name_constants();
+    const std::vector<SectionLeg> legs = section_->telescopic_legs(comparer_);
+    if (legs.size() != q_.solutions->legs.size())
+      comparer_.refuse_model("it has " + std::to_string(legs.size()) + " legs, and not " +
+                             std::to_string(q_.solutions->legs.size()));
+    for (std::size_t i = 0; i < legs.size(); ++i) {
+      compare_point(legs[i].base, "base", i);
+      compare_point(legs[i].platform, "platform", i);
+    }
+    compare_lengths(legs);
+  }
+
+ private:
+  [[nodiscard]] bool has(const std::string& place) const { return values_.contains(place); }
+
+  /// The constants of [geometry] have their values, whatever their tolerances are.
+  void name_constants() {
+    const Scope none;
+    for (auto at = values_.lower_bound(kGeometry);
+         at != values_.end() && at->first.starts_with(kGeometry); ++at) {
+      const std::string rest = at->first.substr(kGeometry.size());
+      std::string name = rest.substr(0, rest.find_first_of(".["));
+      std::string key = rest.substr(name.size());
+      if (key.starts_with(".value")) key = key.substr(6);
+      if (key.starts_with("["))
+        name += '_' + std::to_string(std::stoul(key.substr(1)) + 1);
+      else if (!key.empty())
+        continue;  // a tolerance, a radius or a group
+      const NodeId value = comparer_.expression_at(at->first, none);
+      comparer_.expect_defined(comparer_.place_of(at->first), value);
+      q_.actual.emplace(name, value);
+    }
+  }
+
+  void compare_point(const SectionPoint& point, const char* kind, std::size_t leg) {
+    for (std::size_t axis = 0; axis < point.value.size(); ++axis)
+      comparer_.compare(comparer_.place_of(point.place + '[' + std::to_string(axis) + ']'),
+                        point.value[axis],
+                        std::string(kind) + ' ' + std::to_string(leg) + '_' + "xyz"[axis]);
+  }
+
+  void compare_lengths(const std::vector<SectionLeg>& legs) {
+    require_known_keys();
+    require_no_tolerances();
+    const std::string lengths = motion_ + "legs";
+    if (has(lengths + "[0]")) return compare_given_lengths(lengths, legs.size());
+    Scope pose = q_.actual;
+    for (const SectionPose& p : section_->pose()) {
+      if (!has(motion_ + p.name)) return accept_place(p.name, legs.size());
+      pose.insert_or_assign(p.name, comparer_.pose_at(motion_ + p.name, p.name));
+    }
+    for (std::size_t i = 0; i < legs.size(); ++i) {
+      const NodeId square = section_->squared_length(legs[i], pose, comparer_);
+      comparer_.expect_defined({motion_, 0, ""}, square);
+      compare_square({q_.motion, 0, "leg " + std::to_string(i + 1)}, square, i);
+    }
+  }
+
+  void compare_given_lengths(const std::string& list, std::size_t count) {
+    const Scope none;
+    GraphAlgebra algebra(q_.graph);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::string place = list + '[' + std::to_string(i) + ']';
+      if (!has(place)) comparer_.refuse_model("the motion has fewer lengths than there are legs");
+      const NodeId length = comparer_.expression_at(place, none);
+      comparer_.expect_defined(comparer_.place_of(place), length);
+      compare_square(comparer_.place_of(place), algebra.square(length), i);
+    }
+    if (has(list + '[' + std::to_string(count) + ']'))
+      comparer_.refuse_model("the motion has more lengths than there are legs");
+  }
+
+  void compare_square(const FilePlace& from, NodeId square, std::size_t leg) {
+    comparer_.compare(from, square, "square " + std::to_string(leg), kPlaceOption);
+  }
+
+  /// The file has no such place: an option may have given it.
+  void accept_place(const std::string& lacking, std::size_t legs) {
+    const auto motion = values_.lower_bound(motion_);
+    const bool is_known = motion != values_.end() && motion->first.starts_with(motion_);
+    const std::string why = is_known ? "the motion '" + q_.motion + "' gives no value of " + lacking
+                                     : "the file has no motion '" + q_.motion + '\'';
+    if (!comparer_.may_differ(kPlaceOption)) comparer_.refuse_model(why);
+    comparer_.note_difference(why + "; the lengths are those of the certificate");
+    for (std::size_t i = 0; i < legs; ++i) comparer_.note_compared("square " + std::to_string(i));
+  }
+
+  /// The claim is about one platform.
+  void require_no_tolerances() {
+    for (const auto& [place, value] : values_) {
+      const bool is_of_robot =
+          place.starts_with(kGeometry) || place.starts_with("gough.") || place.starts_with("legs.");
+      const bool is_spread = is_of_robot && (place.find("tolerance") != std::string::npos ||
+                                             place.find(".radius") != std::string::npos);
+      const bool is_error = place.starts_with(motion_ + "error");
+      const bool is_zero = !value.is_string && !value.text.empty() &&
+                           value.text.find_first_not_of("0.") == std::string::npos;
+      if ((is_spread || is_error) && !is_zero)
+        comparer_.leave_out(comparer_.place_of(place),
+                            "the claim is without tolerances and errors");
+    }
+  }
+
+  /// A threshold is no part of the claim.
+  void require_known_keys() {
+    for (auto at = values_.lower_bound(motion_);
+         at != values_.end() && at->first.starts_with(motion_); ++at) {
+      const std::string rest = at->first.substr(motion_.size());
+      const std::string name = rest.substr(0, rest.find_first_of(".["));
+      const auto poses = section_->pose();
+      const bool is_pose = std::ranges::any_of(
+          poses, [&](const SectionPose& p) { return p.name == name && p.name == rest; });
+      if (!is_pose && name != "legs" && name != "error" && name != "alpha")
+        comparer_.leave_out(comparer_.place_of(at->first), "this reader does not know it");
+    }
+  }
+
+  QuestionComparer& comparer_;
+  Question& q_;
+  const WrittenValues& values_;
+  SectionReading* const section_;
+  const std::string motion_;  ///< "motion.NAME."
+};
+
+}  // namespace
+
+void compare_platform(QuestionComparer& comparer, SectionReading* section) {
+  PlatformComparison(comparer, section).run();
+}
+
+}  // namespace regulus::verifier

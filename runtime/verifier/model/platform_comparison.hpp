@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Compares a claim about all poses of a platform with a model file.
+#pragma once
+
+#include "runtime/verifier/model/question_comparer.hpp"
+
+namespace regulus::verifier {
+
+/// The option that has set the place of a claim about all solutions.
+inline constexpr const char* kPlaceOption = "at";
+
+/// Compares the anchors of the legs, at the middles of their tolerances, and their lengths: those of
+/// the motion, or those at its pose. `section`: may be null.
+void compare_platform(QuestionComparer& comparer, SectionReading* section);
+
+}  // namespace regulus::verifier

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/verifier/solution_lines.hpp"
+
+#include "runtime/verifier/constant_lines.hpp"
+#include "runtime/verifier/proof.hpp"
+
+namespace regulus::verifier {
+namespace {
+
+constexpr std::size_t kLegs = 6, kValuesOfPose = 7;
+
+class SolutionReader {
+ public:
+  SolutionReader(Lines& lines, Question& q)
+      : lines_(lines),
+        reader_(lines, q),
+        s_(*q.solutions),
+        values_(q.closure ? q.closure->names.size() : kValuesOfPose),
+        legs_(q.closure ? 0 : kLegs) {}
+
+  void read() {
+    while (reader_.is("leg")) read_leg();
+    if (s_.legs.size() != legs_)
+      throw Rejection("expected " + std::to_string(legs_) + " lines 'leg E | … | E'");
+    while (reader_.is("solution")) read_solution();
+    if (s_.solutions.empty() != (s_.verdict == format::kNone))
+      throw Rejection(
+          "the verdict " + s_.verdict +
+          (s_.solutions.empty() ? " needs a line 'solution'" : " has no line 'solution'"));
+  }
+
+ private:
+  /// Reads `leg`, the anchor at the base, that at the platform, and the squared length.
+  void read_leg() {
+    if (s_.legs.size() == kLegs) throw Rejection("there are more than six legs");
+    std::string_view rest = reader_.rest_of("leg");
+    const std::string number = std::to_string(s_.legs.size());
+    LegLine leg;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      leg.base[axis] = constant("base", number + '_' + "xyz"[axis], rest);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      leg.platform[axis] = constant("platform", number + '_' + "xyz"[axis], rest);
+    leg.square = constant("square", number, rest);
+    if (!rest.empty()) throw Rejection("expected seven expressions after 'leg'");
+    s_.legs.push_back(leg);
+    reader_.advance();
+  }
+
+  /// Takes the text up to the next bar.
+  NodeId constant(const char* kind, const std::string& name, std::string_view& rest) {
+    const std::size_t bar = rest.find(" | ");
+    const std::string_view text = rest.substr(0, bar);
+    rest = bar == std::string_view::npos ? std::string_view() : rest.substr(bar + 3);
+    return reader_.constant(kind, name, text);
+  }
+
+  void read_solution() {
+    if (s_.solutions.size() == format::kMostSolutions)
+      throw Rejection("there are too many solutions");
+    const auto words = words_of(lines_.text());
+    if (words.size() != 1 + values_)
+      throw Rejection("expected " + std::to_string(values_) + " intervals after 'solution'");
+    SolutionLine solution{lines_.number(), {}};
+    for (std::size_t i = 1; i < words.size(); ++i) solution.values.push_back(interval(words[i]));
+    s_.solutions.push_back(std::move(solution));
+    reader_.advance();
+  }
+
+  static Interval interval(std::string_view word) {
+    const std::size_t colon = word.find(':');
+    if (colon == std::string_view::npos) throw Rejection("expected intervals LO:HI");
+    const Interval x{read_double(word.substr(0, colon)), read_double(word.substr(colon + 1))};
+    if (!(x.lo <= x.hi)) throw Rejection("the interval " + std::string(word) + " is empty");
+    return x;
+  }
+
+  Lines& lines_;
+  ConstantLines reader_;
+  SolutionLines& s_;
+  const std::size_t values_, legs_;
+};
+
+}  // namespace
+
+void read_solution_lines(Lines& lines, Question& question) {
+  SolutionReader(lines, question).read();
+}
+
+}  // namespace regulus::verifier

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// The lines of a question about all solutions at one place: FORMAT.md, "All solutions".
+#pragma once
+
+#include "runtime/verifier/question.hpp"
+
+namespace regulus::verifier {
+
+/// Reads the lines `leg` and `solution`, from the current one on. Throws Rejection.
+void read_solution_lines(Lines& lines, Question& question);
+
+}  // namespace regulus::verifier

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/verifier/solution_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/verifier/branch_test.hpp"
+#include "runtime/verifier/variety.hpp"
+
+namespace regulus::verifier {
+namespace {
+
+constexpr long kBits = 128;
+constexpr int kMostHalvings = 30;  ///< of the range, for the reach of a solution
+constexpr int kMostContractions = 8;
+constexpr double kWorthwhile = 0.75;  ///< a box that stays larger is split
+/// Parts of the range: a box that is narrower may be shown to hold another solution; the narrowest.
+constexpr double kNarrow = 0x1p-16, kNarrowest = 0x1p-40;
+
+bool is_in(std::span<const Interval> box, std::span<const Interval> other) {
+  for (std::size_t i = 0; i < box.size(); ++i)
+    if (!(other[i].lo <= box[i].lo && box[i].hi <= other[i].hi)) return false;
+  return true;
+}
+
+bool are_disjoint(std::span<const Interval> a, std::span<const Interval> b) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (a[i].hi < b[i].lo || a[i].lo > b[i].hi) return true;
+  return false;
+}
+
+class SolutionSearch {
+ public:
+  SolutionSearch(Lines& lines, Question& q, const Options& options, Verification& result)
+      : lines_(lines),
+        q_(q),
+        claim_(*q.solutions),
+        options_(options),
+        result_(result),
+        clock_(options, result),
+        places_(enclose_variety(q).outer),
+        test_(q),
+        equations_(q, q.closure->equations) {}
+
+  void check() {
+    if (!Evaluation(q_, q_.motion_defined).run(places_))
+      throw Unfinished("an expression of the motion has no certain value");
+    enclose_ranges();
+    for (const SolutionLine& line : claim_.solutions) {
+      lines_.name_line(line.line);
+      prove(line);
+    }
+    lines_.name_line(0);
+    if (claim_.verdict != format::kIncomplete) search();
+    result_.real_roots = result_.roots = reach_.size();
+  }
+
+ private:
+  void enclose_ranges() {
+    for (std::size_t i = 0; i < q_.closure->names.size(); ++i) {
+      const auto values =
+          evaluate(q_.graph, {q_.closure->middle[i], q_.closure->radius[i]}, {}, kBits);
+      if (!values) throw Unfinished("a range has no certain value");
+      if (arb_is_positive((*values)[1].get()) == 0)
+        throw Rejection("a radius of the unknowns is not positive");
+      Ball lo, hi;
+      arb_sub(lo.get(), (*values)[0].get(), (*values)[1].get(), kBits);
+      arb_add(hi.get(), (*values)[0].get(), (*values)[1].get(), kBits);
+      const Interval lower = lo.enclosure(), upper = hi.enclosure();
+      if (!is_bounded(lower) || !is_bounded(upper)) throw Unfinished("a range is too large");
+      outer_.push_back({lower.lo, upper.hi});
+      inner_.push_back({lower.hi, upper.lo});
+    }
+  }
+
+  [[nodiscard]] double width(std::size_t i) const { return outer_[i].hi - outer_[i].lo; }
+
+  /// Shows that exactly one solution is within a line, within the ranges, and finds its reach.
+  void prove(const SolutionLine& line) {
+    clock_.tick();
+    if (are_disjoint(line.values, outer_)) throw Rejection("the line is not within the ranges");
+    if (!is_in(line.values, inner_)) throw Unfinished("the line may not be within the ranges");
+    std::vector<double> middle, radius;
+    for (const Interval x : line.values) {
+      middle.push_back(mid(x));
+      radius.push_back(
+          std::max(0.0, std::min(down(x.hi - middle.back()), down(middle.back() - x.lo))));
+    }
+    if (!test_.has_one_solution(places_, middle, radius, radius)) {
+      if (is_empty(line.values)) throw Rejection("no solution is within this line");
+      throw Unfinished("it was not shown that exactly one solution is within this line");
+    }
+    for (std::size_t k = 0; k < reach_.size(); ++k) {
+      if (is_in(line.values, reach_[k]))
+        throw Rejection("the solution is that of line " + std::to_string(claim_.solutions[k].line));
+      if (!are_disjoint(line.values, claim_.solutions[k].values))
+        throw Unfinished("the solution may be that of line " +
+                         std::to_string(claim_.solutions[k].line));
+    }
+    reach_.push_back(reach_of(middle, radius));
+  }
+
+  /// Returns a box with no other solution than the one near its middle.
+  [[nodiscard]] Box reach_of(const std::vector<double>& middle, const std::vector<double>& least) {
+    std::vector<double> radius(least);
+    for (int halving = 1; halving <= kMostHalvings; ++halving) {
+      std::vector<double> tried;
+      for (std::size_t i = 0; i < least.size(); ++i)
+        tried.push_back(std::max(least[i], std::ldexp(width(i), -halving)));
+      if (!test_.has_one_solution(places_, middle, tried, tried)) continue;
+      radius = tried;
+      break;
+    }
+    Box box;
+    for (std::size_t i = 0; i < radius.size(); ++i)
+      box.push_back({up(middle[i] - radius[i]), down(middle[i] + radius[i])});
+    return box;
+  }
+
+  /// Shows that a box holds no solution at any place.
+  [[nodiscard]] bool is_empty(const Box& box) {
+    Box all = places_;
+    all.insert(all.end(), box.begin(), box.end());
+    if (!equations_.run(all)) return false;
+    return std::ranges::any_of(q_.closure->equations, [this](NodeId equation) {
+      return !contains(equations_.value(equation), 0.0);
+    });
+  }
+
+  [[nodiscard]] bool is_covered(const Box& box) const {
+    return std::ranges::any_of(reach_, [&](const Box& reach) { return is_in(box, reach); });
+  }
+
+  void search() {
+    std::vector<Box> waiting{outer_};
+    while (!waiting.empty()) {
+      Box box = std::move(waiting.back());
+      waiting.pop_back();
+      if (!is_left(box)) continue;
+      const std::size_t i = widest(box);
+      const double at = mid(box[i]);
+      if (box[i].hi - box[i].lo < kNarrow * width(i)) look_for_other(box);
+      if (!(box[i].hi - box[i].lo > kNarrowest * width(i)) || !(box[i].lo < at && at < box[i].hi))
+        give_up(box);
+      waiting.push_back(box);
+      waiting.back()[i].lo = at;
+      box[i].hi = at;
+      waiting.push_back(std::move(box));
+      if (waiting.size() > format::kMostOpen) throw Unfinished("too many boxes are open");
+    }
+  }
+
+  /// Returns false if the box has no other solution than those of the lines. Narrows it to a part with
+  /// all others.
+  [[nodiscard]] bool is_left(Box& box) {
+    for (int step = 0; step < kMostContractions; ++step) {
+      clock_.tick();
+      if (++result_.boxes > options_.max_boxes)
+        throw Unfinished("the search needs more boxes than may be evaluated");
+      if (is_covered(box) || is_empty(box)) return false;
+      const auto image = test_.solutions_in(places_, box);
+      if (!image) return true;
+      bool is_narrower = false;
+      for (std::size_t i = 0; i < box.size(); ++i) {
+        const double before = box[i].hi - box[i].lo;
+        box[i] = {std::max(box[i].lo, (*image)[i].lo), std::min(box[i].hi, (*image)[i].hi)};
+        if (box[i].lo > box[i].hi) return false;
+        is_narrower = is_narrower || box[i].hi - box[i].lo < kWorthwhile * before;
+      }
+      if (!is_narrower) return true;
+    }
+    return true;
+  }
+
+  [[nodiscard]] std::size_t widest(const Box& box) const {
+    std::size_t result = 0;
+    const auto part = [&](std::size_t i) { return (box[i].hi - box[i].lo) / width(i); };
+    for (std::size_t i = 1; i < box.size(); ++i)
+      if (part(i) > part(result)) result = i;
+    return result;
+  }
+
+  /// Rejects the claim if a solution is found near the box that is in the ranges, and in no line.
+  void look_for_other(const Box& box) {
+    std::vector<double> start, scale;
+    for (std::size_t i = 0; i < box.size(); ++i) {
+      start.push_back(mid(box[i]));
+      scale.push_back(kNarrow * width(i));
+    }
+    const auto found = test_.solution_near(places_, start, scale);
+    if (!found) return;
+    Box solution;
+    for (std::size_t i = 0; i < box.size(); ++i)
+      solution.push_back(point(found->middle[i]) + Interval{-found->radius[i], found->radius[i]});
+    const bool is_other = std::ranges::all_of(claim_.solutions, [&](const SolutionLine& line) {
+      return are_disjoint(solution, line.values);
+    });
+    if (is_other && is_in(solution, inner_))
+      throw Rejection("there is another solution, near " + place_of(solution));
+  }
+
+  [[noreturn]] void give_up(const Box& box) const {
+    throw Unfinished("it was not shown that there is no other solution near " + place_of(box));
+  }
+
+  [[nodiscard]] std::string place_of(const Box& box) const {
+    std::string text;
+    for (std::size_t i = 0; i < box.size(); ++i)
+      text += (i == 0 ? "" : ", ") + q_.closure->names[i] + " = " + std::to_string(mid(box[i]));
+    return text;
+  }
+
+  Lines& lines_;
+  Question& q_;
+  const SolutionLines& claim_;
+  const Options& options_;
+  Verification& result_;
+  WorkClock clock_;
+  const Box places_;  ///< of the uncertain quantities and the errors
+  BranchTest test_;
+  Evaluation equations_;
+  Box outer_, inner_;       ///< contain the ranges of the unknowns, are within them
+  std::vector<Box> reach_;  ///< by line
+};
+
+}  // namespace
+
+void search_solutions(Lines& lines, Question& question, const Options& options,
+                      Verification& result) {
+  if (!lines.next() || lines.text() != "end")
+    throw Rejection("expected 'end' after 'proof': the reader searches itself");
+  if (lines.next()) throw Rejection("there is text after the line 'end'");
+  SolutionSearch(lines, question, options, result).check();
+}
+
+}  // namespace regulus::verifier

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/property/import/loop_robots.hpp"
+
+namespace regulus::test {
+namespace {
+
+TEST_P(LoopRobots, AreTheKinematicsOfTheirFiles) { expect_robot(GetParam(), 200); }
+
+INSTANTIATE_TEST_SUITE_P(Published, LoopRobots, testing::ValuesIn(kLoopRobots), name_of);
+
+}  // namespace
+}  // namespace regulus::test

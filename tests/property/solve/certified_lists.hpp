@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Certificates of lists of solutions, as tests make, read and forge them.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "codegen/question/solve/solve_certificate.hpp"
+#include "runtime/verifier/verify.hpp"
+#include "tests/property/solve/solved.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace regulus::test {
+
+using verifier::Outcome;
+using Lines = std::vector<std::string>;
+
+inline std::string read_file(const std::filesystem::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+inline std::string library_model(const std::string& name) {
+  return read_file(std::filesystem::path(REGULUS_SOURCE_DIR) / "models" / (name + ".toml"));
+}
+
+struct Certified {
+  Solutions solutions;
+  ProofStatus status;
+  std::string text;  ///< empty: no certificate was written
+};
+
+inline Certified certified(const std::string& model, const std::vector<std::string>& at = {},
+                           const std::string& motion = "") {
+  const TemporaryDirectory directory;
+  const std::string path = (directory.path() / "certificate").string();
+  SearchOptions search;
+  search.engine = Engine::kInterpreted;
+  search.threads = 1;
+  search.time_limit = 10;
+  ModelOptions options;
+  options.text = model;
+  options.at = at;
+  options.motion = motion;
+  const Request request = read_solve_request(options, {});
+  Certified result{solve(request, SolveRun{search, {}}), ProofStatus(), ""};
+  result.status = certify_solutions(path, request, result.solutions, {});
+  if (result.status.is_written()) result.text = read_file(path);
+  return result;
+}
+
+inline verifier::Verification verified(const std::string& certificate,
+                                       const std::string& model = "", bool allows_options = false) {
+  verifier::Options options;
+  options.model_text = model;
+  options.model_name = "model.toml";
+  options.all_overridden = allows_options;
+  std::istringstream stream(certificate);
+  return verifier::verify(stream, options);
+}
+
+inline Outcome outcome(const std::string& certificate, const std::string& model = "") {
+  const verifier::Verification v = verified(certificate, model);
+  SCOPED_TRACE(describe(v));
+  return v.outcome;
+}
+
+inline Lines lines_of(const std::string& text) {
+  Lines lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+inline std::string joined(const Lines& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + '\n';
+  return text;
+}
+
+inline std::size_t first(const Lines& lines, const std::string& key) {
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (lines[i].starts_with(key + ' ')) return i;
+  ADD_FAILURE() << "no line " << key;
+  return 0;
+}
+
+inline std::size_t count_of(const Lines& lines, const std::string& key) {
+  return std::size_t(std::ranges::count_if(
+      lines, [&](const std::string& line) { return line.starts_with(key + ' '); }));
+}
+
+/// The certificate without the sum of the file, which would refuse each change of it.
+inline std::string without_sum(std::string certificate) {
+  const std::size_t sum = certificate.find("\nsha256 ") + 8;
+  return certificate.replace(sum, certificate.find('\n', sum) - sum, "-");
+}
+
+}  // namespace regulus::test
