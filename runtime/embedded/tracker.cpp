@@ -25,8 +25,6 @@ constexpr double kSmall = 0x1p-20;
 /// The size that bounds of second order suggest is made less by this, and then by this again.
 constexpr double kCaution = 0.875;
 constexpr double kConverged = 0x1p-30;
-/// A box is larger than its last image by this.
-constexpr double kRoom = 1 + 0x1p-6;
 constexpr double kLeastRadius = 0x1p-50;
 
 double norm_ru(const double* v) {

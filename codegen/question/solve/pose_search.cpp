@@ -197,12 +197,12 @@ std::optional<GoughPose> tube_about(const GoughPose& pose, std::vector<GoughPose
     reached.pop_back();
     const auto touches = [&](const GoughPose& box) { return may_touch(from, box); };
     if (std::ranges::any_of(open, touches)) return std::nullopt;
-    const auto near = std::ranges::partition(boxes, std::not_fn(touches));
-    for (const GoughPose& box : near) {
-      tube = hull_of(tube, box);
-      reached.push_back(box);
+    const auto near = std::partition(boxes.begin(), boxes.end(), std::not_fn(touches));
+    for (auto box = near; box != boxes.end(); ++box) {
+      tube = hull_of(tube, *box);
+      reached.push_back(*box);
     }
-    boxes.erase(near.begin(), near.end());
+    boxes.erase(near, boxes.end());
   }
   return tube;
 }
