@@ -125,7 +125,8 @@ class LegsReading final : public SectionReading {
   [[nodiscard]] std::vector<SectionLeg> telescopic_legs(SectionComparer& comparer) override {
     std::vector<SectionLeg> legs;
     for (std::size_t i = 0; i < count_; ++i) {
-      const std::string_view name = type_of(i).name, driven = text(shared(i, "actuated"), "2");
+      const std::string_view name = type_of(i).name;
+      const std::string driven(text(shared(i, "actuated"), "2"));
       if ((name != "UPS" && name != "SPS") || driven != "2")
         throw Unfinished("the legs of " + place(i) + " are not of variable length in space");
       SectionValues section(comparer, is_in_degrees_);
