@@ -61,7 +61,7 @@ const test::RefusedChange kRefusedMotions[] = {
 };
 
 class RefusedMotion : public testing::TestWithParam<test::RefusedChange> {};
-TEST_P(RefusedMotion, IsToldWithItsLine) { expect_refused(GetParam(), kExample); }
+TEST_P(RefusedMotion, IsToldWithItsLine) { expect_refused(GetParam(), test::kExample); }
 INSTANTIATE_TEST_SUITE_P(Each, RefusedMotion, testing::ValuesIn(kRefusedMotions),
                          test::name_of_change);
 
