@@ -2,7 +2,9 @@
 #include "runtime/verifier/model/closure_comparison.hpp"
 
 #include <algorithm>
+#include <map>
 
+#include "runtime/verifier/derivative.hpp"
 #include "runtime/verifier/evaluation.hpp"
 #include "runtime/verifier/model/model_file.hpp"
 
@@ -12,6 +14,38 @@ namespace {
 constexpr long kBits = 4096;
 
 bool is_degrees(const std::string& unit) { return unit == "deg" || unit == "°"; }
+
+/// Tells what a whole turn of a variable keeps as it is.
+class WholeTurns {
+ public:
+  WholeTurns(Graph& graph, std::size_t variable) : graph_(graph), by_(graph, variable) {}
+
+  /// True only if the variable stands in sines, cosines and tangents alone, of an integer times it and of
+  /// what does not depend on it.
+  bool keep(NodeId id) {
+    if (by_.of(id) == kNoNode) return true;
+    const auto [at, is_new] = known_.emplace(id, false);
+    if (is_new) at->second = are_kept(graph_.nodes()[std::size_t(id)]);
+    return at->second;
+  }
+
+ private:
+  bool are_kept(const Node node) {
+    if (node.op == Op::kVariable) return false;
+    const bool repeats = node.op == Op::kSin || node.op == Op::kCos || node.op == Op::kTan;
+    if (repeats && has_integer_slope(node.a)) return true;
+    return keep(node.a) && (operands(node.op) < 2 || keep(node.b));
+  }
+
+  bool has_integer_slope(NodeId id) {
+    const Node slope = graph_.nodes()[std::size_t(by_.of(id))];
+    return slope.op == Op::kConstant && graph_.rational(slope.a).is_integer();
+  }
+
+  Graph& graph_;
+  Differentiator by_;
+  std::map<NodeId, bool> known_;
+};
 
 class ClosureComparison {
  public:
@@ -80,8 +114,8 @@ class ClosureComparison {
       comparer_.leave_out(from, "it is not certain whether the start is greater than 1");
   }
 
-  /// Where solutions are looked for: the range; of an angle also half a turn about its middle, if the
-  /// range is longer.
+  /// Where solutions are looked for: the range; of an unknown whose turns change no equation also half a
+  /// turn about its middle, if the range is longer.
   void compare_range(const std::string& name) {
     const std::string place = "closure.range." + name;
     const bool is_given = values_.contains(place + "[0]");
@@ -91,14 +125,22 @@ class ClosureComparison {
     if (middle == kNoNode)
       return comparer_.leave_out(from, "it is not certain whether the start is greater than 1");
     comparer_.compare(from, middle, "unknown " + name, "");
+    WholeTurns turns(q_.graph, number_of(name));
     const bool is_turn =
-        values_.at("closure.unknowns." + name).text == "rad" &&
+        std::ranges::all_of(closure_.equations, [&](NodeId e) { return turns.keep(e); }) &&
         equality(q_, q_.stated.at("unknown-radius " + name).node, turn()) == Equality::kEqual &&
         is_positive(q_.graph.add(Op::kSubtract, half, turn()));
     comparer_.compare(from, is_turn ? turn() : half, "unknown-radius " + name, "");
   }
 
   NodeId turn() { return q_.graph.add(Op::kPi); }
+
+  /// Variables have other numbers than when they were read.
+  [[nodiscard]] std::size_t number_of(const std::string& unknown) const {
+    const Node node = q_.graph.nodes()[std::size_t(q_.actual.at(unknown))];
+    if (node.op != Op::kVariable) throw Unfinished(unknown + " is no variable");
+    return std::size_t(node.a);
+  }
 
   [[nodiscard]] bool is_positive(NodeId node) const {
     const auto value = evaluate(q_.graph, {node}, {}, kBits);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Certificates of lists of configurations: genuine ones are verified and compared with their files,
 // forged ones are not.
+#include <cmath>
+#include <numbers>
+
 #include "tests/property/solve/certified_lists.hpp"
 
 namespace regulus::test {
@@ -35,6 +38,35 @@ void expect_forgeries_fail(const std::string& certificate) {
   EXPECT_EQ(outcome(forged_list(more, "INCOMPLETE")), Outcome::kRejected);
   EXPECT_EQ(outcome(forged_list(none, "NONE")), Outcome::kRejected);
   EXPECT_NE(outcome(forged_list(moved, "COMPLETE")), Outcome::kVerified);
+}
+
+/// Half a turn is all of a range that is longer only if a whole turn changes no equation.
+TEST(ARangeOfAnAngle, IsShortenedToATurnOnlyIfTheEquationsRepeat) {
+  for (const auto& [equation, repeats] :
+       std::vector<std::pair<std::string, bool>>{{"sin(q/2) - x", false},
+                                                 {"q - 2*x", false},
+                                                 {"sin(q) + q/100 - x", false},
+                                                 {"sin(q)/2 + cos(2*q + x) - x - 3", true},
+                                                 {"exp(cos(3*q)) - 2*x + abs(sin(q))", true}}) {
+    const std::string model =
+        "regulus = 1\nname = \"turn\"\n[pose]\nx = \"m\"\n[closure]\n"
+        "unknowns = { q = \"rad\" }\nequations = [\"" +
+        equation +
+        "\"]\nstart = { x = 0.4, q = 0.8 }\nrange = { q = [-7, 7] }\n"
+        "[motion.here]\nx = 0.4\n";
+    Lines lines = lines_of(certified(model).text);
+    ASSERT_FALSE(lines.empty()) << equation;
+    lines[first(lines, "unknown")] = "unknown q = 0 +- pi";
+    std::erase_if(lines, [](const std::string& line) {
+      return line.starts_with("solution ") &&
+             std::fabs(std::stod(line.substr(9))) > std::numbers::pi;
+    });
+    const std::size_t count = count_of(lines, "solution");
+    const std::string text = forged_list(lines, count == 0 ? "NONE" : "COMPLETE");
+    const verifier::Verification v = verified(text, model);
+    EXPECT_EQ(v.outcome, repeats ? Outcome::kVerified : Outcome::kRejected) << equation << '\n'
+                                                                            << describe(v);
+  }
 }
 
 TEST(ConfigurationsOfAFourBar, AreVerifiedWithTheirFile) {
