@@ -30,7 +30,7 @@ inline constexpr int kChartsOfRotations = 4;
 /// Rounding of its functions: outward; MXCSR at nearest.
 class PoseEquations {
  public:
-  /// What is certain is so for all numbers enclosed.
+  /// Statements about the equations hold for all numbers that the legs enclose.
   explicit PoseEquations(const GoughLegs& legs) : PoseEquations(legs, {}, nullptr) {}
 
   /// For the poses at which each leg has a square of its length from ρ² + `deviations`: its equation is
@@ -88,7 +88,7 @@ class PoseEquations {
   PoseForms forms_{}, exact_{};  ///< with deviations, and without
   std::array<Interval, 6> deviations_{};
   bool have_deviations_ = false;
-  /// What deviations add to r, s, t, and to the forms that are left.
+  /// The factors by which deviations change r, s, t, and the forms that are left.
   std::array<std::array<Interval, 6>, 7> number_by_deviation_{};
   std::array<std::array<Interval, 6>, kMostFreeNumbers> left_by_deviation_{};
   std::vector<Pivot> pivots_;

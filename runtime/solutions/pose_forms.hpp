@@ -7,7 +7,7 @@ namespace regulus {
 
 inline constexpr int kMostFreeNumbers = 3;
 inline constexpr int kMostPoseUnknowns = 3 + kMostFreeNumbers;
-/// What is 0 at a pose beside the equations.
+/// The number of further expressions that are 0 at a pose.
 inline constexpr int kPoseExtras = 10;
 
 /// constant + Σ by_rotation·R + Σ by_free·(free numbers); each coefficient is an interval {lo, hi}.

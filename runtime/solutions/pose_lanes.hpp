@@ -231,7 +231,7 @@ class PoseLanes {
     return sum;
   }
 
-  /// Is s or t too long? And t = Rs, r = |s|².
+  /// Puts what tells that s or t is too long, and the gaps of t = Rs and r = |s|².
   void put_extras(double* out, int row) const {
     const I within = pack::constant(-forms_.reach, forms_.reach);
     for (int i = 0; i < 3; ++i) {
