@@ -55,10 +55,6 @@ constexpr std::string_view kNoProofOfFiniteErrors =
     "finite errors have no proof in a file; ask check for one of the branch";
 constexpr std::string_view kNoWayTheorem = "Coq has the theorem about a force over ranges alone";
 
-constexpr std::string_view kNoProofOfPlanarPoses =
-    "a list of planar poses has no proof in a file; leave the certificate out, or give the "
-    "equations "
-    "in [closure]";
 constexpr std::string_view kNoProofOfPostures =
     "a list of postures has no proof in a file; leave the certificate out";
 constexpr std::string_view kNoShardsOfSolutions =
@@ -273,7 +269,7 @@ constexpr std::string_view kIntroduction =
     "ask the same questions as the\ncommand. Every search takes limits, threads and an interrupt, "
     "and "
     "shows its progress on a terminal. Of bounds over\nranges Coq proves those of forces. Of lists "
-    "of solutions those of planar poses and of postures have no proof.\n\n";
+    "of solutions those of postures have no proof.\n\n";
 
 /// Returns the number of a reason, from 1.
 std::size_t number_of(std::string_view reason, std::vector<std::string_view>& reasons) {
@@ -332,10 +328,8 @@ std::optional<std::string_view> refusal(Kind kind, Service service) {
 }
 
 void refuse_proof_of_solutions(const Request& request, const Services& services) {
-  const bool is_planar = request.model.legs.size() == 3, is_arm = request.model.arm != nullptr;
-  if (is_planar || is_arm)
-    throw UsageError(fmt::format("{}certificate: {}", services.dashes,
-                                 is_arm ? kNoProofOfPostures : kNoProofOfPlanarPoses));
+  if (request.model.arm != nullptr)
+    throw UsageError(fmt::format("{}certificate: {}", services.dashes, kNoProofOfPostures));
 }
 
 void refuse_services(Kind kind, const ModelOptions& model, const SearchOptions& search,

@@ -183,6 +183,8 @@ struct ClaimedSolutions {
 };
 inline constexpr const char* kOfUnknowns =
     "a mechanism with these equations and ranges of its unknowns";
+inline constexpr const char* kOfThreeLegs =
+    "a platform on three legs in the plane with these anchors and lengths";
 inline constexpr const char* kOfSixLegs = "a platform on six legs with these anchors and lengths";
 
 /// Returns a claim about all solutions in words.

@@ -35,6 +35,28 @@ std::vector<Interval> about(const std::vector<double>& middle, const std::vector
   return box;
 }
 
+/// Narrows t to the hull of its parts with a·t = s for some a ∈ A, s ∈ S; false: there are none.
+///
+/// Requires  S and A bounded.
+bool narrow_to_quotients(Interval S, Interval A, Interval& t) {
+  if (contains(A, 0.0) && contains(S, 0.0)) return true;
+  Interval all = everything();
+  if (!contains(A, 0.0)) {
+    all = S / A;
+  } else {
+    if (S.hi < 0.0) S = -S, A = -A;
+    // s > 0: with a > 0 is t ≥ s/a, with a < 0 is t ≤ s/a.
+    const double least = A.hi > 0.0 ? down(S.lo / A.hi) : kInfinity;
+    const double most = A.lo < 0.0 ? up(S.lo / A.lo) : -kInfinity;
+    const bool is_above = t.hi >= least, is_below = t.lo <= most;
+    if (!is_above && !is_below) return false;
+    if (!is_below) all.lo = least;
+    if (!is_above) all.hi = most;
+  }
+  t = {std::max(t.lo, all.lo), std::min(t.hi, all.hi)};
+  return t.lo <= t.hi;
+}
+
 /// |a| has no derivative at a = 0, though its slopes are bounded: 1/a must have a value, too.
 std::vector<NodeId> kinks_of(Graph& graph, const std::vector<NodeId>& derivatives) {
   const NodeId one = graph.number("1");
@@ -84,19 +106,22 @@ bool BranchTest::take(Evaluation& evaluation, const std::vector<NodeId>& nodes, 
   return is_moderate(values);
 }
 
+/// Encloses the equations and their derivatives over a small box.
+bool BranchTest::take_center(const Box& point) {
+  return take(*derivatives_, first_, point, center_) &&
+         take(*equations_, q_.closure->equations, point, at_center_);
+}
+
 /// Takes K ≈ Φ_p⁻¹ at the middle of a small box (any other K would be as sound), and bounds KΦ and
 /// the derivatives over it.
 bool BranchTest::bound_center(const Box& point) {
-  Values values;
-  if (!take(*derivatives_, first_, point, center_) ||
-      !take(*equations_, q_.closure->equations, point, values))
-    return false;
+  if (!take_center(point)) return false;
   std::vector<double> A;
   for (std::size_t j = 0; j < n_; ++j)
     for (std::size_t l = 0; l < n_; ++l) A.push_back(mid(center_[j * all_ + m_ + l]));
   if (!approx_left_inverse(A, n_, n_, K_) || !is_moderate(K_)) return false;
   value_.clear();
-  for (std::size_t i = 0; i < n_; ++i) value_.push_back(times_inverse(i, values, 1, 0));
+  for (std::size_t i = 0; i < n_; ++i) value_.push_back(times_inverse(i, at_center_, 1, 0));
   return true;
 }
 
@@ -238,23 +263,73 @@ bool BranchTest::has_no_solution(const Box& place, const TubeNumbers& tube) {
   return false;
 }
 
-/// From KΦ(x, c) + KM(p − c) = 0 with M in the enclosure of Φ_p: p = c − KΦ(x, c) − (KM − I)(p − c).
-std::optional<Box> BranchTest::solutions_in(const Box& places, const Box& unknowns) {
+/// From v + M(p − c) = 0, row by row: p_j − c_j = −(v_i + Σ_{k≠j} M_ik(p_k − c_k))/M_ij.
+bool BranchTest::narrow_by_rows(const Values& values, const Values& M,
+                                const std::vector<double>& center, Box& unknowns) const {
+  std::vector<Interval> step;
+  for (std::size_t k = 0; k < n_; ++k) step.push_back(unknowns[k] - point(center[k]));
+  for (std::size_t i = 0; i < n_; ++i)
+    for (std::size_t j = 0; j < n_; ++j) {
+      Interval rest = values[i];
+      for (std::size_t k = 0; k < n_; ++k)
+        if (k != j) rest = rest + M[i * n_ + k] * step[k];
+      if (!is_bounded(rest)) continue;
+      if (!narrow_to_quotients(-rest, M[i * n_ + j], step[j])) return false;
+      const Interval left = step[j] + point(center[j]);
+      unknowns[j] = {std::max(unknowns[j].lo, left.lo), std::min(unknowns[j].hi, left.hi)};
+      if (!(unknowns[j].lo <= unknowns[j].hi)) return false;
+    }
+  return true;
+}
+
+/// Encloses the means of Φ_p along the segments from c: those over the box, and those at c and half of
+/// what they change by. Φ_p(c + td) is in Φ_p(c) + t·H·d, with H in the enclosure over the box, and the
+/// mean of t is 1/2.
+BranchTest::Values BranchTest::mean_derivatives(const std::vector<Interval>& step) const {
+  Values M;
+  const std::size_t triangle = all_ * (all_ + 1) / 2;
+  for (std::size_t j = 0; j < n_; ++j)
+    for (std::size_t l = 0; l < n_; ++l) {
+      Interval over = first_values_[j * all_ + m_ + l];
+      if (!second_values_.empty()) {
+        Interval near = center_[j * all_ + m_ + l], change;
+        for (std::size_t k = 0; k < n_; ++k) {
+          const std::size_t row = m_ + std::min(k, l), column = m_ + std::max(k, l);
+          const std::size_t at = row * all_ - row * (row + 1) / 2 + column;
+          change = change + second_values_[j * triangle + at] * step[k];
+        }
+        near = near + 0.5 * change;
+        if (is_bounded(near)) over = {std::max(over.lo, near.lo), std::min(over.hi, near.hi)};
+      }
+      M.push_back(over);
+    }
+  return M;
+}
+
+/// Φ(x, c) + M(p − c) = 0 with M as above, as it is and times K.
+bool BranchTest::narrow_to_solutions(const Box& places, Box& unknowns) {
+  shares_.clear();
   std::vector<double> center;
   for (const Interval x : unknowns) center.push_back(mid(x));
-  if (!bound_center(joined(places, points_of(center))) ||
-      !take(*over_, first_, joined(places, unknowns), first_values_))
-    return std::nullopt;
-  Box result;
+  const Box middle = joined(places, points_of(center)), all = joined(places, unknowns);
+  if (!take_center(middle) || !take(*over_, first_, all, first_values_)) return true;
+  if (!rates_ || !take(*rates_, second_, all, second_values_)) second_values_.clear();
+  std::vector<Interval> step;
+  for (std::size_t k = 0; k < n_; ++k) step.push_back(unknowns[k] - point(center[k]));
+  const Values M = mean_derivatives(step);
+  shares_.assign(n_, 0.0);
   for (std::size_t i = 0; i < n_; ++i) {
-    Interval p = point(center[i]) - value_[i];
-    for (std::size_t l = 0; l < n_; ++l) {
-      const Interval entry = times_inverse(i, first_values_, all_, m_ + l);
-      p = p - (l == i ? entry - point(1.0) : entry) * (unknowns[l] - point(center[l]));
-    }
-    result.push_back(p);
+    double sum = 0.0;
+    for (std::size_t k = 0; k < n_; ++k) sum += mag(M[i * n_ + k]) * mag(step[k]);
+    for (std::size_t k = 0; k < n_ && sum > 0.0; ++k)
+      shares_[k] += mag(M[i * n_ + k]) * mag(step[k]) / sum;
   }
-  return result;
+  if (!narrow_by_rows(at_center_, M, center, unknowns)) return false;
+  if (!bound_center(middle)) return true;
+  Values product;
+  for (std::size_t i = 0; i < n_; ++i)
+    for (std::size_t l = 0; l < n_; ++l) product.push_back(times_inverse(i, M, n_, l));
+  return narrow_by_rows(value_, product, center, unknowns);
 }
 
 bool BranchTest::has_one_solution(const Box& place, const std::vector<double>& middle,

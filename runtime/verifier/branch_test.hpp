@@ -35,9 +35,12 @@ class BranchTest {
   /// Returns true only if the equations have no solution in the tube at any place of a small box.
   [[nodiscard]] bool has_no_solution(const Box& place, const TubeNumbers& tube);
 
-  /// Encloses the unknowns of all solutions that are in a box, at any place of `places`; nullopt:
-  /// nothing is known. It may be empty, with an interval whose ends are in the wrong order.
-  [[nodiscard]] std::optional<Box> solutions_in(const Box& places, const Box& unknowns);
+  /// Narrows a box of unknowns to a part with all solutions that are in it, at any place of `places`.
+  /// Returns false only if there are none; the box has no meaning then.
+  [[nodiscard]] bool narrow_to_solutions(const Box& places, Box& unknowns);
+  /// After it was true: which part of the changes of the equations is by each unknown; empty if nothing
+  /// is known.
+  [[nodiscard]] const std::vector<double>& shares() const noexcept { return shares_; }
 
   /// Returns a small box in which the equations have exactly one solution at each place of `place`,
   /// a small box. It is looked for near `start`, to a small part of `scale`.
@@ -70,10 +73,14 @@ class BranchTest {
   }
   [[nodiscard]] static bool take(Evaluation& evaluation, const std::vector<NodeId>& nodes,
                                  const Box& box, Values& values);
+  [[nodiscard]] bool take_center(const Box& point);
   [[nodiscard]] bool bound_center(const Box& point);
+  [[nodiscard]] Values mean_derivatives(const std::vector<Interval>& step) const;
   [[nodiscard]] double left_side(std::size_t i, const Values& over, std::size_t k) const;
   [[nodiscard]] Interval times_inverse(std::size_t i, const Values& columns, std::size_t count,
                                        std::size_t at) const;
+  [[nodiscard]] bool narrow_by_rows(const Values& values, const Values& M,
+                                    const std::vector<double>& center, Box& unknowns) const;
   [[nodiscard]] Values along(const TubeNumbers& tube, Values derivatives) const;
   [[nodiscard]] std::vector<double> changes(const TubeNumbers& tube,
                                             const std::vector<double>& reach) const;
@@ -89,8 +96,8 @@ class BranchTest {
   // For one box.
   Matrix K_;      ///< column by column
   Values value_;  ///< K Φ at the centre, by unknown
-  Values center_, first_values_, second_values_;
-  std::vector<double> impact_;
+  Values at_center_, center_, first_values_, second_values_;
+  std::vector<double> impact_, shares_;
 };
 
 }  // namespace regulus::verifier

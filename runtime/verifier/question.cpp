@@ -357,10 +357,13 @@ format::ClaimedSet Question::claimed_set() const {
 
 std::string Question::claim() const {
   if (solutions)
-    return format::describe_solutions_claim(
-        {solutions->verdict, closure ? format::kOfUnknowns : format::kOfSixLegs,
-         closure ? "configuration" : "pose", closure ? "configurations" : "poses",
-         solutions->solutions.size(), claimed_set().uncertain});
+    return format::describe_solutions_claim({solutions->verdict,
+                                             closure                       ? format::kOfUnknowns
+                                             : solutions->legs.size() == 3 ? format::kOfThreeLegs
+                                                                           : format::kOfSixLegs,
+                                             closure ? "configuration" : "pose",
+                                             closure ? "configurations" : "poses",
+                                             solutions->solutions.size(), claimed_set().uncertain});
   if (load) return format::describe_load_claim(claimed_set(), load->verdict);
   if (quantity) return quantity->claim;
   if (closure) return format::describe_closure_claim(claimed_set());

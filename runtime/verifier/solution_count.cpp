@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "runtime/verifier/counted_system.hpp"
+#include "runtime/verifier/planar_platform.hpp"
 #include "runtime/verifier/proof.hpp"
 #include "runtime/verifier/solution_search.hpp"
 #include "runtime/verifier/work_clock.hpp"
@@ -136,6 +137,7 @@ class SolutionCount {
 
 void check_solutions(Lines& lines, Question& question, const Options& options,
                      Verification& result) {
+  if (question.solutions->legs.size() == kLegsInPlane) form_planar_equations(question);
   if (question.closure) return search_solutions(lines, question, options, result);
   SolutionCount(lines, question, options, result).check();
 }

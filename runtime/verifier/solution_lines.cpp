@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/verifier/solution_lines.hpp"
 
+#include <algorithm>
+
 #include "runtime/verifier/constant_lines.hpp"
+#include "runtime/verifier/planar_platform.hpp"
 #include "runtime/verifier/proof.hpp"
 
 namespace regulus::verifier {
 namespace {
 
-constexpr std::size_t kLegs = 6, kValuesOfPose = 7;
+constexpr std::size_t kLegsInSpace = 6, kValuesInSpace = 7, kValuesInPlane = 3;
+/// Of a line `leg`.
+constexpr std::ptrdiff_t kBarsInPlane = 4;
 
 class SolutionReader {
  public:
@@ -15,10 +20,15 @@ class SolutionReader {
       : lines_(lines),
         reader_(lines, q),
         s_(*q.solutions),
-        values_(q.closure ? q.closure->names.size() : kValuesOfPose),
-        legs_(q.closure ? 0 : kLegs) {}
+        values_(q.closure ? q.closure->names.size() : kValuesInSpace),
+        legs_(q.closure ? 0 : kLegsInSpace) {}
 
   void read() {
+    if (legs_ != 0 && reader_.is("leg") && std::ranges::count(lines_.text(), '|') == kBarsInPlane) {
+      axes_ = 2;
+      values_ = kValuesInPlane;
+      legs_ = kLegsInPlane;
+    }
     while (reader_.is("leg")) read_leg();
     if (s_.legs.size() != legs_)
       throw Rejection("expected " + std::to_string(legs_) + " lines 'leg E | … | E'");
@@ -32,16 +42,18 @@ class SolutionReader {
  private:
   /// Reads `leg`, the anchor at the base, that at the platform, and the squared length.
   void read_leg() {
-    if (s_.legs.size() == kLegs) throw Rejection("there are more than six legs");
+    if (s_.legs.size() == legs_)
+      throw Rejection("there are more than " + std::to_string(legs_) + " legs");
     std::string_view rest = reader_.rest_of("leg");
     const std::string number = std::to_string(s_.legs.size());
     LegLine leg;
-    for (std::size_t axis = 0; axis < 3; ++axis)
+    for (std::size_t axis = 0; axis < axes_; ++axis)
       leg.base[axis] = constant("base", number + '_' + "xyz"[axis], rest);
-    for (std::size_t axis = 0; axis < 3; ++axis)
+    for (std::size_t axis = 0; axis < axes_; ++axis)
       leg.platform[axis] = constant("platform", number + '_' + "xyz"[axis], rest);
     leg.square = constant("square", number, rest);
-    if (!rest.empty()) throw Rejection("expected seven expressions after 'leg'");
+    if (!rest.empty())
+      throw Rejection("expected " + std::to_string(2 * axes_ + 1) + " expressions after 'leg'");
     s_.legs.push_back(leg);
     reader_.advance();
   }
@@ -77,7 +89,7 @@ class SolutionReader {
   Lines& lines_;
   ConstantLines reader_;
   SolutionLines& s_;
-  const std::size_t values_, legs_;
+  std::size_t values_, legs_, axes_ = 3;
 };
 
 }  // namespace

@@ -16,6 +16,7 @@ constexpr int kMostContractions = 8;
 constexpr double kWorthwhile = 0.75;  ///< a box that stays larger is split
 /// Parts of the range: a box that is narrower may be shown to hold another solution; the narrowest.
 constexpr double kNarrow = 0x1p-16, kNarrowest = 0x1p-40;
+constexpr double kMuchNarrower = 0x1p-20;  ///< than the widest unknown: it is not halved
 
 bool is_in(std::span<const Interval> box, std::span<const Interval> other) {
   for (std::size_t i = 0; i < box.size(); ++i)
@@ -137,11 +138,10 @@ class SolutionSearch {
       Box box = std::move(waiting.back());
       waiting.pop_back();
       if (!is_left(box)) continue;
-      const std::size_t i = widest(box);
+      const std::size_t widest = widest_of(box), i = to_halve(box, widest);
       const double at = mid(box[i]);
-      if (box[i].hi - box[i].lo < kNarrow * width(i)) look_for_other(box);
-      if (!(box[i].hi - box[i].lo > kNarrowest * width(i)) || !(box[i].lo < at && at < box[i].hi))
-        give_up(box);
+      if (part(box, widest) < kNarrow) look_for_other(box);
+      if (!(part(box, widest) > kNarrowest) || !(box[i].lo < at && at < box[i].hi)) give_up(box);
       waiting.push_back(box);
       waiting.back()[i].lo = at;
       box[i].hi = at;
@@ -157,26 +157,37 @@ class SolutionSearch {
       clock_.tick();
       if (++result_.boxes > options_.max_boxes)
         throw Unfinished("the search needs more boxes than may be evaluated");
-      if (is_covered(box) || is_empty(box)) return false;
-      const auto image = test_.solutions_in(places_, box);
-      if (!image) return true;
+      if (is_empty(box)) return false;
+      const Box before = box;
+      if (!test_.narrow_to_solutions(places_, box) || is_covered(box)) return false;
       bool is_narrower = false;
-      for (std::size_t i = 0; i < box.size(); ++i) {
-        const double before = box[i].hi - box[i].lo;
-        box[i] = {std::max(box[i].lo, (*image)[i].lo), std::min(box[i].hi, (*image)[i].hi)};
-        if (box[i].lo > box[i].hi) return false;
-        is_narrower = is_narrower || box[i].hi - box[i].lo < kWorthwhile * before;
-      }
+      for (std::size_t i = 0; i < box.size(); ++i)
+        is_narrower =
+            is_narrower || box[i].hi - box[i].lo < kWorthwhile * (before[i].hi - before[i].lo);
       if (!is_narrower) return true;
     }
     return true;
   }
 
-  [[nodiscard]] std::size_t widest(const Box& box) const {
+  [[nodiscard]] double part(const Box& box, std::size_t i) const {
+    return (box[i].hi - box[i].lo) / width(i);
+  }
+
+  [[nodiscard]] std::size_t widest_of(const Box& box) const {
     std::size_t result = 0;
-    const auto part = [&](std::size_t i) { return (box[i].hi - box[i].lo) / width(i); };
     for (std::size_t i = 1; i < box.size(); ++i)
-      if (part(i) > part(result)) result = i;
+      if (part(box, i) > part(box, result)) result = i;
+    return result;
+  }
+
+  /// Returns the unknown by which the equations change most, of those that are not much narrower than
+  /// the widest.
+  [[nodiscard]] std::size_t to_halve(const Box& box, std::size_t widest) const {
+    const std::vector<double>& shares = test_.shares();
+    std::size_t result = widest;
+    for (std::size_t i = 0; i < shares.size(); ++i)
+      if (shares[i] > shares[result] && part(box, i) > kMuchNarrower * part(box, widest))
+        result = i;
     return result;
   }
 

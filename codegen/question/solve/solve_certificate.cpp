@@ -40,14 +40,17 @@ const char* verdict_of(const Solutions& solutions) {
   return solutions.found.empty() ? format::kNone : format::kComplete;
 }
 
+bool is_in_plane(const Request& request) { return request.model.legs.size() == 3; }
+
 std::string leg_lines(const Request& request) {
   const NominalGeometry nominal(request.model);
+  const std::size_t axes = is_in_plane(request) ? 2 : 3;
   const std::vector<ex> squares = squared_lengths(request);
   std::string lines;
   for (std::size_t i = 0; i < squares.size(); ++i) {
     lines += "leg ";
     for (const auto* anchor : {&request.model.legs[i].base, &request.model.legs[i].platform})
-      for (std::size_t axis = 0; axis < 3; ++axis)
+      for (std::size_t axis = 0; axis < axes; ++axis)
         lines += expression_text(nominal.at((*anchor)[axis])) + " | ";
     lines += expression_text(squares[i]) + '\n';
   }
@@ -76,7 +79,8 @@ double size_of(const Request& request, const Solutions& solutions) {
   for (const ex& square : squared_lengths(request))
     size = std::max(size, mag(sqrt(enclose_constant(square, "a length"))));
   for (const CertainSolution& solution : solutions.found)
-    for (std::size_t i = 0; i < 3; ++i) size = std::max(size, mag(solution.values[i]));
+    for (std::size_t i = 0; i < (is_in_plane(request) ? 2U : 3U); ++i)
+      size = std::max(size, mag(solution.values[i]));
   return size;
 }
 
@@ -107,15 +111,16 @@ std::string head_of(const Solutions& solutions, const std::string& claim,
                      claim, question, lines);
 }
 
-std::string head_of_platform(const Request& request, const Solutions& solutions) {
+std::string head_of_platform(const Request& request, const Solutions& solutions,
+                             const char* platform, const std::string& lines) {
   const Model& model = request.model;
   return head_of(solutions,
-                 format::describe_solutions_claim({verdict_of(solutions), format::kOfSixLegs,
-                                                   "pose", "poses", solutions.found.size()}),
+                 format::describe_solutions_claim(
+                     {verdict_of(solutions), platform, "pose", "poses", solutions.found.size()}),
                  fmt::format("model {}\nsha256 {}\nmotion {}\n{}", model.name,
                              model.sha256.empty() ? "-" : model.sha256, request.motion.name,
                              leg_lines(request)),
-                 solution_lines(solutions, size_of(request, solutions)));
+                 lines);
 }
 
 /// True if the unknown is looked for all around.
@@ -140,7 +145,51 @@ Request searched_request(const Request& request) {
   return searched;
 }
 
-/// Wider than the enclosures, so that the verifier's doubles can show that one solution is in each.
+/// Wider than the enclosure, so that the verifier's doubles can show that one solution is in it.
+///
+/// Requires  MXCSR at nearest. size: a usual size of this unknown.
+std::string searched_line(const Interval& x, double size, const CertainSolution& solution) {
+  const double worse = std::max(1.0, solution.condition * kUsualCondition),
+               step = std::max(kWiderWidth * width_ru(x), kWiderForSearch * worse * size);
+  const Interval wider = x + Interval(-step, step);
+  return fmt::format(" {:a}:{:a}", wider.lo, wider.hi);
+}
+
+/// The angles of planar poses in radians, within less than a turn if they are not all around.
+std::vector<Interval> angles_in_plane(const Solutions& solutions) {
+  const Interval turn = Interval(2.0) * enclose_constant(GiNaC::Pi, "pi");
+  const Interval unit = turn / Interval(solutions.unknowns[2].period);
+  std::vector<Interval> angles;
+  std::vector<double> order;
+  for (const CertainSolution& solution : solutions.found) {
+    const Interval angle = solution.values[2] * unit;
+    angles.push_back(angle - Interval(std::floor(mid(angle) / mid(turn))) * turn);
+    order.push_back(mid(angles.back()));
+  }
+  std::ranges::sort(order);
+  double first = 0, gap = -1;  // the angle after the widest gap
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const double before = i == 0 ? order.back() - mid(turn) : order[i - 1];
+    if (order[i] - before > gap) gap = order[i] - before, first = order[i];
+  }
+  for (Interval& angle : angles)
+    if (mid(angle) < first) angle += turn;
+  return angles;
+}
+
+std::string planar_lines(const Request& request, const Solutions& solutions) {
+  const std::vector<Interval> angles = angles_in_plane(solutions);
+  const double size = size_of(request, solutions);
+  std::string lines;
+  for (std::size_t k = 0; k < angles.size(); ++k) {
+    const CertainSolution& solution = solutions.found[k];
+    lines += "solution" + searched_line(solution.values[0], size, solution) +
+             searched_line(solution.values[1], size, solution) +
+             searched_line(angles[k], 1, solution) + '\n';
+  }
+  return lines;
+}
+
 std::string searched_lines(const Request& searched, const Solutions& solutions) {
   const Closure& closure = *searched.model.closure;
   const std::size_t n = closure.unknowns.size();
@@ -152,7 +201,6 @@ std::string searched_lines(const Request& searched, const Solutions& solutions) 
   std::string lines;
   for (const CertainSolution& solution : solutions.found) {
     lines += "solution";
-    const double worse = std::max(1.0, solution.condition * kUsualCondition);
     for (std::size_t i = 0; i < n; ++i) {
       Interval x = solution.values[i];
       if (turns(closure, i)) {
@@ -160,9 +208,7 @@ std::string searched_lines(const Request& searched, const Solutions& solutions) 
         const double middle = mid(enclose_constant(closure.start[i], "a range"));
         x -= Interval(std::round((mid(x) - middle) / mid(period))) * period;
       }
-      const double step = std::max(kWiderWidth * width_ru(x), kWiderForSearch * worse * size[i]);
-      const Interval wider = x + Interval(-step, step);
-      lines += fmt::format(" {:a}:{:a}", wider.lo, wider.hi);
+      lines += searched_line(x, size[i], solution);
     }
     lines += '\n';
   }
@@ -190,7 +236,7 @@ std::string obstacle_of(const Request& request, const Solutions& solutions) {
                ? kAtBorder
                : "";
   if (has_tolerances(request)) return kNoProofOfTolerances;
-  return is_complete && solutions.boxes > 0 ? kNoProofOfSearch : "";
+  return is_complete && solutions.boxes > 0 && !is_in_plane(request) ? kNoProofOfSearch : "";
 }
 
 }  // namespace
@@ -202,9 +248,14 @@ ProofStatus certify_solutions(const std::string& path, const Request& request,
   const FloatingPointScope nearest(FloatingPointRounding::kNearest);
   status.set_obstacle(obstacle_of(request, solutions));
   if (!status.obstacle().empty()) return status;
-  const bool is_search = request.model.closure.has_value();
+  const bool is_planar = is_in_plane(request),
+             is_search = is_planar || request.model.closure.has_value();
   const std::string head =
-      is_search ? head_of_equations(request, solutions) : head_of_platform(request, solutions);
+      is_planar   ? head_of_platform(request, solutions, format::kOfThreeLegs,
+                                     planar_lines(request, solutions))
+      : is_search ? head_of_equations(request, solutions)
+                  : head_of_platform(request, solutions, format::kOfSixLegs,
+                                     solution_lines(solutions, size_of(request, solutions)));
   status.set_obstacle(obstacle_of_head(head));
   if (!status.obstacle().empty()) return status;
   const std::string proof = is_search ? "end\n" : root_lines(roots_of(solutions));

@@ -28,7 +28,7 @@ class GoughReading final : public SectionReading {
 
   void compare(SectionComparer& comparer) override {
     GraphAlgebra algebra(comparer.question().graph);
-    if (orientation_names(orientation_).empty())
+    if (orientation_names(orientation_).empty() || orientation_ == kAngleInPlane)
       throw Unfinished("the orientation '" + orientation_ + "' is not known");
     const OrientationNodes R =
         read_orientation(orientation_, comparer.question().actual, angle_unit_ != "rad", algebra);

@@ -54,7 +54,7 @@ class LegsReading final : public SectionReading {
          ++at)
       count_ = std::max(count_, std::size_t(std::atoi(at->first.c_str() + kLegs.size())) + 1);
     is_planar_ = count_ > 0 && type_of(0).is_planar;
-    orientation_ = text("legs.orientation", is_planar_ ? "angle" : "");
+    orientation_ = text("legs.orientation", is_planar_ ? kAngleInPlane : "");
     is_in_degrees_ = text("legs.angle_unit", "rad") != "rad";
   }
 
@@ -127,10 +127,11 @@ class LegsReading final : public SectionReading {
     for (std::size_t i = 0; i < count_; ++i) {
       const std::string_view name = type_of(i).name;
       const std::string driven(text(shared(i, "actuated"), "2"));
-      if ((name != "UPS" && name != "SPS") || driven != "2")
-        throw Unfinished("the legs of " + place(i) + " are not of variable length in space");
+      if ((name != "RPR" && name != "UPS" && name != "SPS") || driven != "2")
+        throw Unfinished("the legs of " + place(i) + " are not of variable length");
       SectionValues section(comparer, is_in_degrees_);
-      legs.push_back({section.middle(place(i) + ".base"), section.middle(place(i) + ".platform")});
+      legs.push_back({section.middle(place(i) + ".base", axes()),
+                      section.middle(place(i) + ".platform", axes())});
     }
     return legs;
   }
@@ -172,10 +173,7 @@ class LegsReading final : public SectionReading {
     return *type;
   }
   [[nodiscard]] std::size_t axes() const { return is_planar_ ? 2 : 3; }
-  [[nodiscard]] std::vector<std::string> angles() const {
-    if (orientation_ == "angle") return {"phi"};
-    return orientation_names(orientation_);
-  }
+  [[nodiscard]] std::vector<std::string> angles() const { return orientation_names(orientation_); }
 
   // Values.
 
@@ -347,10 +345,6 @@ class LegsReading final : public SectionReading {
   }
 
   MatrixNodes rotation(const Scope& scope, GraphAlgebra& algebra) const {
-    if (orientation_ == "angle") {
-      const NodeId phi = pose_of(scope, "phi");
-      return algebra.turn(2, is_in_degrees_ ? algebra.degrees(phi) : phi);
-    }
     const OrientationNodes R = read_orientation(orientation_, scope, is_in_degrees_, algebra);
     MatrixNodes result = R.scaled;
     for (VectorNodes& row : result)

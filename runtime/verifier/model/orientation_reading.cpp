@@ -7,6 +7,7 @@ std::vector<std::string> orientation_names(const std::string& word) {
   if (word == "euler-zxz") return {"psi", "theta", "phi"};
   if (word == "roll-pitch-yaw") return {"roll", "pitch", "yaw"};
   if (word == "quaternion") return {"q0", "q1", "q2", "q3"};
+  if (word == kAngleInPlane) return {"phi"};
   return {};
 }
 
@@ -24,6 +25,7 @@ OrientationNodes read_orientation(const std::string& word, const Scope& scope, b
     return {algebra.product(algebra.turn(2, q[0]),
                             algebra.product(algebra.turn(0, q[1]), algebra.turn(2, q[2]))),
             one};
+  if (word == kAngleInPlane) return {algebra.turn(2, q[0]), one};
   if (word != "quaternion") return {algebra.identity(), one};
   const std::array<NodeId, 4> all = {q[0], q[1], q[2], q[3]};
   return {algebra.scaled_turn(all), algebra.squared_norm(all)};
@@ -35,8 +37,8 @@ NodeId squared_length_at(const SectionLeg& leg, const std::string& word, bool in
   if (orientation_names(word).empty())
     throw Unfinished("the orientation '" + word + "' is not known");
   const OrientationNodes R = read_orientation(word, scope, in_degrees, algebra);
-  VectorNodes X{};
-  for (std::size_t i = 0; i < 3; ++i) {
+  VectorNodes X = algebra.zero();
+  for (std::size_t i = 0; i < (word == kAngleInPlane ? 2 : 3); ++i) {
     const auto pose = scope.find(std::string_view("xyz").substr(i, 1));
     if (pose == scope.end()) throw Unfinished("the motion has no position");
     X[i] = pose->second;

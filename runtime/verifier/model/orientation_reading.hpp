@@ -7,6 +7,8 @@
 
 namespace regulus::verifier {
 
+inline constexpr const char* kAngleInPlane = "angle";  ///< about z, of a platform in the plane
+
 /// `size` times a rotation; size is 1 but for a quaternion of any length.
 struct OrientationNodes {
   MatrixNodes scaled;

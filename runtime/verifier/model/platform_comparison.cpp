@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "runtime/verifier/planar_platform.hpp"
+
 namespace regulus::verifier {
 namespace {
 
@@ -54,7 +56,8 @@ class PlatformComparison {
   }
 
   void compare_point(const SectionPoint& point, const char* kind, std::size_t leg) {
-    for (std::size_t axis = 0; axis < point.value.size(); ++axis)
+    const std::size_t axes = q_.solutions->legs.size() == kLegsInPlane ? 2 : 3;
+    for (std::size_t axis = 0; axis < axes; ++axis)
       comparer_.compare(comparer_.place_of(point.place + '[' + std::to_string(axis) + ']'),
                         point.value[axis],
                         std::string(kind) + ' ' + std::to_string(leg) + '_' + "xyz"[axis]);

@@ -26,9 +26,10 @@ NodeId SectionValues::constant(const std::string& place) {
   return checked(place, comparer_.expression_at(place, comparer_.question().actual));
 }
 
-SectionPoint SectionValues::middle(const std::string& place) {
-  SectionPoint point{section_quantity(comparer_.values(), place, {}).value};
-  for (std::size_t axis = 0; axis < 3; ++axis)
+SectionPoint SectionValues::middle(const std::string& place, std::size_t axes) {
+  SectionPoint point{section_quantity(comparer_.values(), place, {}).value,
+                     GraphAlgebra(comparer_.question().graph).zero()};
+  for (std::size_t axis = 0; axis < axes; ++axis)
     point.value[axis] = constant(point.place + '[' + std::to_string(axis) + ']');
   return point;
 }

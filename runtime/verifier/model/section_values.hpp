@@ -35,8 +35,9 @@ class SectionValues {
 
   /// Returns a value that does not depend on the pose. Throws Unfinished if there is none.
   [[nodiscard]] NodeId constant(const std::string& place);
-  /// Returns a point in space without its tolerance. Throws Unfinished if there is none.
-  [[nodiscard]] SectionPoint middle(const std::string& place);
+  /// Returns a point without its tolerance, with 0 for what lacks in the plane. Throws Unfinished if
+  /// there is none.
+  [[nodiscard]] SectionPoint middle(const std::string& place, std::size_t axes = 3);
   /// Returns an angle in its own unit, which may be degrees.
   [[nodiscard]] NodeId number_of_angle(const std::string& place);
   /// Returns an angle in radians.

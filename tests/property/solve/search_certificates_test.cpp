@@ -82,6 +82,16 @@ TEST(ConfigurationsOfAFourBar, AreVerifiedWithTheirFile) {
   expect_forgeries_fail(two.text);
 }
 
+TEST(ConfigurationsOfADoubleButterfly, AreVerifiedWithTheirFile) {
+  const std::string model = library_model("double_butterfly");
+  const Certified six = certified(model, {"theta=67.38"});
+  ASSERT_EQ(six.solutions.found.size(), 6U);
+  const verifier::Verification v = verified(six.text, model, true);
+  EXPECT_EQ(v.outcome, Outcome::kVerified) << describe(v);
+  EXPECT_EQ(v.roots, 6U);
+  expect_forgeries_fail(six.text);
+}
+
 /// y² = x + a for a within its tolerance, x at a place of the file.
 TEST(SolutionsWithATolerance, AreVerifiedForAllItsValues) {
   const std::string model = R"toml(regulus = 1

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/verifier/planar_platform.hpp"
+
+#include <cmath>
+
+#include "runtime/verifier/proof.hpp"
+
+namespace regulus::verifier {
+namespace {
+
+constexpr long kPartsOfRadian = 1024;
+constexpr double kMostAngle = 1000.0;  ///< of a line
+
+/// Returns the middle of the angles of the lines, nearly: half a turn from it no solution is near.
+NodeId middle_angle(const std::vector<SolutionLine>& lines, Graph& graph) {
+  if (lines.empty()) return graph.number("0");
+  Interval angles = lines.front().values[2];
+  for (const SolutionLine& line : lines) angles = hull(angles, line.values[2]);
+  if (!(mag(angles) < kMostAngle)) throw Rejection("an angle of a line 'solution' is too large");
+  const long parts = std::lround(double(kPartsOfRadian) * mid(angles));
+  return graph.add(Op::kDivide, graph.number(Rational(parts)),
+                   graph.number(Rational(kPartsOfRadian)));
+}
+
+}  // namespace
+
+void form_planar_equations(Question& q) {
+  const SolutionLines& claim = *q.solutions;
+  Graph& graph = q.graph;
+  const auto plus = [&](NodeId a, NodeId b) { return graph.add(Op::kAdd, a, b); };
+  const auto minus = [&](NodeId a, NodeId b) { return graph.add(Op::kSubtract, a, b); };
+  const auto times = [&](NodeId a, NodeId b) { return graph.add(Op::kMultiply, a, b); };
+  const auto squares = [&](NodeId a, NodeId b) { return plus(times(a, a), times(b, b)); };
+  const auto root = [&](NodeId a) { return graph.add(Op::kSqrt, a); };
+  const NodeId x = graph.add(Op::kVariable, 0), y = graph.add(Op::kVariable, 1),
+               phi = graph.add(Op::kVariable, 2), c = graph.add(Op::kCos, phi),
+               s = graph.add(Op::kSin, phi);
+  ClosureLines closure;
+  closure.names = {"x", "y", "phi"};
+  for (const LegLine& leg : claim.legs) {
+    const auto& [a, b] = std::pair(leg.base, leg.platform);
+    const NodeId u = plus(x, minus(times(c, b[0]), times(s, b[1]))),
+                 v = plus(y, plus(times(s, b[0]), times(c, b[1])));
+    closure.equations.push_back(minus(squares(minus(u, a[0]), minus(v, a[1])), leg.square));
+  }
+  // |p − a| ≤ ρ + |b|; twice as much, so that no solution is at an end.
+  const LegLine& leg = claim.legs.front();
+  const NodeId arm = root(squares(leg.platform[0], leg.platform[1])),
+               reach = times(graph.number("2"), plus(root(leg.square), arm));
+  closure.middle = {leg.base[0], leg.base[1], middle_angle(claim.solutions, graph)};
+  closure.radius = {reach, reach, graph.add(Op::kPi)};
+  q.closure = std::move(closure);
+  q.alpha = graph.number("0");
+}
+
+}  // namespace regulus::verifier
