@@ -84,7 +84,7 @@ constexpr std::size_t kOutputs = std::size(kExpected);
 
 /// The number of doubles by which a bound may be outside the tightest one: sin is not correctly
 /// rounded, and the portable cube takes two outward steps.
-constexpr std::int64_t kSlack = 8;
+constexpr std::uint64_t kSlack = 8;
 
 /// Returns the position of x among all doubles, counted from 0; −0 and +0 have one position.
 std::int64_t ordinal(double x) {
@@ -92,10 +92,17 @@ std::int64_t ordinal(double x) {
   return bits < 0 ? std::int64_t{-1} * (bits & INT64_MAX) : bits;
 }
 
+/// Returns the number of doubles from `low` to `high`.
+///
+/// Requires  low ≤ high.
+std::uint64_t doubles_between(double low, double high) {
+  return std::uint64_t(ordinal(high)) - std::uint64_t(ordinal(low));
+}
+
 bool proves(Interval computed, const Expected& expected) {
   return computed.lo <= expected.lo && expected.hi <= computed.hi &&
-         ordinal(expected.lo) - ordinal(computed.lo) <= kSlack &&
-         ordinal(computed.hi) - ordinal(expected.hi) <= kSlack;
+         doubles_between(computed.lo, expected.lo) <= kSlack &&
+         doubles_between(expected.hi, computed.hi) <= kSlack;
 }
 
 std::string report(const Expected& expected, Interval computed, std::size_t lane) {
