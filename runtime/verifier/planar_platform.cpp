@@ -43,11 +43,13 @@ void form_planar_equations(Question& q) {
                  v = plus(y, plus(times(s, b[0]), times(c, b[1])));
     closure.equations.push_back(minus(squares(minus(u, a[0]), minus(v, a[1])), leg.square));
   }
-  // |p − a| ≤ ρ + |b|; twice as much, so that no solution is at an end.
-  const LegLine& leg = claim.legs.front();
-  const NodeId arm = root(squares(leg.platform[0], leg.platform[1])),
-               reach = times(graph.number("2"), plus(root(leg.square), arm));
-  closure.middle = {leg.base[0], leg.base[1], middle_angle(claim.solutions, graph)};
+  // |p − a| ≤ ρ + |b| for the first leg; more, so that no solution is at an end.
+  NodeId reach = graph.number("0");
+  for (const LegLine& leg : claim.legs)
+    reach = plus(reach, plus(root(leg.square), root(squares(leg.platform[0], leg.platform[1]))));
+  reach = times(graph.number("2"), reach);
+  const LegLine& first = claim.legs.front();
+  closure.middle = {first.base[0], first.base[1], middle_angle(claim.solutions, graph)};
   closure.radius = {reach, reach, graph.add(Op::kPi)};
   q.closure = std::move(closure);
   q.alpha = graph.number("0");
