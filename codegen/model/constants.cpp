@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/model/constants.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <set>
 #include <string>
@@ -16,7 +18,7 @@ namespace {
 using GiNaC::ex;
 
 std::string shown(const ex& constant) {
-  return std::to_string(approx_value(constant).value_or(std::nan("")));
+  return fmt::format("{:.12g}", approx_value(constant).value_or(std::nan("")));
 }
 
 std::string in(const Place& place) { return place.key.empty() ? "" : " in " + place.key; }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/model/exact/domain.hpp"
 
+#include <fmt/format.h>
+
 #include "codegen/model/exact/sign.hpp"
 
 namespace regulus {
@@ -34,7 +36,7 @@ void record(ParsedExpression& result, const ex& partial) {
 
 std::string value_text(const ex& constant) {
   const auto value = approx_value(constant);
-  return value ? " (" + std::to_string(*value) + ")" : " (not a finite real number)";
+  return value ? fmt::format(" ({:.12g})", *value) : " (not a finite real number)";
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ const test::RefusedChange kRefusedGoughs[] = {
     {"PointOfTwoCoordinates", "[-7, -1, 0]", "[-7, -1]", 8, "2 numbers in gough.platform[6]",
      "3 numbers"},
     {"NegativeTolerance", "base_tolerance = 0.05", "base_tolerance = -0.05", 9,
-     "the negative number -0.050000 in gough.base_tolerance", "a number ≥ 0"},
+     "the negative number -0.05 in gough.base_tolerance", "a number ≥ 0"},
     {"MotionInTheWrongAngles", "psi = 0", "yaw = 0", 16, "unknown key 'motion.small.yaw'", "phi"},
 };
 

@@ -96,7 +96,7 @@ const test::RefusedChange kRefusedModels[] = {
     {"GeometryThatUsesAPoseParameter", "a2 = 10", "a2 = \"2*x\"", 11, "undeclared name 'x'",
      "a constant"},
     {"NegativeTolerance", "tolerance = 0.05", "tolerance = -0.05", 13,
-     "the negative number -0.050000 in geometry.r.tolerance", "a number ≥ 0"},
+     "the negative number -0.05 in geometry.r.tolerance", "a number ≥ 0"},
     {"NegativeIrrationalTolerance", "tolerance = 0.05", "tolerance = \"1 - sqrt(2)\"", 13,
      "negative number", "a number ≥ 0"},
     {"RadiusOfASingleNumber", "{ value = 4, tolerance", "{ value = 4, radius", 13,

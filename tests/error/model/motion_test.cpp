@@ -15,7 +15,7 @@ const test::RefusedChange kRefusedMotions[] = {
     {"MotionWhoseNameIsNotAName", "[motion.small]", "[motion.\"a b\"]", 32, "key 'a b' in motion",
      "a letter, then"},
     {"ReversedRange", "y = [4, 5]", "y = [5, 4]", 34,
-     "the range 5.000000 to 4.000000 in motion.small.y is empty", "lower end must not be above"},
+     "the range 5 to 4 in motion.small.y is empty", "lower end must not be above"},
     {"ReversedRangeByLessThanDoublesCanTell", "y = [4, 5]", "y = [\"1 + 1e-40\", 1]", 34,
      "is empty", "lower end must not be above"},
     {"ReversedIrrationalRange", "phi = [\"-10*deg\", \"10*deg\"]",
