@@ -354,6 +354,41 @@ TEST_P(ForgedCheckpoint, ProvesNothing) {
     expect_true_answer(saved, "searches of the bracket end otherwise");
 }
 
+/// Each search says that it took more boxes than it has, or than it was allowed.
+json with_more_boxes(json saved) {
+  for_each_tree(saved, [](json& tree) {
+    change_state(tree, [](std::vector<std::string>& lines) {
+      for (std::string& line : lines)
+        if (line.starts_with("boxes ")) {
+          std::istringstream in(line.substr(6));
+          std::uint64_t boxes = 0, most = 0, points = 0;
+          in >> boxes >> most >> points;
+          line = "boxes " + std::to_string(boxes + 1) + " 123456789 " + std::to_string(points);
+        }
+    });
+  });
+  if (saved["known"].contains("brackets"))
+    for (json& bracket : saved["known"]["brackets"])
+      for (json& entry : bracket)
+        if (entry["most_boxes"] < std::uint64_t{1} << 32)
+          entry["boxes"] = entry["most_boxes"].get<std::uint64_t>() + 1;
+  return saved;
+}
+
+/// A report counts the boxes that there are.
+TEST_P(ForgedCheckpoint, DoesNotCountMoreBoxes) {
+  const json late = saved_late({});
+  ASSERT_TRUE(late.is_object()) << "the search is too short";
+  std::ofstream(path("saved")) << with_more_boxes(late).dump();
+  const CommandResult continued = run({"--checkpoint", path("saved")});
+  if (continued.exit_code == 65) {
+    EXPECT_THAT(continued.errors, testing::HasSubstr("another number of boxes than it has"));
+    return;
+  }
+  const json report = json::parse(continued.output), genuine = json::parse(run({}).output);
+  EXPECT_EQ(report.at("boxes"), genuine.at("boxes"));
+}
+
 /// The search of one question with the question of another, for which its claims are false.
 TEST_P(ForgedCheckpoint, OfAnotherRangeProvesNothing) {
   json easy = saved_late({"--range", GetParam().easy});
