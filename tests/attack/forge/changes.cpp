@@ -4,30 +4,15 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
-#include <sstream>
 #include <vector>
 
+#include "tests/attack/forge/lines.hpp"
 #include "tests/attack/forge/words.hpp"
 
 namespace regulus::attack {
 namespace {
 
-using Lines = std::vector<std::string>;
-
 constexpr std::size_t kNowhere = std::string::npos;
-
-Lines lines_of(const std::string& text) {
-  Lines lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
-std::string joined(const Lines& lines) {
-  std::string text;
-  for (const std::string& line : lines) text += line + '\n';
-  return text;
-}
 
 struct Token {
   std::size_t begin = kNowhere, end = kNowhere;
@@ -95,26 +80,6 @@ bool change_number(std::string& line, std::size_t from, Random& random) {
   return true;
 }
 
-/// Changes a digit, a sign or the size of a number between letters, as those of G-code are.
-void change_digits(std::string& line, Random& random) {
-  std::vector<std::size_t> digits;
-  for (std::size_t i = 0; i < line.size(); ++i)
-    if (is_digit(line[i])) digits.push_back(i);
-  if (digits.empty()) return;
-  const std::size_t at = random.pick(digits);
-  std::size_t begin = at;
-  while (begin > 0 && (is_digit(line[begin - 1]) || line[begin - 1] == '.')) --begin;
-  const bool is_negative = begin > 0 && line[begin - 1] == '-';
-  switch (random.below(4)) {
-    case 0:
-      return void(line.insert(at + 1, "0"));
-    case 1:
-      return void(is_negative ? line.erase(begin - 1, 1) : line.insert(begin, "-"));
-    default:
-      line[at] = char('0' + (line[at] - '0' + 1 + int(random.below(9))) % 10);
-  }
-}
-
 /// Exchanges a name for another of the file.
 bool change_name(std::string& line, std::size_t from, const Lines& lines, Random& random) {
   const std::vector<Token> found = tokens(line, from, false);
@@ -135,10 +100,6 @@ bool add_term(std::string& line, std::size_t from, const Lines& lines, Random& r
   const Token name = random.pick(names);
   line += hidden_term(other.substr(name.begin, name.end - name.begin), random);
   return true;
-}
-
-std::string described(std::size_t line, const std::string& before, const std::string& after) {
-  return "line " + std::to_string(line + 1) + ": '" + before + "' -> '" + after + "'";
 }
 
 /// A line that the certificate need not have.
@@ -390,28 +351,6 @@ Change change_model(const std::string& model, Random& random) {
     if (!changed || line == before.substr(0, comment)) continue;
     lines[at] = line;
     return {joined(lines), described(at, before, line)};
-  }
-}
-
-Change change_waypoints(const std::string& waypoints, Random& random) {
-  Lines lines = lines_of(waypoints);
-  for (;;) {
-    const std::size_t at = random.below(lines.size()), other = random.below(lines.size());
-    const std::string before = lines[at];
-    switch (random.below(6)) {
-      case 0:
-        lines.erase(lines.begin() + std::ptrdiff_t(at));
-        return {joined(lines), described(at, before, "")};
-      case 1:
-        lines.insert(lines.begin() + std::ptrdiff_t(at), lines[other]);
-        return {joined(lines), described(at, "", lines[at])};
-      case 2:
-        std::swap(lines[at], lines[other]);
-        break;
-      default:
-        change_digits(lines[at], random);
-    }
-    if (lines[at] != before) return {joined(lines), described(at, before, lines[at])};
   }
 }
 

@@ -2,18 +2,12 @@
 #include "tests/attack/forge/touched.hpp"
 
 #include <algorithm>
-#include <sstream>
 #include <vector>
+
+#include "tests/attack/forge/lines.hpp"
 
 namespace regulus::attack {
 namespace {
-
-std::vector<std::string> split_lines(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
 
 /// Returns what stands between backticks.
 std::vector<std::string> quoted_in(const std::string& text) {
@@ -33,7 +27,7 @@ std::string first_word(const std::string& text) { return text.substr(0, text.fin
 
 std::set<std::string> words_of_question(const std::string& certificate) {
   std::set<std::string> words;
-  for (const std::string& line : split_lines(certificate)) {
+  for (const std::string& line : lines_of(certificate)) {
     if (line == "proof") break;
     words.insert(first_word(line));
   }
@@ -41,13 +35,13 @@ std::set<std::string> words_of_question(const std::string& certificate) {
 }
 
 std::string verdict_of(const std::string& certificate) {
-  for (const std::string& line : split_lines(certificate))
+  for (const std::string& line : lines_of(certificate))
     if (line.starts_with("verdict ")) return line.substr(8);
   return "";
 }
 
 std::set<std::string> verdicts_of_format(const std::string& page) {
-  for (const std::string& line : split_lines(page)) {
+  for (const std::string& line : lines_of(page)) {
     if (!line.starts_with("| `verdict V` | ")) continue;
     std::vector<std::string> quoted = quoted_in(line);
     return {quoted.begin() + 1, quoted.end()};
@@ -56,7 +50,7 @@ std::set<std::string> verdicts_of_format(const std::string& page) {
 }
 
 std::set<std::string> words_touched(const std::string& before, const std::string& after) {
-  const std::vector<std::string> was = split_lines(before), is = split_lines(after);
+  const std::vector<std::string> was = lines_of(before), is = lines_of(after);
   std::multiset<std::string> only(was.begin(), was.end()), added;
   for (const std::string& line : is)
     if (const auto same = only.find(line); same != only.end())
@@ -75,7 +69,7 @@ std::set<std::string> words_touched(const std::string& before, const std::string
 
 std::set<std::string> words_of_format(const std::string& page) {
   std::set<std::string> words;
-  for (const std::string& line : split_lines(page)) {
+  for (const std::string& line : lines_of(page)) {
     if (!line.starts_with("| `")) continue;
     for (const std::string& quoted : quoted_in(line.substr(0, line.find(" | "))))
       words.insert(first_word(quoted));
