@@ -120,6 +120,18 @@ std::vector<NodeId> ingredients(const Graph& graph, const std::vector<NodeId>& r
   return result;
 }
 
+NodeId replaced(Graph& graph, NodeId root, std::map<NodeId, NodeId> nodes) {
+  for (const NodeId id : ingredients(graph, {root})) {
+    if (nodes.contains(id)) continue;
+    const Node node = graph.nodes()[std::size_t(id)];
+    NodeId result = id;
+    if (operands(node.op) == 1) result = graph.add(node.op, nodes.at(node.a), node.b);
+    if (operands(node.op) == 2) result = graph.add(node.op, nodes.at(node.a), nodes.at(node.b));
+    nodes.emplace(id, result);
+  }
+  return nodes.at(root);
+}
+
 Evaluation::Evaluation(const Question& question, const std::vector<NodeId>& roots)
     : q_(question), values_(question.graph.nodes().size()) {
   const Graph& graph = question.graph;

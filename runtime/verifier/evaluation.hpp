@@ -2,6 +2,7 @@
 // Computes the values of expressions over a box, in intervals of doubles or in Arb.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -29,6 +30,8 @@ class Dependence {
 
 /// Returns the roots and all nodes that they are made of, operands first.
 [[nodiscard]] std::vector<NodeId> ingredients(const Graph& graph, const std::vector<NodeId>& roots);
+/// Returns the expression with others in the place of some of its nodes.
+[[nodiscard]] NodeId replaced(Graph& graph, NodeId root, std::map<NodeId, NodeId> nodes);
 
 /// Evaluates some roots and the nodes that they are made of. After construction it allocates memory
 /// only if an operation seems to be undefined.

@@ -59,6 +59,12 @@ void expect_another(const std::string& verified, const std::string& asked) {
   EXPECT_NE(difference(verified, asked), "") << verified;
 }
 
+TEST(ASet, IsTheSameWithALineReachTwice) {
+  const std::string once = changed(kRegularity, "constraint", "reach x + s\nconstraint");
+  expect_same(changed(once, "reach x + s\n", "reach x + s\nreach x + s\n"), once);
+  expect_another(changed(once, "reach x + s\n", "reach x + s\nreach x - s\n"), once);
+}
+
 TEST(SameQuestion, IsTheTextItself) {
   expect_same(kRegularity, kRegularity);
   expect_same(kQuantity, kQuantity);

@@ -45,6 +45,40 @@ TEST(TheMeaningOfAVerdict, IsAboutTheToolOfAnArm) {
       "matrix");
 }
 
+/// A palletizer: its four joints do not move the tool in all directions of a matrix of more rows.
+constexpr const char* kPalletizer = R"toml(regulus = 1
+name = "palletizer"
+[serial]
+joints = [
+  { name = "q1" },
+  { name = "q2", xyz = [1, 0, 1], axis = [0, 1, 0] },
+  { name = "q3", xyz = [0, 0, 1], axis = [0, 1, 0] },
+  { mimic = "q3", multiplier = -1, xyz = [1, 0, 0], axis = [0, 1, 0] },
+  { mimic = "q2", multiplier = -1, axis = [0, 1, 0] },
+  { name = "q4" },
+]
+[motion.free]
+q1 = [-1, 1]
+q2 = [-0.5, 0.5]
+q3 = [-0.5, 0.5]
+q4 = 0
+[motion.lost]
+q1 = [-1, 1]
+q2 = [0.5, 1.5]
+q3 = [0.5, 2.5]
+q4 = 0
+)toml";
+
+TEST(TheMeaningOfAVerdict, IsAboutTheJointsOfAnArmOfFewJoints) {
+  const TemporaryDirectory folder;
+  const std::string path = (folder.path() / "palletizer.toml").string();
+  std::ofstream(path) << kPalletizer;
+  EXPECT_EQ(meaning_of({path, "free"}),
+            "at every pose of this motion each motion of the 4 joints moves the tool");
+  EXPECT_EQ(meaning_of({path, "lost"}),
+            "at some pose of this motion the 4 joints can move and leave the tool at rest");
+}
+
 TEST(TheMeaningOfAVerdict, SaysThatAMatrixIsReduced) {
   EXPECT_EQ(meaning_of({REGULUS_SOURCE_DIR "/models/tsai_3upu_reduced.toml", "wide"}),
             std::string("as far as the reduced matrix says, ") + kCannotGiveWay);

@@ -96,6 +96,7 @@ class QuestionText {
     for (std::size_t i = 0; i < closure.unknowns.size(); ++i)
       put("unknown", closure.unknowns[i].name + " = " + expression_text(closure.start[i]) + " +- " +
                          expression_text(closure.start_radius[i]));
+    if (motion_.parameters.empty()) return;
     for (const ex& value : start_of(model_, motion_)) put("start", expression_text(value));
   }
 

@@ -38,12 +38,15 @@ SearchState without_claims(SearchState state) {
   return state;
 }
 
-/// The boxes that are left must be the same in both texts.
+/// The boxes that are left must be the same in both texts, and those that were evaluated as many as the
+/// tree has: each was split or is a leaf.
 void require_same_boxes(const Checkpoint& state, const RestoredTree& tree) {
   const std::vector<OpenBox> open = state.open();
   const std::size_t closed = tree.leaves().size() - tree.open();
   if (open.size() != tree.open() || state.state.next_id != tree.size())
     throw SavedTreeError("other boxes are left");
+  if (state.state.statistics.boxes != tree.steps().size())
+    throw SavedTreeError("it counts another number of boxes than it has");
   for (std::size_t i = 0; i < open.size(); ++i) {
     const BoxId id = tree.leaves()[closed + i].box;
     if (open[i].id != id || open[i].depth != tree.depth(id) ||
@@ -52,9 +55,21 @@ void require_same_boxes(const Checkpoint& state, const RestoredTree& tree) {
   }
 }
 
+/// Counts only boxes that the tree has. Those that are open again will be evaluated again.
+void recount(SearchState& state, const RetoldTree& told, const RestoredTree& tree) {
+  Statistics& statistics = state.statistics;
+  statistics.boxes -= told.reopened.size();
+  statistics.max_frontier = std::min<std::uint64_t>(statistics.max_frontier, tree.leaves().size());
+  state.boxes_when_blocked = std::min(state.boxes_when_blocked, statistics.boxes);
+  Headway::Run run = state.headway.run();
+  run.begin = std::min(run.begin, statistics.boxes);
+  state.headway = Headway(run);
+}
+
 /// Takes the facts about leaves from those that were judged again.
 void correct(Checkpoint& from, const RetoldTree& told, const RestoredTree& tree) {
   SearchState& state = from.state;
+  recount(state, told, tree);
   state.statistics.leaves = told.leaves;
   state.filter_boxes = told.filter_boxes;
   state.witness = told.witness;

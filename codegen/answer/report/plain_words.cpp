@@ -36,8 +36,17 @@ std::string in_all_directions(const SearchSubject& p) {
       p.labels.matrix_kind == MatrixKind::kForward ? p.labels.rows : p.labels.columns);
 }
 
+/// The arm has fewer joints than its matrix has directions: none of them is lost if the joints keep all
+/// of their own freedom.
+bool is_short(const SearchSubject& p) {
+  return p.labels.matrix_kind == MatrixKind::kForward && p.labels.rows > p.labels.columns;
+}
+
 /// `poses`: "of this motion".
 std::string held(const SearchSubject& p, const std::string& poses) {
+  if (is_short(p))
+    return fmt::format("at every pose {} each motion of the {} joints moves the tool", poses,
+                       p.labels.columns);
   return is_of_arm(p)
              ? fmt::format("at every pose {} the joints can move the tool {}", poses,
                            in_all_directions(p))
@@ -46,6 +55,9 @@ std::string held(const SearchSubject& p, const std::string& poses) {
 
 /// `pose`: "at some pose", "at every pose".
 std::string lost(const SearchSubject& p, const char* pose, const std::string& poses) {
+  if (is_short(p))
+    return fmt::format("{} {} the {} joints can move and leave the tool at rest", pose, poses,
+                       p.labels.columns);
   return is_of_arm(p)
              ? fmt::format("{} {} the joints cannot move the tool {}", pose, poses,
                            in_all_directions(p))

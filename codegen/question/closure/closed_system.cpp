@@ -63,6 +63,8 @@ class SystemBuilder {
     for (const GeometryParameter& g : given.geometry) {
       if (!uncertain_.contains(g.name)) {
         system_.request.model.geometry.push_back(g);
+        system_.request.model.geometry.back().ball =
+            -1;  // it has no radius, and this model no ball
         continue;
       }
       const ex spread = g.ball >= 0 ? given.balls.at(std::size_t(g.ball)).radius : g.tolerance;

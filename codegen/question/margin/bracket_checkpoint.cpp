@@ -34,11 +34,16 @@ bool is_repeatable(const Result& result) {
 
 Json written(const Result& result, std::uint64_t most_boxes) {
   Json entry{{"certified", result.verdict == Verdict::kNoSingularity},
-             {"reason", int{static_cast<std::uint8_t>(result.reason)}},
+             {"reason", unsigned{static_cast<std::uint8_t>(result.reason)}},
              {"boxes", result.statistics.boxes},
              {"most_boxes", most_boxes}};
   for (const Interval& range : result.blocking_box) entry["box"].push_back({range.lo, range.hi});
   return entry;
+}
+
+/// Throws Json::exception for anything but a number such as 12.
+std::uint64_t whole_number(const Json& value) {
+  return value.get_ref<const Json::number_unsigned_t&>();
 }
 
 /// Throws Json::exception, or gives a result that is not repeatable, for a damaged entry.
@@ -46,9 +51,11 @@ Result read_result(const Json& entry) {
   Result result;
   const bool is_certified = entry.at("certified").get<bool>();
   result.verdict = is_certified ? Verdict::kNoSingularity : Verdict::kPossibleProblem;
-  result.reason = is_certified ? Reason::kAllBoxesCertified
-                               : static_cast<Reason>(entry.at("reason").get<std::uint8_t>());
-  result.statistics.boxes = entry.at("boxes").get<std::uint64_t>();
+  result.reason =
+      is_certified
+          ? Reason::kAllBoxesCertified
+          : static_cast<Reason>(static_cast<std::uint8_t>(whole_number(entry.at("reason"))));
+  result.statistics.boxes = whole_number(entry.at("boxes"));
   if (!entry.contains("box")) return result;
   for (const Json& range : entry["box"]) {
     const double lo = range.at(0).get<double>(), hi = range.at(1).get<double>();
@@ -69,8 +76,9 @@ class BracketCheckpoint::Searches final : public EarlierSearches {
                                            std::uint64_t most_boxes) const override {
     try {
       const Json& entry = file_.known().at(kBrackets).at(bracket_).at(value.text);
-      if (entry.at("most_boxes").get<std::uint64_t>() != most_boxes) return std::nullopt;
+      if (whole_number(entry.at("most_boxes")) != most_boxes) return std::nullopt;
       Result result = read_result(entry);
+      if (result.statistics.boxes > most_boxes) return std::nullopt;
       return is_repeatable(result) ? std::optional(std::move(result)) : std::nullopt;
     } catch (const Json::exception&) {
       return std::nullopt;

@@ -80,8 +80,8 @@ class MarginRun {
                                         : settings_.earlier->find(value, planned.boxes);
   }
 
-  /// Searches again at the certified end if an earlier run has certified it. Its boxes are those
-  /// that the earlier run has counted.
+  /// Searches again at the certified end if an earlier run has certified it. Its boxes count in the
+  /// place of those that the earlier run has counted.
   void prove_remembered() {
     if (!std::exchange(is_remembered_, false)) return;
     const MarginValue value = margin_.certified->value;
@@ -91,6 +91,8 @@ class MarginRun {
     spend(result.statistics.seconds);
     const bool is_stopped = result.stopped_by.has_value();
     if (result.verdict == Verdict::kNoSingularity && result.occupancy != Occupancy::kEmpty) {
+      margin_.boxes -= margin_.certified->result.statistics.boxes;
+      margin_.boxes += result.statistics.boxes;
       margin_.certified = std::move(step);
       return;
     }

@@ -130,6 +130,20 @@ bool turns(const Closure& closure, std::size_t unknown) {
          !(enclose_constant(width, "a range").hi < enclose_constant(period, "a period").lo);
 }
 
+/// Pose parameters have the values of the place. Other parameters become constants.
+void fix_parameters(Request& request) {
+  Motion& motion = request.motion;
+  GiNaC::exmap values;
+  for (const MotionParameter& p : motion.parameters)
+    if (std::ranges::any_of(request.model.pose,
+                            [&](const PoseParameter& q) { return q.symbol.is_equal(p.symbol); }))
+      values[p.symbol] = p.range.lo;
+    else
+      request.model.geometry.push_back({p.symbol, p.name, p.range.lo, 0, "", -1});
+  for (ex& x : motion.pose) x = x.subs(values);
+  motion.parameters.clear();
+}
+
 /// The question at one place: an unknown that turns is looked for within half a turn of the middle of
 /// its range, another one in its range.
 Request searched_request(const Request& request) {
@@ -140,8 +154,7 @@ Request searched_request(const Request& request) {
     closure.start_radius[i] =
         (turns(closure, i) ? period_of(closure, i) : width_of(closure, i)) / 2;
   }
-  closure.start_pose = searched.motion.pose = pose_of(request.motion);
-  searched.motion.parameters.clear();
+  fix_parameters(searched);
   return searched;
 }
 

@@ -6,22 +6,25 @@
 
 #include "runtime/verifier/derivative.hpp"
 #include "runtime/verifier/evaluation.hpp"
+#include "runtime/verifier/model/equality.hpp"
 #include "runtime/verifier/model/model_file.hpp"
 
 namespace regulus::verifier {
 namespace {
 
 constexpr long kBits = 4096;
+constexpr long kMostTurns = 16;  ///< after which an unknown may repeat
 
 bool is_degrees(const std::string& unit) { return unit == "deg" || unit == "°"; }
 
-/// Tells what a whole turn of a variable keeps as it is.
+/// Tells what some whole turns of a variable keep as it is.
 class WholeTurns {
  public:
-  WholeTurns(Graph& graph, std::size_t variable) : graph_(graph), by_(graph, variable) {}
+  WholeTurns(Graph& graph, std::size_t variable, long turns)
+      : graph_(graph), by_(graph, variable), turns_(turns) {}
 
-  /// True only if the variable stands in sines, cosines and tangents alone, of an integer times it and of
-  /// what does not depend on it.
+  /// True only if the variable stands in sines, cosines and tangents alone, of a number times it and of
+  /// what does not depend on it. The turns times this number are whole turns.
   bool keep(NodeId id) {
     if (by_.of(id) == kNoNode) return true;
     const auto [at, is_new] = known_.emplace(id, false);
@@ -33,17 +36,18 @@ class WholeTurns {
   bool are_kept(const Node node) {
     if (node.op == Op::kVariable) return false;
     const bool repeats = node.op == Op::kSin || node.op == Op::kCos || node.op == Op::kTan;
-    if (repeats && has_integer_slope(node.a)) return true;
+    if (repeats && has_whole_turns(node.a)) return true;
     return keep(node.a) && (operands(node.op) < 2 || keep(node.b));
   }
 
-  bool has_integer_slope(NodeId id) {
+  bool has_whole_turns(NodeId id) {
     const Node slope = graph_.nodes()[std::size_t(by_.of(id))];
-    return slope.op == Op::kConstant && graph_.rational(slope.a).is_integer();
+    return slope.op == Op::kConstant && (Rational(turns_) * graph_.rational(slope.a)).is_integer();
   }
 
   Graph& graph_;
   Differentiator by_;
+  const long turns_;
   std::map<NodeId, bool> known_;
 };
 
@@ -114,10 +118,10 @@ class ClosureComparison {
       comparer_.leave_out(from, "it is not certain whether the start is greater than 1");
   }
 
-  /// Where solutions are looked for: the range; of an unknown whose turns change no equation also half a
-  /// turn about its middle, if the range is longer.
+  /// Where solutions are looked for: the range; of an unknown whose turns change no equation also half
+  /// of the fewest such turns about its middle, if the range is longer.
   void compare_range(const std::string& name) {
-    const std::string place = "closure.range." + name;
+    const std::string place = "closure.range." + name, stated = "unknown-radius " + name;
     const bool is_given = values_.contains(place + "[0]");
     const FilePlace from =
         is_given ? comparer_.place_of(place + "[0]") : FilePlace{place, 0, "not given"};
@@ -125,15 +129,48 @@ class ClosureComparison {
     if (middle == kNoNode)
       return comparer_.leave_out(from, "it is not certain whether the start is greater than 1");
     comparer_.compare(from, middle, "unknown " + name, "");
-    WholeTurns turns(q_.graph, number_of(name));
-    const bool is_turn =
-        std::ranges::all_of(closure_.equations, [&](NodeId e) { return turns.keep(e); }) &&
-        equality(q_, q_.stated.at("unknown-radius " + name).node, turn()) == Equality::kEqual &&
-        is_positive(q_.graph.add(Op::kSubtract, half, turn()));
-    comparer_.compare(from, is_turn ? turn() : half, "unknown-radius " + name, "");
+    const NodeId radius = q_.stated.at(stated).node;
+    const long turns = half_turns_of(radius);
+    if (turns == 0 || !is_positive(q_.graph.add(Op::kSubtract, half, radius)))
+      return comparer_.compare(from, half, stated, "");
+    const long fewest = fewest_turns(name);
+    if ((fewest == 0 || turns < fewest) && !is_changed_by(name, turns)) {
+      comparer_.note_compared(stated);
+      return comparer_.leave_out(from, "it is not certain whether the equations repeat after " +
+                                           std::to_string(turns) + " turns of " + name);
+    }
+    comparer_.compare(from, fewest == turns ? radius : half, stated, "");
   }
 
-  NodeId turn() { return q_.graph.add(Op::kPi); }
+  /// Returns n for n·pi; 0 for any other number.
+  long half_turns_of(NodeId radius) {
+    for (long n = 1; n <= kMostTurns; ++n)
+      if (equality(q_, radius, half_turns(n)) == Equality::kEqual) return n;
+    return 0;
+  }
+
+  NodeId half_turns(long n) {
+    Graph& graph = q_.graph;
+    return graph.add(Op::kMultiply, graph.number(std::to_string(n)), graph.add(Op::kPi));
+  }
+
+  /// Returns the least number of turns of an unknown that are seen to change no equation; 0: none.
+  long fewest_turns(const std::string& name) {
+    for (long n = 1; n <= kMostTurns; ++n) {
+      WholeTurns turns(q_.graph, number_of(name), n);
+      if (std::ranges::all_of(closure_.equations, [&](NodeId e) { return turns.keep(e); }))
+        return n;
+    }
+    return 0;
+  }
+
+  /// True only if that many turns of an unknown change an equation.
+  bool is_changed_by(const std::string& name, long turns) {
+    const NodeId p = q_.actual.at(name), moved = q_.graph.add(Op::kAdd, p, half_turns(2 * turns));
+    return std::ranges::any_of(closure_.equations, [&](NodeId e) {
+      return equality(q_, e, replaced(q_.graph, e, {{p, moved}})) == Equality::kDifferent;
+    });
+  }
 
   /// Variables have other numbers than when they were read.
   [[nodiscard]] std::size_t number_of(const std::string& unknown) const {
@@ -165,8 +202,7 @@ class ClosureComparison {
     const std::string place = "closure.start." + name;
     if (!values_.contains(place)) throw Unfinished("the file has no " + place);
     const NodeId start = comparer_.expression_at(place, none);
-    if (values_.at("closure.unknowns." + name).text == "rad")
-      return {start, graph.add(Op::kMultiply, graph.number("2"), turn())};
+    if (values_.at("closure.unknowns." + name).text == "rad") return {start, half_turns(2)};
     const NodeId size = larger_of_one(start);
     if (size == kNoNode) return {kNoNode, kNoNode};
     return {start, graph.add(Op::kMultiply, graph.number("1000"), size)};

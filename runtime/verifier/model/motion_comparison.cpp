@@ -96,6 +96,7 @@ class MotionComparison {
     if (!is_range && !has(place))
       comparer_.refuse_model("the motion has no range and no value of '" + pose + '\'');
     if (!is_range && !is_parameter) return compare_value(place, pose);
+    if (!is_parameter && q_.solutions) return compare_range_with_value(place, key, pose);
     if (!is_parameter) comparer_.refuse(comparer_.place_of(place + "[0]"), "a value of " + pose);
     if (!is_own_parameter(pose)) comparer_.refuse_stated(key);
     comparer_.note_compared(key);
@@ -114,6 +115,13 @@ class MotionComparison {
     comparer_.compare_constant_at(is_range ? place + "[1]" : place, "upper " + name, option);
     if (is_range && has(place + "[2]"))
       comparer_.leave_out(comparer_.place_of(place + "[2]"), "a range has two ends");
+  }
+
+  /// Solutions are those at one value, which an option may have chosen.
+  void compare_range_with_value(const std::string& place, const std::string& stated,
+                                const std::string& name) {
+    for (const char* end : {"[0]", "[1]"})
+      comparer_.compare_constant_at(place + end, stated, "range " + name);
   }
 
   /// True if the pose parameter is the parameter of its name.
@@ -147,10 +155,21 @@ class MotionComparison {
         compared_, [](const std::string& key) { return key.starts_with("lower "); });
     for (const std::string& name : names) {
       if (is_along_waypoints) continue;  // They take its place.
+      if (q_.solutions) {
+        compare_value_of_parameter(table + name, name);
+        continue;
+      }
       if (!states("lower " + name))
         comparer_.refuse(comparer_.place_of(table + name + "[0]"), "no parameter " + name);
       compare_range(table + name, name, true);
     }
+  }
+
+  /// In a question about solutions a parameter is a constant.
+  void compare_value_of_parameter(const std::string& place, const std::string& name) {
+    if (states("value " + name)) return compare_range_with_value(place, "value " + name, name);
+    comparer_.leave_out(comparer_.place_of(place + "[0]"),
+                        "the certificate has no line 'constant " + name + "'");
   }
 
   /// The certificate has no parameter and no pose parameter of its own.

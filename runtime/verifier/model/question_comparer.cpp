@@ -198,18 +198,14 @@ void QuestionComparer::leave_out(const FilePlace& from, const std::string& why) 
 }
 
 NodeId QuestionComparer::without_errors(NodeId actual) {
-  std::map<NodeId, NodeId> known;
+  std::map<NodeId, NodeId> errors;
   Graph& graph = q_.graph;
   for (const NodeId id : ingredients(graph, {actual})) {
     const Node node = graph.nodes()[std::size_t(id)];
-    NodeId result = id;
     if (node.op == Op::kVariable && q_.variables[std::size_t(node.a)].kind == VariableKind::kError)
-      result = graph.number("0");
-    if (operands(node.op) == 1) result = graph.add(node.op, known.at(node.a), node.b);
-    if (operands(node.op) == 2) result = graph.add(node.op, known.at(node.a), known.at(node.b));
-    known.emplace(id, result);
+      errors.emplace(id, graph.number("0"));
   }
-  return known.at(actual);
+  return replaced(graph, actual, std::move(errors));
 }
 
 /// A ball and a box of the same numbers are different sets.

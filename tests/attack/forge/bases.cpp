@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/attack/forge/bases.hpp"
 
+#include "tests/attack/forge/mechanism_texts.hpp"
+
 namespace regulus::attack {
 namespace {
 
@@ -83,6 +85,9 @@ force = { value = [0, -2], radius = 1 }
 
 [load.gust]
 force = [[-1, 1], [-3, -2]]
+
+[load.storm]
+force = { value = [40, -2], radius = 1 }
 
 [actuators]
 force = [1, 30]
@@ -169,39 +174,6 @@ y = [-1, 1]
 phi = [-0.1, 0.1]
 )toml";
 
-/// Legs PRS and RPS whose directions are uncertain.
-constexpr const char* kRails = R"toml(regulus = 1
-name = "rails"
-[legs]
-orientation = "euler-zxz"
-axis_tolerance = 0.0001
-hinge = [0, 1, 0]
-[[legs.leg]]
-type = "PRS"
-base = [20, 0, 0]
-platform = [10, 0, 0]
-axis = [1, 0, 0]
-rod = 40
-mode = "+"
-[[legs.leg]]
-type = "RPS"
-base = [-10, 17, 0]
-platform = [-5, 9, 0]
-hinge = [-0.86, -0.5, 0]
-[[legs.leg]]
-type = "RPS"
-base = [-10, -17, 0]
-platform = [-5, -9, 0]
-hinge = [0.86, -0.5, 0]
-[motion.work]
-x = 0
-y = 0
-z = [30, 31]
-psi = 0
-theta = 0
-phi = 0
-)toml";
-
 /// A force that grows without end near a singular pose.
 constexpr const char* kUnbounded = R"toml(regulus = 1
 name = "unbounded"
@@ -232,35 +204,9 @@ constraints = ["x*y - 1"]
 error = { y = 0.01 }
 )toml";
 
-/// A branch of an equation, from a start that lies within the motion.
-constexpr const char* kSlider = R"toml(regulus = 1
-name = "slider"
-
-[pose]
-x = "m"
-y = "m"
-
-[geometry]
-a = { value = 1, tolerance = 0.001, group = "a" }
-k = 2
-
-[let]
-d = "p + k"
-
-[closure]
-unknowns = { p = "m", q = "rad" }
-equations = ["d^2 - x - 8*a - 1/(x + 10)", "sin(q) - y*p/4 - 0.1"]
-start = { x = 0, y = 0, p = 1, q = 0.1 }
-radius = { p = 0.5, q = 0.1 }
-
-[motion.work]
-x = [-0.5, 6]
-y = [-0.4, 0.4]
-constraints = ["y - x/4 - 0.3"]
-error = { y = 0.001 }
-)toml";
-
 constexpr const char* kWay = "x,y\n0.1,0.2\n0.3,0.1\n0.2,-0.1\n";
+constexpr const char* kTimes =
+    "t [s],x [mm],y [mm]\n0,500,1000\n0.1,450,1500\n0.25,250,500\n0.3,350,1000\n";
 constexpr const char* kMoves =
     "G21 G90 G17\nG0 X100 Y0 Z1\nG1 X200 Y100 F100\nG2 X300 Y0 I0 J-100\n";
 
@@ -287,6 +233,10 @@ std::vector<Base> written_here() {
       {"lost", kLost, {"check", "m"}},
       {"way", kEverything, {"check", "way"}, kWay, "way.csv"},
       {"moves", kTable, {"check", "way"}, kMoves, "way.ngc"},
+      {"spline", kSpline, {"check", "way"}, kTimes, "way.csv"},
+      {"within ranges", kStage, {"check", "within"}},
+      {"reachable", kStage, {"check", "reached"}},
+      {"bent arm", kBent, {"check", "work"}},
       {"removable", kRemovable, {"check", "m"}},
       {"sides", kSides, {"check", "across"}},
       {"curve", kCurve, {"check", "pole"}},
@@ -295,6 +245,7 @@ std::vector<Base> written_here() {
        {"bound", "work", "speed", "--twist", "drift", "--leg", "1", "--signed", "--limit", "19"}},
       {"unbounded", kUnbounded, {"bound", "across", "force", "--load", "pull", "--limit", "5"}},
       {"feasible", kCart, {"check", "work", "--load", "pull"}},
+      {"infeasible", kCart, {"check", "work", "--load", "storm"}},
       {"paving", kCart, {"locate", "work", "--load", "gust"}},
       {"force", kPair, {"bound", "work", "force", "--load", "gust", "--leg", "1", "--limit", "50"}},
       {"speed", kPair, {"bound", "work", "speed", "--twist", "turn", "--leg", "1", "--limit", "9"}},
@@ -310,6 +261,11 @@ std::vector<Base> written_here() {
       {"expression", kPair, {"bound", "work", "x*phi + phi^2/(x + 2)", "--limit", "5"}},
       {"met", kPair, {"bound", "work", "force", "--load", "gust", "--leg", "1", "--limit", "0.1"}},
       {"branch", kSlider, {"check", "work"}},
+      {"list", kLoop, {"solve", "here"}},
+      {"list on a curve", kLoop, {"solve", "path"}},
+      {"list around a turn", kTurn, {"solve", "here"}},
+      {"no configuration", kLoop, {"solve", "nowhere"}},
+      {"part of a list", kDouble, {"solve", "here"}},
       {"five-bar", "five_bar_closure", {"check", "work"}},
       {"shards", "robot_1", {"check", "wide_15"}, "", "", 400},
       {"shards of pieces", kEverything, {"check", "way"}, kWay, "way.csv", 60},

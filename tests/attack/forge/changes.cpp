@@ -4,30 +4,15 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
-#include <sstream>
 #include <vector>
 
+#include "tests/attack/forge/lines.hpp"
 #include "tests/attack/forge/words.hpp"
 
 namespace regulus::attack {
 namespace {
 
-using Lines = std::vector<std::string>;
-
 constexpr std::size_t kNowhere = std::string::npos;
-
-Lines lines_of(const std::string& text) {
-  Lines lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
-std::string joined(const Lines& lines) {
-  std::string text;
-  for (const std::string& line : lines) text += line + '\n';
-  return text;
-}
 
 struct Token {
   std::size_t begin = kNowhere, end = kNowhere;
@@ -115,10 +100,6 @@ bool add_term(std::string& line, std::size_t from, const Lines& lines, Random& r
   const Token name = random.pick(names);
   line += hidden_term(other.substr(name.begin, name.end - name.begin), random);
   return true;
-}
-
-std::string described(std::size_t line, const std::string& before, const std::string& after) {
-  return "line " + std::to_string(line + 1) + ": '" + before + "' -> '" + after + "'";
 }
 
 /// A line that the certificate need not have.
@@ -253,7 +234,7 @@ Change change_frame(const std::string& certificate, Random& random) {
     const std::string before = lines[at];
     if (before.starts_with("verdict ")) {
       const char* const verdicts[] = {"NO SINGULARITY", "SINGULARITY", "FEASIBLE", "INFEASIBLE",
-                                      "PAVING"};
+                                      "PAVING",         "COMPLETE",    "NONE",     "INCOMPLETE"};
       lines[at] = std::string("verdict ") + verdicts[random.below(std::size(verdicts))];
     } else if (random.one_in(4)) {
       lines.erase(lines.begin() + std::ptrdiff_t(at));

@@ -20,4 +20,7 @@ struct Change {
 /// Changes a number, a name, a word or a line of a model file.
 [[nodiscard]] Change change_model(const std::string& model, Random& random);
 
+/// Changes a number or a line of a file of way-points.
+[[nodiscard]] Change change_waypoints(const std::string& waypoints, Random& random);
+
 }  // namespace regulus::attack

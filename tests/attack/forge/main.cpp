@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Forges certificates: a genuine one is changed and its model kept, or the reverse. The verifier with
+// Forges certificates: a genuine one is changed and its model kept, or the reverse, or the way-points. The verifier with
 // --model may call none of them VERIFIED, unless the change asks the same question (README.md).
 #include <unistd.h>
 
@@ -43,9 +43,15 @@ struct Counts {
   std::uint64_t refused = 0;
 };
 
-/// A changed certificate or model, and what became of it.
+enum class Part { kCertificate, kModel, kWaypoints };
+
+const char* name(Part part) {
+  return part == Part::kCertificate ? "certificate " : part == Part::kModel ? "model " : "way ";
+}
+
+/// A changed certificate, model or file of way-points, and what became of it.
 struct Forgery {
-  bool is_of_certificate = false;
+  Part part = Part::kModel;
   Change change;
   std::string why;  ///< VERIFIED: how the questions differ; empty if they are the same
 };
@@ -109,32 +115,47 @@ class Run {
     return all.forged + all.broken == 0 && all_verified ? 0 : 1;
   }
 
-  /// Returns 1, and prints the words, if changes leave lines alone that the page has.
+  /// Returns 1, and prints the words, if changes leave lines alone that the page has, or that a base
+  /// has, or if no base has a verdict of the page.
   int find_untouched(const std::string& path) const {
     std::ostringstream page;
     page << std::ifstream(path).rdbuf();
-    std::set<std::string> words = words_of_format(page.str());
-    if (words.size() < 40) throw std::runtime_error(path + " has no tables of lines");
-    for (const Genuine& g : genuine_)
+    std::set<std::string> words = words_of_format(page.str()),
+                          verdicts = verdicts_of_format(page.str());
+    if (words.size() < 40 || verdicts.size() < 8)
+      throw std::runtime_error(path + " has no tables of lines");
+    std::size_t count = 0;
+    const auto tell = [&count](const std::string& sentence) {
+      ++count;
+      std::cout << sentence << '\n';
+    };
+    for (const Genuine& g : genuine_) {
+      std::set<std::string> own = words_of_question(g.certificate);
+      verdicts.erase(verdict_of(g.certificate));
       for (int i = 0; i < kChangesEach; ++i) {
         Random random(g.base->name, std::uint64_t(i));
         const Change change = change_certificate(g.certificate, random);
-        for (const std::string& word : words_touched(g.certificate, change.text)) words.erase(word);
+        for (const std::string& word : words_touched(g.certificate, change.text))
+          words.erase(word), own.erase(word);
       }
-    for (const std::string& word : words) std::cout << "no forgery changes a line " << word << '\n';
-    return words.empty() ? 0 : 1;
+      for (const std::string& word : own)
+        tell("no forgery of " + std::string(g.base->name) + " changes a line " + word);
+    }
+    for (const std::string& word : words) tell("no forgery changes a line " + word);
+    for (const std::string& verdict : verdicts) tell("no base has the verdict " + verdict);
+    return count == 0 ? 0 : 1;
   }
 
   /// Prints the files of one forgery into the working folder.
   void show(std::uint64_t number) const {
     const Genuine& g = of(number);
     const Forgery forgery = made(number);
-    std::ofstream("forged.model.toml")
-        << (forgery.is_of_certificate ? g.model : forgery.change.text);
-    std::ofstream("forged.certificate")
-        << (forgery.is_of_certificate ? forgery.change.text : g.certificate);
-    std::cout << g.base->name << ", " << forgery.change.what
-              << "\nwritten: forged.model.toml, forged.certificate\n";
+    std::ofstream("forged.model.toml") << model_in(g, forgery);
+    std::ofstream("forged.certificate") << certificate_in(g, forgery);
+    const Base base = base_of(g, forgery);
+    if (has_waypoints(base)) std::ofstream(base.waypoints_name) << base.waypoints;
+    std::cout << g.base->name << ", " << name(forgery.part) << forgery.change.what
+              << "\nwritten: forged.model.toml, forged.certificate " << base.waypoints_name << '\n';
   }
 
  private:
@@ -159,11 +180,14 @@ class Run {
     const Genuine& g = of(number);
     Random random(g.base->name, options_.seed * 1'000'000'000 + number);
     Forgery forgery;
-    forgery.is_of_certificate = random.one_in(2);
-    forgery.change = forgery.is_of_certificate ? change_certificate(g.certificate, random)
-                                               : change_model(g.model, random);
+    forgery.part = has_waypoints(*g.base) && random.one_in(3) ? Part::kWaypoints
+                   : random.one_in(2)                         ? Part::kCertificate
+                                                              : Part::kModel;
+    forgery.change = forgery.part == Part::kCertificate ? change_certificate(g.certificate, random)
+                     : forgery.part == Part::kModel     ? change_model(g.model, random)
+                                                    : change_waypoints(g.base->waypoints, random);
     // Without it, the sums of the shards refuse each change of them.
-    if (forgery.is_of_certificate && is_in_shards(g.certificate) && !random.one_in(4))
+    if (forgery.part == Part::kCertificate && is_in_shards(g.certificate) && !random.one_in(4))
       forgery.change.text = signed_again(forgery.change.text);
     return forgery;
   }
@@ -172,12 +196,11 @@ class Run {
     const Genuine& g = of(number);
     Counts& counts = counts_[g.base->name];
     const Forgery forgery = made(number);
-    const std::string& certificate =
-        forgery.is_of_certificate ? forgery.change.text : g.certificate;
-    const std::string& model = forgery.is_of_certificate ? g.model : forgery.change.text;
     try {
-      write_waypoints(*g.base);
-      const verifier::Verification v = verify_about(*g.base, certificate, model, folder_.path());
+      const Base base = base_of(g, forgery);
+      write_waypoints(base);
+      const verifier::Verification v =
+          verify_about(base, certificate_in(g, forgery), model_in(g, forgery), folder_.path());
       if (v.outcome == verifier::Outcome::kRejected) ++counts.rejected;
       if (v.outcome == verifier::Outcome::kUnfinished) ++counts.unfinished;
       if (v.outcome == verifier::Outcome::kVerified) judge(g, forgery, number, counts);
@@ -187,8 +210,23 @@ class Run {
     }
   }
 
+  static bool has_waypoints(const Base& base) { return *base.waypoints != '\0'; }
+
+  static const std::string& certificate_in(const Genuine& g, const Forgery& forgery) {
+    return forgery.part == Part::kCertificate ? forgery.change.text : g.certificate;
+  }
+  static const std::string& model_in(const Genuine& g, const Forgery& forgery) {
+    return forgery.part == Part::kModel ? forgery.change.text : g.model;
+  }
+  /// The result refers to the forgery.
+  static Base base_of(const Genuine& g, const Forgery& forgery) {
+    Base base = *g.base;
+    if (forgery.part == Part::kWaypoints) base.waypoints = forgery.change.text.c_str();
+    return base;
+  }
+
   void write_waypoints(const Base& base) const {
-    if (*base.waypoints == '\0') return;
+    if (!has_waypoints(base)) return;
     std::ofstream(folder_.path() + '/' + base.waypoints_name, std::ios::binary) << base.waypoints;
   }
 
@@ -204,10 +242,11 @@ class Run {
   void judge(const Genuine& g, const Forgery& forgery, std::uint64_t number, Counts& counts) {
     std::string why;
     const SetByOptions any = set_by_options(*g.base);
-    if (forgery.is_of_certificate) {
+    if (forgery.part == Part::kCertificate) {
       why = difference(forgery.change.text, g.certificate, any);
-    } else if (!are_equal_files(forgery.change.text, g.model)) {
-      const Answer other = answer_about(*g.base, forgery.change.text, folder_.path());
+    } else if (!are_equal_files(model_in(g, forgery), g.model) ||
+               forgery.part == Part::kWaypoints) {
+      const Answer other = answer_about(base_of(g, forgery), model_in(g, forgery), folder_.path());
       if (other.is_refused) {
         ++counts.refused;
         return note(refused_, number, g, forgery, "the command refuses that file");
@@ -231,9 +270,8 @@ class Run {
   void note(std::vector<std::string>& list, std::uint64_t number, const Genuine& g,
             const Forgery& forgery, const std::string& why) const {
     if (list.size() == options_.failures) return;
-    list.push_back(std::to_string(number) + ", " + g.base->name + ", " +
-                   (forgery.is_of_certificate ? "certificate " : "model ") + forgery.change.what +
-                   ": " + why);
+    list.push_back(std::to_string(number) + ", " + g.base->name + ", " + name(forgery.part) +
+                   forgery.change.what + ": " + why);
     if (options_.is_told_at_once) std::cerr << list.back() << std::endl;
   }
 

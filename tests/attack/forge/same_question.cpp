@@ -33,15 +33,18 @@ struct Line {
   std::string key, text;
 };
 
-/// The lines of a question before `proof`, by their keys.
+/// The lines of a question before `proof`, by their keys; a line `reach` that says the same as an
+/// earlier one changes no set.
 std::vector<Line> question_of(const std::string& certificate) {
   std::vector<Line> lines;
   std::istringstream stream(certificate);
+  std::set<std::string> reach;
   std::string text;
   std::getline(stream, text);
   while (std::getline(stream, text) && text != "proof") {
     const std::size_t space = text.find(' ');
     const std::string key = text.substr(0, space);
+    if (key == "reach" && !reach.insert(text).second) continue;
     if (!kIgnored.contains(key))
       lines.push_back({key, space == std::string::npos ? "" : text.substr(space + 1)});
   }

@@ -11,6 +11,12 @@ namespace regulus::attack {
 /// second.
 [[nodiscard]] std::set<std::string> words_touched(const std::string& before,
                                                   const std::string& after);
+/// Returns the first words of the lines of a certificate up to `proof`.
+[[nodiscard]] std::set<std::string> words_of_question(const std::string& certificate);
+/// Returns the verdict of a certificate.
+[[nodiscard]] std::string verdict_of(const std::string& certificate);
+/// Returns the verdicts that FORMAT.md describes.
+[[nodiscard]] std::set<std::string> verdicts_of_format(const std::string& page);
 /// Returns the first words of the lines that FORMAT.md describes in its tables.
 [[nodiscard]] std::set<std::string> words_of_format(const std::string& page);
 
