@@ -47,7 +47,7 @@ std::unique_ptr<Answer> ask_and_show(const Asked& given, const Services& service
   // A range LO:HI is no value that a model could be read with.
   if (const auto* margin = std::get_if<AskMargin>(&asked))
     static_cast<void>(take_question(model, margin->size));
-  PageOfAnswers page(PageTemplate::installed(), model, services.typed);
+  PageOfAnswers page(PageTemplate::installed(), model, services.typed, subject_of(asked));
   std::unique_ptr<Answer> answer = ask_for_page(asked, services, page);
   answer->write_beside([&] {
     const std::size_t size = page.write(services.page);

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "codegen/question/margin/margin_report.hpp"
+#include "codegen/question/margin/margin_run.hpp"
+
 namespace regulus {
 
 std::vector<ProofOfEnd> proofs_of_ends(const EndProofs& ends, const std::string& component) {
@@ -13,6 +16,21 @@ std::vector<ProofOfEnd> proofs_of_ends(const EndProofs& ends, const std::string&
     proofs.push_back({component, end == &ends.safe(), end->file,
                       end->file.empty() ? end->words : std::string()});
   return proofs;
+}
+
+Word word_of(const MarginQuestion& question, const Margin& margin) {
+  if (margin.refuted && margin.refuted->value.approx <= question.low.approx) return Word::kRefuted;
+  return margin.closed && margin.certified ? Word::kProved : Word::kOpen;
+}
+
+void set_ends(MarginAnswer& answer, const Margin& margin) {
+  if (margin.certified) answer.safe = margin.certified->value.text;
+  if (margin.refuted) answer.refuted = margin.refuted->value.text;
+  answer.closed = margin.closed;
+}
+
+std::function<void(const MarginStep&)> steps_of(const Services& services) {
+  return [&services](const MarginStep& step) { services.tell(format_step(step)); };
 }
 
 void settle_files(HeldFiles& held, const std::vector<EndProofs*>& ends, Answer& answer) {

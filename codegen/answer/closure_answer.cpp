@@ -5,6 +5,7 @@
 #include "codegen/answer/bracket_ends.hpp"
 #include "codegen/answer/lines_file.hpp"
 #include "codegen/answer/outputs.hpp"
+#include "codegen/answer/page/paving_tree.hpp"
 #include "codegen/answer/picture/pictures.hpp"
 #include "codegen/answer/report/paving_options.hpp"
 #include "codegen/answer/report/paving_report.hpp"
@@ -20,6 +21,7 @@
 #include "codegen/question/margin/margin_report.hpp"
 #include "codegen/question/margin/margin_run.hpp"
 #include "codegen/question/margin/prepared_margin.hpp"
+#include "codegen/question/way/margin_checkpoint.hpp"
 #include "codegen/question/way/path_attempts.hpp"
 #include "runtime/problem/observers.hpp"
 
@@ -116,11 +118,15 @@ class ClosurePaving final : public PavingAnswer {
     found_ = pave_closure(prepared_, search_, options_.resolution, watch_of(services, search_),
                           display.observer(), checkpoint.maker());
     checkpoint_line_ = checkpoint.line();
-    std::vector<Observer*> watching = present({&volumes_, &listener, writer ? &*writer : nullptr});
+    std::optional<PavingTree> tree;
+    if (services.tree != nullptr) tree.emplace(problem_, 0);
+    std::vector<Observer*> watching =
+        present({&volumes_, &listener, writer ? &*writer : nullptr, tree ? &*tree : nullptr});
     for (Observer* picture : pictures.observers()) watching.push_back(picture);
     Observers observers(std::move(watching));
-    tell_leaves(prepared_, found_, observers);
+    tell_boxes(prepared_, found_, observers);
     listener.rethrow();
+    if (tree) *services.tree = tree->text();
     conclude();
     write_beside([&] {
       if (writer) writer->finish(json(), lines.name());
@@ -168,27 +174,23 @@ class ClosureMargin final : public MarginAnswer {
         gap_(read_gap(asked.gap)),
         request_(std::move(request), question_) {
     services.begin_search();
+    const MarginCheckpoint checkpoint(services.checkpoint.path, request_.nominal(), question_,
+                                      search_);
     HeldFiles held;
     const OutputOptions display = display_of(services);
     attempts_.emplace(request_, search_, display, services.interrupt,
                       margin_proofs(services.certificate, {&held, services.shard_size}));
     found_ = close_bracket(
         *attempts_, question_,
-        {limits_of(search_, gap_), services.interrupt,
-         [&services](const MarginStep& step) { services.tell(format_step(step)); }, nullptr});
+        {limits_of(search_, gap_), services.interrupt, steps_of(services), checkpoint.searches()});
     ends_ = attempts_->proofs();
     settle_files(held, {&ends_}, *this);
-    if (found_.certified) safe = found_.certified->value.text;
-    if (found_.refuted) refuted = found_.refuted->value.text;
-    closed = found_.closed;
+    checkpoint_line_ = checkpoint.line();
+    set_ends(*this, found_);
     proofs = proofs_of_ends(ends_, "");
   }
 
-  [[nodiscard]] Word word() const override {
-    if (found_.refuted && found_.refuted->value.approx <= question_.low.approx)
-      return Word::kRefuted;
-    return closed && safe ? Word::kProved : Word::kOpen;
-  }
+  [[nodiscard]] Word word() const override { return word_of(question_, found_); }
   [[nodiscard]] std::string headline() const override {
     return describe_bracket(question_, found_);
   }
@@ -201,6 +203,7 @@ class ClosureMargin final : public MarginAnswer {
     ends_.tell(facts);
   }
   [[nodiscard]] std::string about_files() const override { return ends_.lines(); }
+  [[nodiscard]] std::string warning() const override { return checkpoint_line_; }
 
  private:
   MarginQuestion question_;
@@ -210,6 +213,7 @@ class ClosureMargin final : public MarginAnswer {
   std::optional<ClosureAttempts> attempts_;
   Margin found_;
   EndProofs ends_;
+  std::string checkpoint_line_;
 };
 
 /// How far errors move the configuration.

@@ -22,21 +22,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-StepListener steps_of(const Services& services) {
-  return [&services](const MarginStep& step) { services.tell(format_step(step)); };
-}
-
-/// True if no value is safe: the least one has a witness.
-bool is_refuted(const MarginQuestion& question, const Margin& margin) {
-  return margin.refuted && margin.refuted->value.approx <= question.low.approx;
-}
-
-void set_ends(MarginAnswer& answer, const Margin& margin) {
-  if (margin.certified) answer.safe = margin.certified->value.text;
-  if (margin.refuted) answer.refuted = margin.refuted->value.text;
-  answer.closed = margin.closed;
-}
-
 class VarietyMargin final : public MarginAnswer {
  public:
   VarietyMargin(const MarginQuestion& question, Request request, const AskMargin& asked,
@@ -64,10 +49,7 @@ class VarietyMargin final : public MarginAnswer {
     proofs = proofs_of_ends(ends_, "");
   }
 
-  [[nodiscard]] Word word() const override {
-    if (is_refuted(question_, found_)) return Word::kRefuted;
-    return closed && safe ? Word::kProved : Word::kOpen;
-  }
+  [[nodiscard]] Word word() const override { return word_of(question_, found_); }
   [[nodiscard]] std::string headline() const override {
     return describe_bracket(question_, found_);
   }
@@ -111,10 +93,7 @@ class WayMargin final : public MarginAnswer {
     proofs = proofs_of_ends(found_.proofs, "");
   }
 
-  [[nodiscard]] Word word() const override {
-    if (is_refuted(question_, found_.margin)) return Word::kRefuted;
-    return closed && safe ? Word::kProved : Word::kOpen;
-  }
+  [[nodiscard]] Word word() const override { return word_of(question_, found_.margin); }
   [[nodiscard]] std::string headline() const override {
     return describe_bracket(question_, found_.margin);
   }
@@ -166,8 +145,8 @@ class MarginOfLimit final : public MarginAnswer {
   }
 
   [[nodiscard]] Word word() const override {
-    if (is_refuted(question_, found_.whole)) return Word::kRefuted;
-    return closed ? Word::kProved : Word::kOpen;
+    const Word word = word_of(question_, found_.whole);
+    return word == Word::kOpen && closed ? Word::kProved : word;
   }
   [[nodiscard]] std::string headline() const override {
     return describe_limit_bracket(question_, found_);

@@ -84,19 +84,46 @@ std::unique_ptr<Answer> ask_with_tree(const AskPaving& asked, const Services& se
   return answer;
 }
 
+constexpr const char* kSolutions = "solutions";
+
+/// Of many places each is told when it is solved.
+std::unique_ptr<Answer> ask_with_lines(const AskSolve& asked, const Services& services,
+                                       PageOfAnswers& page) {
+  std::string lines;
+  Services with_lines = services;
+  if (services.on_line)
+    with_lines.on_line = [&](const std::string& line) {
+      lines += line;
+      services.on_line(line);
+    };
+  std::unique_ptr<SolveAnswer> answer = ask(asked, with_lines);
+  ShownAnswer what = shown(asked, *answer);
+  what.text = lines + what.text;
+  page.add(std::move(what));
+  return answer;
+}
+
 }  // namespace
 
 const char* kind_of(const Asked& asked) {
   static constexpr std::array<const char*, std::variant_size_v<Asked>> kWords = {
-      "check", "paving", "margin", "bound", "load", "load-paving", "datasheet", "solutions"};
+      "check", "paving", "margin", "bound", "load", "load-paving", "datasheet", kSolutions};
   static_assert(kWords.back() != nullptr, "each question has a word");
   return kWords[asked.index()];
 }
 
-PageOfAnswers::PageOfAnswers(PageTemplate page, const ModelOptions& model, const std::string& typed)
+PageSubject subject_of(const Asked& asked) { return subject_of(kind_of(asked)); }
+
+PageSubject subject_of(std::string_view kind) {
+  return kind == kSolutions ? PageSubject::kPlaces : PageSubject::kMotion;
+}
+
+PageOfAnswers::PageOfAnswers(PageTemplate page, const ModelOptions& model, const std::string& typed,
+                             PageSubject subject)
     : template_(std::move(page)) {
   data_.command = typed;
   data_.model_text = model_text(model);
+  if (subject == PageSubject::kPlaces) return;
   request_ = std::make_unique<Request>(read_request(data_.model_text, model));
   set_question(data_, *request_, uncertain_names(*request_), model);
 }
@@ -104,13 +131,15 @@ PageOfAnswers::PageOfAnswers(PageTemplate page, const ModelOptions& model, const
 PageOfAnswers::~PageOfAnswers() = default;
 
 void PageOfAnswers::add(ShownAnswer answer) {
-  if (answer.kind == "bound") data_.bounds.push_back(answer.report);
+  const bool is_closed = request_ && request_->model.closure;
+  // The bars are those of quantities; finite errors have others, which the report tells.
+  if (answer.kind == "bound" && !is_closed) data_.bounds.push_back(answer.report);
   if (answer.kind == "datasheet")
     for (const Json& bound : answer.report["bounds"]) data_.bounds.push_back(bound);
   if (answer.kind == "margin") data_.margins.push_back(answer.report);
   if (answer.kind == "paving") data_.paving = std::move(answer.paving);
   if (!data_.kind.empty()) return;
-  data_.kind = answer.kind;
+  data_.kind = is_closed && answer.kind == "check" ? "closure" : answer.kind;
   data_.headline = answer.headline;
   data_.text = answer.text;
   data_.report = without_files(std::move(answer.report));
@@ -151,6 +180,8 @@ std::unique_ptr<Answer> ask_for_page(const Asked& asked, const Services& service
     return ask_with_proof(*check, services, page);
   if (const auto* paving = std::get_if<AskPaving>(&asked))
     return ask_with_tree(*paving, services, page);
+  if (const auto* solve = std::get_if<AskSolve>(&asked))
+    return ask_with_lines(*solve, services, page);
   std::unique_ptr<Answer> answer = ask(asked, services);
   page.add(shown(asked, *answer));
   return answer;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 #include "codegen/answer/answer.hpp"
 #include "codegen/answer/asked.hpp"
@@ -31,12 +32,23 @@ struct ShownAnswer {
 /// Returns the word of ShownAnswer::kind.
 [[nodiscard]] const char* kind_of(const Asked& asked);
 
+/// What the answers of a page are about.
+enum class PageSubject {
+  kMotion,
+  kPlaces  ///< of solutions: it has no ranges to draw
+};
+
+/// The subject of a question, and of a word of kind_of().
+[[nodiscard]] PageSubject subject_of(const Asked& asked);
+[[nodiscard]] PageSubject subject_of(std::string_view kind);
+
 class PageOfAnswers {
  public:
   /// Reads the model. `typed`: the command that makes the page, for its reader.
   ///
   /// Throws    InputError and FileError for the model.
-  PageOfAnswers(PageTemplate page, const ModelOptions& model, const std::string& typed);
+  PageOfAnswers(PageTemplate page, const ModelOptions& model, const std::string& typed,
+                PageSubject subject = PageSubject::kMotion);
   ~PageOfAnswers();
 
   /// The first answer gives the page its headline; a check or a paving that follows, a bound or a
@@ -52,11 +64,12 @@ class PageOfAnswers {
   void take_proof(const std::string& file);
 
   PageTemplate template_;
-  std::unique_ptr<const Request> request_;
+  std::unique_ptr<const Request> request_;  ///< null of places
   PageData data_;
 };
 
-/// Asks, and shows the answer: a check with its proof, a paving with its boxes.
+/// Asks, and shows the answer: a check with its proof, a paving with its boxes, solutions with the lines
+/// that are told of them.
 [[nodiscard]] std::unique_ptr<Answer> ask_for_page(const Asked& asked, const Services& services,
                                                    PageOfAnswers& page);
 

@@ -9,6 +9,7 @@
 #include "codegen/question/bound/bound_question.hpp"
 #include "codegen/question/bound/bracket_question.hpp"
 #include "codegen/question/bound/datasheet.hpp"
+#include "codegen/question/closure/closure_run.hpp"
 #include "codegen/question/condition/box_judge.hpp"
 #include "codegen/question/condition/condition_kernel.hpp"
 #include "codegen/question/condition/path_judge.hpp"
@@ -58,6 +59,16 @@ Formed about_forces(PreparedForces forces) {
   return question;
 }
 
+Formed about_branch(PreparedClosure closed) {
+  Formed question{std::move(closed.preparation), closed.problem};
+  const auto branch = std::make_shared<const PreparedClosure>(std::move(closed));
+  question.judges = [branch](const Problem& problem, const Settings&) {
+    return unit_judges<TubeJudge>(
+        {problem, branch->scaling, branch->shape, branch->near_start, branch->ranges});
+  };
+  return question;
+}
+
 /// A trajectory as the variety of a search, for all judges.
 struct Path {
   Path(const Motion& motion, const Problem& kernel)
@@ -97,11 +108,15 @@ class Topics {
   }
 
   Found operator()(const AskCheck& asked) const {
+    if (auto closed = read_closure(asked.model, {}))
+      return on_branch(*std::move(closed), asked.search);
     if (const auto along = read_trajectory(asked.model)) return on_way(*along, asked.search);
     return Formed{prepare(asked.model, asked.search)};
   }
 
   Found operator()(const AskPaving& asked) const {
+    if (auto closed = read_closure(asked.model, {}))
+      return on_branch(*std::move(closed), asked.search);
     ModelOptions model = asked.model;
     model.separates_reach = !certifies_;
     if (const auto along = read_trajectory(model)) return on_way(*along, asked.search);
@@ -197,14 +212,21 @@ class Topics {
         prepare_forces(of_pieces(*along, *along), 0, asked.load, forming(search), {}));
   }
 
-  /// Along way-points the searches are about one value of the bracket after the other.
+  [[nodiscard]] Found on_branch(Request request, const SearchOptions& search) const {
+    return about_branch(prepare_closure(std::move(request), 0, forming(search), {}));
+  }
+
+  /// Along way-points, and of a closure, the searches are about one value of the bracket after the
+  /// other.
   [[nodiscard]] Found grown(const MarginQuestion& question, Request request,
                             const SearchOptions& search) const {
-    if (request.motion.trajectory) {
+    const bool is_closed = request.model.closure.has_value();
+    if (is_closed || request.motion.trajectory) {
       if (!is_told_) return std::nullopt;
       if (!topic_.value) throw cluster::MalformedMessage();
       const MarginValue value = value_at(question, *topic_.value);
-      return on_way(MarginRequest(std::move(request), question).at(value), search);
+      Request at_value = MarginRequest(std::move(request), question).at(value);
+      return is_closed ? on_branch(std::move(at_value), search) : on_way(at_value, search);
     }
     return Formed{std::move(
         PreparedMargin(question, std::move(request), 0, compiled_first(forming(search)), {})

@@ -36,13 +36,10 @@ constexpr std::string_view kNoWayOfClosures =
     "a model with [closure] has no motions along way-points; give the motion by ranges";
 constexpr std::string_view kNoTheoremOfClosures =
     "Coq has no theorem about a [closure]; regulus-verify proves this";
-constexpr std::string_view kNoCheckpointOfMargins =
-    "a margin of a [closure] keeps no checkpoint; leave it out";
 constexpr std::string_view kNoCheckpointOfFiniteErrors =
     "finite errors keep no checkpoint; leave it out";
-constexpr std::string_view kNoRanksOfClosures =
-    "the search over a [closure] runs in one process only; use regulus";
-constexpr std::string_view kNoPageOfClosures = "a page does not show a [closure]; ask check";
+constexpr std::string_view kNoRanksOfFiniteErrors =
+    "finite errors are searched in one process only; use regulus";
 constexpr std::string_view kNoShardsOfClosures =
     "the boxes of a branch are linked, so its proof is one file; leave the shards out";
 constexpr std::string_view kNoProofOfPavings =
@@ -65,8 +62,6 @@ constexpr std::string_view kNoCheckpointOfSolutions =
     "a search for all solutions keeps no checkpoint; leave it out";
 constexpr std::string_view kNoRanksOfSolutions =
     "a search for all solutions runs in one process only; use regulus";
-constexpr std::string_view kNoPageOfSolutions =
-    "a page does not show a list of solutions; leave the page out";
 constexpr std::string_view kNoWayOfSolutions =
     "solutions are those at one place; name a motion that has one, or give its values by at";
 constexpr std::string_view kNoBoxesOfSolutions =
@@ -89,18 +84,11 @@ constexpr Refusal kRefusals[] = {
     {kWayDatasheet, kTheorem, kNoWayTheorem},
     {kClosureCheck, kShards, kNoShardsOfClosures},
     {kClosureCheck, kTheorem, kNoTheoremOfClosures},
-    {kClosureCheck, kRanks, kNoRanksOfClosures},
-    {kClosureCheck, kPage, kNoPageOfClosures},
     {kClosurePaving, kProof, kNoProofOfPavings},
-    {kClosurePaving, kShards, kNoProofOfPavings},
-    {kClosurePaving, kTheorem, kNoProofOfPavings},
-    {kClosurePaving, kRanks, kNoRanksOfClosures},
-    {kClosurePaving, kPage, kNoPageOfClosures},
+    {kClosurePaving, kShards, kNoProofOfPavings, false},
+    {kClosurePaving, kTheorem, kNoProofOfPavings, false},
     {kClosureMargin, kShards, kNoShardsOfClosures},
     {kClosureMargin, kTheorem, kNoTheoremOfClosures},
-    {kClosureMargin, kCheckpoint, kNoCheckpointOfMargins},
-    {kClosureMargin, kRanks, kNoRanksOfClosures},
-    {kClosureMargin, kPage, kNoPageOfClosures},
     {kClosureLimitMargin, kAnswer, kNoClosure},
     {kClosureBound, kAnswer, kNoClosure},
     {kClosureCondition2, kAnswer, kNoClosure},
@@ -110,23 +98,20 @@ constexpr Refusal kRefusals[] = {
     {kFiniteErrors, kAnswer, kNoFiniteErrors},
     {kWayFiniteErrors, kAnswer, kNoFiniteErrors},
     {kClosureFiniteErrors, kProof, kNoProofOfFiniteErrors},
-    {kClosureFiniteErrors, kShards, kNoProofOfFiniteErrors},
-    {kClosureFiniteErrors, kTheorem, kNoProofOfFiniteErrors},
+    {kClosureFiniteErrors, kShards, kNoProofOfFiniteErrors, false},
+    {kClosureFiniteErrors, kTheorem, kNoProofOfFiniteErrors, false},
     {kClosureFiniteErrors, kCheckpoint, kNoCheckpointOfFiniteErrors},
-    {kClosureFiniteErrors, kRanks, kNoRanksOfClosures},
-    {kClosureFiniteErrors, kPage, kNoPageOfClosures},
+    {kClosureFiniteErrors, kRanks, kNoRanksOfFiniteErrors},
     {kWaySolve, kAnswer, kNoWayOfSolutions},
     {kSolve, kShards, kNoShardsOfSolutions},
     {kSolve, kTheorem, kNoTheoremOfSolutions},
     {kSolve, kCheckpoint, kNoCheckpointOfSolutions},
     {kSolve, kRanks, kNoRanksOfSolutions},
-    {kSolve, kPage, kNoPageOfSolutions},
     {kSolve, kPicture, kNoBoxesOfSolutions, false},
     {kClosureSolve, kShards, kNoShardsOfSolutions},
     {kClosureSolve, kTheorem, kNoTheoremOfSolutions},
     {kClosureSolve, kCheckpoint, kNoCheckpointOfSolutions},
     {kClosureSolve, kRanks, kNoRanksOfSolutions},
-    {kClosureSolve, kPage, kNoPageOfSolutions},
     {kClosureSolve, kPicture, kNoBoxesOfSolutions, false},
     // What has no boxes has no picture.
     {kCheck, kPicture, kNoBoxes, false},
@@ -317,8 +302,6 @@ std::string_view name(Service service) {
 
 std::span<const Refusal> refusals() { return kRefusals; }
 std::span<const OptionRefusal> option_refusals_of_loads() { return kOptionsOfLoads; }
-std::span<const OptionRefusal> option_refusals_of_closures() { return kOptionsOfClosures; }
-
 std::span<const OptionRefusal> option_refusals_of_solutions() { return kOptionsOfSolutions; }
 
 std::optional<std::string_view> refusal(Kind kind, Service service) {

@@ -82,7 +82,6 @@ struct OptionRefusal {
   std::string_view why;
 };
 [[nodiscard]] std::span<const OptionRefusal> option_refusals_of_loads();
-[[nodiscard]] std::span<const OptionRefusal> option_refusals_of_closures();
 [[nodiscard]] std::span<const OptionRefusal> option_refusals_of_solutions();
 
 /// Throws    UsageError for the first service that is asked for and that the question does not have,

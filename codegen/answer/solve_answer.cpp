@@ -38,21 +38,20 @@ class FoundSolutions final : public SolveAnswer {
                  held_};
     noun = noun_of(request_);
     solutions = solve(request_, run);
-    proof_ = certify_solutions(services.certificate, request_, solutions, {});
-    if (proof_.is_lost()) lost.push_back(proof_.obstacle());
+    proof = certify_solutions(services.certificate, request_, solutions, {});
+    if (proof.is_lost()) lost.push_back(proof.obstacle());
   }
 
   void tell(Facts& facts) const override {
     tell_solutions({request_, search_, held_}, solutions, noun, facts);
-    proof_.tell(facts);
+    proof.tell(facts);
   }
-  [[nodiscard]] std::string about_files() const override { return proof_.line(); }
+  [[nodiscard]] std::string about_files() const override { return proof.line(); }
 
  private:
   SearchOptions search_;
   std::vector<std::string> held_;
   Request request_;
-  ProofStatus proof_;
 };
 
 /// Notes are about the file, and those of places that have them first.

@@ -9,7 +9,7 @@
 namespace regulus {
 namespace {
 
-constexpr std::string_view kFirstLine = "regulus checkpoint 6\n";
+constexpr std::string_view kFirstLine = "regulus checkpoint 7\n";
 constexpr std::size_t kDigest = 64;
 constexpr std::size_t kEndLine = sizeof "end " - 1 + kDigest + sizeof "\n" - 1;
 
@@ -60,20 +60,6 @@ class Reader {
     return {lo, hi};
   }
   std::string_view word() { return next_word(); }
-  /// Pairs of hexadecimal digits; - for none.
-  std::string bytes() {
-    const std::string_view word = next_word();
-    std::string bytes;
-    if (word == "-") return bytes;
-    if (word.empty() || word.size() % 2 != 0) refuse("bytes");
-    for (std::size_t i = 0; i < word.size(); i += 2) {
-      unsigned byte = 0;
-      const auto [end, error] = std::from_chars(word.data() + i, word.data() + i + 2, byte, 16);
-      if (error != std::errc{} || end != word.data() + i + 2) refuse("bytes");
-      bytes += static_cast<char>(byte);
-    }
-    return bytes;
-  }
 
  private:
   std::string_view next_word() {
@@ -171,19 +157,6 @@ void read_units(Reader& reader, SearchState& state) {
   }
 }
 
-void read_early(Reader& reader, SearchState& state) {
-  reader.next_line("early");
-  const std::uint64_t count = reader.number();
-  state.early.search = reader.bytes();
-  for (std::uint64_t left = count; left > 0; --left) {
-    reader.next_line("e");
-    EarlyOutcomes::One one;
-    one.unit = reader.number<std::uint32_t>();
-    for (std::string* bytes : {&one.path, &one.boxes, &one.outcome}) *bytes = reader.bytes();
-    state.early.list.push_back(std::move(one));
-  }
-}
-
 void require_format(std::string_view text) {
   if (text.starts_with(kFirstLine)) return;
   if (!text.starts_with("regulus checkpoint ")) throw CheckpointError("it is not a checkpoint");
@@ -236,7 +209,6 @@ Checkpoint read_checkpoint(std::string_view text, const CheckpointedQuestion& qu
   reader.next_line("blocked");
   read_blocked(reader, question, result.state);
   read_units(reader, result.state);
-  read_early(reader, result.state);
   reader.next_line("open");
   const std::uint64_t count = reader.number();
   const std::vector<std::uint32_t>& units = result.state.units;

@@ -46,28 +46,6 @@ void put(std::string& text, const Headway::Run& run) {
   put(text += ' ', run.part);
 }
 
-void put_bytes(std::string& text, std::string_view bytes) {
-  constexpr const char* kDigits = "0123456789abcdef";
-  text += ' ';
-  if (bytes.empty()) text += '-';
-  for (const char c : bytes) {
-    const auto byte = static_cast<unsigned char>(c);
-    text += kDigits[byte >> 4];
-    text += kDigits[byte & 15U];
-  }
-}
-
-void put(std::string& text, const EarlyOutcomes& early) {
-  text += "\nearly";
-  put(text, std::uint64_t{early.list.size()});
-  put_bytes(text, early.search);
-  for (const EarlyOutcomes::One& one : early.list) {
-    text += "\ne";
-    put(text, std::uint64_t{one.unit});
-    for (const std::string* bytes : {&one.path, &one.boxes, &one.outcome}) put_bytes(text, *bytes);
-  }
-}
-
 void put_counts(std::string& text, const SearchState& state) {
   text += "\nboxes";
   for (const std::uint64_t n :
@@ -89,7 +67,7 @@ void put_counts(std::string& text, const SearchState& state) {
 
 std::string write_checkpoint(const CheckpointedQuestion& question, const SearchState& state,
                              const OpenBoxes& open) {
-  std::string text = "regulus checkpoint 6\nquestion " + question.identity + "\nnext";
+  std::string text = "regulus checkpoint 7\nquestion " + question.identity + "\nnext";
   put(text, state.next_id);
   put_counts(text, state);
   put(text, state.candidates);
@@ -104,7 +82,6 @@ std::string write_checkpoint(const CheckpointedQuestion& question, const SearchS
   }
   text += "\nunits";
   for (const std::uint64_t n : state.units) put(text, n);
-  put(text, state.early);
   text += "\nopen";
   put(text, std::uint64_t{open.size()});
   for (std::size_t i = 0; i < open.size(); ++i) {

@@ -37,12 +37,6 @@ std::string first_place(std::size_t number) {
   return place;
 }
 
-std::string bytes_of(const Unit& unit) {
-  ByteWriter bytes;
-  put(bytes, unit);
-  return bytes.take();
-}
-
 }  // namespace
 
 double Supervisor::Pace::seconds_for(std::size_t workers) noexcept {
@@ -71,33 +65,6 @@ std::optional<Supervisor::Decided> Supervisor::first() const {
   if (units_.empty() || !units_.begin()->second.outcome) return std::nullopt;
   const Entry& entry = units_.begin()->second;
   return Decided{&entry.unit, &*entry.outcome};
-}
-
-/// A unit is below the last one that has no ancestor here.
-std::vector<EarlyOutcomes::One> Supervisor::early() const {
-  std::vector<EarlyOutcomes::One> list;
-  std::uint32_t unit = 0;
-  const Place* ancestor = nullptr;
-  for (const auto& [place, entry] : units_) {
-    if (ancestor == nullptr || !place.starts_with(*ancestor)) {
-      if (ancestor != nullptr) ++unit;
-      ancestor = &place;
-    }
-    if (entry.outcome)
-      list.push_back({unit, place.substr(ancestor->size()), bytes_of(entry.unit), *entry.outcome});
-  }
-  return list;
-}
-
-void Supervisor::restore(const std::vector<EarlyOutcomes::One>& early) {
-  constexpr std::size_t kNobody = ~std::size_t{0};
-  for (const EarlyOutcomes::One& one : early) {
-    const Place place = first_place(one.unit) + one.path;
-    const auto found = units_.find(place);
-    if (found == units_.end() || bytes_of(found->second.unit) != one.boxes)
-      throw MalformedMessage();
-    accept(kNobody, place, one.outcome);
-  }
 }
 
 void Supervisor::remove_first() { units_.erase(units_.begin()); }

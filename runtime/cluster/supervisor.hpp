@@ -12,7 +12,6 @@
 
 #include "runtime/cluster/messages.hpp"
 #include "runtime/cluster/waiting_units.hpp"
-#include "runtime/problem/observer.hpp"
 
 namespace regulus::cluster {
 
@@ -63,11 +62,6 @@ class Supervisor {
   [[nodiscard]] std::optional<Decided> first() const;
   /// Forgets the first unit. Its groups come next in order.
   void remove_first();
-
-  /// Returns the outcomes that are not in order yet, parents first.
-  [[nodiscard]] std::vector<EarlyOutcomes::One> early() const;
-  /// Takes such outcomes from an earlier run over the same units. Throws MalformedMessage.
-  void restore(const std::vector<EarlyOutcomes::One>& early);
 
   [[nodiscard]] bool empty() const noexcept { return units_.empty(); }
   /// Returns the units that no worker has.

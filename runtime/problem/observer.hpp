@@ -72,19 +72,6 @@ struct WitnessCandidates {
   unsigned small_tries = 0;
 };
 
-/// The outcomes of units that are decided before those in front of them
-/// (runtime/cluster/supervisor.hpp). A search that does not know them decides these units again.
-struct EarlyOutcomes {
-  struct One {
-    std::uint32_t unit = 0;  ///< the number in SearchState::units of the unit or of its ancestor
-    std::string path;        ///< from there: a byte for each group
-    std::string boxes;       ///< the unit, as bytes
-    std::string outcome;     ///< as bytes
-  };
-  std::string search;  ///< bytes: everything on which outcomes depend
-  std::vector<One> list;
-};
-
 /// What a search knows besides its open boxes. With both it can continue as if it had not stopped.
 struct SearchState {
   BoxId next_id = 1;  ///< of the next box
@@ -97,7 +84,6 @@ struct SearchState {
   /// After its first boxes a long search is cut into units (runtime/cluster/unit.hpp): the numbers
   /// of open boxes in each, in their order. Empty: there are no units yet.
   std::vector<std::uint32_t> units;
-  EarlyOutcomes early;  ///< of these units
   /// A box could not be decided: NO SINGULARITY is not possible any more.
   bool blocked = false;
   Reason blocked_reason = Reason::kAllBoxesCertified;

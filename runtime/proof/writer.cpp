@@ -60,10 +60,15 @@ std::string null_vector_lines(const WitnessPoint& point) {
 
 }  // namespace
 
+std::string head_text(const std::string& verdict, const std::string& claim,
+                      const std::string& question) {
+  return std::string(format::kMagic) + "\nverdict " + verdict + "\nclaim " + claim + '\n' +
+         question + "proof\n";
+}
+
 std::string CertifiedQuestion::head(bool singular) const {
-  return std::string(format::kMagic) + "\nverdict " +
-         (singular ? format::kSingularity : format::kNoSingularity) + "\nclaim " +
-         (singular ? singularity : no_singularity) + '\n' + text + "proof\n";
+  return head_text(singular ? format::kSingularity : format::kNoSingularity,
+                   singular ? singularity : no_singularity, text);
 }
 
 const char* certificate_word(Rule rule) noexcept {

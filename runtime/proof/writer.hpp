@@ -8,6 +8,10 @@
 
 namespace regulus {
 
+/// Returns a certificate up to its proof. `question`: lines from `model` on.
+[[nodiscard]] std::string head_text(const std::string& verdict, const std::string& claim,
+                                    const std::string& question);
+
 /// The texts of a certificate about the question.
 struct CertifiedQuestion {
   std::string text;            ///< FORMAT.md, "The question": lines from `model` to `constraint`

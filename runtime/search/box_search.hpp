@@ -34,6 +34,8 @@
 
 #include <chrono>
 #include <functional>
+#include <utility>
+#include <vector>
 
 #include "runtime/search/tree_proof.hpp"
 
@@ -59,6 +61,16 @@ struct TreeBox {
   std::uint32_t depth = 0;
   std::vector<Interval> box;
 };
+
+/// Moves the last `count` open boxes into a round, the last one first, and adds them to `boxes`.
+inline void take_last(std::vector<TreeBox>& open, std::size_t count, std::vector<TreeBox>& round,
+                      std::vector<std::vector<Interval>>& boxes) {
+  for (; count > 0; --count) {
+    boxes.push_back(open.back().box);
+    round.push_back(std::move(open.back()));
+    open.pop_back();
+  }
+}
 
 /// Returns the variable with the greatest impact, or else with the widest part of its range; nullopt
 /// if none can be halved. `ranges`: the widths of the ranges of the variables, from the first, that

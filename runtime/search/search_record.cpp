@@ -116,19 +116,13 @@ bool SearchRecord::stalls() noexcept {
          state.headway.stalls(state.statistics.boxes, bisector_->variables_to_split());
 }
 
-void SearchRecord::tell_progress() noexcept {
+void SearchRecord::tell_progress(bool may_pause) noexcept {
   observer_->on_progress(state.statistics, frontier.size());
-  if (!stopped_ && !frontier.empty() && observer_->wants_pause()) pause();
+  if (may_pause && !stopped_ && !frontier.empty() && observer_->wants_pause()) pause();
 }
 
-/// Without memory for the early outcomes the state is complete, too.
 void SearchRecord::pause() noexcept {
   count_up();
-  if (before_pause) try {
-      before_pause();
-    } catch (const std::bad_alloc&) {
-      state.early = {};
-    }
   observer_->on_pause(state, frontier);
 }
 

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <chrono>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -50,11 +49,9 @@ class SearchRecord {
   /// Replaces the box that a stopped search names.
   void name_open_box(std::span<const Interval> box) noexcept;
 
-  /// Tells the observer about progress, and lets it save the search if it wants to.
-  void tell_progress() noexcept;
+  /// Tells the observer about progress, and lets it save the search if it wants to and `may_pause`.
+  void tell_progress(bool may_pause = true) noexcept;
   void pause() noexcept;
-  /// Called before the state is saved, to complete it; empty: it is complete.
-  std::function<void()> before_pause;
   /// Tells the observer which boxes are left if the search was stopped.
   void tell_what_is_open() noexcept;
 

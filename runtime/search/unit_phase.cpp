@@ -6,7 +6,6 @@
 #include <new>
 #include <utility>
 
-#include "runtime/cluster/search_description.hpp"
 #include "runtime/search/thread_workers.hpp"
 #include "runtime/search/unit_events.hpp"
 #include "runtime/search/unit_groups.hpp"
@@ -17,9 +16,6 @@ namespace {
 
 /// The units at the beginning: enough for the workers of one machine. Each unit leaves up to four.
 constexpr std::size_t kFirstUnits = 64;
-
-/// Changes whenever the bytes of units or outcomes get another meaning.
-constexpr const char* kOutcomeFormat = "1 ";
 
 constexpr double kPhasePatience = 30.0;
 constexpr double kSecondsBetweenShows = 0.25;
@@ -51,10 +47,7 @@ UnitPhase::UnitPhase(SearchRecord& record, const RowStructure& structure)
       box_(record.problem.outer),
       start_(record.problem.outer) {}
 
-UnitPhase::~UnitPhase() {
-  record_.before_pause = nullptr;
-  workers_.end();
-}
+UnitPhase::~UnitPhase() { workers_.end(); }
 
 /// Makes the first units of a search from its boxes, or takes the units of a checkpoint.
 void UnitPhase::cut_frontier() {
@@ -91,29 +84,17 @@ void UnitPhase::run() {
   workers_.begin(record_.problem, record_.settings, learned_, nullptr);
   supervisor_.emplace(units(), workers_.count(),
                       cluster::Supervisor::Pace{workers_.seconds_of_grant(), kPhasePatience});
-  restore_early();
-  record_.before_pause = [this] { save_early(); };
   while (goes_on() && !record_.must_stop()) {
     exchange_messages();
+    const std::uint64_t before = record_.state.statistics.boxes;
     take_decided();
     save_units();
-    record_.tell_progress();
+    // A pause keeps no outcomes that are not in order yet. So it waits for the next that is: a search
+    // that stopped at each pause would otherwise decide the same units again and never end.
+    record_.tell_progress(record_.state.statistics.boxes > before);
     show_progress();
   }
-  if (record_.exhausted()) save_early();
   if (record_.state.blocked && !record_.settings.exhaustive) record_.state.units.clear();
-}
-
-/// Outcomes of a search with other settings, or of another version, would be read wrongly.
-void UnitPhase::restore_early() {
-  const EarlyOutcomes early = std::exchange(record_.state.early, {});
-  if (!early.list.empty() && early.search == description()) supervisor_->restore(early.list);
-}
-
-void UnitPhase::save_early() { record_.state.early = {description(), supervisor_->early()}; }
-
-std::string UnitPhase::description() const {
-  return kOutcomeFormat + cluster::write_search(record_.problem, record_.settings, learned_);
 }
 
 /// A box that cannot be decided leaves the rest to the rounds, which take the widest boxes first.

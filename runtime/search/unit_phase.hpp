@@ -46,9 +46,6 @@ class UnitPhase {
   void look_for_witness(const cluster::Outcome& outcome);
   void prove_again(const cluster::Unit& unit);
   void save_units();
-  void restore_early();
-  void save_early();
-  [[nodiscard]] std::string description() const;
   void show_progress();
   [[nodiscard]] bool goes_on() noexcept;
 

@@ -3,6 +3,7 @@
 
 import pickle
 import re
+from pathlib import Path
 
 import numpy
 import pytest
@@ -44,6 +45,17 @@ def test_none_is_complete_and_false():
     found = rg.load("four_bar").solve(at={"theta": "135*deg"})
     assert found.complete and not found and found.verdict == "none" and len(found) == 0
     assert found.solutions.shape == (0, len(found.unknowns))
+
+
+def test_a_proof_and_a_page(tmp_path):
+    bars = rg.load("four_bar")
+    found = bars.solve(at={"theta": "0.3"}, certificate=tmp_path / "proof.txt")
+    assert found.certificate == str(tmp_path / "proof.txt")
+    assert rg.verify(found.certificate).outcome == "verified"
+    assert RPR.solve().certificate is None
+    for answer in (found, bars.solve_many(at={"theta": [0.3, 0.4]})):
+        page = Path(answer.page(tmp_path / "page.html")).read_text(encoding="utf-8")
+        assert answer.result in page and "four-bar linkage" in page
 
 
 def test_a_limit_leaves_it_incomplete():

@@ -31,8 +31,7 @@ std::string load_lines(const Model& model, const VectorSet& load) {
 }
 
 std::string CertifiedLoad::head(const std::string& verdict) const {
-  return std::string(format::kMagic) + "\nverdict " + verdict + "\nclaim " +
-         format::describe_load_claim(set, verdict) + '\n' + text + "proof\n";
+  return head_text(verdict, format::describe_load_claim(set, verdict), text);
 }
 
 CertifiedLoad certified_load(const Request& request, const std::set<std::string>& uncertain,

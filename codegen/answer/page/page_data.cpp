@@ -63,7 +63,8 @@ void set_question(PageData& data, const Request& request, const std::set<std::st
   data.again = commands_to_prove_again(model);
   data.question = is_along_way ? trajectory_question(request, uncertain).text
                                : certified_question(request, uncertain).text;
-  data.drawing = json_drawing(request);
+  // Where its points are follows from its equations, which a page does not solve.
+  if (!request.model.closure) data.drawing = json_drawing(request);
   data.units = json_units(request);
   if (is_along_way) data.way = json_way(*request.motion.trajectory);
 }

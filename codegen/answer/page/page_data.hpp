@@ -15,9 +15,9 @@ struct Request;
 struct PageData {
   std::string command;             ///< the command line that makes the page
   std::vector<std::string> again;  ///< command lines that prove the verdict again
-  std::string kind;                ///< of the first answer: "check", "paving", "bound", …
-  std::string headline;            ///< "NO SINGULARITY"
-  std::string text;                ///< the report for people
+  std::string kind;      ///< of the first answer: "check", "closure", "paving", "bound", …
+  std::string headline;  ///< "NO SINGULARITY"
+  std::string text;      ///< the report for people
   nlohmann::ordered_json report;   ///< as --json prints it
   std::string question;            ///< of the certificate, from `model` on
   std::string certificate;         ///< the whole text; empty: there is none
@@ -28,7 +28,8 @@ struct PageData {
   nlohmann::ordered_json way;      ///< of a motion along way-points (way_json.hpp); null: none
   nlohmann::ordered_json bounds = nlohmann::ordered_json::array();   ///< as `bound --json`
   nlohmann::ordered_json margins = nlohmann::ordered_json::array();  ///< as `margin --json`
-  nlohmann::ordered_json units;  ///< of the motion and pose parameters, by name
+  nlohmann::ordered_json units =
+      nlohmann::ordered_json::object();  ///< of the motion and pose parameters, by name
 };
 
 /// Sets the parts that follow from the question alone. `uncertain`: the constants of the robot that

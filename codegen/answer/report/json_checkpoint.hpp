@@ -85,9 +85,6 @@ class JsonCheckpoint {
   void keep(const SavedTree& tree, const std::string& place);
   [[noreturn]] void refuse_tree(const SavedTreeError& error) const;
 
-  /// True if the file had a tree when it was read.
-  [[nodiscard]] bool had_tree() const noexcept { return had_tree_; }
-
   /// Returns a line that warns of a file that could not be written; empty if it was.
   [[nodiscard]] std::string line() const;
   /// Returns why the last attempt to save failed; empty if it did not.

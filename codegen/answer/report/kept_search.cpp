@@ -32,12 +32,6 @@ Clock::time_point time_after(double seconds) {
   return Clock::now() + std::chrono::duration_cast<Clock::duration>(limit);
 }
 
-/// Keeps what the tree does not know. Outcomes that are not in order yet would have to be trusted.
-SearchState without_claims(SearchState state) {
-  state.early = {};
-  return state;
-}
-
 /// The boxes that are left must be the same in both texts, and those that were evaluated as many as the
 /// tree has: each was split or is a leaf.
 void require_same_boxes(const Checkpoint& state, const RestoredTree& tree) {
@@ -147,9 +141,7 @@ Checkpoint KeptSearch::restore(const Problem& problem, Settings& settings,
 
 Checkpoint KeptSearch::read_state() const try {
   const std::string text = file_->known().at(place_).at(kState).get<std::string>();
-  Checkpoint found = read_checkpoint(text, question_);
-  found.state.early = {};
-  return found;
+  return read_checkpoint(text, question_);
 } catch (const nlohmann::json::exception& error) {
   throw SavedTreeError(error.what());
 } catch (const CheckpointError& error) {
@@ -204,7 +196,7 @@ void KeptSearch::save(const SearchState& state, const OpenBoxes& open) {
   tree_.open.clear();
   for (std::size_t i = 0; i < open.size(); ++i)
     tree_.add_open(open.at(i).id, std::numeric_limits<double>::infinity());
-  file_->known()[place_][kState] = write_checkpoint(question_, without_claims(state), open);
+  file_->known()[place_][kState] = write_checkpoint(question_, state, open);
   file_->keep(tree_, place_);
 }
 

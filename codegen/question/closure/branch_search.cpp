@@ -44,11 +44,7 @@ class BranchGoal {
       course_.save_last([this](SavedTree& tree) { describe(tree); });
       count = left;
     }
-    for (std::size_t i = 0; i < count; ++i) {
-      boxes.push_back(open_.back().box);
-      round_.push_back(std::move(open_.back()));
-      open_.pop_back();
-    }
+    take_last(open_, count, round_, boxes);
   }
 
   [[nodiscard]] double horizon() const { return 0; }
@@ -245,6 +241,15 @@ class Neighbours {
 void BranchTree::split(BoxId box, std::size_t variable, double at, BoxId lower) {
   nodes_.resize(std::max<std::size_t>(nodes_.size(), lower + 2));
   nodes_[box].variable = variable, nodes_[box].at = at, nodes_[box].lower = lower;
+}
+
+std::vector<Split> BranchTree::splits() const {
+  std::vector<Split> splits;
+  for (BoxId box = 0; box < nodes_.size(); ++box)
+    if (const Node& node = nodes_[box]; node.variable != kNone)
+      splits.push_back({box, std::uint32_t(node.variable), node.at, node.lower});
+  std::ranges::sort(splits, {}, &Split::lower);
+  return splits;
 }
 
 void BranchTree::leave(BranchLeaf leaf) {

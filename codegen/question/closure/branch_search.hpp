@@ -47,6 +47,8 @@ class BranchTree {
 
   [[nodiscard]] const Node& node(BoxId box) const { return nodes_.at(box); }
   [[nodiscard]] const std::vector<BranchLeaf>& leaves() const { return leaves_; }
+  /// Returns the splits in the order of the numbers that they make.
+  [[nodiscard]] std::vector<Split> splits() const;
 
   /// Calls `visit` for each two leaves with tubes whose boxes share a face, and the face.
   void for_neighbours(const std::vector<Interval>& root,

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "codegen/answer/certificate/certificate_question.hpp"
 
 namespace regulus {
@@ -17,16 +15,8 @@ std::string tube_words(const BranchTube& tube) {
   return words;
 }
 
-/// The splits come in the order of the numbers that they make.
 void write_tree(ProofFile& file, const BranchTree& tree) {
-  std::vector<BoxId> splits;
-  for (BoxId box = 0; box + 1 < 2 * tree.leaves().size(); ++box)
-    if (tree.node(box).variable != BranchTree::kNone) splits.push_back(box);
-  std::ranges::sort(splits, {}, [&](BoxId box) { return tree.node(box).lower; });
-  for (const BoxId box : splits) {
-    const BranchTree::Node& node = tree.node(box);
-    file.split({box, std::uint32_t(node.variable), node.at, node.lower});
-  }
+  for (const Split& split : tree.splits()) file.split(split);
   for (const BranchLeaf& leaf : tree.leaves())
     file.leaf(leaf.at.id, leaf.tube ? tube_words(*leaf.tube).c_str() : format::kOutsideLeaf);
 }

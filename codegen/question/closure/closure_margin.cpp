@@ -3,6 +3,7 @@
 
 #include "codegen/answer/report/progress.hpp"
 #include "codegen/question/closure/closure_certificate.hpp"
+#include "codegen/question/engine/search_topic.hpp"
 #include "codegen/support/stopwatch.hpp"
 #include "codegen/support/time_budget.hpp"
 
@@ -16,6 +17,9 @@ MarginStep ClosureAttempts::at(const MarginValue& value, const PlannedAttempt& p
   Stopwatch watch;
   FormingWatch forming;
   forming.interrupt = interrupt_;
+  SearchTopic topic;
+  topic.value = value.approx;
+  turn_to(options.workers, std::move(topic), request_.nominal().motion);
   Checked checked{prepare_closure(request_.at(value), 0, options, forming), {}};
   checked.found = check_closure(checked.prepared, options, forming, display.observer());
   MarginStep step{value, check_result(checked.prepared, checked.found),

@@ -200,7 +200,9 @@ ClosureFinding pave_closure(PreparedClosure& prepared, const SearchOptions& sear
   return found;
 }
 
-void tell_leaves(const PreparedClosure& prepared, const ClosureFinding& found, Observer& observer) {
+void tell_boxes(const PreparedClosure& prepared, const ClosureFinding& found, Observer& observer) {
+  for (const Split& split : found.searched.branch.tree.splits())
+    observer.on_split({split.parent, 0, {}}, split);
   const std::vector<BranchLeaf>& leaves = found.searched.branch.tree.leaves();
   const std::vector<char>& on_branch = found.searched.links.on_branch;
   Proof undecided;

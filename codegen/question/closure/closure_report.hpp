@@ -39,8 +39,9 @@ using MakeCheckpoint = std::function<SearchCheckpoint*(const BranchSettings&)>;
                                           Observer* progress,
                                           const MakeCheckpoint& checkpoint = {});
 
-/// Tells the leaves of a paving: free if they are on the branch, outside, or undecided.
-void tell_leaves(const PreparedClosure& prepared, const ClosureFinding& found, Observer& observer);
+/// Tells the splits of a paving, without their boxes, and its leaves: free if they are on the branch,
+/// outside, or undecided.
+void tell_boxes(const PreparedClosure& prepared, const ClosureFinding& found, Observer& observer);
 
 /// Returns the finding in the terms of a check.
 [[nodiscard]] Result check_result(const PreparedClosure& prepared, const ClosureFinding& found);

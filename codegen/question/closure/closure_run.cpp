@@ -9,7 +9,6 @@
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/closure_start.hpp"
 #include "codegen/question/engine/search_run.hpp"
-#include "codegen/question/engine/settings.hpp"
 
 namespace regulus {
 namespace {
@@ -127,13 +126,7 @@ PreparedClosure prepare_closure(Request request, double model_seconds, const Sea
 BranchSettings settings_of(const PreparedSystem& prepared, const SearchOptions& search,
                            const std::atomic<bool>* interrupt) {
   BranchSettings settings;
-  settings.threads = settings_from(search).threads;
-  if (search.max_boxes != 0) settings.max_boxes = search.max_boxes;
-  if (search.time_limit != 0)
-    settings.time_limit = seconds_left(prepared.preparation, search.time_limit);
-  if (prepared.preparation.stopped) settings.time_limit = 0;
-  settings.interrupt = interrupt;
-  settings.workers = search.workers;
+  set_limits(settings, prepared.preparation, search, interrupt);
   return settings;
 }
 

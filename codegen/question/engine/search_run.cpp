@@ -7,10 +7,12 @@
 #include "codegen/question/engine/algebra_oracle.hpp"
 #include "codegen/question/engine/arb_oracle.hpp"
 #include "codegen/question/engine/closed_form_bounds.hpp"
+#include "codegen/question/engine/settings.hpp"
 #include "codegen/question/engine/witness_values.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/stopwatch.hpp"
 #include "runtime/problem/observers.hpp"
+#include "runtime/search/box_search.hpp"
 #include "runtime/search/solver.hpp"
 #include "runtime/witness/point_witness.hpp"
 
@@ -72,6 +74,16 @@ Result run_from(PreparedSearch& preparation, const SearchOptions& search, Settin
 
 double seconds_left(const PreparedSearch& preparation, double time_limit) {
   return std::max(0.0, time_limit - preparation.seconds_spent().before_search());
+}
+
+void set_limits(BoxSearchSettings& settings, const PreparedSearch& preparation,
+                const SearchOptions& search, const std::atomic<bool>* interrupt) {
+  settings.threads = settings_from(search).threads;
+  if (search.max_boxes != 0) settings.max_boxes = search.max_boxes;
+  if (search.time_limit != 0) settings.time_limit = seconds_left(preparation, search.time_limit);
+  if (preparation.stopped) settings.time_limit = 0;
+  settings.interrupt = interrupt;
+  settings.workers = search.workers;
 }
 
 Result run_search(PreparedSearch& preparation, const SearchOptions& search, Settings settings,

@@ -2,6 +2,7 @@
 // Runs a prepared search, with more digits and exact algebra if needed.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <span>
 #include <vector>
@@ -12,9 +13,14 @@
 #include "runtime/problem/observer.hpp"
 
 namespace regulus {
+struct BoxSearchSettings;
 
 /// Returns the seconds of a time limit that remain after the stages before the search.
 [[nodiscard]] double seconds_left(const PreparedSearch& preparation, double time_limit);
+
+/// Sets the threads, the workers and the limits of a search of boxes after these stages.
+void set_limits(BoxSearchSettings& settings, const PreparedSearch& preparation,
+                const SearchOptions& search, const std::atomic<bool>* interrupt);
 
 /// Searches the whole variety of the preparation; records time and bits in the preparation. If
 /// forming was stopped, the search ends for the same reason before its first box.

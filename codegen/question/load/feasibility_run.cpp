@@ -4,7 +4,6 @@
 #include "codegen/answer/report/question_report.hpp"
 #include "codegen/question/bound/bound_run.hpp"
 #include "codegen/question/engine/search_run.hpp"
-#include "codegen/question/engine/settings.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus {
@@ -67,14 +66,7 @@ PreparedForces prepare_forces(Request request, double model_seconds, const std::
 FeasibilitySettings settings_of(const PreparedForces& prepared,
                                 const std::atomic<bool>* interrupt) {
   FeasibilitySettings settings;
-  const SearchOptions& search = prepared.search;
-  settings.threads = settings_from(search).threads;
-  if (search.max_boxes != 0) settings.max_boxes = search.max_boxes;
-  if (search.time_limit != 0)
-    settings.time_limit = seconds_left(prepared.preparation, search.time_limit);
-  if (prepared.preparation.stopped) settings.time_limit = 0;
-  settings.interrupt = interrupt;
-  settings.workers = search.workers;
+  set_limits(settings, prepared.preparation, prepared.search, interrupt);
   return settings;
 }
 

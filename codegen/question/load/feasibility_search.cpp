@@ -39,11 +39,7 @@ class ForceGoal {
       course_.save_last([this](SavedTree& tree) { describe(tree); });
       count = left;
     }
-    for (; count > 0; --count) {
-      boxes.push_back(open_.back().box);
-      round_.push_back(std::move(open_.back()));
-      open_.pop_back();
-    }
+    take_last(open_, count, round_, boxes);
   }
 
   [[nodiscard]] double horizon() const { return 0; }

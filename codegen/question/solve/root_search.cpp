@@ -29,11 +29,7 @@ class RootGoal {
   void fill(std::vector<std::vector<Interval>>& boxes, std::uint64_t left) {
     round_.clear();
     const std::size_t count = std::min<std::uint64_t>(std::min(kBoxesOfRound, open_.size()), left);
-    for (std::size_t i = 0; i < count; ++i) {
-      boxes.push_back(open_.back().box);
-      round_.push_back(std::move(open_.back()));
-      open_.pop_back();
-    }
+    take_last(open_, count, round_, boxes);
   }
 
   [[nodiscard]] double horizon() const { return 0; }

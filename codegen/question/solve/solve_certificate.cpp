@@ -107,8 +107,7 @@ std::string root_lines(const std::vector<std::vector<Complex>>& roots) {
 
 std::string head_of(const Solutions& solutions, const std::string& claim,
                     const std::string& question, const std::string& lines) {
-  return fmt::format("{}\nverdict {}\nclaim {}\n{}{}proof\n", format::kMagic, verdict_of(solutions),
-                     claim, question, lines);
+  return head_text(verdict_of(solutions), claim, question + lines);
 }
 
 std::string head_of_platform(const Request& request, const Solutions& solutions,

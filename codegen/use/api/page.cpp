@@ -18,7 +18,7 @@ void write_page(const Question& question, const PageContents& contents, const st
   if (report.is_discarded()) throw UsageError("page: `json` is no JSON object");
   PageOfAnswers page(contents.page_template.empty() ? PageTemplate::installed()
                                                     : PageTemplate::of_file(contents.page_template),
-                     model, "");
+                     model, "", subject_of(contents.kind));
   page.add({contents.kind, contents.headline, contents.report, std::move(report),
             contents.certificate, contents.no_certificate});
   static_cast<void>(page.write(file));

@@ -16,14 +16,18 @@ struct SolveOptions {
   SearchOptions search{};
   std::vector<std::string> at{};    ///< "NAME=VALUE": values of pose parameters
   std::vector<std::string> hold{};  ///< joints of an arm that keep the values of the motion
+  /// A file for the proof of solve(); empty: none.
+  std::string certificate{};
 };
 
 struct SolveFinding {
   Solutions solutions;
-  std::string headline;  ///< "COMPLETE: 6 poses"
-  std::string report;    ///< the lines that precede it on a terminal
-  std::string json;      ///< the report that --json prints
-  double seconds = 0;    ///< of the whole call
+  std::string headline;          ///< "COMPLETE: 6 poses"
+  std::string report;            ///< the lines that precede it on a terminal
+  std::string json;              ///< the report that --json prints
+  double seconds = 0;            ///< of the whole call
+  std::string certificate{};     ///< the file of the proof; empty: none
+  std::string no_certificate{};  ///< why none could be written, if one was wanted
 };
 
 /// Finds all solutions, and proves that these are all, or says why this is not shown. Threads and
@@ -48,7 +52,7 @@ struct SolveManyFinding {
 };
 
 /// Solves each of many places. Limits of the search are those of each place; threads and errors as
-/// check(), and UsageError if there is no place.
+/// check(), and UsageError if there is no place, or for a certificate.
 [[nodiscard]] SolveManyFinding solve_many(const Question& question, const Places& places,
                                           const SolveOptions& options = {},
                                           const std::atomic<bool>* interrupt = nullptr);

@@ -111,6 +111,7 @@ void CommandTables::add_solve() {
   solve_command->get_option("--time-limit")->default_str("60");
   add_certificate_option(*solve_command, solve.certificate, kSolveCertificate);
   add_output_options(*solve_command, solve.output);
+  add_page_option(*solve_command, solve.output);
   solve_command->footer(kSolveFooter);
 }
 

@@ -90,7 +90,9 @@ void bind_solve_findings(py::module_& module) {
       .def_readonly("headline", &SolveFinding::headline)
       .def_readonly("report", &SolveFinding::report)
       .def_readonly("json", &SolveFinding::json)
-      .def_readonly("seconds", &SolveFinding::seconds);
+      .def_readonly("seconds", &SolveFinding::seconds)
+      .def_readonly("certificate", &SolveFinding::certificate)
+      .def_readonly("no_certificate", &SolveFinding::no_certificate);
   py::class_<SolveManyFinding>(module, "SolveManyFinding")
       .def("solutions",
            [](const SolveManyFinding& f) {
@@ -112,13 +114,14 @@ void bind_solutions(py::module_& module) {
   module.def(
       "solve",
       [](const Question& question, const SearchOptions& search, const std::vector<std::string>& at,
-         const std::vector<std::string>& hold) {
-        const SolveOptions options{search, at, hold};
+         const std::vector<std::string>& hold, const std::string& certificate) {
+        const SolveOptions options{search, at, hold, certificate};
         return run_there([=](const std::atomic<bool>& interrupt) {
           return solve(question, options, &interrupt);
         });
       },
-      py::arg("question"), py::arg("options"), py::arg("at"), py::arg("hold"));
+      py::arg("question"), py::arg("options"), py::arg("at"), py::arg("hold"),
+      py::arg("certificate") = "");
   module.def(
       "solve_many",
       [](const Question& question, const SearchOptions& search, const std::vector<std::string>& at,

@@ -292,6 +292,7 @@ std::vector<Base> of_the_library() {
       {"redundant arm", "seven_joints", {"check", "table"}},
       {"cables", "cable_8", {"check", "work"}},
       {"poses", "dietmaier", {"solve", "legs"}},
+      {"poses in the plane", "rpr_6", {"solve", "legs"}},
   };
 }
 

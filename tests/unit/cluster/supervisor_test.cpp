@@ -160,30 +160,6 @@ TEST(Supervisor, GrantsTheFirstInOrderIfManyWait) {
   EXPECT_EQ(read_grant(supervisor.grant_work(0).at(0).grant).units.at(0).depths.at(0), 20U);
 }
 
-TEST(Supervisor, RestoresWhatWasNotInOrder) {
-  Supervisor before({unit_of(1), unit_of(4), unit_of(2)}, 3, {.seconds = 1});
-  const auto grants = before.grant_work(0);
-  for (const std::size_t i : {1U, 2U}) before.receive(i, answer_to(grants[i].grant), 0);
-  EXPECT_TRUE(taken(before).empty());
-  const std::vector<EarlyOutcomes::One> early = before.early();
-  ASSERT_EQ(early.size(), 2U);
-  Supervisor after({unit_of(1), unit_of(4), unit_of(2)}, 1, {});
-  after.restore(early);
-  EXPECT_EQ(after.waiting(), 1U + 2U + 2U);
-  after.receive(0, answer_to(after.grant_work(0).at(0).grant), 0);
-  EXPECT_THAT(taken(after), ElementsAre(1));
-}
-
-TEST(Supervisor, RestoresNothingForOtherBoxes) {
-  Supervisor before({unit_of(1), unit_of(4)}, 2, {});
-  before.receive(1, answer_to(before.grant_work(0).at(1).grant), 0);
-  for (const std::vector<Unit>& others :
-       {std::vector{unit_of(1), unit_of(5)}, {unit_of(4), unit_of(1)}, {unit_of(1)}}) {
-    Supervisor after(others, 2, {});
-    EXPECT_THROW(after.restore(before.early()), MalformedMessage);
-  }
-}
-
 TEST(Worker, DecidesGroupsUntilTheBudgetIsUsed) {
   for (const auto& [budget, units] : {std::pair{1U, 1}, {25U, 3}, {1000U, 15}}) {
     Deciding decider;

@@ -147,33 +147,9 @@ TEST(Pause, UnitsOfAPavingAreTheSameInPieces) {
   expect_the_same(problem_over(kernel, {{-2, 2}, {-2, 2}}), settings, Verdict::kSingularity, 8);
 }
 
-/// Stops again and again, by many workers, whose outcomes come in any order. Returns the events and
-/// the number of decided units. `keeps`: the outcomes that were not in order continue, too.
-std::pair<std::string, std::size_t> search_by_many(const Problem& problem, Settings settings,
-                                                   bool keeps) {
-  std::string log;
-  std::size_t units = 0;
-  SearchState state;
-  std::vector<std::vector<Interval>> kept = {problem.outer};
-  std::vector<OpenBox> open = {{0, 0, kept[0]}};
-  for (unsigned seed = 0;; ++seed) {
-    Pausing observer(log, 40);
-    test::KnownOutcomes decided;
-    test::SimulatedWorkers workers(12, {.longest_delay = 2}, seed, decided);
-    settings.workers = &workers;
-    settings.interrupt = &observer.interrupt;
-    const Result result = resume(problem, settings, open, state, &observer);
-    units += decided.size();
-    if (result.stopped_by != Reason::kInterrupted) return {log, units};
-    state = observer.state;
-    if (!keeps) state.early = {};
-    kept = observer.kept;
-    open = observer.open;
-    for (std::size_t i = 0; i < kept.size(); ++i) open[i].box = kept[i];
-  }
-}
-
-TEST(Pause, OutcomesThatWereNotInOrderAreNotDecidedAgain) {
+/// Stops again and again, by many workers, whose outcomes come in any order. Those that are not in order
+/// at a stop are lost.
+TEST(Pause, UnitsByManyWorkersAreTheSameInPieces) {
   const FunctionKernel kernel = test::singular_circle();
   Settings settings = in_units();
   settings.exhaustive = true;
@@ -181,36 +157,26 @@ TEST(Pause, OutcomesThatWereNotInOrderAreNotDecidedAgain) {
   const Problem problem = problem_over(kernel, {{-2, 2}, {-2, 2}});
   constexpr std::uint64_t kNever = 1U << 30;
   const std::string expected = search(problem, settings, kNever).log;
-  const auto [kept, few] = search_by_many(problem, settings, true);
-  const auto [lost, many] = search_by_many(problem, settings, false);
-  EXPECT_TRUE(kept == expected);
-  EXPECT_TRUE(lost == expected);
-  EXPECT_LT(few, many);
-}
-
-/// Outcomes of another method, or of another threshold, have another meaning.
-TEST(Pause, OutcomesOfOtherSettingsAreNotUsed) {
-  const FunctionKernel kernel = test::singular_circle();
-  Settings settings = in_units();
-  settings.exhaustive = true;
-  settings.min_relative_width = 0x1p-6;
-  const Problem problem = problem_over(kernel, {{-2, 2}, {-2, 2}});
   std::string log;
-  Pausing observer(log, 60);
-  test::KnownOutcomes decided;
-  test::SimulatedWorkers workers(12, {.longest_delay = 2}, 1, decided);
-  settings.workers = &workers;
-  settings.interrupt = &observer.interrupt;
-  static_cast<void>(solve(problem, settings, &observer));
-  SearchState state = observer.state;
-  ASSERT_FALSE(state.early.list.empty());
-  for (EarlyOutcomes::One& one : state.early.list) one.outcome = "damaged";
-  settings.workers = nullptr;
-  settings.interrupt = nullptr;
-  EXPECT_THROW(static_cast<void>(resume(problem, settings, observer.open, state)),
-               cluster::MalformedMessage);
-  settings.enclose_determinants = !settings.enclose_determinants;
-  EXPECT_EQ(resume(problem, settings, observer.open, state).verdict, Verdict::kSingularity);
+  SearchState state;
+  std::vector<std::vector<Interval>> kept = {problem.outer};
+  std::vector<OpenBox> open = {{0, 0, kept[0]}};
+  unsigned stops = 0;
+  for (bool is_stopped = true; is_stopped; ++stops) {
+    Pausing observer(log, 4);
+    test::KnownOutcomes decided;
+    test::SimulatedWorkers workers(12, {.longest_delay = 2}, stops, decided);
+    settings.workers = &workers;
+    settings.interrupt = &observer.interrupt;
+    const Result result = resume(problem, settings, open, state, &observer);
+    is_stopped = result.stopped_by == Reason::kInterrupted;
+    state = observer.state;
+    kept = observer.kept;
+    open = observer.open;
+    for (std::size_t i = 0; i < kept.size(); ++i) open[i].box = kept[i];
+  }
+  EXPECT_GT(stops, 2U);
+  EXPECT_TRUE(log == expected);
 }
 
 /// Stops at each of these budgets, and continues to the end.

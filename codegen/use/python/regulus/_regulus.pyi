@@ -188,6 +188,10 @@ class SolveFinding:
     def json(self) -> str: ...
     @property
     def seconds(self) -> float: ...
+    @property
+    def certificate(self) -> str: ...
+    @property
+    def no_certificate(self) -> str: ...
 
 class SolveManyFinding:
     def __init__(self, *args: object, **kwargs: object) -> None: ...
@@ -291,7 +295,11 @@ def bound(
     shard_size: int = 0,
 ) -> BoundFinding: ...
 def solve(
-    question: Question, options: SearchOptions, at: list[str], hold: list[str]
+    question: Question,
+    options: SearchOptions,
+    at: list[str],
+    hold: list[str],
+    certificate: str = "",
 ) -> SolveFinding: ...
 def solve_many(
     question: Question,

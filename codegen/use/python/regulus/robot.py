@@ -522,6 +522,7 @@ class Robot:
         at: Optional[Mapping[str, Number]] = None,
         hold: Sequence[str] = (),
         tolerance: Optional[Mapping[str, Number]] = None,
+        certificate: Optional[Path] = None,
         **options: Any,
     ) -> Solved:
         """Finds all configurations, poses or postures at one place, and proves that these are all.
@@ -532,6 +533,7 @@ class Robot:
                 on, or of the tool, x, y, z, roll, pitch, yaw; in their units.
             hold: joints of an arm that keep the values of the place, where more than six move.
             tolerance: as for check(), of a model with [closure].
+            certificate: a file for the proof.
             options: of the search: threads, time_limit, max_boxes, engine, isa, use_cache,
                 beyond_limits.
 
@@ -542,12 +544,15 @@ class Robot:
         question.set_options({"time_limit": 60, **options})
         given = assignments_of("at", at, question.texts)
         held = words_of("hold", hold)
+        proof = optional_path("certificate", certificate)
 
         def result(finding: Any) -> Solved:
-            return Solved(finding, question.texts.notes)
+            return Solved(question, finding, question.texts.notes)
 
         try:
-            return result(_regulus.solve(question.question, question.options, given, held))
+            return result(
+                _regulus.solve(question.question, question.options, given, held, proof)
+            )
         except KeyboardInterrupt as stop:
             _with_partial(stop, result)
             raise
@@ -587,7 +592,7 @@ class Robot:
         places = places_of("at", lists, question.texts)
 
         def result(finding: Any) -> SolvedPlaces:
-            return SolvedPlaces(finding, question.texts.notes)
+            return SolvedPlaces(question, finding, question.texts.notes)
 
         table = optional_path("waypoints", waypoints)
         try:

@@ -3,14 +3,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Iterator, overload
+from typing import TYPE_CHECKING, Any, Iterator, Optional, overload
 
+from .page import write_answer
 from .reports import SolutionsAtPlacesReport, SolutionsReport
-from .results import Result, _table
+from .results import Path, Result, _table
 
 if TYPE_CHECKING:
     import numpy
     import numpy.typing
+
+    from .robot import Question
+
 
 class Found:
     """What was found at one place.
@@ -70,13 +74,24 @@ class Solved(Found, Result[SolutionsReport]):
     Attributes:
         result: the last line of the command: "COMPLETE: 6 poses".
         seconds: of the whole call.
+        certificate: the file of the proof; None if there is none.
     """
 
-    def __init__(self, finding: Any, notes: list[str]) -> None:
+    def __init__(self, question: Question, finding: Any, notes: list[str]) -> None:
         Found.__init__(self, finding.solutions)
         Result.__init__(self, finding.report, finding.json, notes)
+        self._question = question
         self.result: str = finding.headline
         self.seconds: float = finding.seconds
+        self.certificate: Optional[str] = finding.certificate or None
+
+    def page(self, path: Path) -> str:
+        """Writes one HTML file about the answer, for any browser, and returns its path.
+
+        Raises:
+            FileError: if this build has no page, or the file cannot be written.
+        """
+        return write_answer(self._question, "solutions", self.result, self, path)
 
     def __repr__(self) -> str:
         return f"<{self.result}>"
@@ -99,12 +114,21 @@ class SolvedPlaces(Result[SolutionsAtPlacesReport]):
         seconds: of the whole call.
     """
 
-    def __init__(self, finding: Any, notes: list[str]) -> None:
+    def __init__(self, question: Question, finding: Any, notes: list[str]) -> None:
         super().__init__(finding.report, finding.json, notes)
+        self._question = question
         self.places: list[Found] = [Found(found) for found in finding.solutions()]
         self.left: int = finding.left
         self.result: str = finding.headline
         self.seconds: float = finding.seconds
+
+    def page(self, path: Path) -> str:
+        """Writes one HTML file about the answer, for any browser, and returns its path.
+
+        Raises:
+            FileError: if this build has no page, or the file cannot be written.
+        """
+        return write_answer(self._question, "solutions", self.result, self, path)
 
     @property
     def verdicts(self) -> numpy.typing.NDArray[Any]:

@@ -51,8 +51,11 @@ export interface PageData {
   readonly version: string;
   readonly command: string;
   readonly again: readonly string[]; // commands
-  /** Of the answer that the page is about. Only a check has a proof that a page does again. */
-  readonly kind: "check" | "paving" | "margin" | "bound" | "load" | "load-paving" | "datasheet";
+  /**
+   * Of the answer that the page is about; "closure" is a check of a mechanism that is given by equations. Only a
+   * check has a proof that a page does again.
+   */
+  readonly kind: "check" | "closure" | "paving" | "margin" | "bound" | "load" | "load-paving" | "datasheet" | "solutions";
   readonly headline: string;
   readonly text: string; // the report for people; empty for a check
   readonly report: Report;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { boundsPart, marginsPart } from "./bars";
 import { PageData, readPageData } from "./data";
-import { h } from "./dom";
+import { h, section } from "./dom";
 import { Icicle } from "./icicle";
 import { poseSliders, Shown, ShownPose } from "./pose";
 import { Question } from "./question";
@@ -40,6 +40,19 @@ function partsOfRanges(data: PageData, question: Question, certificate: Certific
   return { parts, pose };
 }
 
+/** Of a mechanism that is given by equations: its robot cannot be drawn, and its proof is not run. */
+function partsOfClosure(data: PageData, question: Question): Parts {
+  const paving = pavingTree(data, question);
+  if (!paving) return [];
+  const pose = new ShownPose(question);
+  return [
+    section("The motion", poseSliders(pose, data)),
+    new Slices(data, question, pose, paving, true).element,
+    sharesPart(data),
+    new Icicle(question, paving, pose, "The tree of the paving").element,
+  ];
+}
+
 /** The parts of a motion along way-points. */
 function partsOfWay(data: PageData, certificate: Certificate | null): { parts: Parts; pose: Shown } {
   const way = new Way(data);
@@ -53,12 +66,15 @@ function build(main: HTMLElement): void {
   const data = readPageData();
   requireSameWords(data);
   const question = new Question(data.question);
-  const certificate = readCertificate(data, question);
-  const { parts, pose } = data.way ? partsOfWay(data, certificate) : partsOfRanges(data, question, certificate);
+  const isQuoted = question.isClosure || data.kind === "solutions";
+  const certificate = isQuoted ? null : readCertificate(data, question);
+  const { parts, pose } = isQuoted
+    ? { parts: partsOfClosure(data, question), pose: null }
+    : data.way ? partsOfWay(data, certificate) : partsOfRanges(data, question, certificate);
   const all = [verdictPart(data, question), ...parts, marginsPart(data), sourcePart(data)];
   main.replaceChildren(...all.filter((part): part is HTMLElement => part !== null));
   document.querySelector("header")?.prepend(h("p", { id: "subject" }, data.report.model));
-  const place = placeOf(data);
+  const place = pose && placeOf(data);
   if (place) pose.goTo(place.point);
   proveAgain(data, question, certificate);
 }

@@ -34,6 +34,8 @@ export class Question {
   /** Constants that each piece of a way gives a value, and the number of pieces. */
   readonly pieceNames: string[] = [];
   pieces = 0;
+  /** It has equations in the place of a matrix; what they use is not read. */
+  isClosure = false;
   /** Of entries, scales and `defined`: poses with their control errors. */
   readonly actual: Scope = new Map();
   /** Of constraints: poses as commanded. */
@@ -52,6 +54,11 @@ export class Question {
 
   get isPiecewise(): boolean {
     return this.pieceNames.length > 0;
+  }
+
+  /** Whether it has a determinant, whose values can be sampled. */
+  get hasDeterminant(): boolean {
+    return this.rows > 0 && this.rows === this.columns;
   }
 
   get threshold(): string {
@@ -126,7 +133,13 @@ export class Question {
       case "pose":
         this.readPose(line, value);
         break;
+      case "unknown":
+      case "start":
+      case "equation":
+        this.isClosure = true;
+        break;
       case "let": {
+        if (this.isClosure) break;
         const [, name, text] = this.match(/^(\S+) = (.+)$/, line, value);
         this.actual.set(name, parseExpression(text, this.graph, this.actual));
         break;
@@ -144,7 +157,7 @@ export class Question {
         this.scale.push(parseExpression(value, this.graph, this.actual));
         break;
       case "defined":
-        this.defined.push(parseExpression(value, this.graph, this.actual));
+        if (!this.isClosure) this.defined.push(parseExpression(value, this.graph, this.actual));
         break;
       case "motion-defined":
         this.motionDefined.push(parseExpression(value, this.graph, this.commanded));

@@ -111,7 +111,7 @@ export class Slices {
       choice("across", "across", false),
       choice("up", "up", true),
       choice("one slice for each of", "stack", true),
-      this.question.rows === this.question.columns
+      this.question.hasDeterminant
         ? h("span", {}, box, " ", h("label", { for: "samples" }, "samples of det"))
         : null,
     );
@@ -125,7 +125,7 @@ export class Slices {
       "ul",
       { class: "legend" },
       ...[...claims].map((claim) => key(claim, CLAIM_WORDS[claim])),
-      key("sampled", this.free.length > 1 ? "sampled, not proved: det changes its sign between neighbouring samples" : "dashed: det as sampled, not proved; the line is 0"),
+      ...(this.question.hasDeterminant ? [key("sampled", this.free.length > 1 ? "sampled, not proved: det changes its sign between neighbouring samples" : "dashed: det as sampled, not proved; the line is 0")] : []),
       key("cross", "the pose that is shown"),
     );
   }
@@ -175,13 +175,13 @@ export class Slices {
       shapes.push(rectangle(p.lo, p.hi, q.lo, q.hi, `box ${name}`));
     }
     if (!this.tree) shapes.push(rectangle(x.lo, x.hi, y.lo, y.hi, "box undecided"));
-    if (this.showSamples && hasUp && this.question.rows === this.question.columns)
+    if (this.showSamples && hasUp && this.question.hasDeterminant)
       for (const [p, q] of this.signChanges(values)) {
         const mark = rectangle(p.lo, p.hi, q.lo, q.hi, "sampled");
         mark.setAttribute("fill", `url(#${id})`);
         shapes.push(mark);
       }
-    if (this.showSamples && !hasUp && this.question.rows === this.question.columns)
+    if (this.showSamples && !hasUp && this.question.hasDeterminant)
       shapes.push(...this.determinantCurve(values));
     const cx = toX(values[across]);
     const cy = hasUp ? toY(values[up]) : SIZE / 2;

@@ -14,13 +14,19 @@ function download(name: string, text: string): HTMLElement {
 
 const fileName = (path: string): string => path.split("/").pop() || "model.toml";
 
+/** Only a check is asked again by the command that the page knows; another answer by the one that made it. */
+function commandsOf(data: PageData): string {
+  if (data.certificate !== null) return data.again.slice(0, 2).join("\n");
+  return (data.kind === "check" || data.kind === "closure" || !data.command ? data.again.slice(0, 1) : [data.command]).join("\n");
+}
+
 export function sourcePart(data: PageData): HTMLElement {
   const licence = document.getElementById("licence")?.textContent ?? "";
   const file = fileName(data.model.file);
   return section(
     "Model and proof",
     h("p", {}, data.certificate === null ? "Ask again:" : "Prove it again, with a program that shares no code with the solver:"),
-    h("pre", { tabindex: 0, "aria-label": "Commands" }, data.again.slice(0, data.certificate === null ? 1 : 2).join("\n")),
+    h("pre", { tabindex: 0, "aria-label": "Commands" }, commandsOf(data)),
     h("p", {}, download(file, data.model.text), " ", data.certificate === null ? null : download("proof.txt", data.certificate)),
     table(
       ["property", "value"],

@@ -60,6 +60,8 @@ const LIMITS: Record<keyof typeof WORDS, string[]> = {
 
 const QUOTED = "Regulus has proved what it claims; this page quotes it and has no proof of it. The command below, with --certificate, writes one.";
 
+const HELD = "Regulus has proved what it claims. This page has the proof, and does not run it: save it, and let regulus verify check it.";
+
 const MEANINGS: Record<string, Record<string, string>> = {
   matrix: {
     "no-singularity": "at no pose of this motion can the platform give way while its motors are locked.",
@@ -119,12 +121,12 @@ export function verdictPart(data: PageData, question: Question): HTMLElement {
   return section(
     "What this means, and what not",
     isCheck ? meaning(data) : h("pre", { tabindex: 0, "aria-label": "Report" }, data.text),
-    asked(data, question),
+    data.kind === "solutions" ? null : asked(data, question),
     isCheck ? obstacle(data) : null,
     h(
       "ul",
       {},
-      ...(isCheck ? LIMITS[data.report.verdict] : [QUOTED]).map((text) => h("li", {}, text)),
+      ...(isCheck ? LIMITS[data.report.verdict] : [data.certificate === null ? QUOTED : HELD]).map((text) => h("li", {}, text)),
       h("li", {}, "It is about the robot as the model at the end of this page describes it: these numbers, these tolerances. It cannot know the robot on your floor."),
       h("li", {}, "Collisions, joint limits that the model does not state, and dynamics are no part of it."),
     ),
@@ -198,7 +200,10 @@ function proveInSlices(verdict: keyof typeof WORDS, work: Generator<Progress, Pr
 
 /** Proves the verdict again, and says in the page's header how far it came. */
 export function proveAgain(data: PageData, question: Question, certificate: Certificate | null): void {
-  if (data.kind !== "check") return say("Quoted: this page has no proof of this answer; regulus verify proves its certificate.", "partly");
+  if (data.kind !== "check")
+    return say(data.certificate === null
+      ? "Quoted: this page has no proof of this answer; regulus verify proves its certificate."
+      : "Quoted: this page does not run the proof that it has; regulus verify does.", "partly");
   const { verdict } = data.report;
   if (verdict === "possible-problem") {
     colour(verdict);
