@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <functional>
+#include <numbers>
 
 #include "tests/command/forged_checkpoints.hpp"
 #include "tests/support/command.hpp"
@@ -134,6 +136,8 @@ std::vector<Kind> kinds() {
       touch("datasheet", "datasheet touch all --gap 0.3 --range x=0:1.3", is_datasheet),
       bar("check_closure", "check", "", is_not_regular),
       bar("locate_closure", "locate", "--resolution 1/256", is_open_at_toggles),
+      bar("margin_closure", "margin", "--scale 0.5:1 --gap 0.05",
+          is_proved_up_to("certified", kToggle / (140 * std::numbers::pi / 180))),
   };
 }
 

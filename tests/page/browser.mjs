@@ -24,10 +24,16 @@ export async function inBrowser(use) {
 }
 
 /** Runs regulus report and returns the file. A model without a proof ends with 2. */
-export function makePage(name, words) {
+export const makePage = (name, words) => made(name, ["report", ...words, "-o"]);
+
+/** The page that --page of a question makes. */
+export const pageOf = (name, words) => made(name, [...words, "--page"]);
+
+/** Runs a command with the file of a page as its last word. */
+function made(name, words) {
   const file = `${work}/${name}.html`;
   try {
-    execFileSync(regulus, ["report", ...words, "-o", file, "--quiet"], { stdio: ["ignore", "pipe", "pipe"] });
+    execFileSync(regulus, [...words, file, "--quiet"], { stdio: ["ignore", "pipe", "pipe"] });
   } catch (error) {
     assert.ok(error.status === 1 || error.status === 2, String(error.stderr));
   }

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { createHash } from "node:crypto";
 import { execFileSync } from "node:child_process";
 import { mkdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
-import { drawn, inBrowser, makePage, open, regulus, requireAccessible, secondProof, source, textOf, work } from "./browser.mjs";
+import { drawn, inBrowser, makePage, open, pageOf, regulus, requireAccessible, secondProof, source, textOf, work } from "./browser.mjs";
 
 mkdirSync(work, { recursive: true });
 const robot = `${source}/models/robot_1.toml`;
@@ -195,17 +195,6 @@ test("A way into a singularity shows it, and what is certified beside it", async
   assert.ok(classes.includes("box free") && classes.some((name) => name !== "box free"), classes.join());
   assert.deepEqual(faults, []);
 });
-
-/** The page that --page of a question makes. */
-function pageOf(name, words) {
-  const file = `${work}/${name}.html`;
-  try {
-    execFileSync(regulus, [...words, "--page", file, "--quiet"], { stdio: "ignore" });
-  } catch (error) {
-    if (error.status !== 1) throw error; // 1: a singular pose
-  }
-  return file;
-}
 
 test("Legs have the colours of their forces, by a bound in the page", async (browser) => {
   const file = pageOf("force", ["bound", robot, "wide_15", "force", "--range", "x=0:1", "--range", "y=0:1", "--gap", "0.5"]);

@@ -6,23 +6,12 @@
 
 #include "codegen/use/api/regulus.hpp"
 #include "codegen/use/python/calls.hpp"
+#include "codegen/use/python/words.hpp"
 
 namespace regulus {
 namespace {
 
 namespace py = pybind11;
-
-const char* word_of_load(FeasibilityVerdict verdict) {
-  switch (verdict) {
-    case FeasibilityVerdict::kFeasible:
-      return "feasible";
-    case FeasibilityVerdict::kInfeasible:
-      return "infeasible";
-    case FeasibilityVerdict::kPossibleProblem:
-      break;
-  }
-  return "possible-problem";
-}
 
 /// The paving with its boxes: `bounds` has the lower and the upper bound of each variable.
 struct LoadPavingWithBoxes {
@@ -55,7 +44,7 @@ py::array_t<double> array_of_load_bounds(const LoadPavingWithBoxes& p) {
 void bind_load_findings(py::module_& module) {
   py::class_<LoadFinding>(module, "LoadFinding")
       .def_property_readonly("verdict",
-                             [](const LoadFinding& f) { return word_of_load(f.verdict); })
+                             [](const LoadFinding& f) { return word_of_verdict(f.verdict); })
       .def_readonly("claim", &LoadFinding::claim)
       .def_readonly("reason", &LoadFinding::reason)
       .def_readonly("boxes", &LoadFinding::boxes)
@@ -67,7 +56,7 @@ void bind_load_findings(py::module_& module) {
   py::class_<LoadPavingWithBoxes>(module, "LoadPavingFinding")
       .def_property_readonly(
           "verdict",
-          [](const LoadPavingWithBoxes& p) { return word_of_load(p.paving.finding.verdict); })
+          [](const LoadPavingWithBoxes& p) { return word_of_verdict(p.paving.finding.verdict); })
       .def_property_readonly("reason",
                              [](const LoadPavingWithBoxes& p) { return p.paving.finding.reason; })
       .def_property_readonly(

@@ -11,6 +11,7 @@
 #include "codegen/use/python/loads.hpp"
 #include "codegen/use/python/pavings.hpp"
 #include "codegen/use/python/solutions.hpp"
+#include "codegen/use/python/words.hpp"
 #include "regulus/version.hpp"
 
 namespace regulus {

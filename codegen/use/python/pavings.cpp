@@ -6,6 +6,7 @@
 
 #include "codegen/use/api/regulus.hpp"
 #include "codegen/use/python/calls.hpp"
+#include "codegen/use/python/words.hpp"
 
 namespace regulus {
 namespace {
@@ -52,18 +53,6 @@ std::vector<std::string> stretches_of(const PavingWithBoxes& p) {
 }
 
 }  // namespace
-
-const char* word_of_verdict(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kNoSingularity:
-      return "no-singularity";
-    case Verdict::kSingularity:
-      return "singularity";
-    case Verdict::kPossibleProblem:
-      break;
-  }
-  return "possible-problem";
-}
 
 void bind_pavings(py::module_& module) {
   py::class_<PavingWithBoxes>(module, "PavingFinding")

@@ -3,11 +3,7 @@
 
 #include <pybind11/pybind11.h>
 
-#include "codegen/use/api/check.hpp"
-
 namespace regulus {
-
-[[nodiscard]] const char* word_of_verdict(Verdict verdict);
 
 /// Binds locate() and what it returns.
 void bind_pavings(pybind11::module_& module);
