@@ -29,13 +29,13 @@ deb: build      ## Debian packages of the command and of the library: build/*.de
 	cd build && cpack -G DEB
 
 test: dependencies   ## the fast tests
-	cmake --preset release -DREGULUS_TESTS=ON $(WHOLE)
+	cmake --preset release -DREGULUS_TESTS=ON -DREGULUS_SLOW_TESTS=OFF $(WHOLE)
 	cmake --build --preset release
 	ctest --preset release
 
 test-all: dependencies  ## every test, the slow ones and ThreadSanitizer's too
 	@cmake/install-dependencies.sh g++-aarch64-linux-gnu qemu-user-static dpkg-dev file chromium || echo "Tests that need them are left out."
-	cmake --preset release -DREGULUS_TESTS=ON $(WHOLE)
+	cmake --preset release -DREGULUS_TESTS=ON -DREGULUS_SLOW_TESTS=ON $(WHOLE)
 	cmake --build --preset release
 	ctest --preset all
 	$(MAKE) tsan

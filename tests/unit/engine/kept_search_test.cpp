@@ -12,7 +12,7 @@
 #include "runtime/search/solver.hpp"
 #include "tests/support/search_events.hpp"
 
-namespace regulus {
+namespace regulus::kept_search {
 namespace {
 
 struct Question {
@@ -110,4 +110,4 @@ TEST(KeptSearch, FollowsAllRangesToTheBit) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::kept_search

@@ -9,7 +9,7 @@
 #include "codegen/model/import/import.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::test {
+namespace regulus::test::planar_legs {
 namespace {
 
 using testing::AllOf;
@@ -138,4 +138,4 @@ TEST(AClosedMechanism, OfNoKnownFormAsksForItsMotors) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::test::planar_legs

@@ -9,9 +9,10 @@
 
 #include "codegen/model/file/model_file.hpp"
 
-namespace regulus::test {
+namespace regulus::test::drawing {
 namespace {
 
+using regulus::Point;
 using Kind = Drawing::Kind;
 
 /// The values of a point at a pose, with the nominal geometry.
@@ -95,4 +96,4 @@ TEST(ADrawing, OfATableHasItsPointsAndRows) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::test::drawing

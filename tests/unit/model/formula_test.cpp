@@ -11,7 +11,7 @@
 #include "codegen/support/errors.hpp"
 #include "tests/support/random_source.hpp"
 
-namespace regulus {
+namespace regulus::formula {
 namespace {
 
 using GiNaC::ex;
@@ -152,4 +152,4 @@ TEST(Formula, OfGiNaCIsReadBackAsItWas) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::formula

@@ -12,7 +12,7 @@
 #include "codegen/model/mechanism/singular_factors.hpp"
 #include "tests/support/serial/model_twists.hpp"
 
-namespace regulus::test {
+namespace regulus::test::serial {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -388,4 +388,4 @@ TEST(SingularFactors, NameTheElbowOfAScara) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::test::serial
