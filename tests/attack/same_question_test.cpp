@@ -59,6 +59,15 @@ void expect_another(const std::string& verified, const std::string& asked) {
   EXPECT_NE(difference(verified, asked), "") << verified;
 }
 
+TEST(ASet, IsTheSameWithItsBallsInAnotherOrder) {
+  const std::string u = "uncertain e1 = 1/2 +- 1/10\n", v = "uncertain e2 = 0 +- 1/10\n";
+  const auto with = [&](const std::string& balls) {
+    return changed(kRegularity, u, u + v + balls);
+  };
+  expect_same(with("ball e1\nball e2\n"), with("ball e2\nball e1\n"));
+  expect_another(with("ball e1\nball e2\n"), with("ball e1 e2\n"));
+}
+
 TEST(ASet, IsTheSameWithALineReachTwice) {
   const std::string once = changed(kRegularity, "constraint", "reach x + s\nconstraint");
   expect_same(changed(once, "reach x + s\n", "reach x + s\nreach x + s\n"), once);

@@ -118,8 +118,8 @@ class ClosureComparison {
       comparer_.leave_out(from, "it is not certain whether the start is greater than 1");
   }
 
-  /// Where solutions are looked for: the range; of an unknown whose turns change no equation also half
-  /// of the fewest such turns about its middle, if the range is longer.
+  /// Where solutions are looked for: the range; of an angle whose turns change no equation also half of
+  /// the fewest such turns about its middle, if the range is longer.
   void compare_range(const std::string& name) {
     const std::string place = "closure.range." + name, stated = "unknown-radius " + name;
     const bool is_given = values_.contains(place + "[0]");
@@ -130,7 +130,7 @@ class ClosureComparison {
       return comparer_.leave_out(from, "it is not certain whether the start is greater than 1");
     comparer_.compare(from, middle, "unknown " + name, "");
     const NodeId radius = q_.stated.at(stated).node;
-    const long turns = half_turns_of(radius);
+    const long turns = is_angle(name) ? half_turns_of(radius) : 0;
     if (turns == 0 || !is_positive(q_.graph.add(Op::kSubtract, half, radius)))
       return comparer_.compare(from, half, stated, "");
     const long fewest = fewest_turns(name);
@@ -140,6 +140,10 @@ class ClosureComparison {
                                            std::to_string(turns) + " turns of " + name);
     }
     comparer_.compare(from, fewest == turns ? radius : half, stated, "");
+  }
+
+  [[nodiscard]] bool is_angle(const std::string& name) const {
+    return values_.at("closure.unknowns." + name).text == "rad";
   }
 
   /// Returns n for n·pi; 0 for any other number.
@@ -202,7 +206,7 @@ class ClosureComparison {
     const std::string place = "closure.start." + name;
     if (!values_.contains(place)) throw Unfinished("the file has no " + place);
     const NodeId start = comparer_.expression_at(place, none);
-    if (values_.at("closure.unknowns." + name).text == "rad") return {start, half_turns(2)};
+    if (is_angle(name)) return {start, half_turns(2)};
     const NodeId size = larger_of_one(start);
     if (size == kNoNode) return {kNoNode, kNoNode};
     return {start, graph.add(Op::kMultiply, graph.number("1000"), size)};
@@ -212,7 +216,7 @@ class ClosureComparison {
   NodeId usual_radius(const std::string& name) {
     Graph& graph = q_.graph;
     const NodeId hundredth = graph.number("0.01");
-    if (values_.at("closure.unknowns." + name).text == "rad") return hundredth;
+    if (is_angle(name)) return hundredth;
     const NodeId size = larger_of_one(q_.stated.at("unknown " + name).node);
     return size == kNoNode ? kNoNode : graph.add(Op::kMultiply, hundredth, size);
   }

@@ -26,8 +26,8 @@ const std::set<std::string> kConditions{"defined", "motion-defined", "expression
 /// The values of these are in those of the other lines.
 const std::set<std::string> kShorthand{"let", "constant"};
 /// Their order has no meaning.
-const std::set<std::string> kUnordered{"parameter", "uncertain", "pose",
-                                       "unknown",   "reach",     "constraint"};
+const std::set<std::string> kUnordered{"parameter", "uncertain",  "pose", "unknown",
+                                       "reach",     "constraint", "ball"};
 
 struct Line {
   std::string key, text;

@@ -97,6 +97,19 @@ TEST(ARangeOfAnAngle, IsShortenedToTurnsOnlyIfTheEquationsRepeat) {
   }
 }
 
+/// Lengths have no turns, whatever the equations are.
+TEST(ARangeOfAnAngle, IsNotThatOfALength) {
+  const auto model = [](const std::string& unit) {
+    return "regulus = 1\nname = \"turn\"\n[pose]\nx = \"m\"\n[closure]\nunknowns = { q = \"" +
+           unit +
+           "\" }\nequations = [\"sin(q) - x\"]\nstart = { x = 0.4, q = 0.8 }\n"
+           "range = { q = [-7, 6] }\n[motion.here]\nx = 0.4\n";
+  };
+  const std::string text = without_sum(certified(model("rad")).text);
+  EXPECT_EQ(outcome(text, model("rad")), Outcome::kVerified);
+  EXPECT_EQ(outcome(text, model("m")), Outcome::kRejected);
+}
+
 std::string model_at(const std::string& motion, const std::string& geometry = "a = 1") {
   return "regulus = 1\nname = \"place\"\n[pose]\nx = \"m\"\n[geometry]\n" + geometry +
          "\n[closure]\nunknowns = { p = \"m\" }\nequations = [\"p^2 - x - 1\"]\n"
