@@ -7,7 +7,7 @@
 #include "codegen/question/engine/settings.hpp"
 #include "runtime/search/solver.hpp"
 
-namespace regulus {
+namespace regulus::engines {
 namespace {
 
 struct Case {
@@ -51,4 +51,4 @@ TEST(Engines, DecideTheSameBoxes) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::engines

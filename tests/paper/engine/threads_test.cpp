@@ -5,7 +5,7 @@
 
 #include "tests/support/certificates.hpp"
 
-namespace regulus {
+namespace regulus::threads {
 namespace {
 
 std::string proof(const ModelOptions& model, unsigned threads, Verdict verdict) {
@@ -31,4 +31,4 @@ TEST(Threads, WriteTheSameWitness) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::threads

@@ -16,7 +16,7 @@
 #include "tests/support/certificates.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::test::condition_number {
 namespace {
 
 Request request_of(const std::string& text) {
@@ -293,4 +293,4 @@ TEST(ConditionNumber, OfARandomModelIsProvedByItsCertificates) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::test::condition_number

@@ -9,7 +9,7 @@
 #include "codegen/model/file/model_file.hpp"
 #include "codegen/question/bound/bound_run.hpp"
 
-namespace regulus::test {
+namespace regulus::test::hexapod {
 namespace {
 
 constexpr int kSamples = 300;
@@ -109,4 +109,4 @@ TEST(ABoundOfAHexapod, OfADeflectionTakesFewBoxes) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::test::hexapod

@@ -13,7 +13,7 @@
 #include "codegen/question/bound/bound_run.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::test::random_models {
 namespace {
 
 constexpr int kModels = 10;
@@ -273,4 +273,4 @@ INSTANTIATE_TEST_SUITE_P(
     name_of);
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::test::random_models

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/bench/kernel/straight_line.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "tests/bench/kernel/straight_line.hpp"
 
 namespace regulus::bench {
 namespace {
