@@ -64,7 +64,7 @@ const test::RefusedChange kRefusedEntrys[] = {
     {"ZeroToTheZero", "ENTRY", "0^0", 8, "a division by zero", "a divisor that is not zero"},
     {"RootOfANegativeNumber", "ENTRY", "sqrt(-1)", 8, "the root of a negative number (-1)", "≥ 0"},
     {"RootOfANegativeIrrational", "ENTRY", "sqrt(3 - pi)", 8,
-     "the root of a negative number (-0.141593)", "≥ 0"},
+     "the root of a negative number (-0.14159265359)", "≥ 0"},
     {"FractionalPowerOfANegativeNumber", "ENTRY", "(-8)^(1/3)", 8,
      "fractional power of a number (-8)", "> 0"},
     {"LogarithmOfZero", "ENTRY", "log(0)", 8, "logarithm or fractional power of a number (0)",
