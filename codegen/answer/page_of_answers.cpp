@@ -9,6 +9,7 @@
 
 #include "codegen/answer/ask.hpp"
 #include "codegen/answer/certificate/certificate_question.hpp"
+#include "codegen/answer/refusals.hpp"
 #include "codegen/model/file/read_file.hpp"
 #include "codegen/model/request.hpp"
 #include "codegen/support/errors.hpp"
@@ -99,6 +100,7 @@ std::unique_ptr<Answer> ask_with_lines(const AskSolve& asked, const Services& se
   std::unique_ptr<SolveAnswer> answer = ask(asked, with_lines);
   ShownAnswer what = shown(asked, *answer);
   what.text = lines + what.text;
+  what.no_certificate = answer->proof.obstacle();
   page.add(std::move(what));
   return answer;
 }
@@ -144,6 +146,10 @@ void PageOfAnswers::add(ShownAnswer answer) {
   data_.text = answer.text;
   data_.report = without_files(std::move(answer.report));
   data_.certificate_note = answer.no_certificate;
+  if (is_closed && answer.kind == "paving")
+    data_.certificate_note = refusal(Kind::kClosurePaving, Service::kProof).value_or("");
+  if (is_closed && answer.kind == "bound")
+    data_.certificate_note = refusal(Kind::kClosureFiniteErrors, Service::kProof).value_or("");
   if (answer.kind != "check") return;
   if (request_->motion.trajectory && !data_.report["segment"].is_null())
     set_deciding_segment(data_, *request_, uncertain_names(*request_));

@@ -25,6 +25,13 @@ constexpr int kFormatVersion = 1;
 constexpr std::array kEveryClaim{Claim::kFree, Claim::kSingular, Claim::kUndecided, Claim::kOutside,
                                  Claim::kUnreachable};
 
+/// Returns the noun that the claims of boxes are about, up to what is claimed of its rank.
+std::string matrix_of(const SearchSubject& p) {
+  return p.labels.is_branch ? fmt::format("{}×{} matrix of the equations' derivatives",
+                                          p.labels.rows, p.labels.columns)
+                            : describe_size(p);
+}
+
 /// Returns the claim of a box of that kind, for every value of the uncertain quantities or for
 /// some.
 std::string describe_claim(const SearchSubject& p, Claim claim) {
@@ -39,12 +46,16 @@ std::string describe_claim(const SearchSubject& p, Claim claim) {
     case Claim::kFree:
       return fmt::format("{} at every {}{}",
                          threshold ? fmt::format("|det J⁻¹| > {}", alpha)
-                                   : fmt::format("the {} has full rank", describe_size(p)),
+                         : p.labels.is_branch
+                             ? fmt::format("the branch has exactly one configuration, and its {} "
+                                           "has full rank,",
+                                           matrix_of(p))
+                             : fmt::format("the {} has full rank", matrix_of(p)),
                          poses, uncertain ? ", for every value of the uncertain quantities" : "");
     case Claim::kSingular:
       return fmt::format("{} at some {}{}",
                          threshold ? fmt::format("|det J⁻¹| ≤ {}", alpha)
-                                   : fmt::format("the {} is singular", describe_size(p)),
+                                   : fmt::format("the {} is singular", matrix_of(p)),
                          poses, uncertain ? ", for some value of the uncertain quantities" : "");
     case Claim::kUndecided:
       return "neither was shown";

@@ -44,6 +44,10 @@ bool is_short(const SearchSubject& p) {
 
 /// `poses`: "of this motion".
 std::string held(const SearchSubject& p, const std::string& poses) {
+  if (p.labels.is_branch)
+    return fmt::format(
+        "at no pose {} can the mechanism change its branch, or move while the motors are locked",
+        poses);
   if (is_short(p))
     return fmt::format("at every pose {} each motion of the {} joints moves the tool", poses,
                        p.labels.columns);
@@ -55,6 +59,8 @@ std::string held(const SearchSubject& p, const std::string& poses) {
 
 /// `pose`: "at some pose", "at every pose".
 std::string lost(const SearchSubject& p, const char* pose, const std::string& poses) {
+  if (p.labels.is_branch)
+    return fmt::format("{} {} the mechanism can move although the motors are locked", pose, poses);
   if (is_short(p))
     return fmt::format("{} {} the {} joints can move and leave the tool at rest", pose, poses,
                        p.labels.columns);

@@ -49,6 +49,7 @@ void relabel(PreparedSearch& p, const Request& request, const ClosedSystem& syst
     p.labels.pose.push_back({pose.name, pose.unit});
   p.labels.rows = p.labels.columns = int(system.shape.unknowns);
   p.labels.matrix_kind = request.model.matrix_kind;
+  p.labels.is_branch = true;
   p.labels.matrix_notes = request.model.matrix_notes;
   p.labels.notes = request.notes;
   p.labels.where = name(request.motion.where);

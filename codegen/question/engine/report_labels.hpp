@@ -34,6 +34,7 @@ struct ReportLabels {
   MatrixKind matrix_kind = MatrixKind::kInverse;
   std::vector<std::string> matrix_notes;  ///< as in Model
   std::vector<std::string> notes;         ///< as in Request
+  bool is_branch = false;                 ///< of a closure: a claim is about its branch, too
   int rows = 0;
   int columns = 0;
   std::string where;                      ///< as name(Motion::where)

@@ -58,7 +58,13 @@ const LIMITS: Record<keyof typeof WORDS, string[]> = {
   "possible-problem": ["It claims nothing: neither a proof nor a singular pose was found.", "More time, a smaller motion or another method may decide."],
 };
 
-const QUOTED = "Regulus has proved what it claims; this page quotes it and has no proof of it. The command below, with --certificate, writes one.";
+const QUOTED = "Regulus has proved what it claims; this page quotes it and has no proof of it. The command below, with --certificate, writes one";
+
+/** Says where the proof of an answer is that the page has not. */
+function quoted(data: PageData): string {
+  if (data.certificate_note) return `Regulus has proved what it claims; this page quotes it. There is no proof in a file: ${data.certificate_note}.`;
+  return data.kind === "solutions" ? `${QUOTED}, if such a list has a proof.` : `${QUOTED}.`;
+}
 
 const HELD = "Regulus has proved what it claims. This page has the proof, and does not run it: save it, and let regulus verify check it.";
 
@@ -126,7 +132,7 @@ export function verdictPart(data: PageData, question: Question): HTMLElement {
     h(
       "ul",
       {},
-      ...(isCheck ? LIMITS[data.report.verdict] : [data.certificate === null ? QUOTED : HELD]).map((text) => h("li", {}, text)),
+      ...(isCheck ? LIMITS[data.report.verdict] : [data.certificate === null ? quoted(data) : HELD]).map((text) => h("li", {}, text)),
       h("li", {}, "It is about the robot as the model at the end of this page describes it: these numbers, these tolerances. It cannot know the robot on your floor."),
       h("li", {}, "Collisions, joint limits that the model does not state, and dynamics are no part of it."),
     ),
@@ -201,7 +207,9 @@ function proveInSlices(verdict: keyof typeof WORDS, work: Generator<Progress, Pr
 /** Proves the verdict again, and says in the page's header how far it came. */
 export function proveAgain(data: PageData, question: Question, certificate: Certificate | null): void {
   if (data.kind !== "check")
-    return say(data.certificate === null
+    return say(data.certificate_note
+      ? "Quoted: this answer has no proof in a file."
+      : data.certificate === null
       ? "Quoted: this page has no proof of this answer; regulus verify proves its certificate."
       : "Quoted: this page does not run the proof that it has; regulus verify does.", "partly");
   const { verdict } = data.report;
