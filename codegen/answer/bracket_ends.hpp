@@ -17,7 +17,7 @@ struct MarginStep;
 [[nodiscard]] std::vector<ProofOfEnd> proofs_of_ends(const EndProofs& ends,
                                                      const std::string& component);
 
-/// What a bracket says: refuted if no value is safe, because the least one has a witness.
+/// Returns what a bracket says: it is refuted if the least value has a witness, so that none is safe.
 [[nodiscard]] Word word_of(const MarginQuestion& question, const Margin& margin);
 
 /// Sets the ends of an answer.

@@ -87,7 +87,7 @@ std::unique_ptr<Answer> ask_with_tree(const AskPaving& asked, const Services& se
 
 constexpr const char* kSolutions = "solutions";
 
-/// Of many places each is told when it is solved.
+/// Adds the lines that tell each of many places when it is solved.
 std::unique_ptr<Answer> ask_with_lines(const AskSolve& asked, const Services& services,
                                        PageOfAnswers& page) {
   std::string lines;

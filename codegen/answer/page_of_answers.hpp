@@ -32,13 +32,13 @@ struct ShownAnswer {
 /// Returns the word of ShownAnswer::kind.
 [[nodiscard]] const char* kind_of(const Asked& asked);
 
-/// What the answers of a page are about.
+/// Says what the answers of a page are about.
 enum class PageSubject {
   kMotion,
   kPlaces  ///< of solutions: it has no ranges to draw
 };
 
-/// The subject of a question, and of a word of kind_of().
+/// Returns the subject of a question, and of a word of kind_of().
 [[nodiscard]] PageSubject subject_of(const Asked& asked);
 [[nodiscard]] PageSubject subject_of(std::string_view kind);
 

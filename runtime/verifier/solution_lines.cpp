@@ -11,7 +11,7 @@ namespace regulus::verifier {
 namespace {
 
 constexpr std::size_t kLegsInSpace = 6, kValuesInSpace = 7, kValuesInPlane = 3;
-/// Of a line `leg`.
+/// A line `leg` has so many bars.
 constexpr std::ptrdiff_t kBarsInPlane = 4;
 
 class SolutionReader {

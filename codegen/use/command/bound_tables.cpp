@@ -35,9 +35,8 @@ constexpr const char* kSolveFooter =
     "Exit: as above; 64 usage, 65 bad model, 70 internal fault, 74 file error.";
 
 constexpr const char* kSolveCertificate =
-    "Write a proof that these are all, or that these are certain, to FILE: of configurations, and "
-    "of "
-    "poses on six legs";
+    "Write a proof that these are all, or that these are certain, to FILE: of configurations, of "
+    "poses in the plane, and of poses on six legs that were counted";
 
 constexpr const char* kBoundCertificate =
     "Write two proofs for each leg or freedom: FILE.leg_3.safe proves that no value is beyond the "

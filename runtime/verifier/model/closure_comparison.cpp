@@ -118,8 +118,8 @@ class ClosureComparison {
       comparer_.leave_out(from, "it is not certain whether the start is greater than 1");
   }
 
-  /// Where solutions are looked for: the range; of an angle whose turns change no equation also half of
-  /// the fewest such turns about its middle, if the range is longer.
+  /// Compares where solutions are looked for: in the range, or, if whole turns of an angle change no
+  /// equation and the range is longer, within half of the fewest such turns about its middle.
   void compare_range(const std::string& name) {
     const std::string place = "closure.range." + name, stated = "unknown-radius " + name;
     const bool is_given = values_.contains(place + "[0]");

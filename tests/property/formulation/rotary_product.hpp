@@ -114,7 +114,7 @@ inline void expect_same(const Box& found, const Box& expected, const char* what)
         << expected[e].lo << ", " << expected[e].hi << ']';
 }
 
-/// What was compared, so that a test that compares nothing is seen.
+/// Counts what was compared, so that a test that compares nothing fails.
 struct Count {
   int points = 0, boxes = 0, steps = 0, second_steps = 0, turned = 0, nominal = 0;
 };

@@ -44,13 +44,15 @@ void expect_planar_forgeries_fail(const std::string& certificate) {
   const Lines genuine = lines_of(certificate);
   EXPECT_EQ(outcome(with_planar_claim(genuine, "INCOMPLETE")), Outcome::kVerified);
   const auto at = std::ptrdiff_t(first(genuine, "solution"));
-  Lines fewer = genuine, more = genuine, other = genuine, turned = genuine;
-  fewer.erase(fewer.begin() + at);
+  for (std::size_t k = 0; k < count_of(genuine, "solution"); ++k) {
+    Lines fewer = genuine;
+    fewer.erase(fewer.begin() + at + std::ptrdiff_t(k));
+    const char* verdict = count_of(fewer, "solution") == 0 ? "NONE" : "COMPLETE";
+    EXPECT_EQ(outcome(with_planar_claim(fewer, verdict)), Outcome::kRejected) << k;
+  }
+  Lines more = genuine, other = genuine, turned = genuine;
   more.insert(more.begin() + at, genuine[std::size_t(at)]);
   other[first(other, "leg")] += " + 1";
-  EXPECT_EQ(
-      outcome(with_planar_claim(fewer, count_of(fewer, "solution") == 0 ? "NONE" : "COMPLETE")),
-      Outcome::kRejected);
   EXPECT_EQ(outcome(with_planar_claim(more, "COMPLETE")), Outcome::kRejected);
   EXPECT_NE(outcome(with_planar_claim(other, "COMPLETE")), Outcome::kVerified);
   // The same pose once more, a whole turn on.
@@ -110,7 +112,7 @@ TEST(PosesOfRandomPlanarPlatforms, AreVerifiedWithTheirFiles) {
     const verifier::Verification v = verified(made.text, model);
     EXPECT_EQ(v.outcome, Outcome::kVerified) << describe(v) << model << made.text;
     ++counts[made.solutions.found.size()];
-    if (round % 8 == 0 && !made.solutions.found.empty()) expect_planar_forgeries_fail(made.text);
+    if (round % 4 == 0 && !made.solutions.found.empty()) expect_planar_forgeries_fail(made.text);
   }
   EXPECT_GE(counts[0], 2);
   EXPECT_GE(counts[2], 5);

@@ -30,6 +30,12 @@ void expect_forgeries_fail(const std::string& certificate) {
   equation += " + 1";
   EXPECT_EQ(outcome(forged_list(genuine, "COMPLETE")), Outcome::kVerified);
   EXPECT_EQ(outcome(forged_list(genuine, "INCOMPLETE")), Outcome::kVerified);
+  for (std::size_t k = 0; k < count_of(genuine, "solution"); ++k) {
+    Lines without = genuine;
+    without.erase(without.begin() + at + std::ptrdiff_t(k));
+    const char* verdict = count_of(without, "solution") == 0 ? "NONE" : "COMPLETE";
+    EXPECT_EQ(outcome(forged_list(without, verdict)), Outcome::kRejected) << k;
+  }
   if (count_of(fewer, "solution") > 0) {
     EXPECT_EQ(outcome(forged_list(fewer, "COMPLETE")), Outcome::kRejected);
     EXPECT_EQ(outcome(forged_list(fewer, "INCOMPLETE")), Outcome::kVerified);

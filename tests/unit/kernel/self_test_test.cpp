@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "runtime/interval/floating_point_scope.hpp"
 
 extern "C" {
@@ -60,6 +62,18 @@ TEST(SelfTest, Avx2FailsInEveryModeButUpward) {
   EXPECT_FALSE(under(kMaskedNearest | kUpward, regulus_self_test_avx2));
   for (const unsigned mode : {0u, kDownward, kTowardZero})
     EXPECT_TRUE(under(kMaskedNearest | mode, regulus_self_test_avx2)) << mode;
+}
+
+unsigned with_an_infinite_bound(const double* boxes, const double* points, double* out,
+                                const void* data) {
+  const unsigned undefined = regulus_self_test_portable(boxes, points, out, data);
+  out[0] = -std::numeric_limits<double>::infinity();
+  return undefined;
+}
+
+TEST(SelfTest, FailsForABoundThatIsInfinite) {
+  EXPECT_FALSE(under(kMaskedNearest, regulus_self_test_portable));
+  EXPECT_TRUE(under(kMaskedNearest, with_an_infinite_bound));
 }
 
 TEST(SelfTest, FailsWhenSubnormalsAreFlushed) {
