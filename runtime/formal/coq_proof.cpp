@@ -172,8 +172,7 @@ std::string force(const Question& bordered, const std::vector<std::string>& line
 }
 
 /// Reads the question, and what its theorem needs of the proof.
-std::string read_and_write(Lines& lines, CoqStatement statement) {
-  Question question;
+std::string read_and_write(Lines& lines, CoqStatement statement, Question& question) {
   lines.keep();
   read_question(lines, question);
   refuse_other_claims(question);
@@ -185,14 +184,25 @@ std::string read_and_write(Lines& lines, CoqStatement statement) {
   return heading(question) + coq.text + method(coq) + regular_theorem(question, false);
 }
 
+/// The theorem about the robot of the model file; nothing, with the reason, if there is none.
+std::string geometry(const Question& question, const CoqModel& model, std::string* why) try {
+  return coq_geometry(question, model);
+} catch (const std::runtime_error& reason) {
+  *why = reason.what();
+  return "";
+}
+
 }  // namespace
 
-std::string coq_proof(std::istream& certificate, CoqStatement statement) {
+std::string coq_proof(std::istream& certificate, CoqStatement statement, const CoqModel* model,
+                      std::string* why) {
   Lines lines(certificate);
+  Question question;
   try {
-    return read_and_write(lines, statement);
-  } catch (const Rejection& why) {
-    throw Rejection("line " + std::to_string(lines.number()) + ": " + why.what());
+    const std::string text = read_and_write(lines, statement, question);
+    return model == nullptr ? text : text + geometry(question, *model, why);
+  } catch (const Rejection& rejection) {
+    throw Rejection("line " + std::to_string(lines.number()) + ": " + rejection.what());
   }
 }
 

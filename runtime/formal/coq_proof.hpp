@@ -5,6 +5,8 @@
 #include <istream>
 #include <string>
 
+#include "runtime/formal/coq_geometry.hpp"
+
 namespace regulus::verifier {
 
 enum class CoqStatement {
@@ -17,7 +19,11 @@ enum class CoqStatement {
 /// after the line `proof` of a claim NO SINGULARITY is read. Throws Rejection if the file is not a
 /// certificate; Unfinished if the library has no theorem for such a claim: SINGULARITY of a robot
 /// that is always singular, or at a point without a double; or if the certificate is not that of a force.
+///
+/// `model`: may be null. With it, the theorem about the robot of the model file follows
+/// (coq_geometry.hpp). If there is none, `why` gets the reason.
 [[nodiscard]] std::string coq_proof(std::istream& certificate,
-                                    CoqStatement statement = CoqStatement::kClaim);
+                                    CoqStatement statement = CoqStatement::kClaim,
+                                    const CoqModel* model = nullptr, std::string* why = nullptr);
 
 }  // namespace regulus::verifier

@@ -1,0 +1,158 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
+(** The geometry of a robot in real numbers, and how a theorem about it follows from one about the
+    question of a certificate. The definitions are those to read: points, rotations, legs. *)
+From Coq Require Export Reals List.
+From Coq Require Import QArith Qreals Lra Lia.
+From Regulus Require Export LinearAlgebra.
+From Regulus Require Import Expressions Questions Regularity.
+Export ListNotations.
+Global Open Scope R_scope.
+
+Notation pi := PI.
+(** An angle of so many degrees is a multiple of this. *)
+Definition deg : R := PI / 180.
+
+(** ** Points, which are also vectors *)
+
+Definition point : Type := R * R * R.
+Definition first (p : point) : R := fst (fst p).
+Definition second (p : point) : R := snd (fst p).
+Definition third (p : point) : R := snd p.
+
+Definition plus (u v : point) : point :=
+  let '(a, b, c) := u in let '(d, e, f) := v in (a + d, b + e, c + f).
+Definition minus (u v : point) : point :=
+  let '(a, b, c) := u in let '(d, e, f) := v in (a - d, b - e, c - f).
+Definition cross (u v : point) : point :=
+  let '(a, b, c) := u in let '(d, e, f) := v in (b * f - c * e, c * d - a * f, a * e - b * d).
+
+(** ** What is close to what: numbers, and points by coordinates or by their distance *)
+
+Definition near (e c x : R) : Prop := c - e <= x <= c + e.
+Definition in_cube (e : R) (c p : point) : Prop :=
+  near e (first c) (first p) /\ near e (second c) (second p) /\ near e (third c) (third p).
+Definition in_ball (e : R) (c p : point) : Prop :=
+  (first p - first c) ^ 2 + (second p - second c) ^ 2 + (third p - third c) ^ 2 <= e ^ 2.
+
+(** ** Rotations *)
+
+Definition about_x (t : R) (u : point) : point :=
+  let '(a, b, c) := u in (a, cos t * b - sin t * c, sin t * b + cos t * c).
+Definition about_y (t : R) (u : point) : point :=
+  let '(a, b, c) := u in (cos t * a + sin t * c, b, cos t * c - sin t * a).
+Definition about_z (t : R) (u : point) : point :=
+  let '(a, b, c) := u in (cos t * a - sin t * b, sin t * a + cos t * b, c).
+
+Definition euler_zxz (psi theta phi : R) (u : point) : point :=
+  about_z psi (about_x theta (about_z phi u)).
+Definition roll_pitch_yaw (roll pitch yaw : R) (u : point) : point :=
+  about_z yaw (about_y pitch (about_x roll u)).
+
+(** ** Platforms on six legs, or more *)
+
+(** The anchor on the base and the anchor on the platform. *)
+Definition leg : Type := point * point.
+
+(** A platform is at [p], turned by [turn]. The row of a leg is the vector d from anchor to anchor,
+    and its moment about the centre of the platform. *)
+Definition row_of_leg (p : point) (turn : point -> point) (l : leg) : list R :=
+  let (a, b) := l in
+  let arm := turn b in
+  let d := minus (plus p arm) a in
+  let m := cross arm d in
+  [first d; second d; third d; first m; second m; third m].
+
+Definition matrix_of (m : list (list R)) (i j : nat) : R := nth j (nth i m []) 0.
+
+Definition gough (legs : list leg) (p : point) (turn : point -> point) : nat -> nat -> R :=
+  matrix_of (map (row_of_leg p turn) legs).
+
+(** ** From the question of a certificate *)
+
+Lemma in_set_of_lists q x : Forall2 in_range x (ranges q) ->
+  Forall (fun c => value (extend x (definitions q)) c <= 0) (constraints q) -> in_set q x.
+Proof.
+  intros R C. split; [exact R|]. intros c I. simpl. intros _.
+  rewrite Forall_forall in C. exact (C c I).
+Qed.
+
+Lemma entry_of_values q names i j :
+  entry q names i j = matrix_of (map (map (value names)) (matrix q)) i j.
+Proof.
+  unfold entry, matrix_of.
+  change (@nil R) with (map (value names) []). rewrite map_nth.
+  replace 0 with (value names no_entry) by (unfold no_entry, Q2R; simpl; lra).
+  rewrite map_nth. reflexivity.
+Qed.
+
+Lemma matrix_of_multiple c m i j :
+  matrix_of (map (map (Rmult c)) m) i j = c * matrix_of m i j.
+Proof.
+  unfold matrix_of.
+  change (@nil R) with (map (Rmult c) []) at 1. rewrite map_nth.
+  replace 0 with (c * 0) at 1 by lra. rewrite map_nth. reflexivity.
+Qed.
+
+(** The matrix of the question may be a multiple of that of the robot. *)
+Lemma full_rank_of_claim q x c l m n : no_singularity q -> in_set q x ->
+  map (map (value (extend x (definitions q)))) (matrix q) = map (map (Rmult c)) l ->
+  rows q = m -> columns q = n -> full_column_rank m n (matrix_of l).
+Proof.
+  intros [_ N] S E <- <- y Y. destruct (N x S) as [_ K]. apply K. intros i I.
+  rewrite (sum_ext _ _ (fun j => c * (matrix_of l i j * y j))).
+  - rewrite sum_scale, Y by exact I. lra.
+  - intros j _. rewrite entry_of_values, E, matrix_of_multiple. lra.
+Qed.
+
+(** ** How the proofs of a file go: what the certificate computes and what the geometry says are the
+    same polynomials in coordinates, sines and cosines. *)
+
+Lemma same_head {A} (a b : A) l m : a = b -> l = m -> a :: l = b :: m.
+Proof. intros; subst; reflexivity. Qed.
+
+Lemma same_end {A} : @nil A = [].
+Proof. reflexivity. Qed.
+
+(** Computes all that is not an operation on real numbers. *)
+Ltac computed := cbv -[Rplus Rminus Rmult Ropp Rinv Rdiv Rle Rlt Rabs IZR PI sin cos atan exp ln
+  R_sqrt.sqrt].
+Ltac computed_in S := cbv -[Rplus Rminus Rmult Ropp Rinv Rdiv Rle Rlt Rabs IZR PI sin cos atan exp
+  ln R_sqrt.sqrt] in S.
+
+(** Values of functions become variables, one for equal arguments. Otherwise lra would compare how the
+    functions are defined. *)
+Ltac hide_value f a :=
+  match goal with
+  | v := f ?b |- _ => let E := fresh in assert (E : f a = v) by (unfold v; f_equal; lra);
+                      rewrite E in *; clear E
+  | _ => let v := fresh "v" in set (v := f a) in *
+  end.
+Ltac hide_values_of f :=
+  repeat match goal with
+  | |- context [f ?a] => hide_value f a
+  | S : context [f ?a] |- _ => lazymatch S with _ => hide_value f a end
+  end.
+Ltac hide_values :=
+  hide_values_of cos; hide_values_of sin; hide_values_of R_sqrt.sqrt; hide_values_of atan;
+  hide_values_of exp; hide_values_of ln; hide_values_of Rabs;
+  repeat match goal with v := _ : R |- _ => clearbody v end.
+Ltac linear := hide_values; lra.
+
+(** Takes points and conditions apart. *)
+Ltac coordinates :=
+  repeat match goal with p : point |- _ => destruct p as [[? ?] ?] end;
+  repeat match goal with S : _ /\ _ |- _ => destruct S end.
+
+(** [claim] is about the question of a certificate, at the point [x] of its set; [S] says that the
+    quantities of the robot are in theirs. The matrix of the question is [c] times that of the robot. *)
+Ltac by_geometry claim x c S :=
+  apply (full_rank_of_claim _ x c _ _ _ claim);
+  [ apply in_set_of_lists; computed_in S; coordinates;
+    [ computed; repeat apply Forall2_cons; try apply Forall2_nil; computed; linear
+    | computed; repeat apply Forall_cons; try apply Forall_nil; linear ]
+  | clear S; coordinates; computed; hide_values; repeat apply same_head;
+    first [apply same_end | lra]
+  | reflexivity | reflexivity ].
+
+(** A point of the set has been named. *)
+Ltac by_point := pose proof PI_RGT_0; computed; hide_values; repeat split; lra.

@@ -1,0 +1,406 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/formal/coq_geometry.hpp"
+
+#include <array>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "runtime/formal/coq_expression.hpp"
+#include "runtime/formal/coq_question.hpp"
+#include "runtime/formal/coq_real.hpp"
+#include "runtime/verifier/model/file_expressions.hpp"
+#include "runtime/verifier/model/section_reading.hpp"
+#include "runtime/verifier/model/section_values.hpp"
+
+namespace regulus::verifier {
+namespace {
+
+constexpr std::size_t kLegs = 6;
+constexpr std::string_view kAxes = "xyz";
+constexpr std::array<const char*, 3> kCoordinates = {"first ", "second ", "third "};
+
+std::string index(std::size_t i) { return '[' + std::to_string(i) + ']'; }
+
+[[noreturn]] void refuse_model(const std::string& what) {
+  throw Unfinished("there is no theorem about a model file with " + what + " yet");
+}
+
+std::string text_of(const std::vector<std::string>& parts, const char* between) {
+  std::string text;
+  for (const std::string& part : parts) {
+    if (!text.empty()) text += between;
+    text += part;
+  }
+  return text;
+}
+
+void require_regular_claim(const Question& q) {
+  if (q.is_piecewise) throw Unfinished("there is no theorem about way-points of a model file yet");
+  if (q.load || q.quantity || q.closure || q.solutions || q.has_threshold || q.singular)
+    throw Unfinished("the theorem about a model file is for the claim NO SINGULARITY, alpha 0");
+}
+
+/// A quantity of the theorem: its identifier, and a point of the set.
+struct Quantity {
+  std::string name, witness;
+  bool is_point = false;
+};
+
+class GeometryWriter {
+ public:
+  GeometryWriter(const Question& question, const CoqModel& model)
+      : q_(question),
+        values_(model.values),
+        may_differ_(model.may_differ),
+        motion_("motion." + question.motion + '.'),
+        degrees_(poses_in_degrees(model.values)),
+        section_(read_section(model.values)),
+        expressions_(own_, values_, degrees_, hidden_,
+                     [](std::string_view, const Scope&) { return kNoNode; }) {}
+
+  std::string write() {
+    require_gough();
+    read_geometry();
+    read_parameters();
+    read_poses();
+    read_anchors();
+    read_constraints();
+    return text();
+  }
+
+ private:
+  // What the file may have.
+
+  [[nodiscard]] bool has(const std::string& place) const { return values_.contains(place); }
+  [[nodiscard]] bool has_below(const std::string& table) const {
+    const auto first = values_.lower_bound(table);
+    return first != values_.end() && first->first.starts_with(table);
+  }
+  [[nodiscard]] std::string word(const std::string& place, const char* otherwise) const {
+    const auto found = values_.find(place);
+    return found == values_.end() ? otherwise : found->second.text;
+  }
+
+  void require_gough() const {
+    for (const char* table : {"legs.", "serial.", "matrix.", "pose.", "closure."})
+      if (has_below(table))
+        refuse_model("the table [" + std::string(table, 0, std::string_view(table).size() - 1) +
+                     ']');
+    if (!section_)
+      throw Unfinished("there is a theorem about model files with the table [gough] alone");
+    if (!has_below(motion_) || q_.motion.find_first_of(".[") != std::string::npos)
+      throw Unfinished("the model file has no motion '" + q_.motion + '\'');
+    std::set<std::string> known{"alpha", "constraints", "error", "parameters"};
+    for (const SectionPose& pose : section_->pose()) known.insert(pose.name);
+    for (auto place = values_.lower_bound(motion_);
+         place != values_.end() && place->first.starts_with(motion_); ++place) {
+      const std::string rest = place->first.substr(motion_.size());
+      const std::string key = rest.substr(0, rest.find_first_of(".["));
+      if (!known.contains(key)) refuse_model("the key '" + key + "' in its motion");
+    }
+  }
+
+  // Expressions of the file.
+
+  /// The number or the expression at a place, with the names of the motion.
+  [[nodiscard]] NodeId node_at(const std::string& place, bool in_degrees = false) {
+    if (!has(place)) throw Unfinished("the model file has no " + place);
+    return expressions_.at(place, scope_, in_degrees);
+  }
+  [[nodiscard]] std::string text_at(const std::string& place, bool in_degrees = false) {
+    const NodeId node = node_at(place, in_degrees);
+    const WrittenValue& written = values_.at(place);
+    return written.is_string ? coq_real(own_.graph, node, names_)
+                             : coq_written_number(written.text, own_.graph);
+  }
+  [[nodiscard]] std::string witness_of(NodeId node) const {
+    return coq_real(own_.graph, node, witnesses_);
+  }
+  /// A constant of the certificate.
+  [[nodiscard]] std::optional<std::string> stated(const std::string& key) {
+    const auto found = q_.stated.find(key);
+    if (!may_differ_ || found == q_.stated.end()) return std::nullopt;
+    return coq_real(own_.graph, parse(found->second.text, {}, own_.graph), {});
+  }
+
+  // Quantities.
+
+  void add(const std::string& name, const std::string& witness, bool is_point = false) {
+    quantities_.push_back({name, witness, is_point});
+  }
+  /// Returns the node of a new variable.
+  NodeId variable(const std::string& name, const std::string& witness) {
+    add(name, witness);
+    names_.push_back(name);
+    witnesses_.push_back('(' + witness + ')');
+    return own_.graph.add(Op::kVariable, int(names_.size()) - 1);
+  }
+
+  /// A variable in a range, of the certificate if options may have changed it.
+  NodeId ranged(const std::string& name, const std::string& place, const std::string& stated_name,
+                bool in_degrees) {
+    const std::string lower =
+        stated("lower " + stated_name)
+            .value_or(has(place + "[0]") ? text_at(place + "[0]", in_degrees) : "");
+    const std::string upper =
+        stated("upper " + stated_name)
+            .value_or(has(place + "[1]") ? text_at(place + "[1]", in_degrees) : "");
+    if (lower.empty() || upper.empty()) throw Unfinished("the model file has no range " + place);
+    conditions_.push_back(lower + " <= " + name + " <= " + upper);
+    return variable(name, "(" + lower + " + " + upper + ")/2");
+  }
+
+  void read_geometry() {
+    constexpr std::string_view kTable = "geometry.";
+    for (auto place = values_.lower_bound(kTable);
+         place != values_.end() && place->first.starts_with(kTable); ++place) {
+      std::string name = place->first.substr(kTable.size());
+      if (name.ends_with(".tolerance") || name.ends_with(".radius"))
+        refuse_model("a tolerance in [geometry]");
+      if (name.ends_with(".group")) continue;
+      if (const std::size_t value = name.find(".value"); value != std::string::npos)
+        name.erase(value, std::string_view(".value").size());
+      if (const std::size_t bracket = name.find('['); bracket != std::string::npos)
+        name = name.substr(0, bracket) + '_' +
+               std::to_string(std::stoul(name.substr(bracket + 1)) + 1);
+      scope_[name] = node_at(place->first);
+    }
+  }
+
+  void read_parameters() {
+    const std::string table = motion_ + "parameters.";
+    std::set<std::string> names;
+    for (auto place = values_.lower_bound(table);
+         place != values_.end() && place->first.starts_with(table); ++place) {
+      const std::string rest = place->first.substr(table.size());
+      names.insert(rest.substr(0, rest.find('[')));
+    }
+    std::vector<std::pair<std::string, NodeId>> nodes;
+    for (const std::string& name : names) {
+      nodes.emplace_back(name, ranged(coq_identifier(name), table + name, name, false));
+      of_certificate_[name] = coq_identifier(name);
+    }
+    for (const auto& [name, node] : nodes) scope_[name] = node;
+  }
+
+  /// Values may use the names of ranges.
+  void read_poses() {
+    const std::vector<SectionPose> poses = section_->pose();
+    for (const SectionPose& pose : poses) read_range(pose.name);
+    for (const SectionPose& pose : poses) read_value(pose.name);
+  }
+
+  void read_range(const std::string& name) {
+    const std::string place = motion_ + name;
+    const bool is_freed = may_differ_ && q_.stated.contains("lower " + name);
+    if (!has(place + "[0]") && !is_freed) return;
+    const bool in_degrees = degrees_.contains(name);
+    const std::string own = error_of(name, in_degrees).empty() ? name : name + "_commanded";
+    commanded_[name] = of_certificate_[name] = own;
+    scope_[name] = ranged(own, place, name, in_degrees);
+  }
+
+  void read_value(const std::string& name) {
+    const bool in_degrees = degrees_.contains(name);
+    if (!commanded_.contains(name)) {
+      values_of_poses_[name] = node_at(motion_ + name, in_degrees);
+      commanded_[name] = of_certificate_[name] = text_at(motion_ + name, in_degrees);
+    }
+    const std::string& commanded = commanded_[name];
+    const std::string error = error_of(name, in_degrees);
+    if (!error.empty()) {
+      conditions_.push_back("near " + coq_argument(error) + ' ' + coq_argument(commanded) + ' ' +
+                            name);
+      const auto value = values_of_poses_.find(name);
+      add(name, witness_of(value == values_of_poses_.end() ? scope_.at(name) : value->second));
+    }
+    of_certificate_[name + " error"] = error.empty() ? "0" : name + " - " + coq_argument(commanded);
+    const std::string actual = error.empty() ? commanded : name;
+    pose_.push_back(in_degrees ? coq_argument(actual) + "*deg" : actual);
+  }
+
+  [[nodiscard]] std::string error_of(const std::string& name, bool in_degrees) {
+    const std::string place = motion_ + "error." + name;
+    if (const auto error = stated("error " + name)) return *error;
+    return has(place) ? text_at(place, in_degrees) : "";
+  }
+
+  // Anchors.
+
+  /// Returns the anchor: a point of the theorem if it has a tolerance, or its coordinates.
+  std::string read_anchor(const std::string& side, char letter, std::size_t leg) {
+    const SectionQuantity written = section_quantity(
+        values_, "gough." + side + index(leg), {"gough." + side + "_tolerance", ""},
+        word("gough.tolerance_shape", "box") == "ball");
+    std::vector<std::string> coordinates;
+    for (std::size_t axis = 0; axis < kAxes.size(); ++axis)
+      coordinates.push_back(text_at(written.value + index(axis)));
+    const std::string middle = '(' + text_of(coordinates, ", ") + ')';
+    const std::string name = letter + std::to_string(leg + 1);
+    std::optional<std::string> tolerance = stated("spread " + name + "_x");
+    if (!tolerance && has(written.tolerance.key)) tolerance = text_at(written.tolerance.key);
+    const bool is_certain = !tolerance || *tolerance == "0";
+    for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
+      const std::string own = name + '_' + kAxes[axis];
+      const std::string actual = is_certain ? coordinates[axis] : kCoordinates[axis] + name;
+      of_certificate_[own] = actual;
+      of_certificate_[own + "_error"] =
+          is_certain ? "0" : actual + " - " + coq_argument(coordinates[axis]);
+    }
+    if (is_certain) return middle;
+    conditions_.push_back((written.is_ball ? "in_ball " : "in_cube ") + coq_argument(*tolerance) +
+                          ' ' + middle + ' ' + name);
+    add(name, middle, true);
+    return name;
+  }
+
+  void read_anchors() {
+    std::vector<std::string> base, platform;
+    for (std::size_t leg = 0; leg < kLegs; ++leg) base.push_back(read_anchor("base", 'a', leg));
+    for (std::size_t leg = 0; leg < kLegs; ++leg)
+      platform.push_back(read_anchor("platform", 'b', leg));
+    for (std::size_t leg = 0; leg < kLegs; ++leg)
+      legs_.push_back({"", '(' + base[leg] + ", " + platform[leg] + ')'});
+  }
+
+  /// They are about the commanded pose.
+  void read_constraints() {
+    for (const auto& [name, node] : values_of_poses_) scope_[name] = node;
+    for (std::size_t i = 0; has(motion_ + "constraints" + index(i)); ++i) {
+      conditions_.push_back(text_at(motion_ + "constraints" + index(i)) + " <= 0");
+      has_constraints_ = true;
+    }
+  }
+
+  // The text.
+
+  [[nodiscard]] std::string names_of(bool are_points, const char* between) const {
+    std::vector<std::string> names;
+    for (const Quantity& quantity : quantities_)
+      if (quantity.is_point == are_points) names.push_back(quantity.name);
+    return text_of(names, between);
+  }
+  [[nodiscard]] bool has_points() const { return !names_of(true, " ").empty(); }
+
+  /// Returns `(x y : R) (a1 : point)`.
+  [[nodiscard]] std::string binders() const {
+    std::vector<std::string> groups;
+    if (const std::string names = names_of(false, " "); !names.empty())
+      groups.push_back('(' + names + " : R)");
+    if (has_points()) groups.push_back('(' + names_of(true, " ") + " : point)");
+    return text_of(groups, " ");
+  }
+
+  /// Returns the set as an application to its quantities.
+  [[nodiscard]] std::string set() const {
+    std::string text = "the_set";
+    for (const bool are_points : {false, true})
+      if (const std::string names = names_of(are_points, " "); !names.empty()) text += ' ' + names;
+    return text;
+  }
+
+  [[nodiscard]] std::string orientation() const {
+    std::string word = orientation_word();
+    for (std::size_t i = kAxes.size(); i < pose_.size(); ++i) word += ' ' + coq_argument(pose_[i]);
+    return '(' + word + ')';
+  }
+  [[nodiscard]] std::string orientation_word() const {
+    const std::string orientation = word("gough.orientation", "");
+    if (orientation == "euler-zxz") return "euler_zxz";
+    if (orientation == "roll-pitch-yaw") return "roll_pitch_yaw";
+    refuse_model("the orientation '" + orientation + '\'');
+  }
+  [[nodiscard]] std::string position() const {
+    std::vector<std::string> coordinates(pose_.begin(), pose_.begin() + kAxes.size());
+    return '(' + text_of(coordinates, ", ") + ')';
+  }
+
+  /// The quantities of the certificate by those of the theorem.
+  [[nodiscard]] std::string point_of_certificate() const {
+    std::vector<std::string> values;
+    for (const Variable& variable : q_.variables) {
+      const auto value = of_certificate_.find(variable.name);
+      if (value == of_certificate_.end())
+        throw Unfinished("the model file does not have the quantity '" + variable.name +
+                         "' of the certificate");
+      values.push_back(value->second);
+    }
+    return '[' + text_of(values, "; ") + ']';
+  }
+
+  [[nodiscard]] std::string text() const {
+    return "\nFrom Regulus Require Import Geometry.\n\n" + legs_text() +
+           "(** What the theorem is about: " + std::string(may_differ_ ? kOfOptions : kOfFile) +
+           " *)\nDefinition the_set" + (quantities_.empty() ? "" : ' ' + binders()) +
+           " : Prop :=\n  " + (conditions_.empty() ? "True" : text_of(conditions_, " /\\\n  ")) +
+           ".\n\n" + robot_theorem() + '\n' + point_theorem();
+  }
+
+  [[nodiscard]] std::string legs_text() const {
+    if (has_points()) return "";
+    return "(** The legs of the model file, each with its anchors on the base and on the platform. "
+           "*)\n"
+           "Definition legs : list leg :=\n  " +
+           coq_list(legs_, "   ") + ".\n\n";
+  }
+
+  [[nodiscard]] std::string robot_theorem() const {
+    const std::string legs = has_points() ? "\n    " + coq_list(legs_, "     ") + "\n   " : " legs";
+    return "Theorem the_robot :" + (quantities_.empty() ? "" : " forall " + binders() + ',') +
+           "\n  " + set() + " ->\n  full_column_rank 6 6 (gough" + legs + ' ' + position() + ' ' +
+           orientation() + ").\nProof.\n  intros" +
+           set().substr(std::string_view("the_set").size()) + " S.\n  by_geometry the_claim\n    " +
+           point_of_certificate() + " 1 S.\nQed.\n";
+  }
+
+  /// With constraints, the middle of the ranges may not be in the set.
+  [[nodiscard]] std::string point_theorem() const {
+    if (has_constraints_)
+      return "(** With constraints, no proof that the set has a point is written. *)\n";
+    std::vector<std::string> witnesses;
+    for (const bool are_points : {false, true})
+      for (const Quantity& quantity : quantities_)
+        if (quantity.is_point == are_points) witnesses.push_back(coq_argument(quantity.witness));
+    return "Theorem the_set_is_inhabited :" +
+           (quantities_.empty() ? "" : " exists " + binders() + ',') + "\n  " + set() +
+           ".\nProof.\n" +
+           (quantities_.empty() ? "" : "  exists " + text_of(witnesses, ",\n    ") + ".\n") +
+           "  by_point.\nQed.\n";
+  }
+
+  static constexpr const char* kOfFile = "the ranges of the model file.";
+  static constexpr const char* kOfOptions =
+      "ranges, tolerances and errors are those of the certificate,\n    as options may have "
+      "changed those of the model file.";
+
+  const Question& q_;
+  const WrittenValues& values_;
+  const bool may_differ_;
+  const std::string motion_;  ///< "motion.NAME."
+  const Names degrees_, hidden_;
+  const std::unique_ptr<SectionReading> section_;
+  Question own_;  ///< its graph has the expressions of the file
+  FileExpressions expressions_;
+  Scope scope_;  ///< constants, parameters, and poses with ranges
+  std::map<std::string, NodeId> values_of_poses_;
+  std::map<std::string, std::string> commanded_;  ///< by pose parameter
+  /// By the name of a variable of the certificate.
+  std::map<std::string, std::string> of_certificate_;
+  std::vector<std::string> names_, witnesses_;  ///< of the variables of the graph
+  std::vector<Quantity> quantities_;
+  std::vector<std::string> conditions_, pose_;
+  std::vector<CoqItem> legs_;
+  bool has_constraints_ = false;
+};
+
+}  // namespace
+
+std::string coq_geometry(const Question& question, const CoqModel& model) {
+  require_regular_claim(question);
+  return GeometryWriter(question, model).write();
+}
+
+}  // namespace regulus::verifier
