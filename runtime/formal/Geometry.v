@@ -4,6 +4,7 @@
 From Coq Require Export Reals List.
 From Coq Require Import QArith Qreals Lra Lia.
 From Regulus Require Export LinearAlgebra.
+From Interval Require Import Tactic.
 From Regulus Require Import Expressions Questions Regularity.
 Export ListNotations.
 Global Open Scope R_scope.
@@ -47,6 +48,17 @@ Definition euler_zxz (psi theta phi : R) (u : point) : point :=
   about_z psi (about_x theta (about_z phi u)).
 Definition roll_pitch_yaw (roll pitch yaw : R) (u : point) : point :=
   about_z yaw (about_y pitch (about_x roll u)).
+
+(** The rotation of the quaternion q0 + q1 i + q2 j + q3 k, which may have any length but 0. *)
+Definition quaternion (q0 q1 q2 q3 : R) (u : point) : point :=
+  let '(a, b, c) := u in
+  let n := q0 ^ 2 + q1 ^ 2 + q2 ^ 2 + q3 ^ 2 in
+  (((q0 ^ 2 + q1 ^ 2 - q2 ^ 2 - q3 ^ 2) * a + 2 * (q1 * q2 - q0 * q3) * b
+    + 2 * (q1 * q3 + q0 * q2) * c) / n,
+   (2 * (q1 * q2 + q0 * q3) * a + (q0 ^ 2 - q1 ^ 2 + q2 ^ 2 - q3 ^ 2) * b
+    + 2 * (q2 * q3 - q0 * q1) * c) / n,
+   (2 * (q1 * q3 - q0 * q2) * a + 2 * (q2 * q3 + q0 * q1) * b
+    + (q0 ^ 2 - q1 ^ 2 - q2 ^ 2 + q3 ^ 2) * c) / n).
 
 (** ** Platforms on six legs, or more *)
 
@@ -93,16 +105,39 @@ Proof.
   replace 0 with (c * 0) at 1 by lra. rewrite map_nth. reflexivity.
 Qed.
 
+Fixpoint all_of (l : list Prop) : Prop :=
+  match l with [] => True | p :: rest => p /\ all_of rest end.
+
+Lemma all_of_forall {A} (P : A -> Prop) l : Forall P l -> all_of (map P l).
+Proof. induction 1; simpl; auto. Qed.
+
 (** The matrix of the question may be a multiple of that of the robot. *)
 Lemma full_rank_of_claim q x c l m n : no_singularity q -> in_set q x ->
-  map (map (value (extend x (definitions q)))) (matrix q) = map (map (Rmult c)) l ->
+  (all_of (map (defined (extend x (definitions q))) (also_defined q)) ->
+   map (map (value (extend x (definitions q)))) (matrix q) = map (map (Rmult c)) l) ->
   rows q = m -> columns q = n -> full_column_rank m n (matrix_of l).
 Proof.
-  intros [_ N] S E <- <- y Y. destruct (N x S) as [_ K]. apply K. intros i I.
+  intros [_ N] S E <- <- y Y. destruct (N x S) as [[_ [D _]] K].
+  specialize (E (all_of_forall _ _ D)). apply K. intros i I.
   rewrite (sum_ext _ _ (fun j => c * (matrix_of l i j * y j))).
   - rewrite sum_scale, Y by exact I. lra.
   - intros j _. rewrite entry_of_values, E, matrix_of_multiple. lra.
 Qed.
+
+Lemma cube_of_ball e c p : 0 <= e -> in_ball e c p -> in_cube e c p.
+Proof.
+  unfold in_ball, in_cube, near. intros P B.
+  set (a := first p - first c) in *. set (b := second p - second c) in *.
+  set (d := third p - third c) in *.
+  assert (T : forall t, t ^ 2 <= e ^ 2 -> - e <= t <= e).
+  { intros t H. split; [apply Rnot_lt_le; intros L|apply Rnot_lt_le; intros L]; nra. }
+  pose proof (pow2_ge_0 a). pose proof (pow2_ge_0 b). pose proof (pow2_ge_0 d).
+  specialize (T a ltac:(lra)) as A. specialize (T b ltac:(lra)) as B'.
+  specialize (T d ltac:(lra)) as D. unfold a, b, d in *. lra.
+Qed.
+
+Lemma degrees_of_degrees a : a * (PI / 180) / (PI / 180) = a.
+Proof. field. exact PI_neq0. Qed.
 
 (** ** How the proofs of a file go: what the certificate computes and what the geometry says are the
     same polynomials in coordinates, sines and cosines. *)
@@ -119,8 +154,8 @@ Ltac computed := cbv -[Rplus Rminus Rmult Ropp Rinv Rdiv Rle Rlt Rabs IZR PI sin
 Ltac computed_in S := cbv -[Rplus Rminus Rmult Ropp Rinv Rdiv Rle Rlt Rabs IZR PI sin cos atan exp
   ln R_sqrt.sqrt] in S.
 
-(** Values of functions become variables, one for equal arguments. Otherwise lra would compare how the
-    functions are defined. *)
+(** Values of functions become variables, one for equal arguments. Otherwise lra would compare how
+    the functions are defined. *)
 Ltac hide_value f a :=
   match goal with
   | v := f ?b |- _ => let E := fresh in assert (E : f a = v) by (unfold v; f_equal; lra);
@@ -139,20 +174,43 @@ Ltac hide_values :=
 Ltac linear := hide_values; lra.
 
 (** Takes points and conditions apart. *)
+Ltac conditions S :=
+  hnf in S; repeat match goal with S : _ /\ _ |- _ => destruct S end;
+  repeat match goal with S : in_ball ?e ?c ?p |- _ =>
+    assert (in_cube e c p) by (apply cube_of_ball; [computed; linear | exact S]);
+    computed_in S end;
+  repeat match goal with S : _ |- _ => progress computed_in S end.
 Ltac coordinates :=
-  repeat match goal with p : point |- _ => destruct p as [[? ?] ?] end;
-  repeat match goal with S : _ /\ _ |- _ => destruct S end.
+  repeat match goal with p : point |- _ => destruct p as [[? ?] ?] end.
+Ltac numbers := computed; rewrite ?degrees_of_degrees in *; linear.
+
+(** What divides is not 0, as the certificate says. *)
+Ltac quotients D :=
+  computed_in D; repeat match goal with S : _ /\ _ |- _ => destruct S end; hide_values;
+  repeat apply same_head;
+  first [apply same_end | lra
+        | field; match goal with N : ?a = 0 -> False |- _ => intros Z; apply N; lra end].
 
 (** [claim] is about the question of a certificate, at the point [x] of its set; [S] says that the
-    quantities of the robot are in theirs. The matrix of the question is [c] times that of the robot. *)
+    quantities of the robot are in theirs. The matrix of the question is [c] times that of the
+    robot. *)
 Ltac by_geometry claim x c S :=
   apply (full_rank_of_claim _ x c _ _ _ claim);
-  [ apply in_set_of_lists; computed_in S; coordinates;
-    [ computed; repeat apply Forall2_cons; try apply Forall2_nil; computed; linear
-    | computed; repeat apply Forall_cons; try apply Forall_nil; linear ]
-  | clear S; coordinates; computed; hide_values; repeat apply same_head;
-    first [apply same_end | lra]
+  [ coordinates; conditions S; repeat match goal with S : _ /\ _ |- _ => destruct S end;
+    apply in_set_of_lists;
+    [ computed; repeat apply Forall2_cons; try apply Forall2_nil;
+      first [numbers | fail 1 "a range of the model file is not in that of the certificate"]
+    | computed; repeat apply Forall_cons; try apply Forall_nil;
+      first [numbers | fail 1 "a constraint of the certificate is not in the model file"] ]
+  | let D := fresh in
+    intros D; clear S; coordinates; computed;
+    first [ clear D; hide_values; repeat apply same_head; first [apply same_end | lra]
+          | quotients D
+          | fail 1 "an entry of the matrix of the certificate is not that of the model file" ]
   | reflexivity | reflexivity ].
 
 (** A point of the set has been named. *)
-Ltac by_point := pose proof PI_RGT_0; computed; hide_values; repeat split; lra.
+Ltac by_point :=
+  hnf; computed; rewrite ?degrees_of_degrees; repeat split;
+  first [ lra | pose proof PI_RGT_0; hide_values; lra | interval
+        | fail 1 "the point is not in the set" ].

@@ -19,7 +19,7 @@ namespace regulus::verifier {
 namespace {
 
 constexpr std::size_t kLegs = 6;
-constexpr std::string_view kAxes = "xyz";
+constexpr std::string_view kAxes = "xyz", kQuaternion = "quaternion";
 constexpr std::array<const char*, 3> kCoordinates = {"first ", "second ", "third "};
 
 std::string index(std::size_t i) { return '[' + std::to_string(i) + ']'; }
@@ -311,7 +311,16 @@ class GeometryWriter {
     const std::string orientation = word("gough.orientation", "");
     if (orientation == "euler-zxz") return "euler_zxz";
     if (orientation == "roll-pitch-yaw") return "roll_pitch_yaw";
+    if (orientation == kQuaternion) return orientation;
     refuse_model("the orientation '" + orientation + '\'');
+  }
+  /// The rows of the certificate are those of the robot, times the squared norm of a quaternion.
+  [[nodiscard]] std::string factor() const {
+    if (word("gough.orientation", "") != kQuaternion) return "1";
+    std::string sum;
+    for (std::size_t i = kAxes.size(); i < pose_.size(); ++i)
+      sum += (sum.empty() ? "" : " + ") + coq_argument(pose_[i]) + "^2";
+    return '(' + sum + ')';
   }
   [[nodiscard]] std::string position() const {
     std::vector<std::string> coordinates(pose_.begin(), pose_.begin() + kAxes.size());
@@ -353,7 +362,7 @@ class GeometryWriter {
            "\n  " + set() + " ->\n  full_column_rank 6 6 (gough" + legs + ' ' + position() + ' ' +
            orientation() + ").\nProof.\n  intros" +
            set().substr(std::string_view("the_set").size()) + " S.\n  by_geometry the_claim\n    " +
-           point_of_certificate() + " 1 S.\nQed.\n";
+           point_of_certificate() + ' ' + factor() + " S.\nQed.\n";
   }
 
   /// With constraints, the middle of the ranges may not be in the set.
