@@ -5,7 +5,7 @@ From Coq Require Export Reals List.
 From Coq Require Import QArith Qreals Lra Lia.
 From Regulus Require Export LinearAlgebra.
 From Interval Require Import Tactic.
-From Regulus Require Import Expressions Questions Regularity.
+From Regulus Require Import Expressions Questions Regularity Determinants.
 Export ListNotations.
 Global Open Scope R_scope.
 
@@ -79,6 +79,18 @@ Definition matrix_of (m : list (list R)) (i j : nat) : R := nth j (nth i m []) 0
 Definition gough (legs : list leg) (p : point) (turn : point -> point) : nat -> nat -> R :=
   matrix_of (map (row_of_leg p turn) legs).
 
+(** With unit vectors along the legs, as a threshold takes them. *)
+Definition length_of_leg (p : point) (turn : point -> point) (l : leg) : R :=
+  let (a, b) := l in
+  let d := minus (plus p (turn b)) a in
+  sqrt (first d ^ 2 + second d ^ 2 + third d ^ 2).
+
+Definition divided (s : list R) (m : nat -> nat -> R) (i j : nat) : R := m i j / nth i s 1.
+
+Definition inverse_jacobian (legs : list leg) (p : point) (turn : point -> point) :
+    nat -> nat -> R :=
+  divided (map (length_of_leg p turn) legs) (gough legs p turn).
+
 (** ** From the question of a certificate *)
 
 Lemma in_set_of_lists q x : Forall2 in_range x (ranges q) ->
@@ -123,6 +135,65 @@ Proof.
   - rewrite sum_scale, Y by exact I. lra.
   - intros j _. rewrite entry_of_values, E, matrix_of_multiple. lra.
 Qed.
+
+Fixpoint product_of (n : nat) (s : nat -> R) : R :=
+  match n with O => 1 | S m => s O * product_of m (fun i => s (S i)) end.
+
+Lemma determinant_of_multiples n : forall s a,
+  determinant n (fun i j => s i * a i j) = product_of n s * determinant n a.
+Proof.
+  induction n as [|n IH]; intros s a; [simpl; lra|].
+  cbn [determinant product_of]. rewrite <- sum_scale. apply sum_ext. intros j _.
+  rewrite (IH (fun i => s (S i)) (fun i k => a (S i) (skip j k))). lra.
+Qed.
+
+Lemma product_of_inverses s :
+  product (map Rinv s) = product_of (length s) (fun i => / nth i s 1).
+Proof. induction s as [|a s IH]; [reflexivity|]. simpl. rewrite <- IH. reflexivity. Qed.
+
+Lemma determinant_divided s m :
+  determinant (length s) (divided s m) = determinant (length s) m * product (map Rinv s).
+Proof.
+  rewrite product_of_inverses, Rmult_comm, <- determinant_of_multiples.
+  apply determinant_ext. intros i j _ _. unfold divided. lra.
+Qed.
+
+Lemma determinant_of_values q x l :
+  map (map (value (extend x (definitions q)))) (matrix q) = l ->
+  determinant (columns q) (entry q (extend x (definitions q)))
+  = determinant (columns q) (matrix_of l).
+Proof. intros <-. apply determinant_ext. intros i j _ _. apply entry_of_values. Qed.
+
+Lemma above_of_claim q scales threshold x limit l s n : determinant_above q scales threshold ->
+  in_set q x -> map (map (value (extend x (definitions q)))) (matrix q) = l ->
+  map (value (extend x (definitions q))) scales = map Rinv s ->
+  columns q = n -> length s = n -> limit <= value [] threshold ->
+  limit < Rabs (determinant n (divided s (matrix_of l))).
+Proof.
+  intros [_ [_ [_ A]]] S M E <- L T. destruct (A x S) as [_ [_ D]].
+  unfold scaled_determinant in D. rewrite (determinant_of_values _ _ _ M), E in D.
+  rewrite <- L, determinant_divided, L. lra.
+Qed.
+
+(** The k-th quantity of a certificate. *)
+Definition quantity (v : list R) (k : nat) : R := nth k v 0.
+
+Lemma singular_of_claim q : singularity q -> exists v, Forall2 in_range v (ranges q) /\
+  determinant (columns q) (entry q (extend v (definitions q))) = 0.
+Proof. intros [v [[F _] [_ [_ D]]]]. exists v. auto. Qed.
+
+Lemma singular_of_values q x l n : columns q = n ->
+  map (map (value (extend x (definitions q)))) (matrix q) = l ->
+  determinant (columns q) (entry q (extend x (definitions q))) = 0 ->
+  determinant n (matrix_of l) = 0.
+Proof. intros <- E. rewrite (determinant_of_values _ _ _ E). auto. Qed.
+
+Lemma quantities_of_ranges {A B} (P : A -> B -> Prop) v b m : Forall2 P v (b :: m) ->
+  exists a w, v = a :: w /\ P a b /\ Forall2 P w m.
+Proof. intros F. inversion F. eauto. Qed.
+
+Lemma no_more_quantities {A B} (P : A -> B -> Prop) v : Forall2 P v [] -> v = [].
+Proof. intros F. inversion F. reflexivity. Qed.
 
 Lemma cube_of_ball e c p : 0 <= e -> in_ball e c p -> in_cube e c p.
 Proof.
@@ -191,23 +262,50 @@ Ltac quotients D :=
   first [apply same_end | lra
         | field; match goal with N : ?a = 0 -> False |- _ => intros Z; apply N; lra end].
 
+Ltac in_certificate S :=
+  coordinates; conditions S; repeat match goal with S : _ /\ _ |- _ => destruct S end;
+  apply in_set_of_lists;
+  [ computed; repeat apply Forall2_cons; try apply Forall2_nil;
+    first [numbers | fail 1 "a range of the model file is not in that of the certificate"]
+  | computed; repeat apply Forall_cons; try apply Forall_nil;
+    first [numbers | fail 1 "a constraint of the certificate is not in the model file"] ].
+
+Ltac same_numbers := hide_values; repeat apply same_head; first [apply same_end | lra].
+Ltac same_entries D := coordinates; computed;
+  first [ clear D; same_numbers | quotients D
+        | fail 1 "an entry of the matrix of the certificate is not that of the model file" ].
+
 (** [claim] is about the question of a certificate, at the point [x] of its set; [S] says that the
     quantities of the robot are in theirs. The matrix of the question is [c] times that of the
     robot. *)
 Ltac by_geometry claim x c S :=
   apply (full_rank_of_claim _ x c _ _ _ claim);
-  [ coordinates; conditions S; repeat match goal with S : _ /\ _ |- _ => destruct S end;
-    apply in_set_of_lists;
-    [ computed; repeat apply Forall2_cons; try apply Forall2_nil;
-      first [numbers | fail 1 "a range of the model file is not in that of the certificate"]
-    | computed; repeat apply Forall_cons; try apply Forall_nil;
-      first [numbers | fail 1 "a constraint of the certificate is not in the model file"] ]
-  | let D := fresh in
-    intros D; clear S; coordinates; computed;
-    first [ clear D; hide_values; repeat apply same_head; first [apply same_end | lra]
-          | quotients D
-          | fail 1 "an entry of the matrix of the certificate is not that of the model file" ]
+  [ in_certificate S | let D := fresh in intros D; clear S; same_entries D
   | reflexivity | reflexivity ].
+
+(** The same for a threshold. *)
+Ltac by_threshold claim x S :=
+  apply (above_of_claim _ _ _ x _ _ _ _ claim);
+  [ in_certificate S | pose proof I as D; clear S; same_entries D
+  | clear S; coordinates; computed;
+    first [ same_numbers
+          | fail 1 "a length of a leg of the certificate is not that of the model file" ]
+  | reflexivity | reflexivity
+  | first [numbers | fail 1 "the threshold of the certificate is below that of the model file"] ].
+
+(** [S] is about a point of the set of a certificate at which the determinant is 0. *)
+Ltac by_singularity S :=
+  let F := fresh "F" in let D := fresh "D" in destruct S as [F D];
+  match type of F with Forall2 _ _ ?r => let l := eval hnf in r in change r with l in F end;
+  repeat (apply quantities_of_ranges in F;
+    let x := fresh "x" in let w := fresh "w" in let r := fresh "r" in
+    destruct F as [x [w [-> [r F]]]]; computed_in r);
+  apply no_more_quantities in F; rewrite F in *; clear F;
+  split;
+  [ repeat match goal with r : _ /\ _ |- _ => destruct r end; hnf; computed; repeat split;
+    first [numbers | fail 1 "a range of the certificate is not in that of the model file"]
+  | refine (singular_of_values _ _ _ _ _ _ D);
+    [reflexivity | let N := fresh in pose proof I as N; same_entries N] ].
 
 (** A point of the set has been named. *)
 Ltac by_point :=

@@ -58,6 +58,10 @@ constexpr auto kRealWords = std::to_array<std::string_view>(
     {"pi",   "deg",       "sqrt",           "sin",       "cos",     "tan",   "atan",   "exp",
      "ln",   "Rabs",      "near",           "in_cube",   "in_ball", "first", "second", "third",
      "True", "euler_zxz", "roll_pitch_yaw", "quaternion"});
+/// More words of a proof: they have a meaning for Coq, and none for a reader.
+constexpr auto kProofWords = std::to_array<std::string_view>(
+    {"intros", "S", "by_geometry", "by_threshold", "by_singularity", "by_point", "destruct", "as",
+     "v", "exists", "quantity", "singular_of_claim", "the_question", "the_claim"});
 constexpr auto kRealSymbols = std::to_array<std::string_view>(
     {"(", ")", "[", "]", ";", ",", "+", "-", "*", "/", "^", "<=", "/\\"});
 
@@ -267,11 +271,13 @@ class PlainReader {
     for (const std::string& name : names) expect_word(words, name);
   }
 
-  void check_geometric_words(const Words& words, const std::vector<std::string>& names) const {
+  template <class Predicate>
+  void check_geometric_words(const Words& words, const std::vector<std::string>& names,
+                             Predicate is_other) const {
     for (std::size_t i = words.at; i < words.all.size(); ++i) {
       const CoqToken& token = words.all[i];
       const bool is_known = token.kind == Kind::kNumber || is_one_of(token.text, kRealWords) ||
-                            is_one_of(token.text, kRealSymbols) ||
+                            is_one_of(token.text, kRealSymbols) || is_other(token.text) ||
                             std::ranges::find(names, token.text) != names.end();
       if (!is_known)
         throw Rejection("line " + std::to_string(token.line) + ": '" + std::string(token.text) +
@@ -285,7 +291,7 @@ class PlainReader {
     Words words{at_sentence(), from};
     while (words.next() != ":=" && words.at < words.all.size() && from == 3) ++words.at;
     expect_word(words, ":=");
-    check_geometric_words(words, names);
+    check_geometric_words(words, names, [](std::string_view) { return false; });
     theorem.definitions += current() + ".\n";
     ++at_;
   }
@@ -304,30 +310,26 @@ class PlainReader {
     expect("Proof");
   }
 
+  /// One of three claims: full rank, a determinant above a threshold, or one that is 0.
   void robot(const std::vector<std::string>& names, bool has_legs, PlainTheorem& theorem) {
     constexpr const char* kName = "the_robot";
     Words words = theorem_named(kName);
-    expect_binders(words, "forall", names);
+    const bool is_singular = words.next() == "exists" || (names.empty() && holds_zero());
+    expect_binders(words, is_singular ? "exists" : "forall", names);
     expect_set(words, names);
-    for (const char* word : {"->", "full_column_rank", "6", "6", "(", "gough"})
-      expect_word(words, word);
-    if (has_legs) expect_word(words, "legs");
-    check_geometric_words(words, names);
+    expect_word(words, is_singular ? "/\\" : "->");
+    const auto is_of_matrix = [&](std::string_view word) {
+      constexpr auto kMatrixWords = std::to_array<std::string_view>(
+          {"full_column_rank", "determinant", "gough", "inverse_jacobian", "<", "="});
+      return is_one_of(word, kMatrixWords) || (has_legs && word == "legs");
+    };
+    check_geometric_words(words, names, is_of_matrix);
     add_theorem(kName, theorem);
-    Words first{at_sentence()};
-    expect_word(first, "intros");
-    for (const std::string& name : names) expect_word(first, name);
-    expect_word(first, "S");
-    end_of(first);
-    Words second{at_sentence()};
-    expect_word(second, "by_geometry");
-    expect_word(second, "the_claim");
-    Sentence arguments = at_sentence();
-    if (!arguments.empty() && arguments.back().text == "S") arguments.pop_back();
-    check_geometric_words({arguments, second.at}, names);
-    ++at_;
-    expect("Qed");
+    geometric_proof(names);
   }
+
+  /// The sentence ends with `= 0`.
+  [[nodiscard]] bool holds_zero() const { return current().ends_with("= 0"); }
 
   void point(const std::vector<std::string>& names, PlainTheorem& theorem) {
     constexpr const char* kName = "the_set_is_inhabited";
@@ -336,19 +338,15 @@ class PlainReader {
     expect_set(words, names);
     if (words.at != words.all.size()) fail("expected the end of the sentence");
     add_theorem(kName, theorem);
-    if (!names.empty()) {
-      Words witness{at_sentence()};
-      expect_word(witness, "exists");
-      check_geometric_words(witness, {});
-      ++at_;
-    }
-    expect("by_point");
-    expect("Qed");
+    geometric_proof(names);
   }
 
-  void end_of(const Words& words) {
-    if (words.at != words.all.size()) fail("expected the end of the sentence");
-    ++at_;
+  /// Whatever it does, Coq checks it; no word of it can do anything else.
+  void geometric_proof(const std::vector<std::string>& names) {
+    for (; at_ < sentences_.size() && current() != "Qed"; ++at_)
+      check_geometric_words({at_sentence()}, names,
+                            [](std::string_view word) { return is_one_of(word, kProofWords); });
+    expect("Qed");
   }
 
   std::vector<Sentence> sentences_;

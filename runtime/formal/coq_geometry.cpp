@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/formal/coq_geometry.hpp"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "runtime/formal/coq_expression.hpp"
 #include "runtime/formal/coq_question.hpp"
 #include "runtime/formal/coq_real.hpp"
+#include "runtime/verifier/evaluation.hpp"
 #include "runtime/verifier/model/file_expressions.hpp"
 #include "runtime/verifier/model/section_reading.hpp"
 #include "runtime/verifier/model/section_values.hpp"
@@ -37,15 +39,24 @@ std::string text_of(const std::vector<std::string>& parts, const char* between) 
   return text;
 }
 
-void require_regular_claim(const Question& q) {
+enum class RobotClaim { kRegular, kAbove, kSingular };
+
+RobotClaim claim_of(const Question& q) {
   if (q.is_piecewise) throw Unfinished("there is no theorem about way-points of a model file yet");
-  if (q.load || q.quantity || q.closure || q.solutions || q.has_threshold || q.singular)
-    throw Unfinished("the theorem about a model file is for the claim NO SINGULARITY, alpha 0");
+  if (q.load || q.quantity || q.closure || q.solutions || (q.singular && q.has_threshold))
+    throw Unfinished(
+        "the theorem about a model file is for the claims NO SINGULARITY, and SINGULARITY without "
+        "a "
+        "threshold");
+  return q.singular        ? RobotClaim::kSingular
+         : q.has_threshold ? RobotClaim::kAbove
+                           : RobotClaim::kRegular;
 }
 
-/// A quantity of the theorem: its identifier, and a point of the set.
+/// A quantity of the theorem: its identifier, a value in the set, and its value at the pose of a
+/// certificate, which is empty if that does not have it.
 struct Quantity {
-  std::string name, witness;
+  std::string name, witness, of_pose;
   bool is_point = false;
 };
 
@@ -55,14 +66,19 @@ class GeometryWriter {
       : q_(question),
         values_(model.values),
         may_differ_(model.may_differ),
+        claim_(claim_of(question)),
         motion_("motion." + question.motion + '.'),
         degrees_(poses_in_degrees(model.values)),
         section_(read_section(model.values)),
         expressions_(own_, values_, degrees_, hidden_,
-                     [](std::string_view, const Scope&) { return kNoNode; }) {}
+                     [](std::string_view, const Scope&) { return kNoNode; }) {
+    for (std::size_t i = 0; i < q_.variables.size(); ++i)
+      of_pose_[q_.variables[i].name] = "quantity v " + std::to_string(i);
+  }
 
   std::string write() {
     require_gough();
+    read_threshold();
     read_geometry();
     read_parameters();
     read_poses();
@@ -91,16 +107,35 @@ class GeometryWriter {
                      ']');
     if (!section_)
       throw Unfinished("there is a theorem about model files with the table [gough] alone");
+    require_known_keys("gough.", {"orientation", "unit", "angle_unit", "base", "platform",
+                                  "base_tolerance", "platform_tolerance", "tolerance_shape"});
+    for (const char* side : {"gough.base", "gough.platform"})
+      if (has_below(side + index(kLegs))) refuse_model("more than six legs");
     if (!has_below(motion_) || q_.motion.find_first_of(".[") != std::string::npos)
       throw Unfinished("the model file has no motion '" + q_.motion + '\'');
     std::set<std::string> known{"alpha", "constraints", "error", "parameters"};
     for (const SectionPose& pose : section_->pose()) known.insert(pose.name);
-    for (auto place = values_.lower_bound(motion_);
-         place != values_.end() && place->first.starts_with(motion_); ++place) {
-      const std::string rest = place->first.substr(motion_.size());
+    require_known_keys(motion_, known);
+  }
+
+  void require_known_keys(const std::string& table, const std::set<std::string>& known) const {
+    for (auto place = values_.lower_bound(table);
+         place != values_.end() && place->first.starts_with(table); ++place) {
+      const std::string rest = place->first.substr(table.size());
       const std::string key = rest.substr(0, rest.find_first_of(".["));
-      if (!known.contains(key)) refuse_model("the key '" + key + "' in its motion");
+      if (!known.contains(key))
+        refuse_model("the key '" + key + "' in [" + table.substr(0, table.size() - 1) + ']');
     }
+  }
+
+  /// A claim without a threshold says nothing about one.
+  void read_threshold() {
+    const std::string place = motion_ + "alpha";
+    const std::string written = has(place) ? text_at(place) : "0";
+    threshold_ = stated("alpha ").value_or(written);
+    if (claim_ != RobotClaim::kAbove && threshold_ != "0")
+      throw Unfinished(
+          "the motion of the model file has a threshold, and the certificate has none");
   }
 
   // Expressions of the file.
@@ -128,29 +163,40 @@ class GeometryWriter {
 
   // Quantities.
 
-  void add(const std::string& name, const std::string& witness, bool is_point = false) {
-    quantities_.push_back({name, witness, is_point});
-  }
-  /// Returns the node of a new variable.
-  NodeId variable(const std::string& name, const std::string& witness) {
-    add(name, witness);
-    names_.push_back(name);
-    witnesses_.push_back('(' + witness + ')');
-    return own_.graph.add(Op::kVariable, int(names_.size()) - 1);
+  /// What a variable of the certificate is at a pose that it names.
+  [[nodiscard]] std::string of_pose(const std::string& variable) const {
+    const auto found = of_pose_.find(variable);
+    return found == of_pose_.end() ? "" : found->second;
   }
 
-  /// A variable in a range, of the certificate if options may have changed it.
+  /// A constant, of the certificate if options may have changed it.
+  [[nodiscard]] NodeId end_at(const std::string& place, const std::string& stated_end,
+                              bool in_degrees) {
+    const auto found = q_.stated.find(stated_end);
+    if (may_differ_ && found != q_.stated.end()) return parse(found->second.text, {}, own_.graph);
+    return node_at(place, in_degrees);
+  }
+
+  /// A variable in a range.
   NodeId ranged(const std::string& name, const std::string& place, const std::string& stated_name,
                 bool in_degrees) {
-    const std::string lower =
-        stated("lower " + stated_name)
-            .value_or(has(place + "[0]") ? text_at(place + "[0]", in_degrees) : "");
-    const std::string upper =
-        stated("upper " + stated_name)
-            .value_or(has(place + "[1]") ? text_at(place + "[1]", in_degrees) : "");
-    if (lower.empty() || upper.empty()) throw Unfinished("the model file has no range " + place);
-    conditions_.push_back(lower + " <= " + name + " <= " + upper);
-    return variable(name, "(" + lower + " + " + upper + ")/2");
+    const NodeId lower = end_at(place + "[0]", "lower " + stated_name, in_degrees);
+    const NodeId upper = end_at(place + "[1]", "upper " + stated_name, in_degrees);
+    const auto text = [&](const std::string& stated_end, const std::string& end) {
+      const auto changed = stated(stated_end);
+      return changed ? *changed : text_at(end, in_degrees);
+    };
+    conditions_.push_back(text("lower " + stated_name, place + "[0]") + " <= " + name +
+                          " <= " + text("upper " + stated_name, place + "[1]"));
+    Graph& graph = own_.graph;
+    middles_.push_back(
+        graph.add(Op::kDivide, graph.add(Op::kAdd, lower, upper), graph.number("2")));
+    const std::string witness = coq_argument(coq_real(graph, middles_.back(), {}));
+    names_.push_back(name);
+    witnesses_.push_back(witness);
+    poses_.push_back(coq_argument(of_pose(stated_name)));
+    quantities_.push_back({name, witness, of_pose(stated_name)});
+    return graph.add(Op::kVariable, int(names_.size()) - 1);
   }
 
   void read_geometry() {
@@ -215,7 +261,11 @@ class GeometryWriter {
       conditions_.push_back("near " + coq_argument(error) + ' ' + coq_argument(commanded) + ' ' +
                             name);
       const auto value = values_of_poses_.find(name);
-      add(name, witness_of(value == values_of_poses_.end() ? scope_.at(name) : value->second));
+      const NodeId node = value == values_of_poses_.end() ? scope_.at(name) : value->second;
+      const std::string of_error = of_pose(name + " error");
+      quantities_.push_back(
+          {name, witness_of(node),
+           of_error.empty() ? "" : coq_real(own_.graph, node, poses_) + " + " + of_error});
     }
     of_certificate_[name + " error"] = error.empty() ? "0" : name + " - " + coq_argument(commanded);
     const std::string actual = error.empty() ? commanded : name;
@@ -253,7 +303,10 @@ class GeometryWriter {
     if (is_certain) return middle;
     conditions_.push_back((written.is_ball ? "in_ball " : "in_cube ") + coq_argument(*tolerance) +
                           ' ' + middle + ' ' + name);
-    add(name, middle, true);
+    std::vector<std::string> at_pose;
+    for (const char axis : kAxes) at_pose.push_back(of_pose(name + '_' + axis));
+    const bool is_known = std::ranges::find(at_pose, "") == at_pose.end() && !written.is_ball;
+    quantities_.push_back({name, middle, is_known ? '(' + text_of(at_pose, ", ") + ')' : "", true});
     return name;
   }
 
@@ -271,7 +324,7 @@ class GeometryWriter {
     for (const auto& [name, node] : values_of_poses_) scope_[name] = node;
     for (std::size_t i = 0; has(motion_ + "constraints" + index(i)); ++i) {
       conditions_.push_back(text_at(motion_ + "constraints" + index(i)) + " <= 0");
-      has_constraints_ = true;
+      constraints_.push_back(node_at(motion_ + "constraints" + index(i)));
     }
   }
 
@@ -311,7 +364,9 @@ class GeometryWriter {
     const std::string orientation = word("gough.orientation", "");
     if (orientation == "euler-zxz") return "euler_zxz";
     if (orientation == "roll-pitch-yaw") return "roll_pitch_yaw";
-    if (orientation == kQuaternion) return orientation;
+    if (orientation == kQuaternion && claim_ == RobotClaim::kRegular) return orientation;
+    if (orientation == kQuaternion)
+      throw Unfinished("there is no theorem about a determinant with a quaternion yet");
     refuse_model("the orientation '" + orientation + '\'');
   }
   /// The rows of the certificate are those of the robot, times the squared norm of a quaternion.
@@ -345,7 +400,7 @@ class GeometryWriter {
            "(** What the theorem is about: " + std::string(may_differ_ ? kOfOptions : kOfFile) +
            " *)\nDefinition the_set" + (quantities_.empty() ? "" : ' ' + binders()) +
            " : Prop :=\n  " + (conditions_.empty() ? "True" : text_of(conditions_, " /\\\n  ")) +
-           ".\n\n" + robot_theorem() + '\n' + point_theorem();
+           ".\n\n" + robot_theorem() + point_theorem();
   }
 
   [[nodiscard]] std::string legs_text() const {
@@ -356,28 +411,68 @@ class GeometryWriter {
            coq_list(legs_, "   ") + ".\n\n";
   }
 
-  [[nodiscard]] std::string robot_theorem() const {
+  [[nodiscard]] std::string matrix(const char* word) const {
     const std::string legs = has_points() ? "\n    " + coq_list(legs_, "     ") + "\n   " : " legs";
-    return "Theorem the_robot :" + (quantities_.empty() ? "" : " forall " + binders() + ',') +
-           "\n  " + set() + " ->\n  full_column_rank 6 6 (gough" + legs + ' ' + position() + ' ' +
-           orientation() + ").\nProof.\n  intros" +
-           set().substr(std::string_view("the_set").size()) + " S.\n  by_geometry the_claim\n    " +
-           point_of_certificate() + ' ' + factor() + " S.\nQed.\n";
+    return std::string(word) + legs + ' ' + position() + ' ' + orientation();
   }
 
-  /// With constraints, the middle of the ranges may not be in the set.
-  [[nodiscard]] std::string point_theorem() const {
-    if (has_constraints_)
-      return "(** With constraints, no proof that the set has a point is written. *)\n";
-    std::vector<std::string> witnesses;
+  [[nodiscard]] std::string robot_theorem() const {
+    return claim_ == RobotClaim::kSingular ? singular_theorem() : regular_theorem();
+  }
+
+  [[nodiscard]] std::string regular_theorem() const {
+    const bool is_above = claim_ == RobotClaim::kAbove;
+    const std::string conclusion = is_above
+                                       ? coq_argument(threshold_) + " < Rabs (determinant 6 (" +
+                                             matrix("inverse_jacobian") + "))"
+                                       : "full_column_rank 6 6 (" + matrix("gough") + ')';
+    return "Theorem the_robot :" + (quantities_.empty() ? "" : " forall " + binders() + ',') +
+           "\n  " + set() + " ->\n  " + conclusion + ".\nProof.\n  intros" +
+           set().substr(std::string_view("the_set").size()) + " S.\n  " +
+           (is_above ? "by_threshold" : "by_geometry") + " the_claim\n    " +
+           point_of_certificate() + (is_above ? "" : ' ' + factor()) + " S.\nQed.\n";
+  }
+
+  [[nodiscard]] std::string singular_theorem() const {
+    return "Theorem the_robot :" + (quantities_.empty() ? "" : " exists " + binders() + ',') +
+           "\n  " + set() + " /\\\n  determinant 6 (" + matrix("gough") +
+           ") = 0.\nProof.\n  destruct (singular_of_claim the_question the_claim) as [v S].\n" +
+           exists(&Quantity::of_pose) + "  by_singularity S.\nQed.\n";
+  }
+
+  /// Names a value of each quantity.
+  [[nodiscard]] std::string exists(std::string Quantity::*value) const {
+    std::vector<std::string> values;
     for (const bool are_points : {false, true})
-      for (const Quantity& quantity : quantities_)
-        if (quantity.is_point == are_points) witnesses.push_back(coq_argument(quantity.witness));
-    return "Theorem the_set_is_inhabited :" +
+      for (const Quantity& quantity : quantities_) {
+        if (quantity.is_point != are_points) continue;
+        if ((quantity.*value).empty())
+          throw Unfinished("the certificate has no quantity '" + quantity.name + "' at its pose");
+        values.push_back(coq_argument(quantity.*value));
+      }
+    return values.empty() ? "" : "  exists " + text_of(values, ",\n    ") + ".\n";
+  }
+
+  /// The middle of the ranges may not satisfy the constraints.
+  [[nodiscard]] std::string point_theorem() const {
+    if (claim_ == RobotClaim::kSingular) return "";
+    if (!is_middle_in_set())
+      return "\n(** No point of the set is known that is easy to write: the middle of the ranges "
+             "does "
+             "not satisfy\n    the constraints. *)\n";
+    return "\nTheorem the_set_is_inhabited :" +
            (quantities_.empty() ? "" : " exists " + binders() + ',') + "\n  " + set() +
-           ".\nProof.\n" +
-           (quantities_.empty() ? "" : "  exists " + text_of(witnesses, ",\n    ") + ".\n") +
-           "  by_point.\nQed.\n";
+           ".\nProof.\n" + exists(&Quantity::witness) + "  by_point.\nQed.\n";
+  }
+
+  [[nodiscard]] bool is_middle_in_set() const {
+    constexpr long kBits = 128;
+    const auto middles = evaluate(own_.graph, middles_, {}, kBits);
+    if (!middles) return false;
+    const auto values = evaluate(own_.graph, constraints_, *middles, kBits);
+    return values && std::ranges::all_of(*values, [](const Ball& value) {
+             return arb_is_nonpositive(value.get()) != 0;
+           });
   }
 
   static constexpr const char* kOfFile = "the ranges of the model file.";
@@ -388,6 +483,7 @@ class GeometryWriter {
   const Question& q_;
   const WrittenValues& values_;
   const bool may_differ_;
+  const RobotClaim claim_;
   const std::string motion_;  ///< "motion.NAME."
   const Names degrees_, hidden_;
   const std::unique_ptr<SectionReading> section_;
@@ -398,17 +494,20 @@ class GeometryWriter {
   std::map<std::string, std::string> commanded_;  ///< by pose parameter
   /// By the name of a variable of the certificate.
   std::map<std::string, std::string> of_certificate_;
-  std::vector<std::string> names_, witnesses_;  ///< of the variables of the graph
+  std::map<std::string, std::string> of_pose_;  ///< the same, at a pose that it names
+  /// By the number of a variable of the graph: its name, and values in Coq.
+  std::vector<std::string> names_, witnesses_, poses_;
+  std::vector<NodeId> middles_;  ///< of their ranges
   std::vector<Quantity> quantities_;
   std::vector<std::string> conditions_, pose_;
   std::vector<CoqItem> legs_;
-  bool has_constraints_ = false;
+  std::vector<NodeId> constraints_;
+  std::string threshold_;
 };
 
 }  // namespace
 
 std::string coq_geometry(const Question& question, const CoqModel& model) {
-  require_regular_claim(question);
   return GeometryWriter(question, model).write();
 }
 
