@@ -217,7 +217,10 @@ class PlainReader {
     for (const char* word : {":", "Prop"}) expect_word(words, word);
     geometric_definition(words.at, names, theorem);
     robot(names, has_legs, theorem);
-    if (at_ < sentences_.size()) point(names, theorem);
+    if (at_ < sentences_.size())
+      point(names, theorem);
+    else
+      theorem.may_be_empty = !is_singular_;
   }
 
   /// A sentence, and where its reader is.
@@ -314,10 +317,10 @@ class PlainReader {
   void robot(const std::vector<std::string>& names, bool has_legs, PlainTheorem& theorem) {
     constexpr const char* kName = "the_robot";
     Words words = theorem_named(kName);
-    const bool is_singular = words.next() == "exists" || (names.empty() && holds_zero());
-    expect_binders(words, is_singular ? "exists" : "forall", names);
+    is_singular_ = words.next() == "exists" || (names.empty() && holds_zero());
+    expect_binders(words, is_singular_ ? "exists" : "forall", names);
     expect_set(words, names);
-    expect_word(words, is_singular ? "/\\" : "->");
+    expect_word(words, is_singular_ ? "/\\" : "->");
     const auto is_of_matrix = [&](std::string_view word) {
       constexpr auto kMatrixWords = std::to_array<std::string_view>(
           {"full_column_rank", "determinant", "gough", "inverse_jacobian", "<", "="});
@@ -351,6 +354,7 @@ class PlainReader {
 
   std::vector<Sentence> sentences_;
   std::size_t at_ = 0, last_line_ = 1;
+  bool is_singular_ = false;  ///< the theorem about the robot names a pose
   std::set<std::string, std::less<>> defined_;
 };
 

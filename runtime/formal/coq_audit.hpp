@@ -27,6 +27,8 @@ struct PlainTheorem {
   /// import of Geometry.v alone, and the theorems.
   std::string definitions{};
   std::vector<PlainGeometry> geometry{};
+  /// They are about all points of a set, and nothing says that there is one.
+  bool may_be_empty = false;
 };
 
 /// Throws Rejection, with the line and what is not plain.

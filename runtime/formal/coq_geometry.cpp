@@ -20,7 +20,7 @@
 namespace regulus::verifier {
 namespace {
 
-constexpr std::size_t kLegs = 6;
+constexpr std::size_t kLegs = 6, kLine = 90;
 constexpr std::string_view kAxes = "xyz", kQuaternion = "quaternion";
 constexpr std::array<const char*, 3> kCoordinates = {"first ", "second ", "third "};
 
@@ -191,9 +191,9 @@ class GeometryWriter {
     Graph& graph = own_.graph;
     middles_.push_back(
         graph.add(Op::kDivide, graph.add(Op::kAdd, lower, upper), graph.number("2")));
-    const std::string witness = coq_argument(coq_real(graph, middles_.back(), {}));
+    const std::string witness = coq_real(graph, middles_.back(), {});
     names_.push_back(name);
-    witnesses_.push_back(witness);
+    witnesses_.push_back(coq_argument(witness));
     poses_.push_back(coq_argument(of_pose(stated_name)));
     quantities_.push_back({name, witness, of_pose(stated_name)});
     return graph.add(Op::kVariable, int(names_.size()) - 1);
@@ -450,7 +450,9 @@ class GeometryWriter {
           throw Unfinished("the certificate has no quantity '" + quantity.name + "' at its pose");
         values.push_back(coq_argument(quantity.*value));
       }
-    return values.empty() ? "" : "  exists " + text_of(values, ",\n    ") + ".\n";
+    if (values.empty()) return "";
+    const std::string line = text_of(values, ", ");
+    return "  exists " + (line.size() < kLine ? line : text_of(values, ",\n    ")) + ".\n";
   }
 
   /// The middle of the ranges may not satisfy the constraints.

@@ -83,7 +83,7 @@ ProvedTheorem prove_by_coq(std::string_view text, const std::string& library, do
   const Coqc::Answer answer = coqc.compile("audit", statements_anew(theorem));
   require(answer, "the theorem does not state its claim: ");
   check_assumptions(answer.text);
-  ProvedTheorem proved{{theorem.statement}};
+  ProvedTheorem proved{{theorem.statement}, theorem.may_be_empty};
   for (const PlainGeometry& robot : theorem.geometry)
     proved.statements.push_back(robot.name + " : " + robot.statement);
   return proved;

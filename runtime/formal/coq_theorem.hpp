@@ -11,6 +11,7 @@ namespace regulus::verifier {
 /// The claim, then the theorems about a robot.
 struct ProvedTheorem {
   std::vector<std::string> statements;
+  bool may_be_empty = false;  ///< as in PlainTheorem
 };
 
 /// Proves the theorem of a file of the plain grammar (coq_audit.hpp) by coqc. A second file, of this

@@ -237,6 +237,8 @@ void prove(const Usage& usage, const std::string& text) {
   if (!usage.quiet)
     for (const std::string& statement : theorem.statements)
       std::cerr << "theorem    " << statement << '\n';
+  if (!usage.quiet && theorem.may_be_empty)
+    std::cerr << "note       nothing in the file says that the_set has a point\n";
   std::cout << "PROVED\n";
 }
 
