@@ -177,6 +177,7 @@ Qed.
 
 (** The k-th quantity of a certificate. *)
 Definition quantity (v : list R) (k : nat) : R := nth k v 0.
+Definition no_quantities : list R := [].
 
 Lemma singular_of_claim q : singularity q -> exists v, Forall2 in_range v (ranges q) /\
   determinant (columns q) (entry q (extend v (definitions q))) = 0.
@@ -266,14 +267,14 @@ Ltac in_certificate S :=
   coordinates; conditions S; repeat match goal with S : _ /\ _ |- _ => destruct S end;
   apply in_set_of_lists;
   [ computed; repeat apply Forall2_cons; try apply Forall2_nil;
-    first [numbers | fail 1 "a range of the model file is not in that of the certificate"]
+    first [numbers | fail 1 "no proof that a range of the model file is in that of the certificate"]
   | computed; repeat apply Forall_cons; try apply Forall_nil;
-    first [numbers | fail 1 "a constraint of the certificate is not in the model file"] ].
+    first [numbers | fail 1 "no proof that a constraint of the certificate is in the model file"] ].
 
 Ltac same_numbers := hide_values; repeat apply same_head; first [apply same_end | lra].
 Ltac same_entries D := coordinates; computed;
   first [ clear D; same_numbers | quotients D
-        | fail 1 "an entry of the matrix of the certificate is not that of the model file" ].
+        | fail 1 "no proof that an entry of the certificate is that of the model file" ].
 
 (** [claim] is about the question of a certificate, at the point [x] of its set; [S] says that the
     quantities of the robot are in theirs. The matrix of the question is [c] times that of the
@@ -289,9 +290,9 @@ Ltac by_threshold claim x S :=
   [ in_certificate S | pose proof I as D; clear S; same_entries D
   | clear S; coordinates; computed;
     first [ same_numbers
-          | fail 1 "a length of a leg of the certificate is not that of the model file" ]
+          | fail 1 "no proof that a scale of the certificate is that of the model file" ]
   | reflexivity | reflexivity
-  | first [numbers | fail 1 "the threshold of the certificate is below that of the model file"] ].
+  | first [numbers | fail 1 "no proof that the threshold of the model file is the lower one"] ].
 
 (** [S] is about a point of the set of a certificate at which the determinant is 0. *)
 Ltac by_singularity S :=
@@ -303,7 +304,7 @@ Ltac by_singularity S :=
   apply no_more_quantities in F; rewrite F in *; clear F;
   split;
   [ repeat match goal with r : _ /\ _ |- _ => destruct r end; hnf; computed; repeat split;
-    first [numbers | fail 1 "a range of the certificate is not in that of the model file"]
+    first [numbers | fail 1 "no proof that a range of the certificate is in that of the model file"]
   | refine (singular_of_values _ _ _ _ _ _ D);
     [reflexivity | let N := fresh in pose proof I as N; same_entries N] ].
 
@@ -311,4 +312,4 @@ Ltac by_singularity S :=
 Ltac by_point :=
   hnf; computed; rewrite ?degrees_of_degrees; repeat split;
   first [ lra | pose proof PI_RGT_0; hide_values; lra | interval
-        | fail 1 "the point is not in the set" ].
+        | fail 1 "no proof that the point is in the set" ].

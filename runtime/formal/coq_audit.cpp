@@ -61,7 +61,7 @@ constexpr auto kRealWords = std::to_array<std::string_view>(
 /// More words of a proof: they have a meaning for Coq, and none for a reader.
 constexpr auto kProofWords = std::to_array<std::string_view>(
     {"intros", "S", "by_geometry", "by_threshold", "by_singularity", "by_point", "destruct", "as",
-     "v", "exists", "quantity", "singular_of_claim", "the_question", "the_claim"});
+     "v", "exists", "quantity", "singular_of_claim", "no_quantities", "the_question", "the_claim"});
 constexpr auto kRealSymbols = std::to_array<std::string_view>(
     {"(", ")", "[", "]", ";", ",", "+", "-", "*", "/", "^", "<=", "/\\"});
 

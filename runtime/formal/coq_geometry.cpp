@@ -189,31 +189,70 @@ class GeometryWriter {
     conditions_.push_back(text("lower " + stated_name, place + "[0]") + " <= " + name +
                           " <= " + text("upper " + stated_name, place + "[1]"));
     Graph& graph = own_.graph;
-    middles_.push_back(
-        graph.add(Op::kDivide, graph.add(Op::kAdd, lower, upper), graph.number("2")));
-    const std::string witness = coq_real(graph, middles_.back(), {});
+    const NodeId sum = graph.add(Op::kAdd, lower, upper);
+    return variable(name, graph.add(Op::kDivide, sum, graph.number("2")), of_pose(stated_name));
+  }
+
+  /// Adds a quantity, and returns its node.
+  NodeId variable(const std::string& name, NodeId middle, const std::string& of_pose) {
+    const std::string witness = coq_real(own_.graph, middle, witnesses_);
     names_.push_back(name);
+    middles_.push_back(middle);
     witnesses_.push_back(coq_argument(witness));
-    poses_.push_back(coq_argument(of_pose(stated_name)));
-    quantities_.push_back({name, witness, of_pose(stated_name)});
-    return graph.add(Op::kVariable, int(names_.size()) - 1);
+    poses_.push_back(coq_argument(of_pose));
+    quantities_.push_back({name, witness, of_pose});
+    return own_.graph.add(Op::kVariable, int(names_.size()) - 1);
   }
 
   void read_geometry() {
     constexpr std::string_view kTable = "geometry.";
+    std::set<std::string> names;
     for (auto place = values_.lower_bound(kTable);
          place != values_.end() && place->first.starts_with(kTable); ++place) {
-      std::string name = place->first.substr(kTable.size());
-      if (name.ends_with(".tolerance") || name.ends_with(".radius"))
-        refuse_model("a tolerance in [geometry]");
-      if (name.ends_with(".group")) continue;
-      if (const std::size_t value = name.find(".value"); value != std::string::npos)
-        name.erase(value, std::string_view(".value").size());
-      if (const std::size_t bracket = name.find('['); bracket != std::string::npos)
-        name = name.substr(0, bracket) + '_' +
-               std::to_string(std::stoul(name.substr(bracket + 1)) + 1);
-      scope_[name] = node_at(place->first);
+      const std::string rest = place->first.substr(kTable.size());
+      names.insert(rest.substr(0, rest.find_first_of(".[")));
     }
+    for (const std::string& name : names) read_constant(std::string(kTable) + name, name);
+  }
+
+  /// A number, or a list of coordinates: NAME_1, …
+  void read_constant(const std::string& place, const std::string& name) {
+    const std::string value = has_below(place + '.') ? place + ".value" : place;
+    std::vector<std::pair<std::string, std::string>> coordinates;  // place and name
+    if (has(value)) coordinates.emplace_back(value, name);
+    for (std::size_t i = 0; has(value + index(i)); ++i)
+      coordinates.emplace_back(value + index(i), name + '_' + std::to_string(i + 1));
+    const bool is_ball = has(place + ".radius");
+    const std::string key = place + (is_ball ? ".radius" : ".tolerance");
+    std::optional<std::string> tolerance = stated("spread " + coordinates.at(0).second);
+    if (!tolerance && has(key)) tolerance = text_at(key);
+    if (!tolerance || *tolerance == "0") {
+      for (const auto& [at, own] : coordinates) {
+        scope_[own] = node_at(at);
+        of_certificate_[own] = text_at(at);
+      }
+      return;
+    }
+    if (is_ball && coordinates.size() != kAxes.size()) refuse_model("a ball in the plane");
+    read_uncertain(coordinates, coq_argument(*tolerance), is_ball);
+  }
+
+  void read_uncertain(const std::vector<std::pair<std::string, std::string>>& coordinates,
+                      const std::string& tolerance, bool is_ball) {
+    are_legs_certain_ = false;
+    std::vector<std::string> values, names;
+    for (const auto& [at, own] : coordinates) {
+      values.push_back(text_at(at));
+      names.push_back(coq_identifier(own));
+      if (!is_ball)
+        conditions_.push_back("near " + tolerance + ' ' + coq_argument(values.back()) + ' ' +
+                              names.back());
+      of_certificate_[own] = names.back();
+      scope_[own] = variable(names.back(), node_at(at), is_ball ? "" : of_pose(own));
+    }
+    if (is_ball)
+      conditions_.push_back("in_ball " + tolerance + " (" + text_of(values, ", ") + ") (" +
+                            text_of(names, ", ") + ')');
   }
 
   void read_parameters() {
@@ -301,6 +340,7 @@ class GeometryWriter {
           is_certain ? "0" : actual + " - " + coq_argument(coordinates[axis]);
     }
     if (is_certain) return middle;
+    are_legs_certain_ = false;
     conditions_.push_back((written.is_ball ? "in_ball " : "in_cube ") + coq_argument(*tolerance) +
                           ' ' + middle + ' ' + name);
     std::vector<std::string> at_pose;
@@ -392,7 +432,7 @@ class GeometryWriter {
                          "' of the certificate");
       values.push_back(value->second);
     }
-    return '[' + text_of(values, "; ") + ']';
+    return values.empty() ? "no_quantities" : '[' + text_of(values, "; ") + ']';
   }
 
   [[nodiscard]] std::string text() const {
@@ -404,7 +444,7 @@ class GeometryWriter {
   }
 
   [[nodiscard]] std::string legs_text() const {
-    if (has_points()) return "";
+    if (!are_legs_certain_) return "";
     return "(** The legs of the model file, each with its anchors on the base and on the platform. "
            "*)\n"
            "Definition legs : list leg :=\n  " +
@@ -412,7 +452,8 @@ class GeometryWriter {
   }
 
   [[nodiscard]] std::string matrix(const char* word) const {
-    const std::string legs = has_points() ? "\n    " + coq_list(legs_, "     ") + "\n   " : " legs";
+    const std::string legs =
+        !are_legs_certain_ ? "\n    " + coq_list(legs_, "     ") + "\n   " : " legs";
     return std::string(word) + legs + ' ' + position() + ' ' + orientation();
   }
 
@@ -505,6 +546,7 @@ class GeometryWriter {
   std::vector<CoqItem> legs_;
   std::vector<NodeId> constraints_;
   std::string threshold_;
+  bool are_legs_certain_ = true;
 };
 
 }  // namespace
