@@ -184,26 +184,33 @@ std::string read_and_write(Lines& lines, CoqStatement statement, Question& quest
   return heading(question) + coq.text + method(coq) + regular_theorem(question, false);
 }
 
-/// The theorem about the robot of the model file; nothing, with the reason, if there is none.
-std::string geometry(const Question& question, const CoqModel& model, std::string* why) try {
-  return coq_geometry(question, model);
-} catch (const std::runtime_error& reason) {
-  *why = reason.what();
-  return "";
+/// `question` is complete after this.
+std::string proof_of(std::istream& certificate, CoqStatement statement, Question& question) {
+  Lines lines(certificate);
+  try {
+    return read_and_write(lines, statement, question);
+  } catch (const Rejection& why) {
+    throw Rejection("line " + std::to_string(lines.number()) + ": " + why.what());
+  }
 }
 
 }  // namespace
 
-std::string coq_proof(std::istream& certificate, CoqStatement statement, const CoqModel* model,
-                      std::string* why) {
-  Lines lines(certificate);
+std::string coq_proof(std::istream& certificate, CoqStatement statement) {
   Question question;
+  return proof_of(certificate, statement, question);
+}
+
+std::string coq_proof(std::istream& certificate, CoqStatement statement, const CoqModel& model,
+                      CoqRobot& robot) {
+  Question question;
+  std::string text = proof_of(certificate, statement, question);
   try {
-    const std::string text = read_and_write(lines, statement, question);
-    return model == nullptr ? text : text + geometry(question, *model, why);
-  } catch (const Rejection& rejection) {
-    throw Rejection("line " + std::to_string(lines.number()) + ": " + rejection.what());
+    robot.text = coq_geometry(question, model);
+  } catch (const std::runtime_error& why) {
+    robot.reason = why.what();
   }
+  return text;
 }
 
 }  // namespace regulus::verifier

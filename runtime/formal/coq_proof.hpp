@@ -19,11 +19,17 @@ enum class CoqStatement {
 /// after the line `proof` of a claim NO SINGULARITY is read. Throws Rejection if the file is not a
 /// certificate; Unfinished if the library has no theorem for such a claim: SINGULARITY of a robot
 /// that is always singular, or at a point without a double; or if the certificate is not that of a force.
-///
-/// `model`: may be null. With it, the theorem about the robot of the model file follows
-/// (coq_geometry.hpp). If there is none, `why` gets the reason.
 [[nodiscard]] std::string coq_proof(std::istream& certificate,
-                                    CoqStatement statement = CoqStatement::kClaim,
-                                    const CoqModel* model = nullptr, std::string* why = nullptr);
+                                    CoqStatement statement = CoqStatement::kClaim);
+
+/// The sentences that may follow, about the robot of a model file (coq_geometry.hpp).
+struct CoqRobot {
+  std::string text;
+  std::string reason;  ///< if there are none
+};
+
+/// The same; `robot` gets what may follow.
+[[nodiscard]] std::string coq_proof(std::istream& certificate, CoqStatement statement,
+                                    const CoqModel& model, CoqRobot& robot);
 
 }  // namespace regulus::verifier

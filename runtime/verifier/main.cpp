@@ -188,17 +188,17 @@ void write_file(const std::string& name, const std::string& text) try {
   throw std::runtime_error("the file '" + name + "' cannot " + error.what());
 }
 
-/// Returns the text of the file. `why`: gets the reason if it has no theorem about the model file.
-std::string theorem_of(const Usage& usage, std::string& why) {
+/// Returns the text of the file, without the theorem about the robot of the model file.
+std::string theorem_of(const Usage& usage, regulus::verifier::CoqRobot& robot) {
   regulus::verifier::InputFile bytes(usage.certificate);
   std::istream file(&bytes);
   const auto statement = usage.is_force ? regulus::verifier::CoqStatement::kForce
                                         : regulus::verifier::CoqStatement::kClaim;
   if (usage.model.empty()) return regulus::verifier::coq_proof(file, statement);
   const std::string model = regulus::verifier::read_text(usage.model, kMaxModelBytes);
-  const regulus::verifier::CoqModel robot{regulus::verifier::read_model_values(model),
-                                          usage.options.all_overridden};
-  return regulus::verifier::coq_proof(file, statement, &robot, &why);
+  const regulus::verifier::CoqModel read{regulus::verifier::read_model_values(model),
+                                         usage.options.all_overridden};
+  return regulus::verifier::coq_proof(file, statement, read, robot);
 }
 
 /// Calls `act`. Returns the exit code: that of the answer if there is no theorem.
@@ -223,10 +223,10 @@ int unless_refused(const Usage& usage, Act act) {
 
 int write_coq(const Usage& usage) {
   return unless_refused(usage, [&] {
-    std::string why;
-    const std::string text = theorem_of(usage, why);
-    if (!why.empty()) throw regulus::verifier::Unfinished(why);
-    write_file(usage.coq, text);
+    regulus::verifier::CoqRobot robot;
+    const std::string text = theorem_of(usage, robot);
+    if (!robot.reason.empty()) throw regulus::verifier::Unfinished(robot.reason);
+    write_file(usage.coq, text + robot.text);
   });
 }
 
@@ -247,6 +247,26 @@ int audit(const Usage& usage) {
   return unless_refused(usage, [&] { prove(usage, text); });
 }
 
+/// Writes the file, and lets Coq prove it.
+void write_and_prove(const Usage& usage, const std::string& file, const std::string& text) {
+  write_file(file, text);
+  if (!usage.quiet) std::cerr << "file       " << file << '\n';
+  prove(usage, text);
+}
+
+/// The verifier has compared the claim with the model file. If Coq cannot, the claim alone is left.
+void prove_with_robot(const Usage& usage, const std::string& file) {
+  regulus::verifier::CoqRobot robot;
+  const std::string text = theorem_of(usage, robot);
+  if (!robot.text.empty()) try {
+      return write_and_prove(usage, file, text + robot.text);
+    } catch (const regulus::verifier::Rejection& why) {
+      robot.reason = why.what();
+    }
+  if (!usage.quiet && !robot.reason.empty()) std::cerr << "geometry   " << robot.reason << '\n';
+  write_and_prove(usage, file, text);
+}
+
 int prove_theorem(Usage& usage) {
   if (!usage.model.empty()) {
     const Verification v = verify_and_describe(usage);
@@ -256,14 +276,7 @@ int prove_theorem(Usage& usage) {
     }
   }
   const std::string file = usage.coq.empty() ? usage.certificate + ".v" : usage.coq;
-  return unless_refused(usage, [&] {
-    std::string why;
-    const std::string text = theorem_of(usage, why);
-    write_file(file, text);
-    if (!usage.quiet) std::cerr << "file       " << file << '\n';
-    if (!usage.quiet && !why.empty()) std::cerr << "geometry   " << why << '\n';
-    prove(usage, text);
-  });
+  return unless_refused(usage, [&] { prove_with_robot(usage, file); });
 }
 
 int answer(Usage& usage) {
