@@ -44,8 +44,10 @@ class RealWriter {
     return {value.text(), level};
   }
 
+  /// "*-" may be one word of Coq.
   [[nodiscard]] Text binary(const Node& node, const char* sign, Level level) const {
-    return {at(node.a, level) + sign + at(node.b, Level(int(level) + 1)), level};
+    const Level right = level == Level::kSum ? Level::kProduct : Level::kPower;
+    return {at(node.a, level) + sign + at(node.b, right), level};
   }
 
   /// The angle of one degree has a name.
