@@ -189,6 +189,25 @@ Lemma singular_of_values q x l n : columns q = n ->
   determinant n (matrix_of l) = 0.
 Proof. intros <- E. rewrite (determinant_of_values _ _ _ E). auto. Qed.
 
+Definition small_determinant (q : question) (scales : list expression) (v : list R) : R :=
+  Rabs (determinant (columns q) (entry q (extend v (definitions q)))
+        * product (map (value (extend v (definitions q))) scales)).
+
+Lemma small_of_claim q scales threshold : determinant_not_above q scales threshold ->
+  exists v, Forall2 in_range v (ranges q) /\
+    small_determinant q scales v <= value [] threshold.
+Proof. intros [_ [_ [v [[F _] [_ [_ D]]]]]]. exists v. auto. Qed.
+
+Lemma small_of_values q scales x l s n limit threshold : columns q = n ->
+  map (map (value (extend x (definitions q)))) (matrix q) = l ->
+  map (value (extend x (definitions q))) scales = map Rinv s -> length s = n ->
+  value [] threshold <= limit -> small_determinant q scales x <= value [] threshold ->
+  Rabs (determinant n (divided s (matrix_of l))) <= limit.
+Proof.
+  unfold small_determinant. intros <- M E L T D.
+  rewrite (determinant_of_values _ _ _ M), E in D. rewrite <- L, determinant_divided, L. lra.
+Qed.
+
 Lemma quantities_of_ranges {A B} (P : A -> B -> Prop) v b m : Forall2 P v (b :: m) ->
   exists a w, v = a :: w /\ P a b /\ Forall2 P w m.
 Proof. intros F. inversion F. eauto. Qed.
@@ -285,17 +304,18 @@ Ltac by_geometry claim x c S :=
   | reflexivity | reflexivity ].
 
 (** The same for a threshold. *)
+Ltac same_scales := coordinates; computed;
+  first [ same_numbers
+        | fail 1 "no proof that a scale of the certificate is that of the model file" ].
+Ltac lower_threshold := first [numbers |
+  fail 1 "no proof that the threshold of the certificate is good enough for the model file"].
 Ltac by_threshold claim x S :=
   apply (above_of_claim _ _ _ x _ _ _ _ claim);
-  [ in_certificate S | pose proof I as D; clear S; same_entries D
-  | clear S; coordinates; computed;
-    first [ same_numbers
-          | fail 1 "no proof that a scale of the certificate is that of the model file" ]
-  | reflexivity | reflexivity
-  | first [numbers | fail 1 "no proof that the threshold of the model file is the lower one"] ].
+  [ in_certificate S | clear S; let N := fresh in pose proof I as N; same_entries N
+  | clear S; same_scales | reflexivity | reflexivity | lower_threshold ].
 
-(** [S] is about a point of the set of a certificate at which the determinant is 0. *)
-Ltac by_singularity S :=
+(** [S] is about a point of the set of a certificate. *)
+Ltac by_pose S close :=
   let F := fresh "F" in let D := fresh "D" in destruct S as [F D];
   match type of F with Forall2 _ _ ?r => let l := eval hnf in r in change r with l in F end;
   repeat (apply quantities_of_ranges in F;
@@ -305,8 +325,16 @@ Ltac by_singularity S :=
   split;
   [ repeat match goal with r : _ /\ _ |- _ => destruct r end; hnf; computed; repeat split;
     first [numbers | fail 1 "no proof that a range of the certificate is in that of the model file"]
-  | refine (singular_of_values _ _ _ _ _ _ D);
-    [reflexivity | let N := fresh in pose proof I as N; same_entries N] ].
+  | close D ].
+
+(** At this point the determinant is 0; or at most the threshold. *)
+Ltac by_singularity S := by_pose S ltac:(fun D =>
+  refine (singular_of_values _ _ _ _ _ _ D);
+  [reflexivity | let N := fresh in pose proof I as N; same_entries N]).
+Ltac by_small_determinant S := by_pose S ltac:(fun D =>
+  refine (small_of_values _ _ _ _ _ _ _ _ _ _ _ _ _ D);
+  [ reflexivity | let N := fresh in pose proof I as N; clear D; same_entries N
+  | clear D; same_scales | reflexivity | clear D; lower_threshold ]).
 
 (** A point of the set has been named. *)
 Ltac by_point :=

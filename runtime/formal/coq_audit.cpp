@@ -61,7 +61,8 @@ constexpr auto kRealWords = std::to_array<std::string_view>(
 /// More words of a proof: they have a meaning for Coq, and none for a reader.
 constexpr auto kProofWords = std::to_array<std::string_view>(
     {"intros", "S", "by_geometry", "by_threshold", "by_singularity", "by_point", "destruct", "as",
-     "v", "exists", "quantity", "singular_of_claim", "no_quantities", "the_question", "the_claim"});
+     "v", "exists", "quantity", "singular_of_claim", "by_small_determinant", "small_of_claim",
+     "the_scales", "the_threshold", "no_quantities", "the_question", "the_claim"});
 constexpr auto kRealSymbols = std::to_array<std::string_view>(
     {"(", ")", "[", "]", ";", ",", "+", "-", "*", "/", "^", "<=", "/\\"});
 
@@ -313,11 +314,11 @@ class PlainReader {
     expect("Proof");
   }
 
-  /// One of three claims: full rank, a determinant above a threshold, or one that is 0.
+  /// Full rank or a large determinant at all poses, or a determinant that is small or 0 at one.
   void robot(const std::vector<std::string>& names, bool has_legs, PlainTheorem& theorem) {
     constexpr const char* kName = "the_robot";
     Words words = theorem_named(kName);
-    is_singular_ = words.next() == "exists" || (names.empty() && holds_zero());
+    is_singular_ = words.next() == "exists" || (names.empty() && names_a_pose());
     expect_binders(words, is_singular_ ? "exists" : "forall", names);
     expect_set(words, names);
     expect_word(words, is_singular_ ? "/\\" : "->");
@@ -331,8 +332,10 @@ class PlainReader {
     geometric_proof(names);
   }
 
-  /// The sentence ends with `= 0`.
-  [[nodiscard]] bool holds_zero() const { return current().ends_with("= 0"); }
+  /// A motion without quantities has one pose.
+  [[nodiscard]] bool names_a_pose() const {
+    return current().find("the_set /\\ ") != std::string::npos;
+  }
 
   void point(const std::vector<std::string>& names, PlainTheorem& theorem) {
     constexpr const char* kName = "the_set_is_inhabited";

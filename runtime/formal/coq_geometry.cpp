@@ -39,18 +39,15 @@ std::string text_of(const std::vector<std::string>& parts, const char* between) 
   return text;
 }
 
-enum class RobotClaim { kRegular, kAbove, kSingular };
+enum class RobotClaim { kRegular, kAbove, kSingular, kSmall };
 
 RobotClaim claim_of(const Question& q) {
   if (q.is_piecewise) throw Unfinished("there is no theorem about way-points of a model file yet");
-  if (q.load || q.quantity || q.closure || q.solutions || (q.singular && q.has_threshold))
+  if (q.load || q.quantity || q.closure || q.solutions)
     throw Unfinished(
-        "the theorem about a model file is for the claims NO SINGULARITY, and SINGULARITY without "
-        "a "
-        "threshold");
-  return q.singular        ? RobotClaim::kSingular
-         : q.has_threshold ? RobotClaim::kAbove
-                           : RobotClaim::kRegular;
+        "the theorem about a model file is for the claims NO SINGULARITY and SINGULARITY");
+  if (q.singular) return q.has_threshold ? RobotClaim::kSmall : RobotClaim::kSingular;
+  return q.has_threshold ? RobotClaim::kAbove : RobotClaim::kRegular;
 }
 
 /// A quantity of the theorem: its identifier, a value in the set, and its value at the pose of a
@@ -133,7 +130,7 @@ class GeometryWriter {
     const std::string place = motion_ + "alpha";
     const std::string written = has(place) ? text_at(place) : "0";
     threshold_ = stated("alpha ").value_or(written);
-    if (claim_ != RobotClaim::kAbove && threshold_ != "0")
+    if (!q_.has_threshold && threshold_ != "0")
       throw Unfinished(
           "the motion of the model file has a threshold, and the certificate has none");
   }
@@ -458,14 +455,16 @@ class GeometryWriter {
   }
 
   [[nodiscard]] std::string robot_theorem() const {
-    return claim_ == RobotClaim::kSingular ? singular_theorem() : regular_theorem();
+    return q_.singular ? singular_theorem() : regular_theorem();
+  }
+  [[nodiscard]] std::string size_of_determinant() const {
+    return "Rabs (determinant 6 (" + matrix("inverse_jacobian") + "))";
   }
 
   [[nodiscard]] std::string regular_theorem() const {
     const bool is_above = claim_ == RobotClaim::kAbove;
     const std::string conclusion = is_above
-                                       ? coq_argument(threshold_) + " < Rabs (determinant 6 (" +
-                                             matrix("inverse_jacobian") + "))"
+                                       ? coq_argument(threshold_) + " < " + size_of_determinant()
                                        : "full_column_rank 6 6 (" + matrix("gough") + ')';
     return "Theorem the_robot :" + (quantities_.empty() ? "" : " forall " + binders() + ',') +
            "\n  " + set() + " ->\n  " + conclusion + ".\nProof.\n  intros" +
@@ -475,10 +474,16 @@ class GeometryWriter {
   }
 
   [[nodiscard]] std::string singular_theorem() const {
+    const bool is_small = claim_ == RobotClaim::kSmall;
+    const std::string conclusion = is_small
+                                       ? size_of_determinant() + " <= " + coq_argument(threshold_)
+                                       : "determinant 6 (" + matrix("gough") + ") = 0";
     return "Theorem the_robot :" + (quantities_.empty() ? "" : " exists " + binders() + ',') +
-           "\n  " + set() + " /\\\n  determinant 6 (" + matrix("gough") +
-           ") = 0.\nProof.\n  destruct (singular_of_claim the_question the_claim) as [v S].\n" +
-           exists(&Quantity::of_pose) + "  by_singularity S.\nQed.\n";
+           "\n  " + set() + " /\\\n  " + conclusion + ".\nProof.\n  destruct (" +
+           (is_small ? "small_of_claim the_question the_scales the_threshold"
+                     : "singular_of_claim the_question") +
+           " the_claim) as [v S].\n" + exists(&Quantity::of_pose) +
+           (is_small ? "  by_small_determinant" : "  by_singularity") + " S.\nQed.\n";
   }
 
   /// Names a value of each quantity.
@@ -498,7 +503,7 @@ class GeometryWriter {
 
   /// The middle of the ranges may not satisfy the constraints.
   [[nodiscard]] std::string point_theorem() const {
-    if (claim_ == RobotClaim::kSingular) return "";
+    if (q_.singular) return "";
     if (!is_middle_in_set())
       return "\n(** No point of the set is known that is easy to write: the middle of the ranges "
              "does "

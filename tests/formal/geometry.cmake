@@ -64,6 +64,7 @@ expect_robot(singular ${models}/robot_1.toml wide_40 "exists ( x y z psi theta p
 expect_robot(yaw ${models}/octahedral.toml level_91 "( roll_pitch_yaw 0 0 yaw ) ) = 0")
 expect_robot(threshold ${models}/robot_1.toml table6_5_5 "1 < Rabs ( determinant 6 ( inverse_jacobian legs"
              --alpha 1)
+expect_robot(small ${models}/robot_1.toml table6_5_5 "( euler_zxz psi theta phi ) ) ) <= 10" --alpha 10)
 expect_robot(ring ${own}/quaternion.toml ring "the_set")
 file(READ ${WORK_DIR}/ring.txt.v text)
 if(NOT text MATCHES "No point of the set is known")
