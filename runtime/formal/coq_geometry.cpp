@@ -81,6 +81,7 @@ class GeometryWriter {
     read_poses();
     read_anchors();
     read_constraints();
+    require_all_read();
     return text();
   }
 
@@ -125,6 +126,15 @@ class GeometryWriter {
     }
   }
 
+  /// What has not been read may change the set or the robot.
+  void require_all_read() const {
+    for (const std::string& table :
+         {motion_, std::string("gough.base["), std::string("gough.platform[")})
+      for (auto place = values_.lower_bound(table);
+           place != values_.end() && place->first.starts_with(table); ++place)
+        if (!read_.contains(place->first)) refuse_model("the key " + place->first);
+  }
+
   /// A claim without a threshold says nothing about one.
   void read_threshold() {
     const std::string place = motion_ + "alpha";
@@ -140,6 +150,7 @@ class GeometryWriter {
   /// The number or the expression at a place, with the names of the motion.
   [[nodiscard]] NodeId node_at(const std::string& place, bool in_degrees = false) {
     if (!has(place)) throw Unfinished("the model file has no " + place);
+    read_.insert(place);
     return expressions_.at(place, scope_, in_degrees);
   }
   [[nodiscard]] std::string text_at(const std::string& place, bool in_degrees = false) {
@@ -170,8 +181,9 @@ class GeometryWriter {
   [[nodiscard]] NodeId end_at(const std::string& place, const std::string& stated_end,
                               bool in_degrees) {
     const auto found = q_.stated.find(stated_end);
-    if (may_differ_ && found != q_.stated.end()) return parse(found->second.text, {}, own_.graph);
-    return node_at(place, in_degrees);
+    if (!may_differ_ || found == q_.stated.end()) return node_at(place, in_degrees);
+    read_.insert(place);
+    return parse(found->second.text, {}, own_.graph);
   }
 
   /// A variable in a range.
@@ -221,9 +233,8 @@ class GeometryWriter {
       coordinates.emplace_back(value + index(i), name + '_' + std::to_string(i + 1));
     const bool is_ball = has(place + ".radius");
     const std::string key = place + (is_ball ? ".radius" : ".tolerance");
-    std::optional<std::string> tolerance = stated("spread " + coordinates.at(0).second);
-    if (!tolerance && has(key)) tolerance = text_at(key);
-    if (!tolerance || *tolerance == "0") {
+    const std::string tolerance = tolerance_at(key, coordinates.at(0).second);
+    if (tolerance == "0") {
       for (const auto& [at, own] : coordinates) {
         scope_[own] = node_at(at);
         of_certificate_[own] = text_at(at);
@@ -231,7 +242,7 @@ class GeometryWriter {
       return;
     }
     if (is_ball && coordinates.size() != kAxes.size()) refuse_model("a ball in the plane");
-    read_uncertain(coordinates, coq_argument(*tolerance), is_ball);
+    read_uncertain(coordinates, coq_argument(tolerance), is_ball);
   }
 
   void read_uncertain(const std::vector<std::pair<std::string, std::string>>& coordinates,
@@ -280,6 +291,7 @@ class GeometryWriter {
     const bool is_freed = may_differ_ && q_.stated.contains("lower " + name);
     if (!has(place + "[0]") && !is_freed) return;
     const bool in_degrees = degrees_.contains(name);
+    read_.insert(place);  // An option may have freed a value.
     const std::string own = error_of(name, in_degrees).empty() ? name : name + "_commanded";
     commanded_[name] = of_certificate_[name] = own;
     scope_[name] = ranged(own, place, name, in_degrees);
@@ -310,8 +322,20 @@ class GeometryWriter {
 
   [[nodiscard]] std::string error_of(const std::string& name, bool in_degrees) {
     const std::string place = motion_ + "error." + name;
+    read_.insert(place);
     if (const auto error = stated("error " + name)) return *error;
     return has(place) ? text_at(place, in_degrees) : "";
+  }
+
+  /// Returns the tolerance of a quantity of the certificate: the error of an expression has another
+  /// name.
+  [[nodiscard]] std::string tolerance_at(const std::string& key, const std::string& name) {
+    if (has(key)) read_.insert(key);
+    for (const std::string& own : {name, name + "_error"}) {
+      if (const auto spread = stated("spread " + own)) return *spread;
+      if (stated("value " + own)) return "0";
+    }
+    return has(key) ? text_at(key) : "0";
   }
 
   // Anchors.
@@ -321,14 +345,15 @@ class GeometryWriter {
     const SectionQuantity written = section_quantity(
         values_, "gough." + side + index(leg), {"gough." + side + "_tolerance", ""},
         word("gough.tolerance_shape", "box") == "ball");
-    std::vector<std::string> coordinates;
-    for (std::size_t axis = 0; axis < kAxes.size(); ++axis)
+    std::vector<std::string> coordinates, witnesses;
+    for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
       coordinates.push_back(text_at(written.value + index(axis)));
+      witnesses.push_back(witness_of(node_at(written.value + index(axis))));
+    }
     const std::string middle = '(' + text_of(coordinates, ", ") + ')';
     const std::string name = letter + std::to_string(leg + 1);
-    std::optional<std::string> tolerance = stated("spread " + name + "_x");
-    if (!tolerance && has(written.tolerance.key)) tolerance = text_at(written.tolerance.key);
-    const bool is_certain = !tolerance || *tolerance == "0";
+    const std::string tolerance = tolerance_at(written.tolerance.key, name + "_x");
+    const bool is_certain = tolerance == "0";
     for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
       const std::string own = name + '_' + kAxes[axis];
       const std::string actual = is_certain ? coordinates[axis] : kCoordinates[axis] + name;
@@ -338,12 +363,14 @@ class GeometryWriter {
     }
     if (is_certain) return middle;
     are_legs_certain_ = false;
-    conditions_.push_back((written.is_ball ? "in_ball " : "in_cube ") + coq_argument(*tolerance) +
+    conditions_.push_back((written.is_ball ? "in_ball " : "in_cube ") + coq_argument(tolerance) +
                           ' ' + middle + ' ' + name);
     std::vector<std::string> at_pose;
     for (const char axis : kAxes) at_pose.push_back(of_pose(name + '_' + axis));
     const bool is_known = std::ranges::find(at_pose, "") == at_pose.end() && !written.is_ball;
-    quantities_.push_back({name, middle, is_known ? '(' + text_of(at_pose, ", ") + ')' : "", true});
+    const std::string witness = '(' + text_of(witnesses, ", ") + ')';
+    quantities_.push_back(
+        {name, witness, is_known ? '(' + text_of(at_pose, ", ") + ')' : "", true});
     return name;
   }
 
@@ -550,6 +577,7 @@ class GeometryWriter {
   std::vector<std::string> conditions_, pose_;
   std::vector<CoqItem> legs_;
   std::vector<NodeId> constraints_;
+  std::set<std::string> read_;  ///< places of the file
   std::string threshold_;
   bool are_legs_certain_ = true;
 };

@@ -58,7 +58,7 @@ expect_robot(degrees ${own}/degrees.toml box "( roll_pitch_yaw ( roll * deg ) ( 
 expect_robot(path ${own}/degrees.toml path "( _t ^ 2 , sqrt ( 1 + _t ) , 45 )")
 expect_robot(quaternion ${own}/quaternion.toml small "( quaternion 1 q1 q2 q3 )")
 expect_robot(turn ${own}/quaternion.toml turn "( quaternion ( cos ( _t / 10 ) ) 0 0 ( sin ( _t / 10 ) ) )")
-expect_robot(lengths ${own}/uncertain.toml fixed "gough [ ( ( - _L , 9 , 0 ) , ( - 3 , 7 , 0 ) ) ;")
+expect_robot(lengths ${own}/uncertain.toml fixed "gough [ ( a1 , ( - 3 , 7 , 0 ) ) ;")
 expect_robot(words ${own}/uncertain.toml words "( _R , _legs * _the_set , 45 + _S )")
 expect_robot(singular ${models}/robot_1.toml wide_40 "exists ( x y z psi theta phi : R ) , the_set")
 expect_robot(yaw ${models}/octahedral.toml level_91 "( roll_pitch_yaw 0 0 yaw ) ) = 0")

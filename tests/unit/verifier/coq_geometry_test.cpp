@@ -94,6 +94,9 @@ TEST(ATheoremAboutARobot, IsNotWrittenForWhatItDoesNotKnow) {
   EXPECT_THAT(reason("", "x = [0, 1]\nwaypoints = \"a.csv\"\n"), HasSubstr("'waypoints'"));
   EXPECT_THAT(reason("", "x = [0, 1]\nalpha = 2\n"), HasSubstr("threshold"));
   EXPECT_THAT(reason("", ""), HasSubstr("motion.work.x"));
+  EXPECT_THAT(reason("", "x = [0, 1]\nerror = 0.1\n"), HasSubstr("motion.work.error"));
+  EXPECT_THAT(reason("", "x = [0, 1, 2]\n"), HasSubstr("motion.work.x[2]"));
+  EXPECT_THAT(reason("", "x = [0, 1]\nerror = { w = 1 }\n"), HasSubstr("motion.work.error.w"));
   EXPECT_THAT(reason("", "x = [0, 1]\nparameters = { T = 1 }\n"), HasSubstr("parameters.T"));
   EXPECT_THAT(reason("", "x = \"asin(1/2)\"\n"), HasSubstr("asin"));
   EXPECT_THAT(reason("", "x = [0, 1]\n[matrix]\nrows = [[\"x\"]]\n"), HasSubstr("[matrix]"));
