@@ -5,16 +5,10 @@
 
 #include <string>
 
-#include "runtime/verifier/model/model_file.hpp"
+#include "runtime/formal/coq_robot.hpp"
 #include "runtime/verifier/question.hpp"
 
 namespace regulus::verifier {
-
-struct CoqModel {
-  WrittenValues values;
-  /// Options may have changed ranges, tolerances and errors: they are those of the certificate.
-  bool may_differ = false;
-};
 
 /// Returns the sentences that follow the theorem the_claim about this question. Throws Unfinished, with
 /// the reason, if there is no theorem about such a model or such a claim.
