@@ -138,7 +138,7 @@ class SolutionCount {
 void check_solutions(Lines& lines, Question& question, const Options& options,
                      Verification& result) {
   if (question.solutions->legs.size() == kLegsInPlane) form_planar_equations(question);
-  if (question.closure) return search_solutions(lines, question, options, result);
+  if (question.closure || question.solutions->arm) return search_solutions(lines, question, options, result);
   SolutionCount(lines, question, options, result).check();
 }
 

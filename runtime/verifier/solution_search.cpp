@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
+#include "runtime/verifier/arm_equations.hpp"
 #include "runtime/verifier/branch_test.hpp"
+#include "runtime/verifier/proof.hpp"
 #include "runtime/verifier/variety.hpp"
 
 namespace regulus::verifier {
@@ -17,6 +20,7 @@ constexpr double kWorthwhile = 0.75;  ///< a box that stays larger is split
 /// Parts of the range: a box that is narrower may be shown to hold another solution; the narrowest.
 constexpr double kNarrow = 0x1p-16, kNarrowest = 0x1p-40;
 constexpr double kMuchNarrower = 0x1p-20;  ///< than the widest unknown: it is not halved
+constexpr std::size_t kStarts = 8;         ///< for each unknown that is not searched
 
 bool is_in(std::span<const Interval> box, std::span<const Interval> other) {
   for (std::size_t i = 0; i < box.size(); ++i)
@@ -41,7 +45,21 @@ class SolutionSearch {
         clock_(options, result),
         places_(enclose_variety(q).outer),
         test_(q),
-        equations_(q, q.closure->equations) {}
+        equations_(q, q.closure->equations),
+        searched_(q.closure->names.size()) {
+    std::iota(searched_.begin(), searched_.end(), std::size_t{0});
+  }
+
+  /// Searches some unknowns alone, by equations of their own.
+  void reduce_to(PostureSearch& postures) {
+    searched_ = postures.searched;
+    conditions_ = postures.question.closure->equations;
+    conditions_.push_back(postures.also);
+    in_search_.emplace(postures.question);
+    conditions_in_search_.emplace(postures.question, conditions_);
+    trace_.emplace(q_, std::vector<NodeId>{postures.trace});
+    trace_node_ = postures.trace;
+  }
 
   void check() {
     if (!Evaluation(q_, q_.motion_defined).run(places_))
@@ -74,7 +92,10 @@ class SolutionSearch {
     }
   }
 
-  [[nodiscard]] double width(std::size_t i) const { return outer_[i].hi - outer_[i].lo; }
+  /// The range of a searched unknown.
+  [[nodiscard]] double width(std::size_t i) const {
+    return outer_[searched_[i]].hi - outer_[searched_[i]].lo;
+  }
 
   /// Shows that exactly one solution is within a line, within the ranges, and finds its reach.
   void prove(const SolutionLine& line) {
@@ -88,30 +109,52 @@ class SolutionSearch {
           std::max(0.0, std::min(down(x.hi - middle.back()), down(middle.back() - x.lo))));
     }
     if (!test_.has_one_solution(places_, middle, radius, radius)) {
-      if (is_empty(line.values)) throw Rejection("no solution is within this line");
+      if (has_none(equations_, q_.closure->equations, line.values))
+        throw Rejection("no solution is within this line");
       throw Unfinished("it was not shown that exactly one solution is within this line");
     }
+    if (trace_ && !is_posture(line.values))
+      throw Rejection("the end is turned by half a turn within this line");
     for (std::size_t k = 0; k < reach_.size(); ++k) {
-      if (is_in(line.values, reach_[k]))
+      if (is_in(searched(line.values), reach_[k]))
         throw Rejection("the solution is that of line " + std::to_string(claim_.solutions[k].line));
       if (!are_disjoint(line.values, claim_.solutions[k].values))
         throw Unfinished("the solution may be that of line " +
                          std::to_string(claim_.solutions[k].line));
     }
-    reach_.push_back(reach_of(middle, radius));
+    reach_.push_back(reach_of(searched(middle), searched(radius)));
   }
 
-  /// Returns a box with no other solution than the one near its middle.
+  template <class T>
+  [[nodiscard]] std::vector<T> searched(const std::vector<T>& all) const {
+    std::vector<T> result;
+    for (const std::size_t i : searched_) result.push_back(all[i]);
+    return result;
+  }
+  [[nodiscard]] BranchTest& test_of_search() { return in_search_ ? *in_search_ : test_; }
+
+  /// Returns true only if E, which is the unit matrix or a half turn, is the unit matrix.
+  [[nodiscard]] bool is_posture(const Box& solution) {
+    return trace_->run(solution) && trace_->value(trace_node_).lo > 0.0;
+  }
+
+  /// Returns a box with no other solution than the one near its middle, of the unknowns that are
+  /// searched.
   [[nodiscard]] Box reach_of(const std::vector<double>& middle, const std::vector<double>& least) {
     std::vector<double> radius(least);
+    bool is_proved = !in_search_;  // of the least radius
     for (int halving = 1; halving <= kMostHalvings; ++halving) {
       std::vector<double> tried;
       for (std::size_t i = 0; i < least.size(); ++i)
         tried.push_back(std::max(least[i], std::ldexp(width(i), -halving)));
-      if (!test_.has_one_solution(places_, middle, tried, tried)) continue;
+      if (!test_of_search().has_one_solution(places_, middle, tried, tried)) continue;
       radius = tried;
+      is_proved = true;
       break;
     }
+    if (!is_proved && claim_.verdict != format::kIncomplete)
+      throw Unfinished("other solutions may be near this line");
+    if (!is_proved) return Box(least.size(), {kInfinity, -kInfinity});
     Box box;
     for (std::size_t i = 0; i < radius.size(); ++i)
       box.push_back({up(middle[i] - radius[i]), down(middle[i] + radius[i])});
@@ -119,13 +162,17 @@ class SolutionSearch {
   }
 
   /// Shows that a box holds no solution at any place.
-  [[nodiscard]] bool is_empty(const Box& box) {
+  [[nodiscard]] bool has_none(Evaluation& evaluation, const std::vector<NodeId>& conditions,
+                              const Box& box) const {
     Box all = places_;
     all.insert(all.end(), box.begin(), box.end());
-    if (!equations_.run(all)) return false;
-    return std::ranges::any_of(q_.closure->equations, [this](NodeId equation) {
-      return !contains(equations_.value(equation), 0.0);
-    });
+    if (!evaluation.run(all)) return false;
+    return std::ranges::any_of(
+        conditions, [&](NodeId condition) { return !contains(evaluation.value(condition), 0.0); });
+  }
+  [[nodiscard]] bool is_empty(const Box& box) {
+    return in_search_ ? has_none(*conditions_in_search_, conditions_, box)
+                      : has_none(equations_, q_.closure->equations, box);
   }
 
   [[nodiscard]] bool is_covered(const Box& box) const {
@@ -133,7 +180,7 @@ class SolutionSearch {
   }
 
   void search() {
-    std::vector<Box> waiting{outer_};
+    std::vector<Box> waiting{searched(outer_)};
     while (!waiting.empty()) {
       Box box = std::move(waiting.back());
       waiting.pop_back();
@@ -159,7 +206,7 @@ class SolutionSearch {
         throw Unfinished("the search needs more boxes than may be evaluated");
       if (is_empty(box)) return false;
       const Box before = box;
-      if (!test_.narrow_to_solutions(places_, box) || is_covered(box)) return false;
+      if (!test_of_search().narrow_to_solutions(places_, box) || is_covered(box)) return false;
       bool is_narrower = false;
       for (std::size_t i = 0; i < box.size(); ++i)
         is_narrower =
@@ -182,8 +229,8 @@ class SolutionSearch {
 
   /// Returns the unknown by which the equations change most, of those that are not much narrower than
   /// the widest.
-  [[nodiscard]] std::size_t to_halve(const Box& box, std::size_t widest) const {
-    const std::vector<double>& shares = test_.shares();
+  [[nodiscard]] std::size_t to_halve(const Box& box, std::size_t widest) {
+    const std::vector<double>& shares = test_of_search().shares();
     std::size_t result = widest;
     for (std::size_t i = 0; i < shares.size(); ++i)
       if (shares[i] > shares[result] && part(box, i) > kMuchNarrower * part(box, widest))
@@ -191,22 +238,41 @@ class SolutionSearch {
     return result;
   }
 
-  /// Rejects the claim if a solution is found near the box that is in the ranges, and in no line.
+  /// Rejects the claim if a solution is found near the box that is in the ranges, and in no line. The
+  /// unknowns that are not searched may be anywhere.
   void look_for_other(const Box& box) {
     std::vector<double> start, scale;
-    for (std::size_t i = 0; i < box.size(); ++i) {
-      start.push_back(mid(box[i]));
-      scale.push_back(kNarrow * width(i));
+    for (const Interval range : outer_) {
+      start.push_back(range.lo);
+      scale.push_back(kNarrow * (range.hi - range.lo));
     }
+    for (std::size_t k = 0; k < searched_.size(); ++k) start[searched_[k]] = mid(box[k]);
+    std::vector<std::size_t> others;
+    for (std::size_t i = 0; i < outer_.size(); ++i)
+      if (std::ranges::find(searched_, i) == searched_.end()) others.push_back(i);
+    std::size_t starts = 1;
+    for (std::size_t k = 0; k < others.size(); ++k) starts *= kStarts;
+    for (std::size_t number = 0; number < starts; ++number) {
+      std::size_t rest = number;
+      for (const std::size_t i : others) {
+        start[i] = outer_[i].lo +
+                   (double(rest % kStarts) + 0.5) * (outer_[i].hi - outer_[i].lo) / double(kStarts);
+        rest /= kStarts;
+      }
+      reject_other_near(start, scale);
+    }
+  }
+
+  void reject_other_near(const std::vector<double>& start, const std::vector<double>& scale) {
     const auto found = test_.solution_near(places_, start, scale);
     if (!found) return;
     Box solution;
-    for (std::size_t i = 0; i < box.size(); ++i)
+    for (std::size_t i = 0; i < start.size(); ++i)
       solution.push_back(point(found->middle[i]) + Interval{-found->radius[i], found->radius[i]});
     const bool is_other = std::ranges::all_of(claim_.solutions, [&](const SolutionLine& line) {
       return are_disjoint(solution, line.values);
     });
-    if (is_other && is_in(solution, inner_))
+    if (is_other && is_in(solution, inner_) && (!trace_ || is_posture(solution)))
       throw Rejection("there is another solution, near " + place_of(solution));
   }
 
@@ -214,10 +280,13 @@ class SolutionSearch {
     throw Unfinished("it was not shown that there is no other solution near " + place_of(box));
   }
 
+  /// `box`: of all unknowns, or of those that are searched.
   [[nodiscard]] std::string place_of(const Box& box) const {
+    const bool has_all = box.size() == outer_.size();
     std::string text;
     for (std::size_t i = 0; i < box.size(); ++i)
-      text += (i == 0 ? "" : ", ") + q_.closure->names[i] + " = " + std::to_string(mid(box[i]));
+      text += (i == 0 ? "" : ", ") + q_.closure->names[has_all ? i : searched_[i]] + " = " +
+              std::to_string(mid(box[i]));
     return text;
   }
 
@@ -230,6 +299,12 @@ class SolutionSearch {
   const Box places_;  ///< of the uncertain quantities and the errors
   BranchTest test_;
   Evaluation equations_;
+  std::vector<std::size_t> searched_;  ///< unknowns
+  // If not all are searched: what the searched ones solve, and tells a posture from a half turn.
+  std::vector<NodeId> conditions_;
+  std::optional<BranchTest> in_search_;
+  std::optional<Evaluation> conditions_in_search_, trace_;
+  NodeId trace_node_ = kNoNode;
   Box outer_, inner_;       ///< contain the ranges of the unknowns, are within them
   std::vector<Box> reach_;  ///< by line
 };
@@ -238,10 +313,27 @@ class SolutionSearch {
 
 void search_solutions(Lines& lines, Question& question, const Options& options,
                       Verification& result) {
-  if (!lines.next() || lines.text() != "end")
-    throw Rejection("expected 'end' after 'proof': the reader searches itself");
-  if (lines.next()) throw Rejection("there is text after the line 'end'");
-  SolutionSearch(lines, question, options, result).check();
+  const auto expect_end = [&lines] {
+    if (lines.text() != "end")
+      throw Rejection("expected 'end' after 'proof': the reader searches itself");
+    if (lines.next()) throw Rejection("there is text after the line 'end'");
+  };
+  if (!lines.next()) throw Rejection("the file ends before the proof");
+  if (!question.solutions->arm) {
+    expect_end();
+    return SolutionSearch(lines, question, options, result).check();
+  }
+  const auto words = words_of(lines.text());
+  if (words.size() != 2 || words[0] != "opposite")
+    throw Rejection("expected 'opposite N' after 'proof'");
+  const std::size_t pair = read_count(words[1], kPairsOfJoints);
+  if (pair == 0) throw Rejection("joints are counted from 1");
+  if (!lines.next()) throw Rejection("the file ends before the line 'end'");
+  expect_end();
+  PostureSearch postures = form_posture_equations(question, pair % kPairsOfJoints);
+  SolutionSearch search(lines, question, options, result);
+  search.reduce_to(postures);
+  search.check();
 }
 
 }  // namespace regulus::verifier

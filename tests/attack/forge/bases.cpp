@@ -225,6 +225,37 @@ rows = [["x + 900", "y + z"], ["y/7", "x + y + 1200"]]
 waypoints = "way.ngc"
 )toml";
 
+constexpr const char* kWrist = R"(regulus = 1
+name = "arm with a wrist"
+
+[geometry]
+upper = 0.45
+
+[serial]
+unit = "m"
+angle_unit = "deg"
+tool = { xyz = [0.01, 0, 0.08], rpy = [0, 30, 0] }
+joints = [
+  { name = "q1", xyz = [0, 0, 0.4] },
+  { name = "q2", xyz = [0.1, 0, 0], axis = [0, 1, 0] },
+  { name = "q3", xyz = ["upper", 0, 0], axis = [0, 1, 0] },
+  { name = "q4", xyz = [0.03, 0, 0], axis = [1, 0, 0] },
+  { name = "q5", xyz = [0.42, 0, 0], axis = [0, 1, 0] },
+  { name = "q6", rpy = [0, 0, 15], axis = [3, 0, 4] },
+]
+
+[motion.here]
+q1 = 20
+q2 = -35
+q3 = 70
+q4 = 50
+q5 = -40
+q6 = 10
+
+[motion.tool]
+tool = [0.5, 0.1, 0.3, 0.2, 0.4, "60*deg"]
+)";
+
 std::vector<Base> written_here() {
   return {
       {"everything", kEverything, {"check", "m"}},
@@ -266,6 +297,8 @@ std::vector<Base> written_here() {
       {"list around a turn", kTurn, {"solve", "here"}},
       {"no configuration", kLoop, {"solve", "nowhere"}},
       {"part of a list", kDouble, {"solve", "here"}},
+      {"postures", kWrist, {"solve", "here"}},
+      {"postures by the tool", kWrist, {"solve", "tool"}},
       {"five-bar", "five_bar_closure", {"check", "work"}},
       {"shards", "robot_1", {"check", "wide_15"}, "", "", 400},
       {"shards of pieces", kEverything, {"check", "way"}, kWay, "way.csv", 60},

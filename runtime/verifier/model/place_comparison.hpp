@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares a claim about all poses of a platform with a model file.
+// Compares a claim about all poses of a platform, or all postures of an arm, with a model file.
 #pragma once
 
 #include "runtime/verifier/model/question_comparer.hpp"
@@ -10,7 +10,8 @@ namespace regulus::verifier {
 inline constexpr const char* kPlaceOption = "at";
 
 /// Compares the anchors of the legs, at the middles of their tolerances, and their lengths: those of
-/// the motion, or those at its pose. `section`: may be null.
-void compare_platform(QuestionComparer& comparer, SectionReading* section);
+/// the motion, or those at its pose; or the joints of an arm, and the place of its end. `section`: may
+/// be null.
+void compare_robot_at_place(QuestionComparer& comparer, SectionReading* section);
 
 }  // namespace regulus::verifier
