@@ -23,8 +23,6 @@ namespace {
 using GiNaC::ex;
 
 constexpr const char* kNoSolutionCertain = "no solution is certain, so nothing is claimed";
-constexpr const char* kNoProofOfSearch =
-    "that these are all is shown by a search over poses, which has no proof in a file";
 constexpr const char* kNoProofOfCount =
     "that these are all is shown by a count of complex postures, which has no proof in a file";
 constexpr const char* kNoProofOfSlides =
@@ -277,6 +275,18 @@ std::string head_of_arm(const Request& request, const Solutions& solutions) {
 
 // A closure.
 
+std::string pose_lines(const Request& request, const Solutions& solutions) {
+  const double size = size_of(request, solutions);
+  std::string lines;
+  for (const CertainSolution& solution : solutions.found) {
+    lines += "solution";
+    for (std::size_t i = 0; i < solution.values.size(); ++i)
+      lines += searched_line(solution.values[i], i < 3 ? size : 1, solution);
+    lines += '\n';
+  }
+  return lines;
+}
+
 std::string searched_lines(const Request& searched, const Solutions& solutions) {
   const Closure& closure = *searched.model.closure;
   const std::size_t n = closure.unknowns.size();
@@ -330,7 +340,7 @@ std::string obstacle_of(const Request& request, const Solutions& solutions) {
       return kNoProofOfSlides;
     return solutions.opposite == 0 ? kNoProofOfCount : "";
   }
-  return is_complete && solutions.boxes > 0 && !is_in_plane(request) ? kNoProofOfSearch : "";
+  return "";
 }
 
 }  // namespace
@@ -342,20 +352,24 @@ ProofStatus certify_solutions(const std::string& path, const Request& request,
   const FloatingPointScope nearest(FloatingPointRounding::kNearest);
   status.set_obstacle(obstacle_of(request, solutions));
   if (!status.obstacle().empty()) return status;
-  const bool is_arm = request.model.arm != nullptr, is_planar = is_in_plane(request),
-             is_search = is_planar || is_arm || request.model.closure.has_value();
+  const bool is_arm = request.model.arm != nullptr, is_closure = request.model.closure.has_value(),
+             is_counted =
+                 !is_arm && !is_closure && !is_in_plane(request) &&
+                 (solutions.completeness != Completeness::kComplete || solutions.boxes == 0);
   const std::string head =
-      is_arm      ? head_of_arm(request, solutions)
-      : is_planar ? head_of_platform(request, solutions, format::kOfThreeLegs,
-                                     planar_lines(request, solutions))
-      : is_search ? head_of_equations(request, solutions)
-                  : head_of_platform(request, solutions, format::kOfSixLegs,
-                                     solution_lines(solutions, size_of(request, solutions)));
+      is_arm                 ? head_of_arm(request, solutions)
+      : is_closure           ? head_of_equations(request, solutions)
+      : is_in_plane(request) ? head_of_platform(request, solutions, format::kOfThreeLegs,
+                                                planar_lines(request, solutions))
+      : is_counted           ? head_of_platform(request, solutions, format::kOfSixLegs,
+                                                solution_lines(solutions, size_of(request, solutions)))
+                             : head_of_platform(request, solutions, format::kOfSixLegs,
+                                                pose_lines(request, solutions));
   status.set_obstacle(obstacle_of_head(head));
   if (!status.obstacle().empty()) return status;
-  const std::string proof = is_arm      ? fmt::format("opposite {}\nend\n", solutions.opposite)
-                            : is_search ? "end\n"
-                                        : root_lines(roots_of(solutions));
+  const std::string proof = is_arm       ? fmt::format("opposite {}\nend\n", solutions.opposite)
+                            : is_counted ? root_lines(roots_of(solutions))
+                                         : "end\n";
   status.attempt([&] { write_witness(path, head, proof, placing); });
   if (status.obstacle().empty()) status.set_written();
   return status;
