@@ -225,6 +225,28 @@ rows = [["x + 900", "y + z"], ["y/7", "x + y + 1200"]]
 waypoints = "way.ngc"
 )toml";
 
+constexpr const char* kDegrees = R"toml(regulus = 1
+name = "crank in degrees"
+
+[pose]
+theta = "deg"
+
+[closure]
+unknowns = { phi = "deg", psi = "deg" }
+equations = [
+  "2*cos(theta) + 5*cos(phi) - 4*cos(psi) - 6",
+  "2*sin(theta) + 5*sin(phi) - 4*sin(psi)",
+]
+start = { theta = 50, phi = 25, psi = 75 }
+range = { phi = [-200, 200], psi = [0, 180] }
+
+[motion.here]
+theta = 50
+
+[motion.work]
+theta = [49, 51]
+)toml";
+
 constexpr const char* kWrist = R"(regulus = 1
 name = "arm with a wrist"
 
@@ -297,6 +319,8 @@ std::vector<Base> written_here() {
       {"list around a turn", kTurn, {"solve", "here"}},
       {"no configuration", kLoop, {"solve", "nowhere"}},
       {"part of a list", kDouble, {"solve", "here"}},
+      {"list in degrees", kDegrees, {"solve", "here"}},
+      {"branch in degrees", kDegrees, {"check", "work"}},
       {"postures", kWrist, {"solve", "here"}},
       {"postures by the tool", kWrist, {"solve", "tool"}},
       {"five-bar", "five_bar_closure", {"check", "work"}},
