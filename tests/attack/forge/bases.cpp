@@ -237,7 +237,7 @@ equations = [
   "2*cos(theta) + 5*cos(phi) - 4*cos(psi) - 6",
   "2*sin(theta) + 5*sin(phi) - 4*sin(psi)",
 ]
-start = { theta = 50, phi = 25, psi = 75 }
+start = { theta = 50, phi = 29.3662967687, psi = 95.1192054312 }
 range = { phi = [-200, 200], psi = [0, 180] }
 
 [motion.here]
