@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pose that every part of the page shows, with a slider for each motion parameter.
 import { Bounds, PageData, ReportedPoint } from "./data";
-import { describeValue, h } from "./dom";
+import { h } from "./dom";
 import { Question } from "./question";
 import { Vector } from "./robot";
+import { describeValue } from "./units";
 
 export const middleOf = ([lo, hi]: Bounds): number => ((lo ?? NaN) + (hi ?? NaN)) / 2;
 

@@ -16,7 +16,7 @@ const fileName = (path: string): string => path.split("/").pop() || "model.toml"
 
 /** Only a check is asked again by the command that the page knows; another answer by the one that made it. */
 function commandsOf(data: PageData): string {
-  if (data.certificate !== null) return data.again.slice(0, 2).join("\n");
+  if (data.certificate !== null) return data.again.slice(0, 2).filter((command) => command !== "").join("\n");
   return (data.kind === "check" || data.kind === "closure" || !data.command ? data.again.slice(0, 1) : [data.command]).join("\n");
 }
 
@@ -25,7 +25,7 @@ export function sourcePart(data: PageData): HTMLElement {
   const file = fileName(data.model.file);
   return section(
     "Model and proof",
-    h("p", {}, data.certificate === null ? "Ask again:" : "Prove it again, with a program that shares no code with the solver:"),
+    h("p", {}, data.certificate === null ? "Ask again:" : "Prove it again, with the separate verifier:"),
     h("pre", { tabindex: 0, "aria-label": "Commands" }, commandsOf(data)),
     h("p", {}, download(file, data.model.text), " ", data.certificate === null ? null : download("proof.txt", data.certificate)),
     table(

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How far a matrix is from singular, in doubles at samples of the motion: for pictures only.
+import { approximateDeterminant } from "./matrices";
+import { Question } from "./question";
+import { roundStep } from "./units";
+
+const COUNT = 512;
+const PRIMES = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
+/** A parameter that changes the measure by less than this part of its largest change says nothing. */
+const LEAST_CHANGE = 0.01;
+
+/** The number i of a sequence that fills 0 to 1 evenly, for each base another. */
+function evenly(i: number, base: number): number {
+  let result = 0;
+  for (let part = 1 / base, rest = i; rest > 0; part /= base, rest = Math.floor(rest / base)) result += part * (rest % base);
+  return result;
+}
+
+/** det M, or sqrt(det MᵀM) of more rows than columns, with the factors of the rows; 0 is singular. */
+export class Samples {
+  readonly isSigned: boolean;
+  readonly name: string;
+  readonly count = COUNT + 1;
+  /** Of absolute values. */
+  readonly least: number;
+  readonly largest: number;
+
+  constructor(private readonly question: Question) {
+    this.isSigned = question.rows === question.columns;
+    this.name = this.isSigned ? "|det|" : "√det(MᵀM)";
+    const values = this.places(COUNT).map((place) => Math.abs(this.at(place))).filter(Number.isFinite);
+    this.least = values.reduce((a, b) => Math.min(a, b), Infinity);
+    this.largest = values.reduce((a, b) => Math.max(a, b), 0);
+  }
+
+  /** The measure at values of the motion parameters; NaN where it has none. */
+  at(parameters: ArrayLike<number>): number {
+    const { rows, columns, matrix, scale } = this.question;
+    const found = this.question.approximateAt(parameters);
+    const M = matrix.map((id, k) => found[id] * (scale.length === rows ? found[scale[Math.floor(k / columns)]] : 1));
+    if (this.isSigned) return approximateDeterminant(M, columns);
+    const square = new Array<number>(columns * columns).fill(0);
+    for (let i = 0; i < columns; ++i)
+      for (let j = 0; j < columns; ++j)
+        for (let r = 0; r < rows; ++r) square[i * columns + j] += M[r * columns + i] * M[r * columns + j];
+    return Math.sqrt(Math.max(approximateDeterminant(square, columns), 0));
+  }
+
+  /** The parameters that change the measure. */
+  changing(): Set<number> {
+    const { parameters } = this.question;
+    const changes = parameters.map(({ range: { lo, hi } }, k) =>
+      this.places(6).reduce((most, place) => {
+        const along = Array.from({ length: 9 }, (_, i) => {
+          const point = [...place];
+          point[k] = lo + ((hi - lo) * i) / 8;
+          return this.at(point);
+        }).filter(Number.isFinite);
+        return along.length === 0 ? most : Math.max(most, Math.max(...along) - Math.min(...along));
+      }, 0));
+    const most = Math.max(...changes, 0);
+    return new Set(changes.flatMap((change, k) => (change > LEAST_CHANGE * most && change > 1e-9 * this.largest ? [k] : [])));
+  }
+
+  /** The middle of the motion, and others all over it. */
+  private places(count: number): number[][] {
+    return Array.from({ length: count + 1 }, (_, i) =>
+      this.question.parameters.map(({ range: { lo, hi } }, k) => lo + (hi - lo) * (i === 0 ? 0.5 : evenly(i, PRIMES[k % PRIMES.length]))));
+  }
+}
+
+/** Values on a square grid, by column and row. */
+export type Grid = readonly (readonly number[])[];
+
+/** At most ten levels of round numbers between the least and the largest value of grids; none if they hardly differ. */
+export function levelsOf(grids: readonly Grid[]): number[] {
+  const values = grids.flat(2).filter(Number.isFinite);
+  const lo = values.reduce((a, b) => Math.min(a, b), Infinity);
+  const hi = values.reduce((a, b) => Math.max(a, b), 0);
+  if (!(hi - lo > 0.01 * hi)) return [];
+  const step = roundStep((hi - lo) / 9);
+  const levels: number[] = [];
+  for (let n = Math.max(Math.ceil(lo / step), 1); n * step < hi; ++n) levels.push(n * step);
+  return levels;
+}
+
+export type Line = readonly [number, number, number, number];
+
+/** The pieces of an isoline, in coordinates of the grid, by linear interpolation in each cell. */
+export function isoline(grid: Grid, level: number): Line[] {
+  const lines: Line[] = [];
+  for (let i = 0; i + 1 < grid.length; ++i)
+    for (let j = 0; j + 1 < grid[i].length; ++j) {
+      const corners: [number, number, number][] = [[i, j, grid[i][j]], [i + 1, j, grid[i + 1][j]], [i + 1, j + 1, grid[i + 1][j + 1]], [i, j + 1, grid[i][j + 1]]];
+      if (!corners.every((corner) => Number.isFinite(corner[2]))) continue;
+      const ends = corners.flatMap(([x, y, a], k): [number, number][] => {
+        const [u, v, b] = corners[(k + 1) % 4];
+        if (a < level === b < level) return [];
+        const t = (level - a) / (b - a);
+        return [[x + t * (u - x), y + t * (v - y)]];
+      });
+      for (let k = 0; k + 1 < ends.length; k += 2) lines.push([...ends[k], ...ends[k + 1]]);
+    }
+  return lines;
+}
