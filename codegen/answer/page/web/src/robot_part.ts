@@ -60,7 +60,7 @@ export function legColours(data: PageData, view: RobotView): HTMLElement | null 
   return h("div", {}, h("label", { for: "leg-colours" }, "colour of a leg"), " ", select, shown);
 }
 
-function pointsTable(robot: Drawable, pose: Changing): HTMLElement {
+export function pointsTable(robot: Drawable, pose: Changing): HTMLElement {
   const body = h("div", {});
   const show = (): void => {
     const rows = robot.at(pose.values).map((point, i) => [String(i + 1), ...point.map(shortNumber)]);

@@ -4,7 +4,7 @@ import { PageData, Solution, SolvedPlace } from "./data";
 import { Child, h, section, table } from "./dom";
 import { middleOf } from "./pose";
 import { SolvedRobot, Vector } from "./robot";
-import { floorNote, legColours } from "./robot_part";
+import { Changing, floorNote, legColours, pointsTable } from "./robot_part";
 import { RobotView } from "./robot_view";
 import { describeValue, withUnit } from "./units";
 
@@ -37,8 +37,9 @@ function nounOf(data: PageData, count: number): string {
 }
 
 /** Chooses a solution by a slider and by the rows of the table. */
-class Chooser {
+class Chooser implements Changing {
   readonly element: HTMLElement;
+  private readonly listeners: (() => void)[] = [];
   private chosen = 0;
   private showsOthers = true;
   private readonly points: Vector[][];
@@ -49,7 +50,7 @@ class Chooser {
   constructor(
     private readonly data: PageData,
     private readonly place: Place,
-    robot: SolvedRobot | null,
+    private readonly robot: SolvedRobot | null,
     private readonly view: RobotView | null,
     colours: Child,
   ) {
@@ -63,8 +64,17 @@ class Chooser {
       solutions.length > 1 ? h("div", { class: "slider" }, h("label", { for: "solution" }, `the bold ${one}`), this.input, this.output) : null,
       view && solutions.length > 1 ? h("p", { class: "choices" }, others, " ", h("label", { for: "others" }, `draw the other ${nounOf(data, 2)} faintly`)) : null,
       colours);
-    this.element = h("div", {}, view ? h("div", { class: "robot" }, h("div", {}, view.element, floorNote(view, data.drawing?.unit)), choice) : null, this.table());
+    this.element = h("div", {}, view ? h("div", { class: "robot" }, h("div", {}, view.element, floorNote(view, data.drawing?.unit)), choice) : null, robot && pointsTable(robot, this), this.table());
     this.choose(0);
+  }
+
+  /** Of the chosen solution; none without a robot. */
+  get values(): readonly number[] {
+    return this.robot?.places()[this.chosen] ?? [];
+  }
+
+  listen(listener: () => void): void {
+    this.listeners.push(listener);
   }
 
   private table(): HTMLElement {
@@ -96,6 +106,7 @@ class Chooser {
       row.closest("tr")?.classList.toggle("chosen", k === i);
     });
     if (!this.view) return;
+    for (const listener of this.listeners) listener();
     this.view.show(this.points[i]);
     this.view.showGhosts(this.showsOthers ? this.points.filter((_, k) => k !== i) : []);
   }
