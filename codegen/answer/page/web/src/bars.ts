@@ -24,7 +24,7 @@ function bars(list: readonly Bar[], title: string): HTMLElement {
     const inner = bar.inner ?? bar.outer ?? 0;
     const outer = bar.outer ?? inner;
     return [
-      svg("text", { x: 142, y: y + 13, "text-anchor": "end" }, bar.label || title),
+      svg("text", { x: 142, y: y + 13, "text-anchor": "end" }, bar.label),
       svg("rect", { x: 150, y, width: x(inner) - 150, height: 18, class: "solid-bar" }),
       svg("rect", { x: x(inner), y, width: Math.max(x(outer) - x(inner), 0), height: 18, class: "open-bar", fill: `url(#${id})` }),
       svg("text", { x: x(Math.max(Math.abs(outer), Math.abs(inner))) + 8, y: y + 13 }, bar.text),

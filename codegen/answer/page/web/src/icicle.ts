@@ -31,6 +31,7 @@ export class Icicle {
     const drawing = svg("svg", {
       viewBox: `0 0 ${WIDTH} ${levels * height}`,
       class: "icicle",
+      preserveAspectRatio: "none",
       tabindex: 0,
       role: "application",
       "aria-roledescription": "tree of boxes",

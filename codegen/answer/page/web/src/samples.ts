@@ -84,22 +84,53 @@ export function levelsOf(grids: readonly Grid[]): number[] {
   return levels;
 }
 
-export type Line = readonly [number, number, number, number];
+export type Place = readonly [number, number];
 
-/** The pieces of an isoline, in coordinates of the grid, by linear interpolation in each cell. */
-export function isoline(grid: Grid, level: number): Line[] {
-  const lines: Line[] = [];
+/** The ends of an isoline in each cell that it crosses, in coordinates of the grid, by linear interpolation. */
+function crossings(grid: Grid, level: number): [Place, Place][] {
+  const found: [Place, Place][] = [];
   for (let i = 0; i + 1 < grid.length; ++i)
     for (let j = 0; j + 1 < grid[i].length; ++j) {
-      const corners: [number, number, number][] = [[i, j, grid[i][j]], [i + 1, j, grid[i + 1][j]], [i + 1, j + 1, grid[i + 1][j + 1]], [i, j + 1, grid[i][j + 1]]];
-      if (!corners.every((corner) => Number.isFinite(corner[2]))) continue;
-      const ends = corners.flatMap(([x, y, a], k): [number, number][] => {
-        const [u, v, b] = corners[(k + 1) % 4];
-        if (a < level === b < level) return [];
-        const t = (level - a) / (b - a);
-        return [[x + t * (u - x), y + t * (v - y)]];
+      const corners = [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]].map(([x, y]) => ({ x, y, value: grid[x][y] }));
+      if (!corners.every(({ value }) => Number.isFinite(value))) continue;
+      const ends = corners.flatMap((a, k): Place[] => {
+        const b = corners[(k + 1) % 4];
+        if (a.value < level === b.value < level) return [];
+        const t = (level - a.value) / (b.value - a.value);
+        return [[a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)]];
       });
-      for (let k = 0; k + 1 < ends.length; k += 2) lines.push([...ends[k], ...ends[k + 1]]);
+      for (let k = 0; k + 1 < ends.length; k += 2) found.push([ends[k], ends[k + 1]]);
     }
-  return lines;
+  return found;
+}
+
+/** The isolines of a level, each from one end to the other. */
+export function isolines(grid: Grid, level: number): Place[][] {
+  const key = ([x, y]: Place): string => `${x.toFixed(6)} ${y.toFixed(6)}`;
+  const waiting = new Map<string, Set<Place[]>>();
+  const lines: Set<Place[]> = new Set();
+  const keep = (line: Place[], isNew: boolean): void => {
+    for (const end of [line[0], line[line.length - 1]]) {
+      const there = waiting.get(key(end)) ?? new Set();
+      if (isNew) there.add(line);
+      else there.delete(line);
+      waiting.set(key(end), there);
+    }
+    if (isNew) lines.add(line);
+    else lines.delete(line);
+  };
+  for (const crossing of crossings(grid, level)) {
+    let line: Place[] = [...crossing];
+    // What ends where this begins or ends becomes one line with it.
+    for (const atEnd of [true, false]) {
+      const [other] = waiting.get(key(atEnd ? line[line.length - 1] : line[0])) ?? [];
+      if (!other) continue;
+      keep(other, false);
+      if (!atEnd) line.reverse();
+      const rest = key(other[0]) === key(line[line.length - 1]) ? other : [...other].reverse();
+      line = [...line, ...rest.slice(1)];
+    }
+    keep(line, true);
+  }
+  return [...lines];
 }

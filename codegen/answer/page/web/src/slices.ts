@@ -4,7 +4,7 @@ import { PageData } from "./data";
 import { h, section, svg, table } from "./dom";
 import { ShownPose } from "./pose";
 import { Question } from "./question";
-import { Grid, isoline, levelsOf, Samples } from "./samples";
+import { Grid, isolines, levelsOf, Samples } from "./samples";
 import { leavesAt, Tree, TreeBox } from "./tree";
 import { describeRange, describeValue, shortNumber } from "./units";
 
@@ -39,7 +39,8 @@ export function sharesPart({ paving }: PageData): HTMLElement | null {
 }
 
 const SIZE = 400;
-const GRID = 40;
+const GRID = 40; // cells of the large slice in each direction
+const SMALL_GRID = 24;
 
 let patterns = 0;
 
@@ -110,7 +111,7 @@ export class Slices {
   private whatIsShown(): string {
     if (this.isPaving)
       return "Each slice shows the boxes of the paving that meet a plane; the other parameters have the values of the sliders.";
-    if (!this.tree) return "There is no proof over boxes to show here; add one with --paving.";
+    if (!this.tree) return "This page has no proof over boxes to show here; that of regulus report with --paving has boxes.";
     if (this.tree.leaves.length === 1) return `One box is the whole proof (by the rule ${this.tree.leaves[0].word}), so every slice has one colour.`;
     return "Each slice shows the boxes of the proof that meet a plane; the other parameters have the values of the sliders.";
   }
@@ -205,9 +206,10 @@ export class Slices {
     if (!this.samples || !this.showSamples || up < 0 || up === across) return null;
     const ranges = [across, up].map((k) => this.question.parameters[k].range);
     const point = this.valuesAt(at);
-    return Array.from({ length: GRID + 1 }, (_, i) =>
-      Array.from({ length: GRID + 1 }, (__, j) => {
-        [point[across], point[up]] = [i, j].map((n, axis) => ranges[axis].lo + ((ranges[axis].hi - ranges[axis].lo) * n) / GRID);
+    const cells = at === null ? GRID : SMALL_GRID;
+    return Array.from({ length: cells + 1 }, (_, i) =>
+      Array.from({ length: cells + 1 }, (__, j) => {
+        [point[across], point[up]] = [i, j].map((n, axis) => ranges[axis].lo + ((ranges[axis].hi - ranges[axis].lo) * n) / cells);
         return this.samples!.at(point);
       }));
   }
@@ -216,18 +218,18 @@ export class Slices {
   private isolines(grid: Grid, levels: readonly number[], isMain: boolean): SVGElement[] {
     const { largest } = this.samples!;
     const absolute = grid.map((column) => column.map(Math.abs));
-    const cell = SIZE / GRID;
+    const cell = SIZE / (grid.length - 1);
+    const [x, y] = [(a: number): string => (a * cell).toFixed(1), (b: number): string => (SIZE - b * cell).toFixed(1)];
     return levels.flatMap((level, n) => {
-      const lines = isoline(absolute, level);
+      const lines = isolines(absolute, level);
       if (lines.length === 0) return [];
-      const d = lines.map(([a, b, c, e]) => `M${(a * cell).toFixed(1)} ${(SIZE - b * cell).toFixed(1)}L${(c * cell).toFixed(1)} ${(SIZE - e * cell).toFixed(1)}`).join("");
-      const path = svg("path", { d, class: "isoline" });
+      const path = svg("path", { d: lines.map((line) => `M${line.map(([a, b]) => `${x(a)} ${y(b)}`).join("L")}`).join(""), class: "isoline" });
       // Not at the border, and not all in one row.
-      const inside = lines.filter((line) => line.every((x) => x > 3 && x < GRID - 3));
+      const inside = lines.flat().filter((place) => place.every((a) => a > 3 && a < GRID - 3));
       if (!isMain || inside.length === 0) return [path];
-      const [a, b] = inside[Math.floor((inside.length * ((n * 0.38) % 1)))];
+      const [a, b] = inside[Math.floor(inside.length * ((n * 0.38) % 1))];
       const text = `${shortNumber(Number(((100 * level) / largest).toPrecision(2)))} %`;
-      return [path, svg("text", { x: (a * cell).toFixed(1), y: (SIZE - b * cell + 4).toFixed(1), class: "isoline-label", "text-anchor": "middle" }, text)];
+      return [path, svg("text", { x: x(a), y: String(Number(y(b)) + 4), class: "isoline-label", "text-anchor": "middle" }, text)];
     });
   }
 
@@ -254,8 +256,9 @@ export class Slices {
     if (!this.tree) shapes.push(rectangle(x.lo, x.hi, y.lo, y.hi, "box unclaimed"));
     if (grid) {
       shapes.push(...this.isolines(grid, levels, isMain));
+      const cell = SIZE / (grid.length - 1);
       shapes.push(...this.signChanges(grid).map(([i, j]) =>
-        svg("rect", { x: (i * SIZE) / GRID, y: SIZE - ((j + 1) * SIZE) / GRID, width: SIZE / GRID, height: SIZE / GRID, class: "sampled", fill: `url(#${id})` })));
+        svg("rect", { x: i * cell, y: SIZE - (j + 1) * cell, width: cell, height: cell, class: "sampled", fill: `url(#${id})` })));
     }
     if (this.showSamples && !hasUp && this.samples) shapes.push(...this.determinantCurve(values));
     const cx = toX(values[across]);
@@ -325,8 +328,8 @@ export class Slices {
   /** Cells of a grid at whose corners det has both signs, in doubles. */
   private signChanges(grid: Grid): [number, number][] {
     const cells: [number, number][] = [];
-    for (let i = 0; i < GRID; ++i)
-      for (let j = 0; j < GRID; ++j) {
+    for (let i = 0; i + 1 < grid.length; ++i)
+      for (let j = 0; j + 1 < grid.length; ++j) {
         const corners = [grid[i][j], grid[i + 1][j], grid[i][j + 1], grid[i + 1][j + 1]].map(Math.sign);
         if (corners.includes(1) && corners.includes(-1)) cells.push([i, j]);
       }

@@ -144,7 +144,7 @@ export function verdictPart(data: PageData, question: Question): HTMLElement {
       h("li", {}, "It is about the robot as the model at the end of this page describes it: these numbers, these tolerances. It cannot know the robot on your floor."),
       h("li", {}, "Collisions, joint limits that the model does not state, and dynamics are no part of it."),
     ),
-    h("p", {}, "Regulus is a program that proves or refutes that a robot meets a singular pose; its proofs can be checked without it, as this page does."),
+    h("p", {}, `Regulus is a program that proves or refutes that a robot meets a singular pose; its proofs can be checked without it${isCheck ? ", as this page does" : ""}.`),
   );
 }
 
