@@ -14,6 +14,7 @@
 #include "codegen/model/file/read_file.hpp"
 #include "codegen/model/place.hpp"
 #include "codegen/model/request.hpp"
+#include "codegen/model/way/trajectory.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/scratch_folder.hpp"
 #include "codegen/support/write_file.hpp"
@@ -134,6 +135,7 @@ PageOfAnswers::PageOfAnswers(PageTemplate page, const ModelOptions& model, const
     return;
   }
   request_ = std::make_unique<Request>(read_request(data_.model_text, model));
+  if (request_->motion.trajectory) paths_.add(request_->motion.trajectory->file);
   set_question(data_, *request_, uncertain_names(*request_), model);
 }
 

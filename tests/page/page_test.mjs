@@ -342,7 +342,9 @@ test("A page names no folder of the computer that made it", async () => {
     pageOf("own_paving", ["locate", model, "crossing"]),
     pageOf("own_places_page", ["solve", `${source}/models/rpr_6.toml`, "--waypoints", table]),
   ];
-  for (const file of pages) {
+  const way = makePage("own_way", [cart([[1, 1], [2, 1.5]])]);
+  assert.match(readFileSync(way, "utf8"), /"file":"way.csv"/);
+  for (const file of [...pages, way]) {
     const html = readFileSync(file, "utf8");
     for (const folder of [work, source]) assert.ok(!html.includes(folder), `${folder} in ${file}`);
   }

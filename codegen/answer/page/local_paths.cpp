@@ -49,11 +49,12 @@ LocalPaths::LocalPaths(const ModelOptions& model, std::string_view typed) {
              std::ranges::find(kFileOptions, option) != kFileOptions.end())
       add(std::string_view(word).substr(equals + 1));
   }
-  std::ranges::sort(paths_, std::ranges::greater{}, &std::string::size);
 }
 
 void LocalPaths::add(std::string_view path) {
-  if (is_path(path)) paths_.emplace_back(path);
+  if (!is_path(path)) return;
+  paths_.emplace_back(path);
+  std::ranges::sort(paths_, std::ranges::greater{}, &std::string::size);
 }
 
 void LocalPaths::remove_from(std::string& text) const {

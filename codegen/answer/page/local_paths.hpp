@@ -16,14 +16,15 @@ class LocalPaths {
   /// Takes the files of a model, and those that options of a command line name.
   LocalPaths(const ModelOptions& model, std::string_view typed);
 
+  /// Takes one more file; a name without a folder needs none.
+  void add(std::string_view path);
+
   /// Replaces each path in a text by the name of its file.
   void remove_from(std::string& text) const;
   /// The same in all strings of a report.
   void remove_from(nlohmann::ordered_json& report) const;
 
  private:
-  void add(std::string_view path);
-
   std::vector<std::string> paths_;  ///< with a folder, the longest first
 };
 
