@@ -142,6 +142,7 @@ PageOfAnswers::PageOfAnswers(PageTemplate page, const ModelOptions& model, const
 PageOfAnswers::~PageOfAnswers() = default;
 
 void PageOfAnswers::add(ShownAnswer answer) {
+  paths_.add(answer.certificate);
   const bool is_closed = request_ && request_->model.closure;
   // The bars are those of quantities; finite errors have others, which the report tells.
   if (answer.kind == "bound" && !is_closed) data_.bounds.push_back(answer.report);

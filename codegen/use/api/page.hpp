@@ -30,4 +30,10 @@ struct PageContents {
 ///           (regulus was built without npm), or a file cannot be read or written.
 void write_page(const Question& question, const PageContents& contents, const std::string& file);
 
+/// Returns the robot at the middle of the question's motion as a small picture in SVG; empty if the model
+/// gives no points, or the motion is along way-points.
+///
+/// Threads   as check(). Throws InputError for the model.
+[[nodiscard]] std::string robot_picture(const Question& question);
+
 }  // namespace regulus

@@ -8,7 +8,7 @@ import json
 import os
 from typing import TYPE_CHECKING, Any, Generic, Mapping, Optional, TypeVar, Union, cast
 
-from .page import page_frame, write_answer, write_page
+from .page import picture_and_link, write_answer, write_page
 from .reports import BoundReport, CheckReport, ForcesReport, ForceWitness, LimitMarginReport
 from .reports import MarginReport, PathForcesReport, PathMarginReport, PathReport, Range, Witness
 
@@ -123,6 +123,7 @@ class Check(Result[Union[CheckReport, PathReport]]):
         self.boxes: int = finding.boxes
         self.seconds: float = finding.seconds
         self.certificate = Certificate(question, finding.certificate)
+        self._page = ""  # written last
 
     @property
     def witness(self) -> Optional[Witness]:
@@ -153,8 +154,10 @@ class Check(Result[Union[CheckReport, PathReport]]):
         Raises:
             FileError: if this build has no page, or the file cannot be written.
         """
-        write_page(self, os.fspath(path))
-        return os.fspath(path)
+        page = os.fspath(path)
+        write_page(self, page)
+        self._page = page
+        return page
 
     def _repr_html_(self) -> str:
         report = self.json
@@ -167,7 +170,7 @@ class Check(Result[Union[CheckReport, PathReport]]):
             ("time", f"{self.seconds:.3g} s"),
         ]
         rows += [("note", note) for note in self._notes]
-        return _table(_words(self.verdict), self.verdict, rows) + page_frame(self)
+        return _table(_words(self.verdict), self.verdict, rows) + picture_and_link(self, self._page)
 
 
 class PreparedCheck(Check):

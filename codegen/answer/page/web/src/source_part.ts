@@ -23,16 +23,17 @@ function commandsOf(data: PageData): string {
 export function sourcePart(data: PageData): HTMLElement {
   const licence = document.getElementById("licence")?.textContent ?? "";
   const file = fileName(data.model.file);
+  const commands = commandsOf(data); // none of a page that a program made
   return section(
     "Model and proof",
-    h("p", {}, data.certificate === null ? "Ask again:" : "Prove it again, with the separate verifier:"),
-    h("pre", { tabindex: 0, "aria-label": "Commands" }, commandsOf(data)),
+    commands ? h("p", {}, data.certificate === null ? "Ask again:" : "Prove it again, with the separate verifier:") : null,
+    commands ? h("pre", { tabindex: 0, "aria-label": "Commands" }, commands) : null,
     h("p", {}, download(file, data.model.text), " ", data.certificate === null ? null : download("proof.txt", data.certificate)),
     table(
       ["property", "value"],
       [
         ["Regulus", data.version],
-        ["page made by", data.command],
+        ...(data.command ? [["page made by", data.command]] : []),
         ["SHA-256 of the model", data.report.model_sha256],
         ...(["method", "boxes", "reason"] as const).filter((key) => data.report[key] !== undefined).map((key) => [key, String(data.report[key])]),
       ],

@@ -65,12 +65,13 @@ const LIMITS: Record<keyof typeof WORDS, string[]> = {
   "possible-problem": ["It claims nothing: neither a proof nor a singular pose was found.", "More time, a smaller motion or another method may decide."],
 };
 
-const QUOTED = "Regulus has proved what it claims; this page quotes it and has no proof of it. The command below, with --certificate, writes one";
+const QUOTED = "Regulus has proved what it claims; this page quotes it and has no proof of it.";
 
 /** Says where the proof of an answer is that the page has not. */
 function quoted(data: PageData): string {
   if (data.certificate_note) return `Regulus has proved what it claims; this page quotes it. There is no proof in a file: ${data.certificate_note}.`;
-  return data.kind === "solutions" ? `${QUOTED}, if such a list has a proof.` : `${QUOTED}.`;
+  const how = data.command ? "The command below, with --certificate, writes one" : "The question, asked with a certificate, writes one";
+  return `${QUOTED} ${how}${data.kind === "solutions" ? ", if such a list has a proof" : ""}.`;
 }
 
 const HELD = "Regulus has proved what it claims. This page has the proof, and does not run it: save it, and let regulus verify check it.";
