@@ -389,6 +389,20 @@ test("A proof by one box says so, and isolines show how far from singular it is"
   assert.deepEqual(faults, []);
 });
 
+test("No slice is empty: what has none says so", async (browser) => {
+  const cases = [
+    [["check", `${source}/models/puma_560_serial.toml`, "ready"], /the matrix is singular, but for roundings/],
+    [["check", `${source}/models/rump.toml`, "point"], /x, one value77617.*The motion is a single pose, so it has no slices/s],
+    [["check", `${source}/models/cable_8.toml`, "hall", "--load", "weight"], /FEASIBLE.*The robot/s],
+  ];
+  for (const [words, text] of cases) {
+    const { page, faults } = await open(browser, pageOf("no_slices", words));
+      assert.match((await textOf(page, "header")) + (await textOf(page, "#contents")), text);
+    assert.equal((await page.$$(".slice, .legend")).length, 0, words.join(" "));
+    assert.deepEqual(faults, []);
+  }
+});
+
 test("Paper takes two sheets", async (browser) => {
   for (const file of [safe, paved, pageOf("on_paper", ["solve", `${source}/models/dietmaier.toml`])]) {
     const { page } = await open(browser, file);

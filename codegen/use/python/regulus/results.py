@@ -19,14 +19,14 @@ Path = Union[str, "os.PathLike[str]"]
 Report = TypeVar("Report")
 
 _COLOURS = {
-    "no-singularity": "#1a7f37",
-    "within": "#1a7f37",
-    "feasible": "#1a7f37",
-    "verified": "#1a7f37",
-    "singularity": "#b42318",
-    "exceeded": "#b42318",
-    "infeasible": "#b42318",
-    "rejected": "#b42318",
+    "no-singularity": "#0a5c91",
+    "within": "#0a5c91",
+    "feasible": "#0a5c91",
+    "verified": "#0a5c91",
+    "singularity": "#a84300",
+    "exceeded": "#a84300",
+    "infeasible": "#a84300",
+    "rejected": "#a84300",
 }
 
 

@@ -32,7 +32,8 @@ function partsOfRanges(data: PageData, question: Question, certificate: Certific
   const { element, view } = robotPart(data, robot, pose, poseSliders(pose, data));
   const parts = [
     element,
-    new Slices(data, question, pose, tree, paving !== null).element,
+    // Whether forces hold a load is another question than how far a matrix is from singular.
+    data.kind === "load" || data.kind === "load-paving" ? null : new Slices(data, question, pose, tree, paving !== null).element,
     sharesPart(data),
     witnessPart(data, pose, robot, view),
     boundsPart(data),

@@ -68,7 +68,7 @@ export function poseSliders(pose: ShownPose, data: PageData): HTMLElement {
     const width = range.hi - range.lo;
     const output = h("output", {});
     if (width === 0) {
-      output.textContent = describeValue(range.lo, unit);
+      output.textContent = describeValue(range.lo, unit, 6);
       return h("div", { class: "slider" }, h("span", {}, `${name}, one value`), output);
     }
     const id = `slider-${k}`;

@@ -5,6 +5,7 @@ import { Question } from "./question";
 import { roundStep } from "./units";
 
 const COUNT = 512;
+const ROUNDING = 1e-12;
 const PRIMES = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
 /** A parameter that changes the measure by less than this part of its largest change says nothing. */
 const LEAST_CHANGE = 0.01;
@@ -24,20 +25,39 @@ export class Samples {
   /** Of absolute values. */
   readonly least: number;
   readonly largest: number;
+  /** The matrix is singular at all samples but for roundings, which say nothing. */
+  readonly isZero: boolean;
 
   constructor(private readonly question: Question) {
     this.isSigned = question.rows === question.columns;
     this.name = this.isSigned ? "|det|" : "√det(MᵀM)";
-    const values = this.places(COUNT).map((place) => Math.abs(this.at(place))).filter(Number.isFinite);
+    const places = this.places(COUNT);
+    const values = places.map((place) => Math.abs(this.at(place))).filter(Number.isFinite);
     this.least = values.reduce((a, b) => Math.min(a, b), Infinity);
     this.largest = values.reduce((a, b) => Math.max(a, b), 0);
+    this.isZero = places.every((place) => !(Math.abs(this.at(place)) > ROUNDING * this.bound(place)));
+  }
+
+  /** The entries with the factors of their rows, row by row. */
+  private matrixAt(parameters: ArrayLike<number>): number[] {
+    const { rows, columns, matrix, scale } = this.question;
+    const found = this.question.approximateAt(parameters);
+    return matrix.map((id, k) => found[id] * (scale.length === rows ? found[scale[Math.floor(k / columns)]] : 1));
+  }
+
+  /** What the measure could be with columns of these lengths (Hadamard). */
+  private bound(parameters: ArrayLike<number>): number {
+    const { columns } = this.question;
+    const M = this.matrixAt(parameters);
+    const squares = new Array<number>(columns).fill(0);
+    M.forEach((x, k) => (squares[k % columns] += x * x));
+    return squares.reduce((product, square) => product * Math.sqrt(square), 1);
   }
 
   /** The measure at values of the motion parameters; NaN where it has none. */
   at(parameters: ArrayLike<number>): number {
-    const { rows, columns, matrix, scale } = this.question;
-    const found = this.question.approximateAt(parameters);
-    const M = matrix.map((id, k) => found[id] * (scale.length === rows ? found[scale[Math.floor(k / columns)]] : 1));
+    const { rows, columns } = this.question;
+    const M = this.matrixAt(parameters);
     if (this.isSigned) return approximateDeterminant(M, columns);
     const square = new Array<number>(columns * columns).fill(0);
     for (let i = 0; i < columns; ++i)

@@ -63,6 +63,7 @@ export class Slices {
   private readonly axes: Axes;
   private readonly free: number[]; // parameters that are not single values
   private readonly samples: Samples | null;
+  private readonly isZero: boolean; // the samples are, and not shown
   private readonly figures = h("div", { class: "slices" });
   private showSamples = true;
   private isWaiting = false;
@@ -75,11 +76,19 @@ export class Slices {
     private readonly isPaving: boolean,
   ) {
     this.free = question.parameters.flatMap(({ range }, k) => (range.lo < range.hi ? [k] : []));
-    this.samples = question.matrix.length > 0 ? new Samples(question) : null;
+    const samples = question.matrix.length > 0 && this.free.length > 0 ? new Samples(question) : null;
+    this.isZero = samples?.isZero ?? false;
+    this.samples = this.isZero ? null : samples;
     const telling = this.tellingParameters();
     this.axes = { across: telling[0] ?? -1, up: telling[1] ?? -1, stack: telling[2] ?? -1 };
+    const title = "Slices through the motion";
+    if (this.free.length === 0 || (!tree && !this.samples)) {
+      const words = this.free.length === 0 ? "The motion is a single pose, so it has no slices." : this.introduction();
+      this.element = section(title, h("p", {}, words));
+      return;
+    }
     this.element = section(
-      "Slices through the motion",
+      title,
       h("p", {}, this.introduction()),
       this.choices(),
       this.legend(),
@@ -118,7 +127,8 @@ export class Slices {
 
   private howFar(): string {
     const { samples } = this;
-    if (!samples || !(samples.largest > 0)) return "";
+    if (this.isZero) return "At every sample of the motion the matrix is singular, but for roundings; samples prove nothing.";
+    if (!samples) return "";
     const least = shortNumber(Number(((100 * samples.least) / samples.largest).toPrecision(2)));
     return `Isolines show how far the matrix is from singular: ${samples.name} in % of the largest at ${samples.count} samples of the motion, of which the least has ${least} %. They prove nothing.`;
   }
@@ -179,10 +189,6 @@ export class Slices {
 
   private draw(): void {
     const { stack } = this.axes;
-    if (this.axes.across < 0) {
-      this.figures.replaceChildren(h("p", {}, "The motion is a single pose."));
-      return;
-    }
     const places: (number | null)[] = [null];
     if (stack >= 0 && stack !== this.axes.across && stack !== this.axes.up) {
       const { lo, hi } = this.question.parameters[stack].range;

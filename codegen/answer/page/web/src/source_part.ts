@@ -35,7 +35,7 @@ export function sourcePart(data: PageData): HTMLElement {
         ["Regulus", data.version],
         ...(data.command ? [["page made by", data.command]] : []),
         ["SHA-256 of the model", data.report.model_sha256],
-        ...(["method", "boxes", "reason"] as const).filter((key) => data.report[key] !== undefined).map((key) => [key, String(data.report[key])]),
+        ...(["method", "boxes", "reason"] as const).filter((key) => (data.report[key] ?? null) !== null).map((key) => [key, String(data.report[key])]),
       ],
       "Versions and hashes",
     ),
