@@ -311,6 +311,25 @@ test("An arm is drawn in all its postures, with its tool where it was asked to b
   assert.deepEqual(faults, []);
 });
 
+test("A place of a table is picked, as often as one likes", async (browser) => {
+  const table = `${work}/two_places.csv`;
+  writeFileSync(table, "rho_1,rho_2,rho_3\n14.98,15.38,12\n14.9,15.3,12.5\n1,1,100\n");
+  const { page, faults } = await open(browser, pageOf("picked_places", ["solve", `${source}/models/rpr_6.toml`, "--waypoints", table]));
+  const lengths = [[14.98, 15.38, 12], [14.9, 15.3, 12.5]];
+  for (let i = 0; i < 40; ++i) {
+    await page.select("#place", String(i % 2));
+    await drawn(page);
+    if (i < 2) {
+      const count = (await page.$$(".solutions tbody tr")).length;
+      assert.ok(count >= 2, String(count));
+      await eachSolution(page, count, (points, k) => requireLengths(points, lengths[i], k));
+    }
+  }
+  await page.select("#place", "2");
+  assert.match(await textOf(page, "main"), /No solution is certain here/);
+  assert.deepEqual(faults, []);
+});
+
 test("Solutions without points are listed, and the page says why they are not drawn", async (browser) => {
   const { page, faults } = await open(browser, pageOf("configurations", ["solve", `${source}/models/four_bar.toml`, "inside", "--at", "theta=1"]));
   assert.match(await textOf(page, "main"), /All 2 configurations.*equations and no points, so there is no robot to draw/s);

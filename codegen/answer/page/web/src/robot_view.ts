@@ -106,6 +106,14 @@ export class RobotView {
     this.render();
   }
 
+  /** Gives back what a browser has few of; the view is not shown any more. */
+  dispose(): void {
+    this.controls?.dispose();
+    this.renderer?.dispose();
+    this.renderer?.forceContextLoss();
+    this.renderer = null;
+  }
+
   /** Draws the robot faintly at other places, too. */
   showGhosts(places: readonly Vector[][]): void {
     const segments = places.flatMap((points) =>

@@ -112,16 +112,20 @@ class Chooser implements Changing {
   }
 }
 
-/** The robot at a place; without a drawing the table alone. */
-function placeFigure(data: PageData, place: Place): HTMLElement {
+/** Shows the robot at a place; without a drawing the table alone. Returns the view, if there is one. */
+function showPlace(data: PageData, place: Place, figure: HTMLElement): RobotView | null {
   const { solutions, given } = place;
-  if (solutions.length === 0) return h("p", {}, "No solution is certain here, so there is nothing to draw.");
+  if (solutions.length === 0) {
+    figure.replaceChildren(h("p", {}, "No solution is certain here, so there is nothing to draw."));
+    return null;
+  }
   const names = [...new Set([...Object.keys(solutions[0].values), ...Object.keys(given)])];
   const values = solutions.map((solution) => names.map((name) => (solution.values[name] ? middleOf(solution.values[name]) : given[name])));
   const robot = data.drawing ? new SolvedRobot(data.drawing, names, values) : null;
   const view = robot ? new RobotView(robot, data.report.model, data.drawing?.unit, true) : null;
   if (robot && view) view.show(robot.at(values[0]));
-  return new Chooser(data, place, robot, view, view && legColours(data, view)).element;
+  figure.replaceChildren(new Chooser(data, place, robot, view, view && legColours(data, view)).element);
+  return view;
 }
 
 export function solutionsPart(data: PageData): HTMLElement {
@@ -134,8 +138,13 @@ export function solutionsPart(data: PageData): HTMLElement {
     : !data.drawing ? `${data.report.verdict === "complete" ? "All" : "The"} ${count} ${nounOf(data, count)}`
     : data.report.verdict === "complete" ? `The robot in ${count === 1 ? "its only" : `all ${count}`} ${nounOf(data, count)}`
     : `The robot in the ${count} ${nounOf(data, count)} that ${count === 1 ? "is" : "are"} certain`;
-  const figure = h("div", {}, placeFigure(data, first));
-  const select: HTMLSelectElement = h("select", { id: "place", change: () => figure.replaceChildren(placeFigure(data, places[Number(select.value)])) },
+  const figure = h("div", {});
+  let view = showPlace(data, first, figure);
+  const choose = (): void => {
+    view?.dispose();
+    view = showPlace(data, places[Number(select.value)], figure);
+  };
+  const select: HTMLSelectElement = h("select", { id: "place", change: choose },
     ...places.map((place, i) => h("option", { value: i }, place.title)));
   const parts: Child[] = [
     data.drawing ? null : h("p", {}, "The model gives equations and no points, so there is no robot to draw: the table has the values of its unknowns."),
