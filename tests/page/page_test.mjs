@@ -307,7 +307,7 @@ test("An arm is drawn in all its postures, with its tool where it was asked to b
   await eachSolution(page, 16, (points, i) =>
     unit.forEach((axis, k) => axis.forEach((x, j) =>
       assert.ok(Math.abs(points[points.length - 3 + k][j] - x) < 1e-4, `solution ${i + 1}: ${points.slice(-3).join(" | ")}`))));
-  assert.match(await textOf(page, ".note"), /^To scale: a square of the floor is .* wide. Dark cylinders are joints/);
+  assert.match(await textOf(page, ".note"), /^To scale: a square of the floor is .* wide. Grey cylinders are joints/);
   assert.deepEqual(faults, []);
 });
 

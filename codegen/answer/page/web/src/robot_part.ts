@@ -36,7 +36,7 @@ function legend(scale: LegScale): HTMLElement {
 
 /** How large the robot is, and what its lines are. */
 export function floorNote(view: RobotView, unit: string | undefined): HTMLElement {
-  const axes = view.hasTool ? " Dark cylinders are joints with their axes; the tool has its frame: x pink, y green, z blue." : "";
+  const axes = view.hasTool ? " Grey cylinders are joints with their axes; the tool has its frame: x pink, y green, z blue." : "";
   return h("p", { class: "note" }, `To scale: a square of the floor is ${withUnit(shortNumber(view.square), unit)} wide.${axes}`);
 }
 

@@ -24,11 +24,11 @@ import { h, svg } from "./dom";
 import { distance, Drawable, Extent, extentOf, scaleColour, Vector } from "./robot";
 import { roundStep } from "./units";
 
-const COLOURS = { base: "#8a8f98", platform: "#aa6f98", link: "#5f7fb8", rail: "#9aa0a6", joint: "#3d4450", leg: "#888888" };
+const COLOURS = { base: "#8a8f98", platform: "#aa6f98", link: "#5f7fb8", rail: "#9aa0a6", joint: "#5f6874", leg: "#888888" };
 const TOOL = ["#cc79a7", "#009e73", "#0072b2"]; // x, y, z
 const DEPENDENT = "#d55e00";
-const GHOST = "#7b838d";
-const FLOOR = "#b4bac1";
+const GHOST = "#848c97";
+const FLOOR = "#8f98a3";
 
 /** What the colours of the legs mean. */
 export interface LegScale {
@@ -70,7 +70,7 @@ export class RobotView {
   private readonly extent: Extent;
   private readonly floor: readonly Segment[];
   private readonly stand: readonly Vector[]; // corners of the plate that an arm stands on
-  private readonly ghostLines = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ color: GHOST, transparent: true, opacity: 0.45 }));
+  private readonly ghostLines = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ color: GHOST, transparent: true, opacity: 0.6 }));
   private ghostSegments: readonly Segment[] = [];
   private renderer: WebGLRenderer | null = null;
   private controls: OrbitControls | null = null;
@@ -277,7 +277,7 @@ export class RobotView {
     const sun = new DirectionalLight(new Color("#ffffff"), 2.2);
     sun.position.set(2, -3, 4);
     this.scene.add(sun, this.ghostLines);
-    this.scene.add(new LineSegments(this.linesOf(this.floor), new LineBasicMaterial({ color: FLOOR, transparent: true, opacity: 0.5 })));
+    this.scene.add(new LineSegments(this.linesOf(this.floor), new LineBasicMaterial({ color: FLOOR, transparent: true, opacity: 0.35 })));
   }
 
   private addPlate(part: DrawnPart): void {
@@ -405,8 +405,8 @@ export class RobotView {
     }
     shapes.sort((p, q) => q.depth - p.depth);
     this.drawing.replaceChildren(
-      svg("path", { d: path(this.floor), stroke: FLOOR, "stroke-width": 0.7, fill: "none" }),
-      svg("path", { d: path(this.ghostSegments), stroke: GHOST, "stroke-width": 1, "stroke-opacity": 0.45, fill: "none", class: "ghosts" }),
+      svg("path", { d: path(this.floor), stroke: FLOOR, "stroke-width": 0.7, "stroke-opacity": 0.6, fill: "none" }),
+      svg("path", { d: path(this.ghostSegments), stroke: GHOST, "stroke-width": 1, "stroke-opacity": 0.6, fill: "none", class: "ghosts" }),
       ...shapes.map(({ shape }) => shape),
     );
   }
