@@ -27,10 +27,10 @@ bool is_path(std::string_view word) {
   return word.front() == '/' || has_extension;
 }
 
-/// True if a path could go on to the left of a place.
+/// True if a path, or a quotient, could go on to the left of a place.
 bool continues_path(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-         std::string_view("/._-").find(c) != std::string_view::npos;
+         std::string_view("/._-)").find(c) != std::string_view::npos;
 }
 
 }  // namespace

@@ -45,6 +45,11 @@ TEST(LocalPathsOfAPage, LeaveQuotientsAlone) {
   EXPECT_EQ(without(paths, "x from 1/2 to 3/4, x/y and 1/0.5"), "x from 1/2 to 3/4, x/y and 1/0.5");
 }
 
+TEST(LocalPathsOfAPage, LeaveDivisorsAlone) {
+  const LocalPaths paths(model_at("/2"), "");
+  EXPECT_EQ(without(paths, "x = (a + b)/2 of /2"), "x = (a + b)/2 of 2");
+}
+
 TEST(LocalPathsOfAPage, AreNotTakenForTheEndsOfOthers) {
   const LocalPaths paths(model_at("a/robot.toml"), "");
   EXPECT_EQ(without(paths, "a/robot.toml /else/a/robot.toml b-a/robot.toml"),
