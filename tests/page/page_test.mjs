@@ -311,6 +311,26 @@ test("An arm is drawn in all its postures, with its tool where it was asked to b
   assert.deepEqual(faults, []);
 });
 
+test("An arm has its base and its tool, and stays in view", async (browser) => {
+  const { page, faults } = await open(browser, makePage("arm", [`${source}/models/scara.toml`, "right_handed"]));
+  await secondProof(page);
+  assert.equal((await page.$$(".robot-drawing polygon")).length, 1);
+  for (const steps of [[500, 500, 500, 500], [0, 0, 1000, 0], [1000, 0, 0, 500], [1000, 1000, 1000, 1000]]) {
+    const ends = await page.evaluate((values) => {
+      values.forEach((value, k) => {
+        const slider = document.getElementById(`slider-${k}`);
+        slider.value = value;
+        slider.dispatchEvent(new Event("input"));
+      });
+      return [...document.querySelectorAll(".robot-drawing line")].map((line) => ["x1", "y1", "x2", "y2", "stroke"].map((name) => line.getAttribute(name)));
+    }, steps);
+    assert.equal(new Set(ends.map((line) => line[4]).filter((colour) => ["#cc79a7", "#009e73", "#0072b2"].includes(colour))).size, 3);
+    for (const [x1, y1, x2, y2] of ends)
+      assert.ok([x1, x2].every((x) => x >= 0 && x <= 800) && [y1, y2].every((y) => y >= 0 && y <= 600), `${steps}: ${[x1, y1, x2, y2]}`);
+  }
+  assert.deepEqual(faults, []);
+});
+
 test("A place of a table is picked, as often as one likes", async (browser) => {
   const table = `${work}/two_places.csv`;
   writeFileSync(table, "rho_1,rho_2,rho_3\n14.98,15.38,12\n14.9,15.3,12.5\n1,1,100\n");

@@ -22,6 +22,7 @@ import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { DrawnPart } from "./data";
 import { h, svg } from "./dom";
 import { distance, Drawable, Extent, extentOf, scaleColour, Vector } from "./robot";
+import { floorOf, Segment, standOf } from "./scenery";
 import { roundStep } from "./units";
 
 const COLOURS = { base: "#8a8f98", platform: "#aa6f98", link: "#5f7fb8", rail: "#9aa0a6", joint: "#5f6874", leg: "#888888" };
@@ -49,8 +50,6 @@ interface Rod {
   readonly colour: string | null; // null: by the part
   readonly mesh: Mesh;
 }
-
-type Segment = readonly [Vector, Vector];
 
 const RADII: Record<DrawnPart["kind"], number> = { base: 0.014, platform: 0.014, leg: 0.02, link: 0.028, rail: 0.01, joint: 0.042, tool: 0.012 };
 
@@ -84,8 +83,8 @@ export class RobotView {
     this.center = this.extent.center;
     this.hasTool = robot.parts.some(({ kind }) => kind === "tool");
     this.square = roundStep(this.extent.radius / 6);
-    this.stand = this.standOf();
-    this.floor = this.floorOf();
+    this.stand = this.hasTool ? standOf(robot, this.extent.size) : [];
+    this.floor = floorOf(this.extent, this.square);
     this.scale = { label: this.hasTool ? "travel of a sliding joint" : "length of a leg", unit, ...this.rangeOfLengths() };
     this.drawing = svg("svg", { viewBox: "0 0 800 600", class: "robot-drawing", role: "img", "aria-label": `Drawing of ${name}` });
     const canvas = h("canvas", { tabindex: 0, role: "img", "aria-label": `${name} in three dimensions; arrow keys turn the view, plus and minus zoom` });
@@ -159,30 +158,6 @@ export class RobotView {
     }
     // Rods of one length differ by roundings only.
     return hi - lo > 1e-6 * hi ? { lo, hi } : { lo: 0, hi: 0 };
-  }
-
-  /** An arm begins with a link at its base. */
-  private standOf(): Vector[] {
-    const { size } = this.extent;
-    const first = this.robot.parts[0];
-    if (!this.hasTool || !first) return [];
-    const [x, y, z] = this.robot.at(this.robot.places()[0])[first.points[0]];
-    const w = 0.2 * size;
-    return [[x - w, y - w, z], [x + w, y - w, z], [x + w, y + w, z], [x - w, y + w, z]];
-  }
-
-  /** Squares below the robot, at multiples of their width. */
-  private floorOf(): Segment[] {
-    const { center, radius, points, isPlanar, size } = this.extent;
-    const z = points.reduce((least, p) => Math.min(least, p[2]), Infinity) - (isPlanar ? 0.05 * size : 0);
-    if (!Number.isFinite(z)) return [];
-    const [[x0, x1], [y0, y1]] = [0, 1].map((axis) =>
-      [Math.floor, Math.ceil].map((round, k) => this.square * round((center[axis] + (k === 0 ? -1 : 1) * 0.9 * radius) / this.square)));
-    const count = (from: number, to: number): number[] => Array.from({ length: Math.round((to - from) / this.square) + 1 }, (_, i) => from + i * this.square);
-    return [
-      ...count(x0, x1).map((x): Segment => [[x, y0, z], [x, y1, z]]),
-      ...count(y0, y1).map((y): Segment => [[x0, y, z], [x1, y, z]]),
-    ];
   }
 
   /** The points that are in view; axes are not. */

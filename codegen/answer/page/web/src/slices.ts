@@ -129,6 +129,7 @@ export class Slices {
     const { samples } = this;
     if (this.isZero) return "At every sample of the motion the matrix is singular, but for roundings; samples prove nothing.";
     if (!samples) return "";
+    if (this.free.length === 1) return `The dashed curve is ${samples.isSigned ? "det" : samples.name} at samples; it proves nothing.`;
     const least = shortNumber(Number(((100 * samples.least) / samples.largest).toPrecision(2)));
     return `Isolines show how far the matrix is from singular: ${samples.name} in % of the largest at ${samples.count} samples of the motion, of which the least has ${least} %. They prove nothing.`;
   }
