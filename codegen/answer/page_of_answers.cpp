@@ -33,6 +33,15 @@ Json without_files(Json report) {
   return report;
 }
 
+/// A page says that there are boxes which may hold others, and shows those that its text names.
+void leave_out_open_boxes(Json& report) {
+  constexpr std::size_t kMost = 16;
+  if (const auto open = report.find("open_boxes"); open != report.end() && open->size() > kMost)
+    open->erase(open->begin() + kMost, open->end());
+  if (const auto places = report.find("places"); places != report.end())
+    for (Json& place : *places) leave_out_open_boxes(place);
+}
+
 std::string text_or(const Json& report, const char* key) {
   const auto found = report.find(key);
   return found != report.end() && found->is_string() ? found->get<std::string>() : std::string();
@@ -157,6 +166,7 @@ void PageOfAnswers::add(ShownAnswer answer) {
   data_.headline = is_sheet ? "DATASHEET" : answer.headline;
   data_.text = is_sheet ? answer.text + answer.headline : answer.text;
   data_.report = without_files(std::move(answer.report));
+  if (answer.kind == kSolutions) leave_out_open_boxes(data_.report);
   data_.certificate_note = answer.no_certificate;
   if (is_closed && answer.kind == "paving")
     data_.certificate_note = refusal(Kind::kClosurePaving, Service::kProof).value_or("");

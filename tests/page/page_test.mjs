@@ -311,6 +311,17 @@ test("An arm is drawn in all its postures, with its tool where it was asked to b
   assert.deepEqual(faults, []);
 });
 
+test("A list that may be longer says so, and has not all of its boxes", async (browser) => {
+  const file = pageOf("open_boxes", ["solve", `${source}/models/puma_560_serial.toml`, "ready", "--at", "T=0.5", "--max-boxes", "10000"]);
+  const { page, faults } = await open(browser, file);
+  assert.match(await textOf(page, "#verdict"), /^INCOMPLETE: at least/);
+  assert.match(await page.$eval("details[open] pre", (text) => text.textContent), /^open .*more boxes/ms);
+  assert.match(await textOf(page, "main"), /that (is|are) certain/);
+  const data = await page.$eval("#data", (element) => JSON.parse(element.textContent));
+  assert.equal(data.report.open_boxes.length, 16);
+  assert.deepEqual(faults, []);
+});
+
 test("An arm has its base and its tool, and stays in view", async (browser) => {
   const { page, faults } = await open(browser, makePage("arm", [`${source}/models/scara.toml`, "right_handed"]));
   await secondProof(page);
