@@ -76,21 +76,9 @@ function quoted(data: PageData): string {
 
 const HELD = "Regulus has proved what it claims. This page has the proof, and does not run it: save it, and let regulus verify check it.";
 
-const MEANINGS: Record<string, Record<string, string>> = {
-  matrix: {
-    "no-singularity": "at no pose of this motion can the platform give way while its motors are locked.",
-    singularity: "at a pose of this motion the platform can give way, at least a little, though all its motors are locked.",
-  },
-  forward: {
-    "no-singularity": "at no pose of this motion do the joints lose a direction in which they move the tool.",
-    singularity: "at a pose of this motion there is a direction in which the joints cannot move the tool.",
-  },
-};
-
-/** The verdict in the words of a machine's user; null if there is a threshold or no claim. */
+/** The claim in the words of a machine's user, as the report has it; null if nothing is proved. */
 function meaning({ report }: PageData): HTMLElement | null {
-  const words = MEANINGS[report.matrix === "matrix" ? "matrix" : "forward"][report.verdict];
-  return words && report.alpha === 0 ? h("p", { class: "meaning" }, `In other words: ${words}`) : null;
+  return report.meaning ? h("p", { class: "meaning" }, `In other words: ${report.meaning}.`) : null;
 }
 
 /** Why nothing was proved, and where; null if something was. */
