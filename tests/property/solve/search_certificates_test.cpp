@@ -53,7 +53,8 @@ struct Turns {
 };
 
 /// Half of some turns is all of a range that is longer only if these, and not fewer, change no equation.
-TEST(ARangeOfAnAngle, IsShortenedToTurnsOnlyIfTheEquationsRepeat) {
+void expect_turns(bool is_in_degrees) {
+  const double radian = is_in_degrees ? 180 / std::numbers::pi : 1;
   for (const Turns& turns :
        std::vector<Turns>{{"sin(q/2) - x", 1, Outcome::kRejected},
                           {"sin(q/2) - x", 2, Outcome::kVerified},
@@ -67,29 +68,34 @@ TEST(ARangeOfAnAngle, IsShortenedToTurnsOnlyIfTheEquationsRepeat) {
                           // Each repeats after a turn, and the verifier does not see it.
                           {"sin(q/2)^2 - x", 1, Outcome::kUnfinished},
                           {"sin(q*(1 + a) - q*a) - x", 1, Outcome::kUnfinished}}) {
-    const std::string what = std::string(turns.equation) + ", " + std::to_string(turns.count);
+    const std::string equation = turns.equation;
+    if (is_in_degrees && (equation.starts_with("q") || equation.find("+ q/") != std::string::npos))
+      continue;  // an angle in degrees is no number
+    const std::string what = equation + ", " + std::to_string(turns.count);
     const bool is_unseen = std::string(turns.equation).find("q*a") != std::string::npos;
     const std::string model =
         "regulus = 1\nname = \"turn\"\n[pose]\nx = \"m\"\n[geometry]\n"
         "a = { value = 1, tolerance = 0.001 }\n[closure]\n"
-        "unknowns = { q = \"rad\" }\nequations = [\"" +
-        std::string(turns.equation) +
-        "\"]\nstart = { x = 0.4, q = 0.8 }\nrange = { q = [-7, 7] }\n"
-        "[motion.here]\nx = 0.4\n";
+        "unknowns = { q = \"" +
+        std::string(is_in_degrees ? "deg" : "rad") + "\" }\nequations = [\"" + equation +
+        "\"]\nstart = { x = 0.4, q = " + (is_in_degrees ? "45" : "0.8") +
+        " }\nrange = { q = " + (is_in_degrees ? "[-401, 401]" : "[-7, 7]") +
+        " }\n[motion.here]\nx = 0.4\n";
     Lines lines = lines_of(certified(model).text);
     ASSERT_FALSE(lines.empty()) << what;
     EXPECT_EQ(outcome(joined(lines), model), is_unseen ? Outcome::kUnfinished : Outcome::kVerified)
         << what;
-    lines[first(lines, "unknown")] = "unknown q = 0 +- " + std::to_string(turns.count) + "*pi";
+    lines[first(lines, "unknown")] =
+        "unknown q = 0 +- " + std::to_string(turns.count) + (is_in_degrees ? "*180" : "*pi");
     const auto is_beyond = [&](const std::string& line) {
       return line.starts_with("solution ") &&
-             std::fabs(std::stod(line.substr(9))) > turns.count * std::numbers::pi;
+             std::fabs(std::stod(line.substr(9))) > turns.count * std::numbers::pi * radian;
     };
     std::erase_if(lines, is_beyond);
     if (std::string(turns.equation) == "sin(q) - x")
       for (const double more : {-5.871669, -3.553109}) {
         std::ostringstream line;
-        line << "solution " << more - 1e-4 << ':' << more + 1e-4;
+        line << "solution " << (more - 1e-4) * radian << ':' << (more + 1e-4) * radian;
         lines.insert(std::ranges::find(lines, "proof"), line.str());
       }
     const std::size_t count = count_of(lines, "solution");
@@ -103,6 +109,11 @@ TEST(ARangeOfAnAngle, IsShortenedToTurnsOnlyIfTheEquationsRepeat) {
   }
 }
 
+TEST(ARangeOfAnAngle, IsShortenedToTurnsOnlyIfTheEquationsRepeat) {
+  expect_turns(false);
+  expect_turns(true);
+}
+
 /// Lengths have no turns, whatever the equations are.
 TEST(ARangeOfAnAngle, IsNotThatOfALength) {
   const auto model = [](const std::string& unit) {
@@ -114,6 +125,10 @@ TEST(ARangeOfAnAngle, IsNotThatOfALength) {
   const std::string text = without_sum(certified(model("rad")).text);
   EXPECT_EQ(outcome(text, model("rad")), Outcome::kVerified);
   EXPECT_EQ(outcome(text, model("m")), Outcome::kRejected);
+  EXPECT_EQ(outcome(text, model("deg")), Outcome::kRejected);
+  const std::string degrees = without_sum(certified(model("deg")).text);
+  EXPECT_EQ(outcome(degrees, model("deg")), Outcome::kVerified);
+  EXPECT_NE(outcome(degrees, model("rad")), Outcome::kVerified);
 }
 
 std::string model_at(const std::string& motion, const std::string& geometry = "a = 1") {
