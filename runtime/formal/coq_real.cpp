@@ -131,4 +131,13 @@ std::string coq_argument(const std::string& text) {
   return is_word ? text : '(' + text + ')';
 }
 
+std::string text_of(const std::vector<std::string>& parts, const char* between) {
+  std::string text;
+  for (const std::string& part : parts) {
+    if (!text.empty()) text += between;
+    text += part;
+  }
+  return text;
+}
+
 }  // namespace regulus::verifier

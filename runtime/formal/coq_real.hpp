@@ -23,4 +23,7 @@ namespace regulus::verifier {
 /// Returns the text as an argument of a function: in parentheses, unless it is a word or a number.
 [[nodiscard]] std::string coq_argument(const std::string& text);
 
+/// Joins the parts.
+[[nodiscard]] std::string text_of(const std::vector<std::string>& parts, const char* between);
+
 }  // namespace regulus::verifier

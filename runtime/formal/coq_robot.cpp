@@ -87,14 +87,21 @@ class RobotReader {
     require_known_keys(motion_, known);
   }
 
-  void require_known_keys(const std::string& table, const std::set<std::string>& known) const {
+  /// `table`: with a dot behind its name.
+  [[nodiscard]] std::set<std::string> keys_of(const std::string& table) const {
+    std::set<std::string> keys;
     for (auto place = values_.lower_bound(table);
          place != values_.end() && place->first.starts_with(table); ++place) {
       const std::string rest = place->first.substr(table.size());
-      const std::string key = rest.substr(0, rest.find_first_of(".["));
+      keys.insert(rest.substr(0, rest.find_first_of(".[")));
+    }
+    return keys;
+  }
+
+  void require_known_keys(const std::string& table, const std::set<std::string>& known) const {
+    for (const std::string& key : keys_of(table))
       if (!known.contains(key))
         refuse_model("the key '" + key + "' in [" + table.substr(0, table.size() - 1) + ']');
-    }
   }
 
   /// What has not been read may change the set or the robot.
@@ -185,14 +192,8 @@ class RobotReader {
   }
 
   void read_geometry() {
-    constexpr std::string_view kTable = "geometry.";
-    std::set<std::string> names;
-    for (auto place = values_.lower_bound(kTable);
-         place != values_.end() && place->first.starts_with(kTable); ++place) {
-      const std::string rest = place->first.substr(kTable.size());
-      names.insert(rest.substr(0, rest.find_first_of(".[")));
-    }
-    for (const std::string& name : names) read_constant(std::string(kTable) + name, name);
+    const std::string table = "geometry.";
+    for (const std::string& name : keys_of(table)) read_constant(table + name, name);
   }
 
   /// A number, or a list of coordinates: NAME_1, …
@@ -236,14 +237,8 @@ class RobotReader {
 
   void read_parameters() {
     const std::string table = motion_ + "parameters.";
-    std::set<std::string> names;
-    for (auto place = values_.lower_bound(table);
-         place != values_.end() && place->first.starts_with(table); ++place) {
-      const std::string rest = place->first.substr(table.size());
-      names.insert(rest.substr(0, rest.find('[')));
-    }
     std::vector<std::pair<std::string, NodeId>> nodes;
-    for (const std::string& name : names) {
+    for (const std::string& name : keys_of(table)) {
       nodes.emplace_back(name, ranged(coq_identifier(name), table + name, name, false));
       robot_.of_certificate[name] = coq_identifier(name);
     }
@@ -386,8 +381,8 @@ class RobotReader {
   Scope scope_;  ///< constants, parameters, and poses with ranges
   std::map<std::string, NodeId> values_of_poses_;
   std::map<std::string, std::string> commanded_;  ///< by pose parameter
-  std::map<std::string, std::string>
-      of_pose_;  ///< a variable of the certificate at a pose that it names
+  /// A variable of the certificate at a pose that it names.
+  std::map<std::string, std::string> of_pose_;
   /// By the number of a variable of the graph: its name, and values in Coq.
   std::vector<std::string> names_, witnesses_, poses_;
   std::vector<NodeId> middles_;  ///< of their ranges
@@ -397,15 +392,6 @@ class RobotReader {
 };
 
 }  // namespace
-
-std::string text_of(const std::vector<std::string>& parts, const char* between) {
-  std::string text;
-  for (const std::string& part : parts) {
-    if (!text.empty()) text += between;
-    text += part;
-  }
-  return text;
-}
 
 RobotOfModel read_robot(const Question& question, const CoqModel& model) {
   return RobotReader(question, model).read();

@@ -42,7 +42,4 @@ struct RobotOfModel {
 /// Throws Unfinished for what Geometry.v has no word for, and for a key that it does not know.
 [[nodiscard]] RobotOfModel read_robot(const Question& question, const CoqModel& model);
 
-/// Joins the parts.
-[[nodiscard]] std::string text_of(const std::vector<std::string>& parts, const char* between);
-
 }  // namespace regulus::verifier
