@@ -340,6 +340,15 @@ std::vector<Base> written_here() {
       {"expression", kPair, {"bound", "work", "x*phi + phi^2/(x + 2)", "--limit", "5"}},
       {"met", kPair, {"bound", "work", "force", "--load", "gust", "--leg", "1", "--limit", "0.1"}},
       {"branch", kSlider, {"check", "work"}},
+      {"five-bar", "five_bar_closure", {"check", "work"}},
+      {"shards", "robot_1", {"check", "wide_15"}, "", "", 400},
+      {"shards of pieces", kEverything, {"check", "way"}, kWay, "way.csv", 60},
+      {"shards of a paving", kCart, {"locate", "work", "--load", "gust"}, "", "", 1000},
+  };
+}
+
+std::vector<Base> of_solutions() {
+  return {
       {"list", kLoop, {"solve", "here"}},
       {"list on a curve", kLoop, {"solve", "path"}},
       {"list around a turn", kTurn, {"solve", "here"}},
@@ -350,10 +359,6 @@ std::vector<Base> written_here() {
       {"postures", kWrist, {"solve", "here"}},
       {"postures by the tool", kWrist, {"solve", "tool"}},
       {"postures beside a held joint", kElbow, {"solve", "here", "--hold", "q3"}},
-      {"five-bar", "five_bar_closure", {"check", "work"}},
-      {"shards", "robot_1", {"check", "wide_15"}, "", "", 400},
-      {"shards of pieces", kEverything, {"check", "way"}, kWay, "way.csv", 60},
-      {"shards of a paving", kCart, {"locate", "work", "--load", "gust"}, "", "", 1000},
   };
 }
 
@@ -385,7 +390,8 @@ std::vector<Base> of_the_library() {
 const std::vector<Base>& bases() {
   static const std::vector<Base> kBases = [] {
     std::vector<Base> all = written_here();
-    for (Base& base : of_the_library()) all.push_back(std::move(base));
+    for (auto* more : {of_solutions, of_the_library})
+      for (Base& base : more()) all.push_back(std::move(base));
     return all;
   }();
   return kBases;
