@@ -8,7 +8,7 @@ set(REGULUS_MANUAL_PAGES
     runtime/SOUNDNESS.md runtime/proof/CERTIFICATES.md runtime/proof/FORMAT.md
     runtime/proof/PROOF.md runtime/formal/FORMAL.md)
 set(REGULUS_MANUAL_PICTURES
-    codegen/answer/page/page.webp codegen/answer/page/robots.webp codegen/answer/page/slices.webp codegen/answer/page/way.webp
+    codegen/answer/page/page.webp codegen/answer/page/robots.webp codegen/answer/page/slices.webp codegen/answer/page/solutions.webp codegen/answer/page/way.webp
     models/planar_3rpr.svg models/tsai_3upu.svg tests/paper/growth.svg)
 
 find_program(REGULUS_CMARK cmark-gfm)

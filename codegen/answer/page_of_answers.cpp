@@ -9,9 +9,12 @@
 
 #include "codegen/answer/ask.hpp"
 #include "codegen/answer/certificate/certificate_question.hpp"
+#include "codegen/answer/page/drawing_json.hpp"
 #include "codegen/answer/refusals.hpp"
 #include "codegen/model/file/read_file.hpp"
+#include "codegen/model/place.hpp"
 #include "codegen/model/request.hpp"
+#include "codegen/model/way/trajectory.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/scratch_folder.hpp"
 #include "codegen/support/write_file.hpp"
@@ -28,6 +31,15 @@ Json without_files(Json report) {
                           "certificate_obstacles", "proof"})
     report.erase(key);
   return report;
+}
+
+/// A page says that there are boxes which may hold others, and shows those that its text names.
+void leave_out_open_boxes(Json& report) {
+  constexpr std::size_t kMost = 16;
+  if (const auto open = report.find("open_boxes"); open != report.end() && open->size() > kMost)
+    open->erase(open->begin() + kMost, open->end());
+  if (const auto places = report.find("places"); places != report.end())
+    for (Json& place : *places) leave_out_open_boxes(place);
 }
 
 std::string text_or(const Json& report, const char* key) {
@@ -100,6 +112,7 @@ std::unique_ptr<Answer> ask_with_lines(const AskSolve& asked, const Services& se
   std::unique_ptr<SolveAnswer> answer = ask(asked, with_lines);
   ShownAnswer what = shown(asked, *answer);
   what.text = lines + what.text;
+  if (answer->proof.is_written()) what.certificate = answer->proof.path();
   what.no_certificate = answer->proof.obstacle();
   page.add(std::move(what));
   return answer;
@@ -122,17 +135,23 @@ PageSubject subject_of(std::string_view kind) {
 
 PageOfAnswers::PageOfAnswers(PageTemplate page, const ModelOptions& model, const std::string& typed,
                              PageSubject subject)
-    : template_(std::move(page)) {
+    : template_(std::move(page)), paths_(model, typed) {
   data_.command = typed;
   data_.model_text = model_text(model);
-  if (subject == PageSubject::kPlaces) return;
+  if (subject == PageSubject::kPlaces) {
+    data_.again = {typed, command_to_verify(model)};
+    data_.drawing = json_drawing_at_solutions(read_model(data_.model_text, model, nullptr));
+    return;
+  }
   request_ = std::make_unique<Request>(read_request(data_.model_text, model));
+  if (request_->motion.trajectory) paths_.add(request_->motion.trajectory->file);
   set_question(data_, *request_, uncertain_names(*request_), model);
 }
 
 PageOfAnswers::~PageOfAnswers() = default;
 
 void PageOfAnswers::add(ShownAnswer answer) {
+  paths_.add(answer.certificate);
   const bool is_closed = request_ && request_->model.closure;
   // The bars are those of quantities; finite errors have others, which the report tells.
   if (answer.kind == "bound" && !is_closed) data_.bounds.push_back(answer.report);
@@ -142,16 +161,19 @@ void PageOfAnswers::add(ShownAnswer answer) {
   if (answer.kind == "paving") data_.paving = std::move(answer.paving);
   if (!data_.kind.empty()) return;
   data_.kind = is_closed && answer.kind == "check" ? "closure" : answer.kind;
-  data_.headline = answer.headline;
-  data_.text = answer.text;
+  // That of a datasheet is all its lines.
+  const bool is_sheet = answer.kind == "datasheet";
+  data_.headline = is_sheet ? "DATASHEET" : answer.headline;
+  data_.text = is_sheet ? answer.text + answer.headline : answer.text;
   data_.report = without_files(std::move(answer.report));
+  if (answer.kind == kSolutions) leave_out_open_boxes(data_.report);
   data_.certificate_note = answer.no_certificate;
   if (is_closed && answer.kind == "paving")
     data_.certificate_note = refusal(Kind::kClosurePaving, Service::kProof).value_or("");
   if (is_closed && answer.kind == "bound")
     data_.certificate_note = refusal(Kind::kClosureFiniteErrors, Service::kProof).value_or("");
-  if (answer.kind != "check") return;
-  if (request_->motion.trajectory && !data_.report["segment"].is_null())
+  if (answer.kind != "check" && answer.kind != kSolutions) return;
+  if (request_ && request_->motion.trajectory && !data_.report["segment"].is_null())
     set_deciding_segment(data_, *request_, uncertain_names(*request_));
   if (!answer.certificate.empty()) take_proof(answer.certificate);
 }
@@ -164,18 +186,19 @@ void PageOfAnswers::take_proof(const std::string& file) {
   data_.certificate_note =
       is_index
           ? "its proof is in several files, which a page does not hold; `regulus verify` checks it"
-          : "its proof is longer than a page holds; `regulus check --certificate` writes it to a "
-            "file";
+          : "its proof is longer than a page holds; the option --certificate writes it to a file";
 }
 
 std::size_t PageOfAnswers::write(const std::string& file) const {
+  PageData data = data_;
+  remove_folders(data, paths_);
   const std::string text =
-      template_.fill({.title = fmt::format("{}, {}: {}", text_or(data_.report, "model"),
-                                           text_or(data_.report, "motion"), data_.headline),
-                      .verdict = data_.headline,
-                      .claim = text_or(data_.report, "claim"),
-                      .report = data_.text,
-                      .data = json_text(data_)});
+      template_.fill({.title = fmt::format("{}, {}: {}", text_or(data.report, "model"),
+                                           text_or(data.report, "motion"), data.headline),
+                      .verdict = data.headline,
+                      .claim = text_or(data.report, "claim"),
+                      .report = data.text,
+                      .data = json_text(data)});
   write_file(file, text);
   return text.size();
 }

@@ -24,7 +24,7 @@ struct ShownAnswer {
   std::string headline;             ///< "NO SINGULARITY"
   std::string text;                 ///< the report for people
   nlohmann::ordered_json report;    ///< the report for programs
-  std::string certificate{};        ///< of a check: the file of its proof; empty: there is none
+  std::string certificate{};        ///< of a check or of solutions: the file of the proof
   std::string no_certificate{};     ///< why
   nlohmann::ordered_json paving{};  ///< of a paving: its header, its tree, or its stretches
 };
@@ -57,13 +57,14 @@ class PageOfAnswers {
   /// Throws    FileError if the certificate cannot be read; UsageError for a paving that is too long.
   void add(ShownAnswer answer);
 
-  /// Writes the page. Returns its size in bytes. Throws FileError.
+  /// Writes the page, without the folders of files. Returns its size in bytes. Throws FileError.
   std::size_t write(const std::string& file) const;
 
  private:
   void take_proof(const std::string& file);
 
   PageTemplate template_;
+  LocalPaths paths_;
   std::unique_ptr<const Request> request_;  ///< null of places
   PageData data_;
 };

@@ -52,8 +52,6 @@ constexpr std::string_view kNoProofOfFiniteErrors =
     "finite errors have no proof in a file; ask check for one of the branch";
 constexpr std::string_view kNoWayTheorem = "Coq has the theorem about a force over ranges alone";
 
-constexpr std::string_view kNoProofOfPostures =
-    "a list of postures has no proof in a file; leave the certificate out";
 constexpr std::string_view kNoShardsOfSolutions =
     "a proof of a list of solutions is short, and one file; leave the shards out";
 constexpr std::string_view kNoTheoremOfSolutions =
@@ -253,8 +251,7 @@ constexpr std::string_view kIntroduction =
     "Python "
     "ask the same questions as the\ncommand. Every search takes limits, threads and an interrupt, "
     "and "
-    "shows its progress on a terminal. Of bounds over\nranges Coq proves those of forces. Of lists "
-    "of solutions those of postures have no proof.\n\n";
+    "shows its progress on a terminal. Of bounds over\nranges Coq proves those of forces.\n\n";
 
 /// Returns the number of a reason, from 1.
 std::size_t number_of(std::string_view reason, std::vector<std::string_view>& reasons) {
@@ -308,11 +305,6 @@ std::optional<std::string_view> refusal(Kind kind, Service service) {
   for (const Refusal& row : kRefusals)
     if (row.kind == kind && (row.service == service || row.service == kAnswer)) return row.why;
   return std::nullopt;
-}
-
-void refuse_proof_of_solutions(const Request& request, const Services& services) {
-  if (request.model.arm != nullptr)
-    throw UsageError(fmt::format("{}certificate: {}", services.dashes, kNoProofOfPostures));
 }
 
 void refuse_services(Kind kind, const ModelOptions& model, const SearchOptions& search,

@@ -73,9 +73,6 @@ struct Refusal {
 /// Returns the reason; nullopt if the question has the service.
 [[nodiscard]] std::optional<std::string_view> refusal(Kind kind, Service service);
 
-/// Throws UsageError for a robot whose list of solutions has no proof.
-void refuse_proof_of_solutions(const Request& request, const Services& services);
-
 /// An option of a search that has no meaning for a kind of question.
 struct OptionRefusal {
   std::string_view option;  ///< of the command, without its dashes

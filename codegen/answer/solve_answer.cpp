@@ -27,7 +27,6 @@ class FoundSolutions final : public SolveAnswer {
       : search_(asked.search),
         held_(asked.held),
         request_(read_solve_request(asked.model, watch_of(services, search_))) {
-    if (!services.certificate.empty()) refuse_proof_of_solutions(request_, services);
     set_outputs_aside(asked.model, asked.search, services);
     SearchDisplay display(display_of(services));
     SolveRun run{search_,

@@ -19,6 +19,7 @@ struct Drawing {
     kLink,      ///< a body of constant length
     kRail,      ///< the way of a slider
     kJoint,  ///< two points: the place of a joint, and that place plus the unit vector of its axis
+    kTool,  ///< four points: the place of a tool, and that place plus each unit vector of its frame
   };
   struct Part {
     Kind kind = Kind::kLeg;
@@ -52,6 +53,8 @@ struct Drawing {
       return "rail";
     case Drawing::Kind::kJoint:
       return "joint";
+    case Drawing::Kind::kTool:
+      return "tool";
   }
   return "";
 }

@@ -49,6 +49,35 @@ constexpr auto kClaims =
                           {"force_within", " the_row the_load the_limit"},
                           {"force_below", " the_row the_load the_limit"}});
 
+/// What follows the theorem if the file is about the robot of a model file.
+constexpr std::string_view kGeometry = "From Regulus Require Import Geometry";
+constexpr std::string_view kLegsDefinition = "legs : list leg", kSet = "the_set";
+
+/// The words of its definitions and statements, in the meaning of Geometry.v.
+constexpr auto kRealWords = std::to_array<std::string_view>(
+    {"pi",   "deg",       "sqrt",           "sin",       "cos",     "tan",   "atan",   "exp",
+     "ln",   "Rabs",      "near",           "in_cube",   "in_ball", "first", "second", "third",
+     "True", "euler_zxz", "roll_pitch_yaw", "quaternion"});
+/// More words of a proof: they have a meaning for Coq, and none for a reader.
+constexpr auto kProofWords = std::to_array<std::string_view>(
+    {"intros", "S", "by_geometry", "by_threshold", "by_singularity", "by_point", "destruct", "as",
+     "v", "exists", "quantity", "singular_of_claim", "by_small_determinant", "small_of_claim",
+     "the_scales", "the_threshold", "no_quantities", "the_question", "the_claim"});
+constexpr auto kRealSymbols = std::to_array<std::string_view>(
+    {"(", ")", "[", "]", ";", ",", "+", "-", "*", "/", "^", "<=", "/\\"});
+
+/// Quantities of a robot but for the parameters of its motion, which begin with '_'.
+bool is_quantity(std::string_view name) {
+  constexpr auto kPose = std::to_array<std::string_view>(
+      {"x", "y", "z", "psi", "theta", "phi", "roll", "pitch", "yaw", "q0", "q1", "q2", "q3"});
+  constexpr std::string_view kCommanded = "_commanded";
+  if (name.starts_with('_')) return name.size() > 1;
+  if (name.size() == 2 && (name[0] == 'a' || name[0] == 'b'))
+    return '1' <= name[1] && name[1] <= '6';
+  if (name.ends_with(kCommanded)) name.remove_suffix(kCommanded.size());
+  return std::ranges::find(kPose, name) != kPose.end();
+}
+
 template <std::size_t N>
 bool is_one_of(std::string_view text, const std::array<std::string_view, N>& all) {
   return std::ranges::find(all, text) != all.end();
@@ -74,7 +103,8 @@ class PlainReader {
     while (at_ < sentences_.size() && sentences_[at_].front().text == "Definition") definition();
     PlainTheorem theorem = statement();
     proof();
-    if (at_ < sentences_.size()) fail("nothing may follow the theorem");
+    if (current() == kGeometry) geometry(theorem);
+    if (at_ < sentences_.size()) fail("nothing may follow the last theorem");
     return theorem;
   }
 
@@ -175,8 +205,159 @@ class PlainReader {
     expect("Qed");
   }
 
+  // The theorems about a robot.
+
+  void geometry(PlainTheorem& theorem) {
+    ++at_;
+    const bool has_legs =
+        current().starts_with("Definition " + std::string(kLegsDefinition) + " := ");
+    if (has_legs) geometric_definition(3, {}, theorem);
+    if (!current().starts_with("Definition the_set ")) fail("expected the definition of the_set");
+    Words words{at_sentence(), 2};
+    const std::vector<std::string> names = binders(words);
+    for (const char* word : {":", "Prop"}) expect_word(words, word);
+    geometric_definition(words.at, names, theorem);
+    robot(names, has_legs, theorem);
+    if (at_ < sentences_.size())
+      point(names, theorem);
+    else
+      theorem.may_be_empty = !is_singular_;
+  }
+
+  /// A sentence, and where its reader is.
+  struct Words {
+    const Sentence& all;
+    std::size_t at = 0;
+
+    [[nodiscard]] std::string_view next() const { return at < all.size() ? all[at].text : ""; }
+  };
+
+  [[nodiscard]] const Sentence& at_sentence() const {
+    static const Sentence kNone;
+    return at_ < sentences_.size() ? sentences_[at_] : kNone;
+  }
+
+  void expect_word(Words& words, std::string_view word) const {
+    if (words.next() != word)
+      fail("found '" + std::string(words.next()) + "', expected '" + std::string(word) + '\'');
+    ++words.at;
+  }
+
+  /// Reads `(x y : R) (a1 : point)`: no name has another meaning here.
+  std::vector<std::string> binders(Words& words) const {
+    std::vector<std::string> names;
+    while (words.next() == "(") {
+      for (++words.at; words.next() != ":" && words.at < words.all.size(); ++words.at) {
+        const std::string name(words.next());
+        if (!is_quantity(name) || std::ranges::find(names, name) != names.end())
+          fail("'" + name + "' is no quantity of a robot, or is one twice");
+        names.push_back(name);
+      }
+      expect_word(words, ":");
+      if (words.next() != "R" && words.next() != "point") fail("expected R or point");
+      ++words.at;
+      expect_word(words, ")");
+    }
+    return names;
+  }
+
+  /// The same words as in the definition of the_set.
+  void expect_binders(Words& words, std::string_view quantifier,
+                      const std::vector<std::string>& names) const {
+    if (names.empty()) return;
+    expect_word(words, quantifier);
+    if (binders(words) != names) fail("the quantities are not those of the_set");
+    expect_word(words, ",");
+  }
+
+  void expect_set(Words& words, const std::vector<std::string>& names) const {
+    expect_word(words, kSet);
+    for (const std::string& name : names) expect_word(words, name);
+  }
+
+  template <class Predicate>
+  void check_geometric_words(const Words& words, const std::vector<std::string>& names,
+                             Predicate is_other) const {
+    for (std::size_t i = words.at; i < words.all.size(); ++i) {
+      const CoqToken& token = words.all[i];
+      const bool is_known = token.kind == Kind::kNumber || is_one_of(token.text, kRealWords) ||
+                            is_one_of(token.text, kRealSymbols) || is_other(token.text) ||
+                            std::ranges::find(names, token.text) != names.end();
+      if (!is_known)
+        throw Rejection("line " + std::to_string(token.line) + ": '" + std::string(token.text) +
+                        "' has no meaning in the geometry of a plain file");
+    }
+  }
+
+  /// Reads the body after `:=`, which begins at or after `from`.
+  void geometric_definition(std::size_t from, const std::vector<std::string>& names,
+                            PlainTheorem& theorem) {
+    Words words{at_sentence(), from};
+    while (words.next() != ":=" && words.at < words.all.size() && from == 3) ++words.at;
+    expect_word(words, ":=");
+    check_geometric_words(words, names, [](std::string_view) { return false; });
+    theorem.definitions += current() + ".\n";
+    ++at_;
+  }
+
+  /// Reads `Theorem NAME :`.
+  Words theorem_named(const char* name) const {
+    Words words{at_sentence()};
+    for (const char* word : {"Theorem", name, ":"}) expect_word(words, word);
+    return words;
+  }
+
+  void add_theorem(const char* name, PlainTheorem& theorem) {
+    const Sentence& all = at_sentence();
+    theorem.geometry.push_back({name, joined({all.begin() + 3, all.end()})});
+    ++at_;
+    expect("Proof");
+  }
+
+  /// Full rank or a large determinant at all poses, or a determinant that is small or 0 at one.
+  void robot(const std::vector<std::string>& names, bool has_legs, PlainTheorem& theorem) {
+    constexpr const char* kName = "the_robot";
+    Words words = theorem_named(kName);
+    is_singular_ = words.next() == "exists" || (names.empty() && names_a_pose());
+    expect_binders(words, is_singular_ ? "exists" : "forall", names);
+    expect_set(words, names);
+    expect_word(words, is_singular_ ? "/\\" : "->");
+    const auto is_of_matrix = [&](std::string_view word) {
+      constexpr auto kMatrixWords = std::to_array<std::string_view>(
+          {"full_column_rank", "determinant", "gough", "inverse_jacobian", "<", "="});
+      return is_one_of(word, kMatrixWords) || (has_legs && word == "legs");
+    };
+    check_geometric_words(words, names, is_of_matrix);
+    add_theorem(kName, theorem);
+    geometric_proof(names);
+  }
+
+  /// A motion without quantities has one pose.
+  [[nodiscard]] bool names_a_pose() const {
+    return current().find("the_set /\\ ") != std::string::npos;
+  }
+
+  void point(const std::vector<std::string>& names, PlainTheorem& theorem) {
+    constexpr const char* kName = "the_set_is_inhabited";
+    Words words = theorem_named(kName);
+    expect_binders(words, "exists", names);
+    expect_set(words, names);
+    if (words.at != words.all.size()) fail("expected the end of the sentence");
+    add_theorem(kName, theorem);
+    geometric_proof(names);
+  }
+
+  /// Whatever it does, Coq checks it; no word of it can do anything else.
+  void geometric_proof(const std::vector<std::string>& names) {
+    for (; at_ < sentences_.size() && current() != "Qed"; ++at_)
+      check_geometric_words({at_sentence()}, names,
+                            [](std::string_view word) { return is_one_of(word, kProofWords); });
+    expect("Qed");
+  }
+
   std::vector<Sentence> sentences_;
   std::size_t at_ = 0, last_line_ = 1;
+  bool is_singular_ = false;  ///< the theorem about the robot names a pose
   std::set<std::string, std::less<>> defined_;
 };
 

@@ -7,6 +7,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace regulus::verifier {
 
@@ -14,9 +15,20 @@ namespace regulus::verifier {
 inline constexpr const char* kAuditedFolder = "RegulusAudited";
 inline constexpr const char* kAuditedFile = "audited";
 
+/// A theorem about the robot of a model file: as written, with single spaces.
+struct PlainGeometry {
+  std::string name, statement;
+};
+
 struct PlainTheorem {
   std::string statement;  ///< as written, with single spaces
   std::string type;       ///< the same, each name by its whole path
+  /// Of a file with theorems about a robot: the definitions that these use, as sentences that need the
+  /// import of Geometry.v alone, and the theorems.
+  std::string definitions{};
+  std::vector<PlainGeometry> geometry{};
+  /// They are about all points of a set, and nothing says that there is one.
+  bool may_be_empty = false;
 };
 
 /// Throws Rejection, with the line and what is not plain.

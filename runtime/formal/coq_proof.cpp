@@ -172,8 +172,7 @@ std::string force(const Question& bordered, const std::vector<std::string>& line
 }
 
 /// Reads the question, and what its theorem needs of the proof.
-std::string read_and_write(Lines& lines, CoqStatement statement) {
-  Question question;
+std::string read_and_write(Lines& lines, CoqStatement statement, Question& question) {
   lines.keep();
   read_question(lines, question);
   refuse_other_claims(question);
@@ -185,15 +184,33 @@ std::string read_and_write(Lines& lines, CoqStatement statement) {
   return heading(question) + coq.text + method(coq) + regular_theorem(question, false);
 }
 
-}  // namespace
-
-std::string coq_proof(std::istream& certificate, CoqStatement statement) {
+/// `question` is complete after this.
+std::string proof_of(std::istream& certificate, CoqStatement statement, Question& question) {
   Lines lines(certificate);
   try {
-    return read_and_write(lines, statement);
+    return read_and_write(lines, statement, question);
   } catch (const Rejection& why) {
     throw Rejection("line " + std::to_string(lines.number()) + ": " + why.what());
   }
+}
+
+}  // namespace
+
+std::string coq_proof(std::istream& certificate, CoqStatement statement) {
+  Question question;
+  return proof_of(certificate, statement, question);
+}
+
+std::string coq_proof(std::istream& certificate, CoqStatement statement, const CoqModel& model,
+                      CoqRobot& robot) {
+  Question question;
+  std::string text = proof_of(certificate, statement, question);
+  try {
+    robot.text = coq_geometry(question, model);
+  } catch (const std::runtime_error& why) {
+    robot.reason = why.what();
+  }
+  return text;
 }
 
 }  // namespace regulus::verifier

@@ -5,6 +5,8 @@
 #include <istream>
 #include <string>
 
+#include "runtime/formal/coq_geometry.hpp"
+
 namespace regulus::verifier {
 
 enum class CoqStatement {
@@ -19,5 +21,15 @@ enum class CoqStatement {
 /// that is always singular, or at a point without a double; or if the certificate is not that of a force.
 [[nodiscard]] std::string coq_proof(std::istream& certificate,
                                     CoqStatement statement = CoqStatement::kClaim);
+
+/// The sentences that may follow, about the robot of a model file (coq_geometry.hpp).
+struct CoqRobot {
+  std::string text;
+  std::string reason;  ///< if there are none
+};
+
+/// The same; `robot` gets what may follow.
+[[nodiscard]] std::string coq_proof(std::istream& certificate, CoqStatement statement,
+                                    const CoqModel& model, CoqRobot& robot);
 
 }  // namespace regulus::verifier

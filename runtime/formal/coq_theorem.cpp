@@ -39,6 +39,26 @@ void require(const Coqc::Answer& answer, const std::string& what) {
   if (!answer.is_accepted) throw Rejection(what + reason_of(answer.text));
 }
 
+std::string theorem_anew(const std::string& name, const std::string& type) {
+  return "Theorem audited_" + name + " : " + type + ".\nProof. exact " + kAuditedFolder + '.' +
+         kAuditedFile + '.' + name + ". Qed.\n";
+}
+
+/// A file that states all theorems of the audited one, and lists their axioms.
+std::string statements_anew(const PlainTheorem& theorem) {
+  std::string text = std::string("Require Coq.Lists.List Regulus.Questions ") + kAuditedFolder +
+                     '.' + kAuditedFile + ".\n" + theorem_anew("the_claim", theorem.type);
+  std::string names = "audited_the_claim";
+  if (!theorem.geometry.empty())
+    text += "From Regulus Require Import Geometry.\n" + theorem.definitions;
+  for (const PlainGeometry& robot : theorem.geometry) {
+    text += theorem_anew(robot.name, robot.statement);
+    names += ", audited_" + robot.name;
+  }
+  return text + "Definition audited_theorems := (" + names +
+         ").\nPrint Assumptions audited_theorems.\n";
+}
+
 }  // namespace
 
 void check_assumptions(std::string_view answer) {
@@ -57,17 +77,16 @@ void check_assumptions(std::string_view answer) {
 }
 
 ProvedTheorem prove_by_coq(std::string_view text, const std::string& library, double time_limit) {
-  PlainTheorem theorem = read_plain_theorem(text);
+  const PlainTheorem theorem = read_plain_theorem(text);
   Coqc coqc(find_coq_library(library), time_limit);
   require(coqc.compile(kAuditedFile, std::string(text)), "Coq refuses the file: ");
-  const std::string audited = std::string(kAuditedFolder) + '.' + kAuditedFile;
-  const Coqc::Answer answer = coqc.compile(
-      "audit", "Require Coq.Lists.List Regulus.Questions " + audited +
-                   ".\nTheorem the_audited_claim : " + theorem.type + ".\nProof. exact " + audited +
-                   ".the_claim. Qed.\nPrint Assumptions the_audited_claim.\n");
+  const Coqc::Answer answer = coqc.compile("audit", statements_anew(theorem));
   require(answer, "the theorem does not state its claim: ");
   check_assumptions(answer.text);
-  return {std::move(theorem.statement)};
+  ProvedTheorem proved{{theorem.statement}, theorem.may_be_empty};
+  for (const PlainGeometry& robot : theorem.geometry)
+    proved.statements.push_back(robot.name + " : " + robot.statement);
+  return proved;
 }
 
 }  // namespace regulus::verifier

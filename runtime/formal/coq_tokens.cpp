@@ -122,7 +122,7 @@ class Tokenizer {
   /// Coq takes the longest symbol that it knows; these are the only ones of two characters.
   void skip_symbol() {
     constexpr std::string_view kSingle = "()[]{};,:+-*/^%=<>";
-    for (const std::string_view two : {":=", "=>", "->", "<="})
+    for (const std::string_view two : {":=", "=>", "->", "<=", "/\\"})
       if (text_.substr(at_, 2) == two) {
         at_ += 2;
         return;

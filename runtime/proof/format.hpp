@@ -186,6 +186,7 @@ inline constexpr const char* kOfUnknowns =
 inline constexpr const char* kOfThreeLegs =
     "a platform on three legs in the plane with these anchors and lengths";
 inline constexpr const char* kOfSixLegs = "a platform on six legs with these anchors and lengths";
+inline constexpr const char* kOfArm = "an arm of these six joints whose end is at this place";
 
 /// Returns a claim about all solutions in words.
 [[nodiscard]] inline std::string describe_solutions_claim(const ClaimedSolutions& claimed) {

@@ -308,4 +308,17 @@ std::optional<Rational> exact_value(Graph& graph, NodeId expression) {
   return std::nullopt;
 }
 
+bool certain_equal(Graph& graph, NodeId a, NodeId b, std::uint64_t products) {
+  if (a == b) return true;
+  const std::vector<NodeId> none;
+  for (const auto form : {Algebra::Form::kPlain, Algebra::Form::kFull}) try {
+      AlgebraBudget budget(products);
+      Algebra algebra(graph, none, form, budget);
+      if (algebra.vanishes(algebra.of(graph.add(Op::kSubtract, a, b)))) return true;
+    } catch (const TooLarge&) {
+      return false;
+    }
+  return false;
+}
+
 }  // namespace regulus::verifier

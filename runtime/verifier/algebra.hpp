@@ -133,4 +133,7 @@ class Algebra {
 /// Returns the value of an expression without variables if it is found to be rational.
 [[nodiscard]] std::optional<Rational> exact_value(Graph& graph, NodeId expression);
 
+/// Ensures   true only if two expressions are the same node, or equal wherever both have values.
+[[nodiscard]] bool certain_equal(Graph& graph, NodeId a, NodeId b, std::uint64_t products);
+
 }  // namespace regulus::verifier

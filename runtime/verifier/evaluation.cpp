@@ -132,16 +132,33 @@ NodeId replaced(Graph& graph, NodeId root, std::map<NodeId, NodeId> nodes) {
   return nodes.at(root);
 }
 
+/// Constants are computed here, once; one that has no bounded value is computed again in each run, where
+/// it fails.
 Evaluation::Evaluation(const Question& question, const std::vector<NodeId>& roots)
     : q_(question), values_(question.graph.nodes().size()) {
   const Graph& graph = question.graph;
-  for (const NodeId id : ingredients(graph, roots)) {
+  const std::vector<NodeId> all = ingredients(graph, roots);
+  std::vector<bool> varies(values_.size()), is_read(values_.size());
+  for (const NodeId root : roots)
+    if (root != kNoNode) is_read[std::size_t(root)] = true;
+  for (const NodeId id : all) {
     const Node& node = graph.nodes()[std::size_t(id)];
-    const Interval constant = node.op == Op::kConstant ? enclose(graph.rational(node.a))
-                              : node.op == Op::kPi     ? enclose_pi()
-                                                       : Interval{};
-    steps_.push_back({id, node, constant});
+    Interval& value = values_[std::size_t(id)];
+    if (node.op == Op::kConstant) value = enclose(graph.rational(node.a));
+    if (node.op == Op::kPi) value = enclose_pi();
+    bool is_variable = node.op == Op::kVariable;
+    if (operands(node.op) > 0) is_variable = varies[std::size_t(node.a)];
+    if (operands(node.op) > 1) is_variable = is_variable || varies[std::size_t(node.b)];
+    if (operands(node.op) > 0 && !is_variable) value = compute(node, values_);
+    varies[std::size_t(id)] = is_variable || !is_bounded(value);
+    if (!varies[std::size_t(id)]) continue;
+    if (operands(node.op) > 0) is_read[std::size_t(node.a)] = true;
+    if (operands(node.op) > 1) is_read[std::size_t(node.b)] = true;
   }
+  for (const NodeId id : all)
+    if (varies[std::size_t(id)] || is_read[std::size_t(id)])
+      steps_.push_back(
+          {id, graph.nodes()[std::size_t(id)], varies[std::size_t(id)], values_[std::size_t(id)]});
 }
 
 /// Computes an operation for which rounding alone may have put an operand outside the domain.
@@ -164,9 +181,10 @@ Interval Evaluation::narrowed(NodeId root, const Box& box) const {
 
 bool Evaluation::run(const Box& box) {
   for (const Step& step : steps_) {
-    Interval value = step.node.op == Op::kVariable ? box[std::size_t(step.node.a)]
-                     : operands(step.node.op) == 0 ? step.constant
-                                                   : compute(step.node, values_);
+    Interval value = !step.varies                    ? step.constant
+                     : step.node.op == Op::kVariable ? box[std::size_t(step.node.a)]
+                     : operands(step.node.op) == 0   ? step.constant
+                                                     : compute(step.node, values_);
     if (!is_bounded(value)) value = with_exact_operands(step.node, box);
     if (!is_bounded(value)) return false;
     values_[std::size_t(step.id)] = value;

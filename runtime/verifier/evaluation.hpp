@@ -59,7 +59,8 @@ class Evaluation {
   struct Step {
     NodeId id;
     Node node;
-    Interval constant;  ///< kConstant, kPi
+    bool varies;
+    Interval constant;  ///< if it does not vary
   };
   [[nodiscard]] Interval with_exact_operands(const Node& node, const Box& box);
 

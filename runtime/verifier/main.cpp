@@ -46,7 +46,9 @@ constexpr const char* kHelp =
     "  --threads N      prove leaves by N threads (default 1); the answer is the same\n"
     "  --max-boxes N    evaluate at most N boxes for all leaves together (default 4194304)\n"
     "  --coq FILE       do not prove the claim, but write it as a theorem that Coq proves:\n"
-    "                   coqc -Q FOLDER Regulus FILE (runtime/formal/FORMAL.md)\n"
+    "                   coqc -Q FOLDER Regulus FILE (runtime/formal/FORMAL.md). With --model, the\n"
+    "                   file also has a theorem about the robot of the model file, if that has\n"
+    "                   the table [gough]; otherwise nothing is written\n"
     "  --force          with --coq or --theorem: the certificate is FILE.leg_N.safe of `regulus "
     "bound\n"
     "                   MODEL MOTION force`; the theorem says that the force is within the bound\n"
@@ -99,8 +101,6 @@ bool fits_together(Usage& usage) {
     usage.mistake = "--library is for --theorem and --audit";
   else if (usage.is_force && usage.coq.empty() && !usage.is_theorem)
     usage.mistake = "--force is for --coq and --theorem";
-  else if (!usage.coq.empty() && !usage.model.empty() && !usage.is_theorem)
-    usage.mistake = "--coq does not compare with a model file; --theorem does";
   return usage.mistake.empty();
 }
 
@@ -188,12 +188,17 @@ void write_file(const std::string& name, const std::string& text) try {
   throw std::runtime_error("the file '" + name + "' cannot " + error.what());
 }
 
-std::string theorem_of(const Usage& usage) {
+/// Returns the text of the file, without the theorem about the robot of the model file.
+std::string theorem_of(const Usage& usage, regulus::verifier::CoqRobot& robot) {
   regulus::verifier::InputFile bytes(usage.certificate);
   std::istream file(&bytes);
-  return regulus::verifier::coq_proof(file, usage.is_force
-                                                ? regulus::verifier::CoqStatement::kForce
-                                                : regulus::verifier::CoqStatement::kClaim);
+  const auto statement = usage.is_force ? regulus::verifier::CoqStatement::kForce
+                                        : regulus::verifier::CoqStatement::kClaim;
+  if (usage.model.empty()) return regulus::verifier::coq_proof(file, statement);
+  const std::string model = regulus::verifier::read_text(usage.model, kMaxModelBytes);
+  const regulus::verifier::CoqModel read{regulus::verifier::read_model_values(model),
+                                         usage.options.all_overridden};
+  return regulus::verifier::coq_proof(file, statement, read, robot);
 }
 
 /// Calls `act`. Returns the exit code: that of the answer if there is no theorem.
@@ -217,20 +222,49 @@ int unless_refused(const Usage& usage, Act act) {
 }
 
 int write_coq(const Usage& usage) {
-  return unless_refused(usage, [&] { write_file(usage.coq, theorem_of(usage)); });
+  return unless_refused(usage, [&] {
+    regulus::verifier::CoqRobot robot;
+    const std::string text = theorem_of(usage, robot);
+    if (!robot.reason.empty()) throw regulus::verifier::Unfinished(robot.reason);
+    write_file(usage.coq, text + robot.text);
+  });
 }
 
 /// Coq, and not this program, says that it is true.
 void prove(const Usage& usage, const std::string& text) {
   const auto theorem =
       regulus::verifier::prove_by_coq(text, usage.library, usage.options.time_limit);
-  if (!usage.quiet) std::cerr << "theorem    " << theorem.statement << '\n';
+  if (!usage.quiet)
+    for (const std::string& statement : theorem.statements)
+      std::cerr << "theorem    " << statement << '\n';
+  if (!usage.quiet && theorem.may_be_empty)
+    std::cerr << "note       nothing in the file says that the_set has a point\n";
   std::cout << "PROVED\n";
 }
 
 int audit(const Usage& usage) {
   const std::string text = regulus::verifier::read_text(usage.certificate, kMaxTheoremBytes);
   return unless_refused(usage, [&] { prove(usage, text); });
+}
+
+/// Writes the file, and lets Coq prove it.
+void write_and_prove(const Usage& usage, const std::string& file, const std::string& text) {
+  write_file(file, text);
+  if (!usage.quiet) std::cerr << "file       " << file << '\n';
+  prove(usage, text);
+}
+
+/// The verifier has compared the claim with the model file. If Coq cannot, the claim alone is left.
+void prove_with_robot(const Usage& usage, const std::string& file) {
+  regulus::verifier::CoqRobot robot;
+  const std::string text = theorem_of(usage, robot);
+  if (!robot.text.empty()) try {
+      return write_and_prove(usage, file, text + robot.text);
+    } catch (const regulus::verifier::Rejection& why) {
+      robot.reason = why.what();
+    }
+  if (!usage.quiet && !robot.reason.empty()) std::cerr << "geometry   " << robot.reason << '\n';
+  write_and_prove(usage, file, text);
 }
 
 int prove_theorem(Usage& usage) {
@@ -242,12 +276,7 @@ int prove_theorem(Usage& usage) {
     }
   }
   const std::string file = usage.coq.empty() ? usage.certificate + ".v" : usage.coq;
-  return unless_refused(usage, [&] {
-    const std::string text = theorem_of(usage);
-    write_file(file, text);
-    if (!usage.quiet) std::cerr << "file       " << file << '\n';
-    prove(usage, text);
-  });
+  return unless_refused(usage, [&] { prove_with_robot(usage, file); });
 }
 
 int answer(Usage& usage) {

@@ -1,29 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/verifier/planar_platform.hpp"
 
-#include <cmath>
-
-#include "runtime/verifier/proof.hpp"
+#include "runtime/verifier/middle_angle.hpp"
 
 namespace regulus::verifier {
-namespace {
-
-constexpr long kPartsOfRadian = 1024;
-constexpr double kMostAngle = 1000.0;  ///< of a line
-
-/// Returns the middle of the angles of the lines, nearly: half a turn from it no solution is near.
-NodeId middle_angle(const std::vector<SolutionLine>& lines, Graph& graph) {
-  if (lines.empty()) return graph.number("0");
-  Interval angles = lines.front().values[2];
-  for (const SolutionLine& line : lines) angles = hull(angles, line.values[2]);
-  if (!(mag(angles) < kMostAngle)) throw Rejection("an angle of a line 'solution' is too large");
-  const long parts = std::lround(double(kPartsOfRadian) * mid(angles));
-  return graph.add(Op::kDivide, graph.number(Rational(parts)),
-                   graph.number(Rational(kPartsOfRadian)));
-}
-
-}  // namespace
-
 void form_planar_equations(Question& q) {
   const SolutionLines& claim = *q.solutions;
   Graph& graph = q.graph;
@@ -49,7 +29,7 @@ void form_planar_equations(Question& q) {
     reach = plus(reach, plus(root(leg.square), root(squares(leg.platform[0], leg.platform[1]))));
   reach = times(graph.number("2"), reach);
   const LegLine& first = claim.legs.front();
-  closure.middle = {first.base[0], first.base[1], middle_angle(claim.solutions, graph)};
+  closure.middle = {first.base[0], first.base[1], middle_angle(claim.solutions, 2, graph)};
   closure.radius = {reach, reach, graph.add(Op::kPi)};
   q.closure = std::move(closure);
   q.alpha = graph.number("0");

@@ -14,6 +14,8 @@
 namespace regulus::verifier {
 namespace {
 
+constexpr std::uint64_t kProductsOfReach = 1 << 16;  ///< to show that two expressions are equal
+
 /// Cuts `text` at the first `mark`; returns false if there is none.
 bool cut(std::string_view text, std::string_view mark, std::string_view& before,
          std::string_view& after) {
@@ -307,8 +309,9 @@ class QuestionReader {
     for (std::size_t number = 0; is("reach"); ++number, advance()) {
       const std::string_view text = rest_of("reach");
       const NodeId claimed = parse(text, actual_, q_.graph);
-      if (std::none_of(operands.begin(), operands.end(),
-                       [&](NodeId operand) { return is_equal(operand, claimed); }))
+      if (std::none_of(operands.begin(), operands.end(), [&](NodeId operand) {
+            return certain_equal(q_.graph, operand, claimed, kProductsOfReach);
+          }))
         throw Rejection("the model has no square root of '" + std::string(text.substr(0, 80)) +
                         "', so that a pose where it is negative can be one of the robot");
       const NodeId operand =
@@ -316,21 +319,6 @@ class QuestionReader {
       q_.constraints.push_back(q_.graph.add(Op::kNegate, operand));
       q_.is_within_reach = true;
     }
-  }
-
-  /// Shows that two expressions are equal: the same node, or the same polynomial.
-  bool is_equal(NodeId a, NodeId b) {
-    constexpr std::uint64_t kProducts = 1 << 16;
-    if (a == b) return true;
-    const std::vector<NodeId> none;
-    for (const auto form : {Algebra::Form::kPlain, Algebra::Form::kFull}) try {
-        AlgebraBudget budget(kProducts);
-        Algebra algebra(q_.graph, none, form, budget);
-        if (algebra.vanishes(algebra.of(q_.graph.add(Op::kSubtract, a, b)))) return true;
-      } catch (const TooLarge&) {
-        return false;
-      }
-    return false;
   }
 
   void read_list(std::string_view key, const Scope& scope, std::vector<NodeId>& list) {
@@ -359,10 +347,15 @@ std::string Question::claim() const {
   if (solutions)
     return format::describe_solutions_claim({solutions->verdict,
                                              closure                       ? format::kOfUnknowns
+                                             : solutions->arm              ? format::kOfArm
                                              : solutions->legs.size() == 3 ? format::kOfThreeLegs
                                                                            : format::kOfSixLegs,
-                                             closure ? "configuration" : "pose",
-                                             closure ? "configurations" : "poses",
+                                             closure          ? "configuration"
+                                             : solutions->arm ? "posture"
+                                                              : "pose",
+                                             closure          ? "configurations"
+                                             : solutions->arm ? "postures"
+                                                              : "poses",
                                              solutions->solutions.size(), claimed_set().uncertain});
   if (load) return format::describe_load_claim(claimed_set(), load->verdict);
   if (quantity) return quantity->claim;

@@ -124,6 +124,22 @@ struct LegLine {
   NodeId square = kNoNode;
 };
 
+/// A joint of an arm that turns: the frame that it turns in, seen from the one that the joint before
+/// turns, and its axis through the origin, of length 1. These are constant expressions.
+struct ArmJointLine {
+  std::array<NodeId, 9> rotation{};  ///< of the frame, row by row
+  std::array<NodeId, 3> place{}, axis{};
+  NodeId held = kNoNode;  ///< the value that it keeps; kNoNode: it is free
+};
+
+/// An arm whose end is at a place.
+struct ArmLines {
+  std::vector<ArmJointLine> joints;
+  /// The frame of the tool, seen from that which the last joint turns; and where the tool is: x, y, z,
+  /// roll, pitch, yaw. Empty: the end is where the free joints put it that have these values.
+  std::vector<NodeId> tip, tool, values;
+};
+
 /// A solution: the enclosure of each of its values.
 struct SolutionLine {
   std::size_t line = 0;
@@ -134,6 +150,7 @@ struct SolutionLine {
 struct SolutionLines {
   std::string verdict;  ///< format::kComplete, kNone or kIncomplete
   std::vector<LegLine> legs;
+  std::optional<ArmLines> arm;
   std::vector<SolutionLine> solutions;
 };
 
@@ -178,7 +195,8 @@ struct Question {
   /// "pose x", "error x", "entry 0", "scale 0", "constraint 0", "reach 0", "wrench 0",
   /// "wrench-spread 0", "wrench-ball 0", "least 0", "largest 0", "motor-error 0", "stiffness 0",
   /// "factor 0", "unknown p", "unknown-radius p", "start x", "equation 0",
-  /// "base 0_x", "platform 0_x", "square 0".
+  /// "base 0_x", "platform 0_x", "square 0", "joint 0_0" to "joint 0_15", "tip 0", "tool 0",
+  /// "joint-value 0".
   std::map<std::string, StatedValue, std::less<>> stated;
   Scope actual;     ///< names of constants and of poses with their errors
   Scope commanded;  ///< names of parameters, constants and commanded poses

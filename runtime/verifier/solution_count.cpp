@@ -5,6 +5,7 @@
 
 #include "runtime/verifier/counted_system.hpp"
 #include "runtime/verifier/planar_platform.hpp"
+#include "runtime/verifier/pose_search.hpp"
 #include "runtime/verifier/proof.hpp"
 #include "runtime/verifier/solution_search.hpp"
 #include "runtime/verifier/work_clock.hpp"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr long kMostBits = 1024;  // Numbers of the question are enclosed with some more.
 
+/// The first line of the proof has been read.
 class SolutionCount {
  public:
   SolutionCount(Lines& lines, Question& q, const Options& options, Verification& result)
@@ -47,8 +49,7 @@ class SolutionCount {
   }
 
   void read() {
-    for (;;) {
-      if (!lines_.next()) throw Rejection("the file ends before the line 'end' of the proof");
+    do {
       const auto words = words_of(lines_.text());
       if (words.size() == 2 && words[0] == "end") return read_end(words[1]);
       if (words.empty() || words[0] != "root" || words.size() != 1 + 2 * system_->numbers())
@@ -60,7 +61,8 @@ class SolutionCount {
         acb_set_d_d(z.at(i), read_double(words[1 + 2 * i]), read_double(words[2 + 2 * i]));
       starts_.push_back(std::move(z));
       lines_of_.push_back(lines_.number());
-    }
+    } while (lines_.next());
+    throw Rejection("the file ends before the line 'end' of the proof");
   }
 
   void read_end(std::string_view count) {
@@ -138,8 +140,12 @@ class SolutionCount {
 void check_solutions(Lines& lines, Question& question, const Options& options,
                      Verification& result) {
   if (question.solutions->legs.size() == kLegsInPlane) form_planar_equations(question);
-  if (question.closure) return search_solutions(lines, question, options, result);
-  SolutionCount(lines, question, options, result).check();
+  if (question.closure || question.solutions->arm)
+    return search_solutions(lines, question, options, result);
+  if (!lines.next()) throw Rejection("the file ends before the line 'end' of the proof");
+  if (lines.text() != "end") return SolutionCount(lines, question, options, result).check();
+  if (lines.next()) throw Rejection("there is text after the line 'end'");
+  search_poses(lines, question, options, result);
 }
 
 }  // namespace regulus::verifier

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "runtime/verifier/arm_equations.hpp"
 #include "runtime/verifier/constant_lines.hpp"
 #include "runtime/verifier/planar_platform.hpp"
 #include "runtime/verifier/proof.hpp"
@@ -13,6 +14,8 @@ namespace {
 constexpr std::size_t kLegsInSpace = 6, kValuesInSpace = 7, kValuesInPlane = 3;
 /// A line `leg` has so many bars.
 constexpr std::ptrdiff_t kBarsInPlane = 4;
+constexpr std::size_t kMostJoints = 64, kNumbersOfJoint = 15, kNumbersOfFrame = 12,
+                      kNumbersOfTool = 6;
 
 class SolutionReader {
  public:
@@ -29,6 +32,7 @@ class SolutionReader {
       values_ = kValuesInPlane;
       legs_ = kLegsInPlane;
     }
+    if (legs_ != 0 && (reader_.is("joint") || reader_.is("held-joint"))) read_arm();
     while (reader_.is("leg")) read_leg();
     if (s_.legs.size() != legs_)
       throw Rejection("expected " + std::to_string(legs_) + " lines 'leg E | … | E'");
@@ -40,6 +44,53 @@ class SolutionReader {
   }
 
  private:
+  void read_arm() {
+    legs_ = 0;
+    values_ = kJointsOfArm;
+    ArmLines& arm = s_.arm.emplace();
+    while (reader_.is("joint") || reader_.is("held-joint")) read_joint(arm);
+    const auto free = std::ranges::count(arm.joints, kNoNode, &ArmJointLine::held);
+    if (std::size_t(free) != kJointsOfArm)
+      throw Rejection("expected " + std::to_string(kJointsOfArm) + " lines 'joint', found " +
+                      std::to_string(free));
+    if (!reader_.is("tip")) {
+      arm.values = reader_.list("joint-value", kJointsOfArm);
+      return;
+    }
+    arm.tip = constants("tip", "tip ", kNumbersOfFrame);
+    arm.tool = constants("tool", "tool ", kNumbersOfTool);
+  }
+
+  /// Reads `joint`, or `held-joint` with a value behind the other numbers.
+  void read_joint(ArmLines& arm) {
+    if (arm.joints.size() == kMostJoints) throw Rejection("there are too many joints");
+    const bool is_held = reader_.is("held-joint");
+    const std::string number = std::to_string(arm.joints.size());
+    const std::vector<NodeId> numbers =
+        constants(is_held ? "held-joint" : "joint", "joint " + number + '_',
+                  kNumbersOfJoint + (is_held ? 1 : 0));
+    ArmJointLine joint;
+    std::copy_n(numbers.begin(), 9, joint.rotation.begin());
+    std::copy_n(numbers.begin() + 9, 3, joint.place.begin());
+    std::copy_n(numbers.begin() + 12, 3, joint.axis.begin());
+    if (is_held) joint.held = numbers.back();
+    arm.joints.push_back(joint);
+  }
+
+  /// Reads a line `KEY E | E | …`. The stated values are KIND and the number of each.
+  std::vector<NodeId> constants(const char* key, const std::string& kind, std::size_t count) {
+    std::string_view rest = reader_.rest_of(key);
+    std::vector<NodeId> result;
+    const std::size_t space = kind.find(' ');
+    for (std::size_t i = 0; i < count && !rest.empty(); ++i)
+      result.push_back(constant(kind.substr(0, space).c_str(),
+                                kind.substr(space + 1) + std::to_string(i), rest));
+    if (!rest.empty() || result.size() != count)
+      throw Rejection("expected " + std::to_string(count) + " expressions after '" + key + "'");
+    reader_.advance();
+    return result;
+  }
+
   /// Reads `leg`, the anchor at the base, that at the platform, and the squared length.
   void read_leg() {
     if (s_.legs.size() == legs_)

@@ -3,15 +3,6 @@
 # looks like, also where coqc alone would accept it.
 include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
 
-# expect_answer(ANSWER EXIT FOLDER WORDS...)
-function(expect_answer answer exit folder)
-  execute_process(COMMAND ${VERIFY} ${ARGN} --library ${LIBRARY} WORKING_DIRECTORY ${folder}
-                  RESULT_VARIABLE code OUTPUT_VARIABLE text ERROR_VARIABLE why)
-  if(NOT code EQUAL exit OR NOT text STREQUAL "${answer}\n")
-    message(FATAL_ERROR "${ARGN}: ${text} (exit ${code}), expected ${answer}\n${why}")
-  endif()
-endfunction()
-
 set(model ${SOURCE_DIR}/models/planar_3rpr.toml)
 foreach(motion IN ITEMS regular crossing)
   execute_process(COMMAND ${REGULUS} check ${model} ${motion} --certificate ${WORK_DIR}/${motion}.txt --quiet
@@ -36,12 +27,7 @@ expect_answer(REJECTED 1 ${WORK_DIR} --audit false.v)
 
 # The same claim in files that coqc alone accepts.
 function(expect_deception name more)
-  file(WRITE ${WORK_DIR}/${name}.v "${question}\n${more}")
-  run_coq(code text ${name}.v)
-  if(NOT code EQUAL 0)
-    message(FATAL_ERROR "coqc refuses ${name}.v, so this tests nothing\n${text}")
-  endif()
-  expect_answer(REJECTED 1 ${WORK_DIR} --audit ${name}.v)
+  expect_only_coqc_accepts(${name}.v "${question}\n${more}")
 endfunction()
 expect_deception(notation "Notation no_singularity := (fun _ => True).\n\
 Definition check_correct (q : question) (m : method) (_ : true = true) : True := I.\n${false}${proof}")

@@ -11,3 +11,23 @@ function(run_coq result output file)
   set(${result} ${code} PARENT_SCOPE)
   set(${output} "${text}" PARENT_SCOPE)
 endfunction()
+
+# expect_answer(ANSWER EXIT FOLDER WORDS...): of regulus-verify. Sets `why` to its messages.
+function(expect_answer answer exit folder)
+  execute_process(COMMAND ${VERIFY} ${ARGN} --library ${LIBRARY} WORKING_DIRECTORY ${folder}
+                  RESULT_VARIABLE code OUTPUT_VARIABLE text ERROR_VARIABLE why)
+  if(NOT code EQUAL exit OR NOT text STREQUAL "${answer}\n")
+    message(FATAL_ERROR "${ARGN}: ${text} (exit ${code}), expected ${answer}\n${why}")
+  endif()
+  set(why "${why}" PARENT_SCOPE)
+endfunction()
+
+# expect_only_coqc_accepts(FILE TEXT): a file that coqc accepts, and that the audit refuses.
+function(expect_only_coqc_accepts file text)
+  file(WRITE ${WORK_DIR}/${file} "${text}")
+  run_coq(code output ${file})
+  if(NOT code EQUAL 0)
+    message(FATAL_ERROR "coqc refuses ${file}, so this tests nothing\n${output}")
+  endif()
+  expect_answer(REJECTED 1 ${WORK_DIR} --audit ${file})
+endfunction()

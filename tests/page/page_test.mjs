@@ -254,6 +254,215 @@ test("Solutions are told at one place and at many", async (browser) => {
   assert.deepEqual(none, []);
 });
 
+/** The points of the robot that are shown, from the page's table of numbers. */
+const pointsShown = (page) =>
+  page.evaluate(() => {
+    document.querySelector("#points").open = true;
+    return [...document.querySelectorAll("#points tbody tr")].map((row) => [...row.cells].slice(1).map((cell) => Number(cell.textContent)));
+  });
+
+/** Fails unless each solution of the page, when it is picked, has what `check` asks of its points. */
+async function eachSolution(page, count, check) {
+  assert.equal((await page.$$(".solutions tbody tr")).length, count);
+  for (let i = 0; i < count; ++i) {
+    await page.evaluate((k) => document.querySelectorAll(".solutions tbody button")[k].click(), i);
+    assert.match(await textOf(page, ".sliders output"), new RegExp(`^${i + 1} of ${count}$`));
+    check(await pointsShown(page), i);
+  }
+}
+
+/** Anchors of legs follow those of the base; the legs of all solutions have the lengths that were given. */
+function requireLengths(points, lengths, solution) {
+  assert.equal(points.length, 2 * lengths.length);
+  lengths.forEach((length, leg) => {
+    const [a, b] = [points[leg], points[lengths.length + leg]];
+    const found = Math.hypot(...a.map((x, axis) => x - b[axis]));
+    assert.ok(Math.abs(found - length) < 2e-5 * Math.max(length, 1), `leg ${leg + 1} of solution ${solution + 1}: ${found} and ${length}`);
+  });
+}
+
+test("A platform in the plane is drawn in all its poses", async (browser) => {
+  const { page, faults } = await open(browser, pageOf("poses", ["solve", `${source}/models/rpr_6.toml`]));
+  assert.match(await textOf(page, "main"), /The robot in all 6 poses/);
+  await eachSolution(page, 6, (points, i) => requireLengths(points, [14.98, 15.38, 12], i));
+  const ghosts = () => page.$eval(".ghosts", (path) => path.getAttribute("d").split("M").length - 1);
+  assert.equal(await ghosts(), 5 * 6); // of each other pose three legs and three sides of the platform
+  await page.click("#others");
+  assert.equal(await ghosts(), 0);
+  assert.deepEqual(faults, []);
+});
+
+test("A platform on six legs is drawn in all its forty poses", async (browser) => {
+  const { page, faults } = await open(browser, pageOf("forty", ["solve", `${source}/models/dietmaier.toml`]), { width: 390 });
+  assert.match(await textOf(page, "main"), /The robot in all 40 poses/);
+  await eachSolution(page, 40, (points, i) => requireLengths(points, [1, 0.645275, 1.086284, 1.503439, 1.281933, 0.771071], i));
+  assert.ok((await page.evaluate(() => document.scrollingElement.scrollWidth)) <= 390);
+  await requireAccessible(page, "forty poses");
+  assert.deepEqual(faults, []);
+});
+
+test("An arm is drawn in all its postures, with its tool where it was asked to be", async (browser) => {
+  const { page, faults } = await open(browser, pageOf("postures", ["solve", `${source}/models/manocha_canny.toml`]));
+  const unit = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+  await eachSolution(page, 16, (points, i) =>
+    unit.forEach((axis, k) => axis.forEach((x, j) =>
+      assert.ok(Math.abs(points[points.length - 3 + k][j] - x) < 1e-4, `solution ${i + 1}: ${points.slice(-3).join(" | ")}`))));
+  assert.match(await textOf(page, ".note"), /^To scale: a square of the floor is .* wide. Grey cylinders are joints/);
+  assert.deepEqual(faults, []);
+});
+
+test("A list that may be longer says so, and has not all of its boxes", async (browser) => {
+  const file = pageOf("open_boxes", ["solve", `${source}/models/puma_560_serial.toml`, "ready", "--at", "T=0.5", "--max-boxes", "10000"]);
+  const { page, faults } = await open(browser, file);
+  assert.match(await textOf(page, "#verdict"), /^INCOMPLETE: at least/);
+  assert.match(await page.$eval("details[open] pre", (text) => text.textContent), /^open .*more boxes/ms);
+  assert.match(await textOf(page, "main"), /that (is|are) certain/);
+  const data = await page.$eval("#data", (element) => JSON.parse(element.textContent));
+  assert.equal(data.report.open_boxes.length, 16);
+  assert.deepEqual(faults, []);
+});
+
+test("An arm has its base and its tool, and stays in view", async (browser) => {
+  const { page, faults } = await open(browser, makePage("arm", [`${source}/models/scara.toml`, "right_handed"]));
+  await secondProof(page);
+  assert.equal((await page.$$(".robot-drawing polygon")).length, 1);
+  for (const steps of [[500, 500, 500, 500], [0, 0, 1000, 0], [1000, 0, 0, 500], [1000, 1000, 1000, 1000]]) {
+    const ends = await page.evaluate((values) => {
+      values.forEach((value, k) => {
+        const slider = document.getElementById(`slider-${k}`);
+        slider.value = value;
+        slider.dispatchEvent(new Event("input"));
+      });
+      return [...document.querySelectorAll(".robot-drawing line")].map((line) => ["x1", "y1", "x2", "y2", "stroke"].map((name) => line.getAttribute(name)));
+    }, steps);
+    assert.equal(new Set(ends.map((line) => line[4]).filter((colour) => ["#cc79a7", "#009e73", "#0072b2"].includes(colour))).size, 3);
+    for (const [x1, y1, x2, y2] of ends)
+      assert.ok([x1, x2].every((x) => x >= 0 && x <= 800) && [y1, y2].every((y) => y >= 0 && y <= 600), `${steps}: ${[x1, y1, x2, y2]}`);
+  }
+  assert.deepEqual(faults, []);
+});
+
+test("A place of a table is picked, as often as one likes", async (browser) => {
+  const table = `${work}/two_places.csv`;
+  writeFileSync(table, "rho_1,rho_2,rho_3\n14.98,15.38,12\n14.9,15.3,12.5\n1,1,100\n");
+  const { page, faults } = await open(browser, pageOf("picked_places", ["solve", `${source}/models/rpr_6.toml`, "--waypoints", table]));
+  const lengths = [[14.98, 15.38, 12], [14.9, 15.3, 12.5]];
+  for (let i = 0; i < 40; ++i) {
+    await page.select("#place", String(i % 2));
+    await drawn(page);
+    if (i < 2) {
+      const count = (await page.$$(".solutions tbody tr")).length;
+      assert.ok(count >= 2, String(count));
+      await eachSolution(page, count, (points, k) => requireLengths(points, lengths[i], k));
+    }
+  }
+  await page.select("#place", "2");
+  assert.match(await textOf(page, "main"), /No solution is certain here/);
+  assert.deepEqual(faults, []);
+});
+
+test("Solutions without points are listed, and the page says why they are not drawn", async (browser) => {
+  const { page, faults } = await open(browser, pageOf("configurations", ["solve", `${source}/models/four_bar.toml`, "inside", "--at", "theta=1"]));
+  assert.match(await textOf(page, "main"), /All 2 configurations.*equations and no points, so there is no robot to draw/s);
+  assert.equal((await page.$$(".solutions tbody tr")).length, 2);
+  assert.equal(await page.$(".robot-view"), null);
+  assert.deepEqual(faults, []);
+});
+
+test("A proof of solutions is in the page that was written with it, and is verified", async (browser) => {
+  const proof = `${work}/written.txt`;
+  const model = `${source}/models/rpr_6.toml`;
+  const file = pageOf("proved_poses", ["solve", model, "--at", "rho_1=14.9", "--certificate", proof]);
+  const { page } = await open(browser, file);
+  assert.match(await textOf(page, "main"), /regulus verify proof.txt --model rpr_6.toml --allow-options.*Save proof.txt/s);
+  const data = await page.$eval("#data", (element) => JSON.parse(element.textContent));
+  assert.equal(data.certificate, readFileSync(proof, "utf8"));
+  const saved = `${work}/saved.txt`;
+  writeFileSync(saved, data.certificate);
+  assert.match(execFileSync(regulus, ["verify", saved, "--model", model, "--allow-options"], { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"] }), /VERIFIED/);
+});
+
+test("A page names no folder of the computer that made it", async () => {
+  const model = `${work}/own_robot.toml`;
+  writeFileSync(model, readFileSync(planar, "utf8"));
+  const table = `${work}/own_places.csv`;
+  writeFileSync(table, "rho_1,rho_2,rho_3\n14.98,15.38,12\n");
+  const pages = [
+    makePage("own", [model, "regular"]),
+    pageOf("own_paving", ["locate", model, "crossing"]),
+    pageOf("own_places_page", ["solve", `${source}/models/rpr_6.toml`, "--waypoints", table]),
+  ];
+  const way = makePage("own_way", [cart([[1, 1], [2, 1.5]])]);
+  assert.match(readFileSync(way, "utf8"), /"file":"way.csv"/);
+  for (const file of [...pages, way]) {
+    const html = readFileSync(file, "utf8");
+    for (const folder of [work, source]) assert.ok(!html.includes(folder), `${folder} in ${file}`);
+  }
+  assert.match(readFileSync(pages[0], "utf8"), /regulus report own_robot.toml regular -o own.html/);
+});
+
+test("A button proves the verdict again", async (browser) => {
+  const { page } = await open(browser, safe);
+  await secondProof(page);
+  await page.click("#prove-again");
+  assert.equal(await page.$eval("#verdict", (line) => line.className), "unchecked");
+  assert.match(await textOf(page, "#again"), /^(Not checked yet|Proving again)/);
+  assert.match(await secondProof(page), /^RE-PROVED IN THIS BROWSER: 3 of 3/);
+  assert.equal(await page.$eval("#verdict", (line) => line.className), "no-singularity");
+});
+
+test("Angles are in degrees, and exact ones exactly", async (browser) => {
+  const { page } = await open(browser, safe);
+  assert.match(await textOf(page, "#asked"), /psi from -15° to 15°/);
+  assert.doesNotMatch(await textOf(page, "main section:first-of-type"), /rad|0\.26/);
+});
+
+test("A proof by one box says so, and isolines show how far from singular it is", async (browser) => {
+  const model = `${work}/one_box.toml`;
+  // det = 4 y: isolines are lines of equal y, and their levels have equal steps.
+  writeFileSync(model, readFileSync(cart([[1, 1], [2, 1]]), "utf8").replace(/\[motion[^]*/, '[motion.box]\nx = [1, 3]\ny = [1, 2]\n'));
+  const { page, faults } = await open(browser, makePage("one_box", [model]));
+  await secondProof(page);
+  assert.match(await textOf(page, "main"), /One box is the whole proof/);
+  assert.equal(await page.$(".icicle"), null);
+  assert.match(await textOf(page, ".legend"), /isolines of .det.: sampled, not proved/);
+  const places = await page.$$eval(".main-slice .isoline", (lines) => lines.map((line) => line.getAttribute("d").match(/[\d.]+ [\d.]+/g).map((place) => place.split(" ").map(Number))));
+  assert.ok(places.length >= 4, String(places.length));
+  const across = await page.$eval("#axis-across", (select) => select.selectedOptions[0].textContent);
+  const levels = places.map((line) => {
+    const values = line.map(([x, y]) => (across === "y" ? x / 400 : 1 - y / 400));
+    assert.ok(values.every((value) => Math.abs(value - values[0]) < 1e-3), values.join());
+    return 4 * (1 + values[0]);
+  });
+  const step = levels[1] - levels[0];
+  levels.forEach((level) => assert.ok(Math.abs(level / step - Math.round(level / step)) < 0.02, levels.join()));
+  assert.deepEqual(faults, []);
+});
+
+test("No slice is empty: what has none says so", async (browser) => {
+  const cases = [
+    [["check", `${source}/models/puma_560_serial.toml`, "ready"], /the matrix is singular, but for roundings/],
+    [["check", `${source}/models/rump.toml`, "point"], /x, one value77617.*The motion is a single pose, so it has no slices/s],
+    [["check", `${source}/models/cable_8.toml`, "hall", "--load", "weight"], /FEASIBLE.*The robot/s],
+  ];
+  for (const [words, text] of cases) {
+    const { page, faults } = await open(browser, pageOf("no_slices", words));
+      assert.match((await textOf(page, "header")) + (await textOf(page, "#contents")), text);
+    assert.equal((await page.$$(".slice, .legend")).length, 0, words.join(" "));
+    assert.deepEqual(faults, []);
+  }
+});
+
+test("Paper takes two sheets", async (browser) => {
+  for (const file of [safe, paved, pageOf("on_paper", ["solve", `${source}/models/dietmaier.toml`])]) {
+    const { page } = await open(browser, file);
+    await secondProof(page);
+    const pdf = Buffer.from(await page.pdf({ preferCSSPageSize: true, printBackground: true })).toString("latin1");
+    const sheets = pdf.match(/\/Type\s*\/Page[^s]/g).length;
+    assert.ok(sheets <= 2, `${sheets} sheets of ${file}`);
+  }
+});
+
 test("Without a verdict, the page goes to the pose nearest to a singularity", async (browser) => {
   const file = makePage("undecided", [robot, "wide_15", "--range", "x=-40:40", "--max-boxes", "2"]);
   const { page, faults } = await open(browser, file);
@@ -342,6 +551,7 @@ test("A damaged page claims nothing", async (browser) => {
     leaf: [forged(safe, (data) => (data.certificate = data.certificate.replace("l 3 h-matrix\n", "").replace("end 3", "end 2"))), /1 boxes of the tree have no leaf/],
     question: [forged(safe, (data) => (data.certificate = data.certificate.replace("x in -15 : 15", "x in -1 : 1"))), /another question/],
     verdict: [forged(safe, (data) => (data.report.verdict = "singularity")), /verdict/],
+    number: [forged(pageOf("fewer", ["solve", `${source}/models/rpr_6.toml`]), (data) => data.report.solutions.pop()), /another number of solutions/],
   };
   for (const [name, [damaged, reason]] of Object.entries(cases)) {
     assert.notEqual(damaged, html, name);

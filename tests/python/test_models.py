@@ -221,7 +221,10 @@ def test_a_check_has_a_page(circle, robot_1, tmp_path):
     assert "regulus-certificate 1" in text
     prepared = robot_1.prepare("wide_15").check(range={"x": (-3, 3)})
     assert "parameter x in -3 : 3" in Path(prepared.page(tmp_path / "q.html")).read_text()
-    assert "<iframe sandbox" in prepared._repr_html_()
+    found_shown = found._repr_html_()
+    assert "<svg" not in found_shown and "page.html" in found_shown  # no points are given
+    shown = prepared._repr_html_()
+    assert "<svg" in shown and f'<a href="{tmp_path}/q.html">' in shown and len(shown) < 10_000
     with pytest.raises(rg.FileError):
         found.page(tmp_path / "no folder" / "page.html")
     found.page(tmp_path / "page.html")

@@ -53,6 +53,8 @@ def test_a_proof_and_a_page(tmp_path):
     assert found.certificate == str(tmp_path / "proof.txt")
     assert rg.verify(found.certificate).outcome == "verified"
     assert RPR.solve().certificate is None
+    text = Path(found.page(tmp_path / "proved.html")).read_text(encoding="utf-8")
+    assert "regulus-certificate" in text and str(tmp_path) not in text
     for answer in (found, bars.solve_many(at={"theta": [0.3, 0.4]})):
         page = Path(answer.page(tmp_path / "page.html")).read_text(encoding="utf-8")
         assert answer.result in page and "four-bar linkage" in page

@@ -4,6 +4,7 @@
 
 #include <cln/rational.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -174,8 +175,9 @@ Program random_program(RandomSource& random, const ProgramShape& shape) {
   pool.add(builder.constant(random_rational(random)));
   if (shape.functions && random.one_in(3)) pool.add(builder.pi());
   for (int i = 0; i < shape.operations; ++i) pool.add(random_node(random, builder, shape, pool));
+  const std::size_t last = std::min<std::size_t>(pool.all.size(), shape.tree_like ? 2 : 4);
   for (int i = 0; i < shape.outputs; ++i)
-    builder.output(pool.all[pool.all.size() - 1 - random.below(shape.tree_like ? 2 : 4)]);
+    builder.output(pool.all[pool.all.size() - 1 - random.below(last)]);
   return std::move(builder).finish();
 }
 

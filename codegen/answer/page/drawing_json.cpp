@@ -8,23 +8,66 @@
 
 #include "codegen/answer/certificate/certificate_expression_writer.hpp"
 #include "codegen/model/drawing.hpp"
+#include "codegen/model/mechanism/serial.hpp"
+#include "codegen/question/solve/nominal.hpp"
 
 namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::set<std::string> names_of(const Request& request) {
+std::set<std::string> names_of(const Model& model) {
   std::set<std::string> names;
-  for (const GeometryParameter& g : request.model.geometry) names.insert(g.name);
-  for (const PoseParameter& p : request.model.pose) names.insert(p.name);
+  for (const GeometryParameter& g : model.geometry) names.insert(g.name);
+  for (const PoseParameter& p : model.pose) names.insert(p.name);
+  return names;
+}
+
+std::set<std::string> names_of(const Request& request) {
+  std::set<std::string> names = names_of(request.model);
   for (const MotionParameter& p : request.motion.parameters) names.insert(p.name);
   return names;
 }
 
+/// The legs of a platform in space, turned by a quaternion of any length but 0.
+Drawing drawing_by_quaternion(const Model& model) {
+  const NominalGeometry nominal(model);
+  const auto fixed = [&nominal](const Point& p) {
+    return Point{nominal.at(p[0]), nominal.at(p[1]), nominal.at(p[2])};
+  };
+  const GiNaC::ex w = GiNaC::realsymbol("qw");
+  const Point v = {GiNaC::realsymbol("qx"), GiNaC::realsymbol("qy"), GiNaC::realsymbol("qz")};
+  const GiNaC::ex norm = w * w + dot(v, v);
+  const Point origin = {model.pose[0].symbol, model.pose[1].symbol, model.pose[2].symbol};
+  using Kind = Drawing::Kind;
+  Drawing::Part base{Kind::kBase, {}}, platform{Kind::kPlatform, {}};
+  std::vector<Drawing::Part> legs;
+  for (const ExtensibleLeg& leg : model.legs) {
+    const Point b = fixed(leg.platform);
+    const Point across = cross(v, b);
+    // b + 2 (w v x b + v x (v x b)) / norm
+    const Point turned = sum(b, scaled(2 / norm, sum(scaled(w, across), cross(v, across))));
+    base.points.push_back(fixed(leg.base));
+    platform.points.push_back(sum(origin, turned));
+    legs.push_back(
+        {Kind::kLeg, {base.points.back(), platform.points.back()}, static_cast<int>(legs.size())});
+  }
+  legs.insert(legs.begin(), {base, platform});
+  return {std::move(legs)};
+}
+
+/// Of lengths; "1" if the model does not say.
+std::string unit_of_lengths(const Model& model) {
+  if (model.arm) return model.arm->unit;
+  for (const PoseParameter& p : model.pose)
+    if (p.name == "x" || p.name == "y" || p.name == "z") return p.unit;
+  return "1";
+}
+
 class DrawingWriter {
  public:
-  explicit DrawingWriter(const Request& request) : expressions_(names_of(request)) {}
+  DrawingWriter(const Model& model, std::set<std::string> names)
+      : unit_(unit_of_lengths(model)), expressions_(std::move(names)) {}
 
   Json write(const Drawing& drawing) {
     for (const Drawing::Part& part : drawing.parts)
@@ -36,7 +79,7 @@ class DrawingWriter {
       for (const Point& point : part.points) numbers.push_back(number_of(point));
       parts.push_back({{"kind", name(part.kind)}, {"row", part.row}, {"points", numbers}});
     }
-    return {{"lets", json_lets()}, {"points", points_}, {"parts", parts}};
+    return {{"unit", unit_}, {"lets", json_lets()}, {"points", points_}, {"parts", parts}};
   }
 
  private:
@@ -61,6 +104,7 @@ class DrawingWriter {
     return lets;
   }
 
+  std::string unit_;
   CertificateExpressionWriter expressions_;
   std::string lets_;
   std::map<std::string, std::size_t> numbers_;
@@ -71,7 +115,23 @@ class DrawingWriter {
 
 Json json_drawing(const Request& request) {
   if (!request.model.drawing) return nullptr;
-  return DrawingWriter(request).write(*request.model.drawing);
+  return DrawingWriter(request.model, names_of(request)).write(*request.model.drawing);
+}
+
+Json json_drawing_at_solutions(const Model& model) {
+  if (model.legs.size() == 6) {
+    std::set<std::string> names = {"qw", "qx", "qy", "qz"};
+    for (std::size_t i = 0; i < 3; ++i) names.insert(model.pose[i].name);
+    return DrawingWriter(model, std::move(names)).write(drawing_by_quaternion(model));
+  }
+  if (!model.drawing) return nullptr;
+  Json json = DrawingWriter(model, names_of(model)).write(*model.drawing);
+  Json lets = Json::array();
+  for (const GeometryParameter& g : model.geometry)
+    lets.push_back({g.name, expression_text(g.value)});
+  for (Json& let : json["lets"]) lets.push_back(std::move(let));
+  json["lets"] = std::move(lets);
+  return json;
 }
 
 }  // namespace regulus

@@ -30,6 +30,10 @@ std::string shell_word(const std::string& word) {
   return quoted + "'";
 }
 
+std::string way_option(const ModelOptions& model) {
+  return model.waypoints.empty() ? "" : " --waypoints " + shell_word(model.waypoints);
+}
+
 Json json_units(const Request& request) {
   Json units = Json::object();
   for (const PoseParameter& p : request.model.pose) units[p.name] = p.unit;
@@ -48,13 +52,22 @@ std::vector<std::string> commands_to_prove_again(const ModelOptions& model) {
   if (!model.alpha.empty()) check += " --alpha " + shell_word(model.alpha);
   if (model.beyond_limits) check += " --beyond-limits";
   for (const std::string& tube : model.tubes) check += " --tube " + shell_word(tube);
-  const std::string way =
-      model.waypoints.empty() ? "" : " --waypoints " + shell_word(model.waypoints);
+  return {check + way_option(model) + " --certificate proof.txt", command_to_verify(model)};
+}
+
+std::string command_to_verify(const ModelOptions& model) {
   const bool has_changes = !model.ranges.empty() || !model.tolerances.empty() ||
-                           !model.alpha.empty() || !model.tubes.empty();
-  return {check + way + " --certificate proof.txt", "regulus verify proof.txt --model " +
-                                                        shell_word(model.path) + way +
-                                                        (has_changes ? " --allow-options" : "")};
+                           !model.alpha.empty() || !model.tubes.empty() || !model.at.empty();
+  return "regulus verify proof.txt --model " + shell_word(model.path) + way_option(model) +
+         (has_changes ? " --allow-options" : "");
+}
+
+void remove_folders(PageData& data, const LocalPaths& paths) {
+  for (std::string* text : {&data.command, &data.text, &data.certificate_note})
+    paths.remove_from(*text);
+  for (std::string& command : data.again) paths.remove_from(command);
+  for (Json* report : {&data.report, &data.paving, &data.way, &data.bounds, &data.margins})
+    paths.remove_from(*report);
 }
 
 void set_question(PageData& data, const Request& request, const std::set<std::string>& uncertain,

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "codegen/answer/page/local_paths.hpp"
 #include "codegen/model/model_options.hpp"
 
 namespace regulus {
@@ -23,7 +24,7 @@ struct PageData {
   std::string certificate;         ///< the whole text; empty: there is none
   std::string certificate_note;    ///< why there is none
   std::string model_text;          ///< the model file
-  nlohmann::ordered_json drawing;  ///< as json_drawing()
+  nlohmann::ordered_json drawing;  ///< as json_drawing(), or at solutions
   nlohmann::ordered_json paving;   ///< header, summary, tree of a paving; null: none
   nlohmann::ordered_json way;      ///< of a motion along way-points (way_json.hpp); null: none
   nlohmann::ordered_json bounds = nlohmann::ordered_json::array();   ///< as `bound --json`
@@ -46,7 +47,12 @@ void set_deciding_segment(PageData& data, const Request& request,
 /// Returns one JSON object in ASCII. Bytes that are not UTF-8 are replaced.
 [[nodiscard]] std::string json_text(const PageData& data);
 
+/// Replaces the paths of files by their names, except in what a proof is compared with.
+void remove_folders(PageData& data, const LocalPaths& paths);
+
 /// Returns the commands `check` and `verify` for the question of these options.
 [[nodiscard]] std::vector<std::string> commands_to_prove_again(const ModelOptions& model);
+/// Returns the command `verify` for the proof of an answer to a question of these options.
+[[nodiscard]] std::string command_to_verify(const ModelOptions& model);
 
 }  // namespace regulus

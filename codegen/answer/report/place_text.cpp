@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "codegen/answer/report/number_text.hpp"
@@ -68,13 +70,24 @@ std::size_t uncertain_count(const SearchSubject& p) {
   return count;
 }
 
+/// Between these doubles is an end of a range. The inner box of a ball is far from its outer one: then
+/// the end is near the outer one.
+Interval end_of_range(double outer, double inner) {
+  constexpr int kSteps = 4;
+  double near = outer;
+  for (int i = 0; i < kSteps; ++i) near = std::nextafter(near, inner);
+  const double last = outer < inner ? std::min(near, inner) : std::max(near, inner);
+  return {std::min(outer, last), std::max(outer, last)};
+}
+
 std::string range_text(const SearchSubject& p, std::size_t k, const Interval& x) {
   const Interval& outer = p.variety.outer[k];
   const std::optional<Interval>& inner = p.variety.inner[k];
   if (!inner && x.lo == outer.lo && x.hi == outer.hi) return shortest_text_in(outer);
   const bool from_first = inner && x.lo == outer.lo, to_last = inner && x.hi == outer.hi;
-  return ends_text(from_first ? shortest_text_in({outer.lo, inner->lo}) : shortest_text(x.lo),
-                   to_last ? shortest_text_in({inner->hi, outer.hi}) : shortest_text(x.hi));
+  return ends_text(
+      from_first ? shortest_text_in(end_of_range(outer.lo, inner->lo)) : shortest_text(x.lo),
+      to_last ? shortest_text_in(end_of_range(outer.hi, inner->hi)) : shortest_text(x.hi));
 }
 
 Json json_parameters(const SearchSubject& p, std::span<const Interval> variables) {

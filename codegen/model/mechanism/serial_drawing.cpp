@@ -54,6 +54,10 @@ Drawing serial_drawing(const Model& model, const Serial& robot) {
       frame = compose_as_written(frame, by);
   }
   advance(robot.tool, Kind::kLink);
+  Drawing::Part tool{Kind::kTool, {frame.p}};
+  for (const Point& axis : {Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}})
+    tool.points.push_back(sum(frame.p, times(frame.R, axis)));
+  drawing.parts.push_back(std::move(tool));
   return drawing;
 }
 

@@ -9,7 +9,8 @@ namespace regulus {
 /// As compose(), with entries that are not multiplied out: of any size, and not for a matrix.
 [[nodiscard]] Placement compose_as_written(const Placement& first, const Placement& second);
 
-/// Returns the links of an arm between the origins of its joints and its tool, and the axes.
+/// Returns the links of an arm between the origins of its joints and its tool, the axes, and the frame
+/// of the tool.
 ///
 /// Requires  `model` has the pose of the arm.
 [[nodiscard]] Drawing serial_drawing(const Model& model, const Serial& robot);

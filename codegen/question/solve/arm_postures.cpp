@@ -193,11 +193,16 @@ class ArmSolver {
                              attempt.stopped_by == Reason::kInterrupted ||
                              attempt.stopped_by == Reason::kTimeBudget;
         if (first == 0 || attempt.obstacle.empty() ||
-            attempt.postures.size() > best.postures.size())
+            attempt.postures.size() > best.postures.size()) {
           best = std::move(attempt);
+          solutions_.opposite = (first + kFollowing[0]) % kWays + 1;
+        }
         if (is_last) return best;
       }
-      if (auto counted = by_counting()) return std::move(*counted);
+      if (auto counted = by_counting()) {
+        solutions_.opposite = 0;
+        return std::move(*counted);
+      }
     }
     return best;
   }

@@ -10,6 +10,8 @@
 #include "codegen/answer/certificate/certificate_expression_writer.hpp"
 #include "codegen/answer/certificate/certificate_question.hpp"
 #include "codegen/kernel/formulation/variety.hpp"
+#include "codegen/model/degrees.hpp"
+#include "codegen/model/mechanism/serial.hpp"
 #include "codegen/question/solve/nominal.hpp"
 #include "codegen/question/solve/platform_legs.hpp"
 #include "codegen/question/solve/system_solutions.hpp"
@@ -21,8 +23,10 @@ namespace {
 using GiNaC::ex;
 
 constexpr const char* kNoSolutionCertain = "no solution is certain, so nothing is claimed";
-constexpr const char* kNoProofOfSearch =
-    "that these are all is shown by a search over poses, which has no proof in a file";
+constexpr const char* kNoProofOfCount =
+    "that these are all is shown by a count of complex postures, which has no proof in a file";
+constexpr const char* kNoProofOfSlides =
+    "a list of postures of an arm with joints that slide has no proof in a file";
 constexpr const char* kNoProofOfTolerances =
     "a list for tolerances and errors that are not 0 has no proof in a file";
 constexpr const char* kAtBorder = "a solution may be at the end of the range of an unknown";
@@ -110,16 +114,22 @@ std::string head_of(const Solutions& solutions, const std::string& claim,
   return head_text(verdict_of(solutions), claim, question + lines);
 }
 
+std::string head_of_robot(const Request& request, const Solutions& solutions, const char* robot,
+                          const std::string& question, const std::string& lines) {
+  const Model& model = request.model;
+  const bool is_arm = model.arm != nullptr;
+  return head_of(
+      solutions,
+      format::describe_solutions_claim({verdict_of(solutions), robot, is_arm ? "posture" : "pose",
+                                        is_arm ? "postures" : "poses", solutions.found.size()}),
+      fmt::format("model {}\nsha256 {}\nmotion {}\n{}", model.name,
+                  model.sha256.empty() ? "-" : model.sha256, request.motion.name, question),
+      lines);
+}
+
 std::string head_of_platform(const Request& request, const Solutions& solutions,
                              const char* platform, const std::string& lines) {
-  const Model& model = request.model;
-  return head_of(solutions,
-                 format::describe_solutions_claim(
-                     {verdict_of(solutions), platform, "pose", "poses", solutions.found.size()}),
-                 fmt::format("model {}\nsha256 {}\nmotion {}\n{}", model.name,
-                             model.sha256.empty() ? "-" : model.sha256, request.motion.name,
-                             leg_lines(request)),
-                 lines);
+  return head_of_robot(request, solutions, platform, leg_lines(request), lines);
 }
 
 /// True if the unknown is looked for all around.
@@ -167,14 +177,14 @@ std::string searched_line(const Interval& x, double size, const CertainSolution&
   return fmt::format(" {:a}:{:a}", wider.lo, wider.hi);
 }
 
-/// The angles of planar poses in radians, within less than a turn if they are not all around.
-std::vector<Interval> angles_in_plane(const Solutions& solutions) {
+/// The values of an unknown that turns, in radians, within less than a turn if they are not all around.
+std::vector<Interval> angles_of(const Solutions& solutions, std::size_t unknown) {
   const Interval turn = Interval(2.0) * enclose_constant(GiNaC::Pi, "pi");
-  const Interval unit = turn / Interval(solutions.unknowns[2].period);
+  const Interval unit = turn / Interval(solutions.unknowns[unknown].period);
   std::vector<Interval> angles;
   std::vector<double> order;
   for (const CertainSolution& solution : solutions.found) {
-    const Interval angle = solution.values[2] * unit;
+    const Interval angle = solution.values[unknown] * unit;
     angles.push_back(angle - Interval(std::floor(mid(angle) / mid(turn))) * turn);
     order.push_back(mid(angles.back()));
   }
@@ -190,7 +200,7 @@ std::vector<Interval> angles_in_plane(const Solutions& solutions) {
 }
 
 std::string planar_lines(const Request& request, const Solutions& solutions) {
-  const std::vector<Interval> angles = angles_in_plane(solutions);
+  const std::vector<Interval> angles = angles_of(solutions, 2);
   const double size = size_of(request, solutions);
   std::string lines;
   for (std::size_t k = 0; k < angles.size(); ++k) {
@@ -198,6 +208,81 @@ std::string planar_lines(const Request& request, const Solutions& solutions) {
     lines += "solution" + searched_line(solution.values[0], size, solution) +
              searched_line(solution.values[1], size, solution) +
              searched_line(angles[k], 1, solution) + '\n';
+  }
+  return lines;
+}
+
+// An arm.
+
+std::string expressions(const std::vector<ex>& values) {
+  std::string text;
+  for (const ex& value : values) text += (text.empty() ? "" : " | ") + expression_text(value);
+  return text;
+}
+
+/// The rotation row by row, and the place.
+std::vector<ex> numbers_of(const Placement& placement, const NominalGeometry& nominal) {
+  std::vector<ex> numbers;
+  for (unsigned i = 0; i < 3; ++i)
+    for (unsigned j = 0; j < 3; ++j) numbers.push_back(nominal.at(placement.R(i, j)));
+  for (const ex& x : placement.p) numbers.push_back(nominal.at(x));
+  return numbers;
+}
+
+/// `solutions`: its unknowns are the joints that are free.
+std::string arm_lines(const Request& request, const Solutions& solutions) {
+  const Model& model = request.model;
+  const NominalGeometry nominal(model);
+  const bool is_by_tool = !request.motion.tool.empty();
+  const std::vector<ex> pose = is_by_tool ? std::vector<ex>() : pose_of(request.motion);
+  std::string joints, values;
+  for (std::size_t k = 0; k < model.arm->joints.size(); ++k) {
+    const SerialJoint& joint = model.arm->joints[k];
+    std::vector<ex> numbers = numbers_of(joint.origin, nominal);
+    for (const ex& x : joint.axis) numbers.push_back(nominal.at(x));
+    const bool is_free = std::ranges::any_of(solutions.unknowns, [&](const SolvedUnknown& unknown) {
+      return unknown.name == model.pose[k].name;
+    });
+    ex value = 0;
+    if (!is_by_tool)
+      value = nominal.at(pose[k] * (is_in_degrees(model.pose[k].unit) ? one_degree() : ex(1)));
+    if (!is_free) numbers.push_back(value);
+    joints += (is_free ? "joint " : "held-joint ") + expressions(numbers) + '\n';
+    if (is_free) values += "joint-value " + expression_text(value) + '\n';
+  }
+  if (!is_by_tool) return joints + values;
+  return joints + "tip " + expressions(numbers_of(model.arm->tool, nominal)) + "\ntool " +
+         expressions(request.motion.tool) + '\n';
+}
+
+std::string posture_lines(const Solutions& solutions) {
+  std::vector<std::vector<Interval>> angles;
+  for (std::size_t i = 0; i < solutions.unknowns.size(); ++i)
+    angles.push_back(angles_of(solutions, i));
+  std::string lines;
+  for (std::size_t k = 0; k < solutions.found.size(); ++k) {
+    lines += "solution";
+    for (const auto& of_joint : angles) lines += searched_line(of_joint[k], 1, solutions.found[k]);
+    lines += '\n';
+  }
+  return lines;
+}
+
+std::string head_of_arm(const Request& request, const Solutions& solutions) {
+  return head_of_robot(request, solutions, format::kOfArm, arm_lines(request, solutions),
+                       posture_lines(solutions));
+}
+
+// A closure.
+
+std::string pose_lines(const Request& request, const Solutions& solutions) {
+  const double size = size_of(request, solutions);
+  std::string lines;
+  for (const CertainSolution& solution : solutions.found) {
+    lines += "solution";
+    for (std::size_t i = 0; i < solution.values.size(); ++i)
+      lines += searched_line(solution.values[i], i < 3 ? size : 1, solution);
+    lines += '\n';
   }
   return lines;
 }
@@ -248,7 +333,14 @@ std::string obstacle_of(const Request& request, const Solutions& solutions) {
                ? kAtBorder
                : "";
   if (has_tolerances(request)) return kNoProofOfTolerances;
-  return is_complete && solutions.boxes > 0 && !is_in_plane(request) ? kNoProofOfSearch : "";
+  if (request.model.arm) {
+    if (std::ranges::any_of(request.model.arm->joints, [](const SerialJoint& joint) {
+          return joint.kind == JointKind::kPrismatic;
+        }))
+      return kNoProofOfSlides;
+    return solutions.opposite == 0 ? kNoProofOfCount : "";
+  }
+  return "";
 }
 
 }  // namespace
@@ -260,17 +352,24 @@ ProofStatus certify_solutions(const std::string& path, const Request& request,
   const FloatingPointScope nearest(FloatingPointRounding::kNearest);
   status.set_obstacle(obstacle_of(request, solutions));
   if (!status.obstacle().empty()) return status;
-  const bool is_planar = is_in_plane(request),
-             is_search = is_planar || request.model.closure.has_value();
+  const bool is_arm = request.model.arm != nullptr, is_closure = request.model.closure.has_value(),
+             is_counted =
+                 !is_arm && !is_closure && !is_in_plane(request) &&
+                 (solutions.completeness != Completeness::kComplete || solutions.boxes == 0);
   const std::string head =
-      is_planar   ? head_of_platform(request, solutions, format::kOfThreeLegs,
-                                     planar_lines(request, solutions))
-      : is_search ? head_of_equations(request, solutions)
-                  : head_of_platform(request, solutions, format::kOfSixLegs,
-                                     solution_lines(solutions, size_of(request, solutions)));
+      is_arm                 ? head_of_arm(request, solutions)
+      : is_closure           ? head_of_equations(request, solutions)
+      : is_in_plane(request) ? head_of_platform(request, solutions, format::kOfThreeLegs,
+                                                planar_lines(request, solutions))
+      : is_counted           ? head_of_platform(request, solutions, format::kOfSixLegs,
+                                                solution_lines(solutions, size_of(request, solutions)))
+                             : head_of_platform(request, solutions, format::kOfSixLegs,
+                                                pose_lines(request, solutions));
   status.set_obstacle(obstacle_of_head(head));
   if (!status.obstacle().empty()) return status;
-  const std::string proof = is_search ? "end\n" : root_lines(roots_of(solutions));
+  const std::string proof = is_arm       ? fmt::format("opposite {}\nend\n", solutions.opposite)
+                            : is_counted ? root_lines(roots_of(solutions))
+                                         : "end\n";
   status.attempt([&] { write_witness(path, head, proof, placing); });
   if (status.obstacle().empty()) status.set_written();
   return status;

@@ -10,7 +10,7 @@ namespace regulus {
 
 /// Writes the proof of what is known of the solutions, if there is one.
 ///
-/// Requires  solutions are those of the request: a platform on legs, or a closure.
+/// Requires  solutions are those of the request.
 [[nodiscard]] ProofStatus certify_solutions(const std::string& path, const Request& request,
                                             const Solutions& solutions,
                                             const ProofPlacing& placing);

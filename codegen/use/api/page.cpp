@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/use/api/page.hpp"
 
+#include "codegen/answer/page/robot_picture.hpp"
 #include "codegen/answer/page_of_answers.hpp"
+#include "codegen/model/request.hpp"
 #include "codegen/support/earlier_outputs.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/use/api/algebra_lock.hpp"
@@ -22,6 +24,11 @@ void write_page(const Question& question, const PageContents& contents, const st
   page.add({contents.kind, contents.headline, contents.report, std::move(report),
             contents.certificate, contents.no_certificate});
   static_cast<void>(page.write(file));
+}
+
+std::string robot_picture(const Question& question) {
+  const AlgebraLock lock;
+  return robot_picture(read_request(question.options()));
 }
 
 }  // namespace regulus

@@ -10,11 +10,11 @@ namespace regulus {
 
 /// What a page shows: fields of the finding of check(), margin(), bound() or check_load().
 struct PageContents {
-  std::string kind = "check";    ///< "check", "margin", "bound" or "load"
+  std::string kind = "check";    ///< "check", "margin", "bound", "load" or "solutions"
   std::string headline;          ///< "NO SINGULARITY"; the `bracket` or the `result` of others
   std::string report;            ///< the lines for people
   std::string json;              ///< the report for programs
-  std::string certificate{};     ///< of a check: the file of its proof; empty: none
+  std::string certificate{};     ///< of a check or of solutions: the file of the proof; empty: none
   std::string no_certificate{};  ///< why there is none
   /// The page without data, share/regulus/page.html of an installation; empty: that beside the
   /// folder of the program.
@@ -29,5 +29,11 @@ struct PageContents {
 ///           is read, FileError if the program has no page
 ///           (regulus was built without npm), or a file cannot be read or written.
 void write_page(const Question& question, const PageContents& contents, const std::string& file);
+
+/// Returns the robot at the middle of the question's motion as a small picture in SVG; empty if the
+/// model gives no points, or the motion is along way-points.
+///
+/// Threads   as check(). Throws InputError for the model.
+[[nodiscard]] std::string robot_picture(const Question& question);
 
 }  // namespace regulus

@@ -36,7 +36,7 @@ constexpr const char* kSolveFooter =
 
 constexpr const char* kSolveCertificate =
     "Write a proof that these are all, or that these are certain, to FILE: of configurations, of "
-    "poses in the plane, and of poses on six legs that were counted";
+    "poses, and of postures that were searched, of an arm whose joints turn";
 
 constexpr const char* kBoundCertificate =
     "Write two proofs for each leg or freedom: FILE.leg_3.safe proves that no value is beyond the "

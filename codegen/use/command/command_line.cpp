@@ -105,6 +105,8 @@ int report_parse_error(const CLI::App& app, const CLI::ParseError& error, int ar
 CommandLine parse_command_line(int argc, const char* const* argv,
                                const std::string& shell_commands) {
   CommandTables tables(shell_commands);
+  const std::string_view program(argc > 0 ? argv[0] : "");
+  if (program.ends_with("regulus-mpi")) tables.app.name("regulus-mpi");
   CommandLine result;
   try {
     tables.app.parse(argc, argv);

@@ -288,6 +288,12 @@ void bind_files(py::module_& module) {
       py::arg("question"), py::arg("kind"), py::arg("headline"), py::arg("report"), py::arg("json"),
       py::arg("certificate"), py::arg("page_template"), py::arg("path"));
   module.def(
+      "robot_picture",
+      [](const Question& question) {
+        return run_there([=](const std::atomic<bool>&) { return robot_picture(question); });
+      },
+      py::arg("question"));
+  module.def(
       "verify",
       [](const std::string& path, const std::string& model, const std::string& waypoints,
          unsigned threads, double time_limit, std::uint64_t max_boxes, bool allow_options) {

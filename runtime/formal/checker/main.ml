@@ -3,8 +3,9 @@
 
 let help =
   "usage: regulus-formal [options] FILE.v\n\n\
-   Proves the theorem of a file that 'regulus-verify --coq' wrote, by the checks of its library,\n\
-   compiled. The answer is the line on standard output:\n\
+   Proves the claim of a file that 'regulus-verify --coq' wrote, by the checks of its library,\n\
+   compiled. A theorem about the robot of a model file, after the claim, is for coqc alone.\n\
+   The answer is the line on standard output:\n\
   \  PROVED      the theorem is true                            (exit 0)\n\
   \  REJECTED    not such a file, or its hints prove nothing    (exit 1)\n\
   \  NOT PROVED  no proof was found within the bounds below     (exit 2)\n\
@@ -65,10 +66,10 @@ let write_comparison u text (file : Reader.file) =
 let report u seconds verdict =
   let say text = if not u.quiet then Printf.eprintf "%s: %s, %.2f s\n%!" u.file text seconds in
   match verdict with
-  | Prove.Proved { how; hinted } ->
+  | Prove.Proved { what; how; hinted } ->
       if u.hints <> "" then Files.write u.hints hinted;
       say how;
-      print_endline "PROVED";
+      print_endline ("PROVED" ^ what);
       0
   | Rejected why -> say why; print_endline "REJECTED"; 1
   | Unproved why -> say why; print_endline "NOT PROVED"; 2
@@ -86,7 +87,8 @@ let run u =
   let text = Files.read u.file in
   if u.compare = "" then prove u text
   else
-    try write_comparison u text (Reader.read text); 0
+    let claim, _ = Reader.split text in
+    try write_comparison u claim (Reader.read claim); 0
     with Tokens.Fault (line, what) ->
       report u 0. (Rejected (Printf.sprintf "line %d: %s" line what))
 

@@ -24,7 +24,7 @@ let with_clock bounds show f =
   Fun.protect f ~finally:(fun () -> every 0.)
 
 type verdict =
-  | Proved of { how : string; hinted : string }  (* the file with the splits, if there are any *)
+  | Proved of { what : string; how : string; hinted : string }  (* the file with the splits, if there are any *)
   | Rejected of string
   | Unproved of string
 
@@ -93,7 +93,7 @@ let for_all_points bounds text (file : Reader.file) ~has_trees claim =
     Rejected "the splits do not prove the theorem"
   else
     let hinted = if has_trees then text else with_hints text file claim trees in
-    Proved { how = Printf.sprintf "%d leaves" count; hinted }
+    Proved { what = ""; how = Printf.sprintf "%d leaves" count; hinted }
 
 (* How Coq calls the check with trees, and that without. *)
 let theorems (file : Reader.file) kind arguments =
@@ -127,7 +127,7 @@ let force (file : Reader.file) side ends =
     hinted; plain }
 
 let at_points bounds text how check =
-  if with_clock bounds (fun () -> "checking") check then Proved { how; hinted = text }
+  if with_clock bounds (fun () -> "checking") check then Proved { what = ""; how; hinted = text }
   else Unproved "the bounds at the points of the file do not suffice"
 
 let point (file : Reader.file) name = try List.assoc name file.points with Not_found -> []
@@ -176,7 +176,13 @@ let prove bounds text (file : Reader.file) =
   | _ -> Rejected "the theorem is not one of regulus-verify"
 
 let answer bounds text =
-  try prove bounds text (Reader.read text) with
+  let claim, robot = Reader.split text in
+  try
+    match prove bounds claim (Reader.read claim) with
+    | Proved p when robot <> "" ->
+        Proved { what = " the_claim; the theorem about the robot is for coqc"; how = p.how; hinted = p.hinted ^ robot }
+    | verdict -> verdict
+  with
   | Tokens.Fault (line, what) -> Rejected (Printf.sprintf "line %d: %s" line what)
   | Search.Open why | Stopped why -> Unproved why
   | Stack_overflow -> Rejected "the file is nested too deep"

@@ -333,7 +333,20 @@ let nothing =
     method_ = { second_order = O; deepest = O }; trees = []; points = []; scales = [];
     threshold = zero; row = O; load = []; limit = zero; statement = ""; proof = "" }
 
-(* Reads the text of a file. Raises Fault. *)
+(* The text up to the claim, and what follows if the file is about the robot of a model file: theorems in
+   the words of Geometry.v, which are for Coq alone. In a comment, the first line of these leaves a first
+   part that is a fault. *)
+let split text =
+  let mark = "\nFrom Regulus Require Import Geometry.\n" in
+  let rec find i =
+    if i + String.length mark > String.length text then String.length text
+    else if String.sub text i (String.length mark) = mark then i
+    else find (i + 1)
+  in
+  let stop = find 0 in
+  (String.sub text 0 stop, String.sub text stop (String.length text - stop))
+
+(* Reads the text of a file up to the claim. Raises Fault. *)
 let read text =
   let s = { tokens = tokens text; at = 0; names = Hashtbl.create 100; defined = []; depth = 0 } in
   let rec sentences file =

@@ -2,8 +2,11 @@
 #include "runtime/verifier/model/closure_comparison.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
 
+#include "runtime/verifier/algebra.hpp"
 #include "runtime/verifier/derivative.hpp"
 #include "runtime/verifier/evaluation.hpp"
 #include "runtime/verifier/model/equality.hpp"
@@ -14,17 +17,20 @@ namespace {
 
 constexpr long kBits = 4096;
 constexpr long kMostTurns = 16;  ///< after which an unknown may repeat
+constexpr double kMostTurnsOfAngle = 1e6;
+constexpr std::uint64_t kProductsOfTurns = 1 << 12;
 
 bool is_degrees(const std::string& unit) { return unit == "deg" || unit == "°"; }
 
-/// Tells what some whole turns of a variable keep as it is.
+/// Tells what a step of a variable, which is some whole turns of it, keeps as it is.
 class WholeTurns {
  public:
-  WholeTurns(Graph& graph, std::size_t variable, long turns)
-      : graph_(graph), by_(graph, variable), turns_(turns) {}
+  /// `step`: a constant expression.
+  WholeTurns(Graph& graph, std::size_t variable, NodeId step)
+      : graph_(graph), by_(graph, variable), step_(step) {}
 
   /// True only if the variable stands in sines, cosines and tangents alone, of a number times it and of
-  /// what does not depend on it. The turns times this number are whole turns.
+  /// what does not depend on it. The step times this number is some whole turns.
   bool keep(NodeId id) {
     if (by_.of(id) == kNoNode) return true;
     const auto [at, is_new] = known_.emplace(id, false);
@@ -41,13 +47,21 @@ class WholeTurns {
   }
 
   bool has_whole_turns(NodeId id) {
-    const Node slope = graph_.nodes()[std::size_t(by_.of(id))];
-    return slope.op == Op::kConstant && (Rational(turns_) * graph_.rational(slope.a)).is_integer();
+    const NodeId slope = by_.of(id), angle = graph_.add(Op::kMultiply, slope, step_);
+    for (const NodeId part : ingredients(graph_, {slope}))
+      if (graph_.nodes()[std::size_t(part)].op == Op::kVariable) return false;
+    const auto value = evaluate(graph_, {angle}, {}, kBits);
+    if (!value) return false;
+    const double turns = std::round(mid((*value)[0].enclosure()) / (2 * std::numbers::pi));
+    if (!(std::fabs(turns) < kMostTurnsOfAngle)) return false;
+    const NodeId whole =
+        graph_.add(Op::kMultiply, graph_.number(Rational(2 * long(turns))), graph_.add(Op::kPi));
+    return certain_equal(graph_, angle, whole, kProductsOfTurns);
   }
 
   Graph& graph_;
   Differentiator by_;
-  const long turns_;
+  const NodeId step_;
   std::map<NodeId, bool> known_;
 };
 
@@ -96,12 +110,7 @@ class ClosureComparison {
 
   void compare_names() {
     std::vector<std::string> names;
-    for (const auto& [name, unit] : table("closure.unknowns.")) {
-      names.push_back(name);
-      if (is_degrees(unit.text))
-        throw Unfinished("the certificate cannot be compared with a file whose unknown " + name +
-                         " is in degrees");
-    }
+    for (const auto& [name, unit] : table("closure.unknowns.")) names.push_back(name);
     if (names != closure_.names)
       comparer_.refuse_model("its unknowns are not those of the certificate, in their order");
   }
@@ -125,12 +134,12 @@ class ClosureComparison {
     const bool is_given = values_.contains(place + "[0]");
     const FilePlace from =
         is_given ? comparer_.place_of(place + "[0]") : FilePlace{place, 0, "not given"};
-    const auto [middle, half] = is_given ? given_range(place) : usual_range(name);
+    const auto [middle, half] = is_given ? given_range(name, place) : usual_range(name);
     if (middle == kNoNode)
       return comparer_.leave_out(from, "it is not certain whether the start is greater than 1");
     comparer_.compare(from, middle, "unknown " + name, "");
     const NodeId radius = q_.stated.at(stated).node;
-    const long turns = is_angle(name) ? half_turns_of(radius) : 0;
+    const long turns = is_angle(name) ? half_turns_of(name, radius) : 0;
     if (turns == 0 || !is_positive(q_.graph.add(Op::kSubtract, half, radius)))
       return comparer_.compare(from, half, stated, "");
     const long fewest = fewest_turns(name);
@@ -142,26 +151,31 @@ class ClosureComparison {
     comparer_.compare(from, fewest == turns ? radius : half, stated, "");
   }
 
+  [[nodiscard]] bool is_in_degrees(const std::string& name) const {
+    return is_degrees(values_.at("closure.unknowns." + name).text);
+  }
   [[nodiscard]] bool is_angle(const std::string& name) const {
-    return values_.at("closure.unknowns." + name).text == "rad";
+    return is_in_degrees(name) || values_.at("closure.unknowns." + name).text == "rad";
   }
 
-  /// Returns n for n·pi; 0 for any other number.
-  long half_turns_of(NodeId radius) {
+  /// Returns n for n half turns of an unknown; 0 for any other number.
+  long half_turns_of(const std::string& name, NodeId radius) {
     for (long n = 1; n <= kMostTurns; ++n)
-      if (equality(q_, radius, half_turns(n)) == Equality::kEqual) return n;
+      if (equality(q_, radius, half_turns(name, n)) == Equality::kEqual) return n;
     return 0;
   }
 
-  NodeId half_turns(long n) {
+  /// In the unit of the unknown.
+  NodeId half_turns(const std::string& name, long n) {
     Graph& graph = q_.graph;
-    return graph.add(Op::kMultiply, graph.number(std::to_string(n)), graph.add(Op::kPi));
+    if (is_in_degrees(name)) return graph.number(Rational(180 * n));
+    return graph.add(Op::kMultiply, graph.number(Rational(n)), graph.add(Op::kPi));
   }
 
   /// Returns the least number of turns of an unknown that are seen to change no equation; 0: none.
   long fewest_turns(const std::string& name) {
     for (long n = 1; n <= kMostTurns; ++n) {
-      WholeTurns turns(q_.graph, number_of(name), n);
+      WholeTurns turns(q_.graph, number_of(name), half_turns(name, 2 * n));
       if (std::ranges::all_of(closure_.equations, [&](NodeId e) { return turns.keep(e); }))
         return n;
     }
@@ -170,7 +184,8 @@ class ClosureComparison {
 
   /// True only if that many turns of an unknown change an equation.
   bool is_changed_by(const std::string& name, long turns) {
-    const NodeId p = q_.actual.at(name), moved = q_.graph.add(Op::kAdd, p, half_turns(2 * turns));
+    const NodeId p = q_.actual.at(name),
+                 moved = q_.graph.add(Op::kAdd, p, half_turns(name, 2 * turns));
     return std::ranges::any_of(closure_.equations, [&](NodeId e) {
       return equality(q_, e, replaced(q_.graph, e, {{p, moved}})) == Equality::kDifferent;
     });
@@ -189,24 +204,22 @@ class ClosureComparison {
   }
 
   /// The middle, and half of the width.
-  std::pair<NodeId, NodeId> given_range(const std::string& place) {
-    const Scope none;
+  std::pair<NodeId, NodeId> given_range(const std::string& name, const std::string& place) {
     Graph& graph = q_.graph;
     if (!values_.contains(place + "[1]")) throw Unfinished(place + " has no upper end");
-    const NodeId lo = comparer_.expression_at(place + "[0]", none),
-                 hi = comparer_.expression_at(place + "[1]", none), half = graph.number("0.5");
+    const NodeId lo = comparer_.number_at(place + "[0]", name),
+                 hi = comparer_.number_at(place + "[1]", name), half = graph.number("0.5");
     return {graph.add(Op::kMultiply, half, graph.add(Op::kAdd, lo, hi)),
             graph.add(Op::kMultiply, half, graph.add(Op::kSubtract, hi, lo))};
   }
 
   /// Two turns about the start; of no angle 1000 times the greater of 1 and its magnitude.
   std::pair<NodeId, NodeId> usual_range(const std::string& name) {
-    const Scope none;
     Graph& graph = q_.graph;
     const std::string place = "closure.start." + name;
     if (!values_.contains(place)) throw Unfinished("the file has no " + place);
-    const NodeId start = comparer_.expression_at(place, none);
-    if (is_angle(name)) return {start, half_turns(2)};
+    const NodeId start = comparer_.number_at(place, name);
+    if (is_angle(name)) return {start, half_turns(name, 2)};
     const NodeId size = larger_of_one(start);
     if (size == kNoNode) return {kNoNode, kNoNode};
     return {start, graph.add(Op::kMultiply, graph.number("1000"), size)};
@@ -216,6 +229,7 @@ class ClosureComparison {
   NodeId usual_radius(const std::string& name) {
     Graph& graph = q_.graph;
     const NodeId hundredth = graph.number("0.01");
+    if (is_in_degrees(name)) return graph.add(Op::kDivide, graph.number("1.8"), graph.add(Op::kPi));
     if (is_angle(name)) return hundredth;
     const NodeId size = larger_of_one(q_.stated.at("unknown " + name).node);
     return size == kNoNode ? kNoNode : graph.add(Op::kMultiply, hundredth, size);

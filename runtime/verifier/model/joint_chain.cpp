@@ -54,7 +54,7 @@ class ChainReader {
         in_degrees_(is_arm_in_degrees(comparer.values())),
         section_(comparer, in_degrees_) {}
 
-  std::vector<ChainJoint> read() {
+  ReadArm read(bool has_tool) {
     require_known_keys();
     const std::vector<ChainName> names = chain_names(values_);
     PlacementNodes since = algebra_.at_rest();
@@ -80,7 +80,8 @@ class ChainReader {
       }
       since = algebra_.product(since, after);
     }
-    return std::move(chain_);
+    if (has_tool) since = algebra_.product(since, read_tool());
+    return {std::move(chain_), since};
   }
 
  private:
@@ -117,7 +118,7 @@ class ChainReader {
   NodeId quantity(const std::string& place, const std::string& name,
                   const SectionTolerance& tolerance) {
     // Without a tolerance it is no constant of its own.
-    if (!values_.contains(tolerance.key))
+    if (!has_tolerances_ || !values_.contains(tolerance.key))
       return tolerance.is_angle ? section_.angle(place) : section_.constant(place);
     return section_.quantity(place, name + '_' + number_, tolerance);
   }
@@ -165,6 +166,16 @@ class ChainReader {
       origin.R = algebra_.turn_of_quaternion(q);
     }
     if (has("rotation")) origin.R = read_rotation();
+  }
+
+  PlacementNodes read_tool() {
+    joint_ = "serial.tool.";
+    has_tolerances_ = false;
+    PlacementNodes tool = algebra_.at_rest();
+    VectorNodes none{};
+    if (has("axis")) throw Unfinished("a tool has no axis");
+    read_origin(tool, none);
+    return tool;
   }
 
   MatrixNodes read_rotation() {
@@ -229,6 +240,7 @@ class ChainReader {
   const bool in_degrees_;
   SectionValues section_;
   std::string joint_, number_;  ///< its place, and its number from 1
+  bool has_tolerances_ = true;
   std::vector<ChainJoint> chain_;
 };
 
@@ -259,7 +271,9 @@ std::vector<ChainName> chain_names(const WrittenValues& values) {
 }
 
 std::vector<ChainJoint> read_chain(SectionComparer& comparer) {
-  return ChainReader(comparer).read();
+  return ChainReader(comparer).read(false).joints;
 }
+
+ReadArm read_arm(SectionComparer& comparer) { return ChainReader(comparer).read(true); }
 
 }  // namespace regulus::verifier

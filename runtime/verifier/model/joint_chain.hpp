@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "runtime/verifier/model/rigid_motion.hpp"
 #include "runtime/verifier/model/section_reading.hpp"
+#include "runtime/verifier/rigid_motion.hpp"
 
 namespace regulus::verifier {
 
@@ -37,6 +37,14 @@ struct ChainName {
 [[nodiscard]] bool is_arm_in_degrees(const WrittenValues& values);
 
 [[nodiscard]] bool depends_on_variables(const Graph& graph, NodeId node);
+
+/// The joints that move, and the frame of the tool in that of the last.
+struct ReadArm {
+  std::vector<ChainJoint> joints;
+  PlacementNodes tool{};
+};
+/// Does as read_chain does. The tool has no tolerance.
+[[nodiscard]] ReadArm read_arm(SectionComparer& comparer);
 
 /// Reads every joint that moves; compares every length and angle that has a tolerance with the
 /// certificate's. Throws Unfinished for a table that it does not understand.

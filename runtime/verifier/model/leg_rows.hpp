@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "runtime/verifier/model/rigid_motion.hpp"
+#include "runtime/verifier/rigid_motion.hpp"
 
 namespace regulus::verifier {
 

@@ -7,7 +7,7 @@
 #include "runtime/verifier/model/closure_comparison.hpp"
 #include "runtime/verifier/model/load_comparison.hpp"
 #include "runtime/verifier/model/motion_comparison.hpp"
-#include "runtime/verifier/model/platform_comparison.hpp"
+#include "runtime/verifier/model/place_comparison.hpp"
 #include "runtime/verifier/model/question_comparer.hpp"
 
 namespace regulus::verifier {
@@ -77,7 +77,7 @@ class ModelComparison {
     for (const char* other : {"matrix.", "pose.", "closure."})
       if (has_below(values_, other))
         comparer_.leave_out({other, 0, ""}, "the robot is described twice");
-    compare_platform(comparer_, section_.get());
+    compare_robot_at_place(comparer_, section_.get());
     require_known_tables();
     comparer_.finish(false);
   }

@@ -280,12 +280,12 @@ void add_joints_in_degrees(const WrittenValues& values, Names& names) {
 }  // namespace
 
 Names poses_in_degrees(const WrittenValues& values) {
-  constexpr std::string_view kPose = "pose.";
   Names names;
   add_joints_in_degrees(values, names);
-  for (auto at = values.lower_bound(kPose); at != values.end() && at->first.starts_with(kPose);
-       ++at)
-    if (is_degrees(at->second)) names.insert(at->first.substr(kPose.size()));
+  for (const std::string_view table : {"pose.", "closure.unknowns."})
+    for (auto at = values.lower_bound(table); at != values.end() && at->first.starts_with(table);
+         ++at)
+      if (is_degrees(at->second)) names.insert(at->first.substr(table.size()));
   for (const char* unit : {"gough.angle_unit", "legs.angle_unit"}) {
     const auto given = values.find(unit);
     if (given != values.end() && is_degrees(given->second))

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "runtime/verifier/evaluation.hpp"
-#include "runtime/verifier/model/platform_comparison.hpp"
+#include "runtime/verifier/model/place_comparison.hpp"
 #include "runtime/verifier/quantity_lines.hpp"
 
 namespace regulus::verifier {

@@ -2,8 +2,8 @@
 // The orientation of a platform by the names of its pose.
 #pragma once
 
-#include "runtime/verifier/model/rigid_motion.hpp"
 #include "runtime/verifier/model/section_reading.hpp"
+#include "runtime/verifier/rigid_motion.hpp"
 
 namespace regulus::verifier {
 

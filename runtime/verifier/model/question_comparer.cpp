@@ -72,11 +72,11 @@ FilePlace QuestionComparer::place_of(const std::string& place) const {
   return {place, found->second.line, found->second.text};
 }
 
-/// True for the range, the value and the error of a pose parameter in degrees.
+/// True for the range, the value and the error of a pose parameter or an unknown in degrees.
 bool QuestionComparer::is_number_of_degrees(const std::string& stated) const {
   const std::string kind = kind_of(stated), name = stated.substr(kind.size() + 1);
   return (kind == "lower" || kind == "upper" || kind == "pose" || kind == "error" ||
-          kind == "start") &&
+          kind == "start" || kind == "unknown" || kind == "unknown-radius") &&
          degrees_.contains(name);
 }
 

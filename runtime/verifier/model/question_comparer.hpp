@@ -58,6 +58,10 @@ class QuestionComparer final : public SectionComparer {
   [[nodiscard]] NodeId pose_at(const std::string& place, const std::string& name) {
     return expressions_.at(place, q_.actual, degrees_.contains(name));
   }
+  /// The same without names.
+  [[nodiscard]] NodeId number_at(const std::string& place, const std::string& name) {
+    return expressions_.at(place, no_names_, degrees_.contains(name));
+  }
   /// The file and the certificate differ, as an option allows.
   void note_difference(std::string difference) {
     result_.differences.push_back(std::move(difference));

@@ -11,8 +11,8 @@
 
 #include "runtime/verifier/model/equality.hpp"
 #include "runtime/verifier/model/model_file.hpp"
-#include "runtime/verifier/model/rigid_motion.hpp"
 #include "runtime/verifier/question.hpp"
+#include "runtime/verifier/rigid_motion.hpp"
 
 namespace regulus::verifier {
 
@@ -74,6 +74,21 @@ struct SectionPoint {
   VectorNodes value{};
 };
 
+/// A joint of an arm that moves, and follows no other.
+struct SectionJoint {
+  std::string name;
+  bool slides = false;
+  PlacementNodes origin{};  ///< of its frame in that of the joint before, all joints at 0
+  VectorNodes axis{};       ///< through the origin of its frame; of length 1
+  NodeId value = kNoNode;   ///< by the pose of Question::actual; an angle in radians
+};
+
+/// An arm without its tolerances; the frame of the tool is that in the frame of the last joint.
+struct SectionArm {
+  std::vector<SectionJoint> joints;
+  PlacementNodes tool{};
+};
+
 /// A leg of variable length, from the base to the platform.
 struct SectionLeg {
   SectionPoint base, platform;
@@ -112,6 +127,11 @@ class SectionReading {
   [[nodiscard]] virtual NodeId squared_length(const SectionLeg&, const Scope& /*pose*/,
                                               SectionComparer&) {
     throw Unfinished("the file describes no platform on legs of variable length");
+  }
+
+  /// Returns the arm. Throws Unfinished if the robot is none, or if a joint follows another.
+  [[nodiscard]] virtual SectionArm arm(SectionComparer&) {
+    throw Unfinished("the file describes no arm");
   }
 
   /// Compares every constant with its spread, every ball, entry and scale, and says what must be

@@ -2,8 +2,8 @@
 // The numbers of a section of a model file: constants, angles, and quantities with a tolerance.
 #pragma once
 
-#include "runtime/verifier/model/rigid_motion.hpp"
 #include "runtime/verifier/model/section_reading.hpp"
+#include "runtime/verifier/rigid_motion.hpp"
 
 namespace regulus::verifier {
 

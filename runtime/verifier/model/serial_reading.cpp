@@ -29,6 +29,17 @@ class SerialReading final : public SectionReading {
     return motion != "limits" || joint == names_.end() ? "" : joint->range;
   }
 
+  [[nodiscard]] SectionArm arm(SectionComparer& comparer) override {
+    const ReadArm chain = read_arm(comparer);
+    if (chain.joints.size() != names_.size())
+      throw Unfinished("a joint of the arm follows another");
+    SectionArm arm{{}, chain.tool};
+    for (const ChainJoint& joint : chain.joints)
+      arm.joints.push_back(
+          {names_[joint.column].name, joint.slides, joint.origin, joint.axis, joint.value});
+    return arm;
+  }
+
   void compare(SectionComparer& comparer) override {
     compare_arm(comparer, read_chain(comparer), names_.size());
   }

@@ -225,6 +225,85 @@ rows = [["x + 900", "y + z"], ["y/7", "x + y + 1200"]]
 waypoints = "way.ngc"
 )toml";
 
+constexpr const char* kDegrees = R"toml(regulus = 1
+name = "crank in degrees"
+
+[pose]
+theta = "deg"
+
+[closure]
+unknowns = { phi = "deg", psi = "deg" }
+equations = [
+  "2*cos(theta) + 5*cos(phi) - 4*cos(psi) - 6",
+  "2*sin(theta) + 5*sin(phi) - 4*sin(psi)",
+]
+start = { theta = 50, phi = 29.3662967687, psi = 95.1192054312 }
+range = { phi = [-200, 200], psi = [0, 180] }
+
+[motion.here]
+theta = 50
+
+[motion.work]
+theta = [49, 51]
+)toml";
+
+constexpr const char* kWrist = R"(regulus = 1
+name = "arm with a wrist"
+
+[geometry]
+upper = 0.45
+
+[serial]
+unit = "m"
+angle_unit = "deg"
+tool = { xyz = [0.01, 0, 0.08], rpy = [0, 30, 0] }
+joints = [
+  { name = "q1", xyz = [0, 0, 0.4] },
+  { name = "q2", xyz = [0.1, 0, 0], axis = [0, 1, 0] },
+  { name = "q3", xyz = ["upper", 0, 0], axis = [0, 1, 0] },
+  { name = "q4", xyz = [0.03, 0, 0], axis = [1, 0, 0] },
+  { name = "q5", xyz = [0.42, 0, 0], axis = [0, 1, 0] },
+  { name = "q6", rpy = [0, 0, 15], axis = [3, 0, 4] },
+]
+
+[motion.here]
+q1 = 20
+q2 = -35
+q3 = 70
+q4 = 50
+q5 = -40
+q6 = 10
+
+[motion.tool]
+tool = [0.5, 0.1, 0.3, 0.2, 0.4, "60*deg"]
+)";
+
+constexpr const char* kElbow = R"(regulus = 1
+name = "arm with an elbow"
+
+[serial]
+unit = "m"
+convention = "modified-dh"
+joints = [
+  { name = "q1", d = 0.3 },
+  { name = "q2", alpha = "-pi/2" },
+  { name = "q3", alpha = "pi/2", d = 0.4 },
+  { name = "q4", alpha = "pi/2", a = 0.05 },
+  { name = "q5", alpha = "-pi/2", d = 0.4, a = -0.05 },
+  { name = "q6", alpha = "pi/2" },
+  { name = "q7", alpha = "-pi/2", d = 0.1 },
+]
+
+[motion.here]
+q1 = 0.4
+q2 = 0.6
+q3 = -0.3
+q4 = -1.1
+q5 = 0.2
+q6 = 0.9
+q7 = 0.1
+)";
+
 std::vector<Base> written_here() {
   return {
       {"everything", kEverything, {"check", "m"}},
@@ -261,15 +340,25 @@ std::vector<Base> written_here() {
       {"expression", kPair, {"bound", "work", "x*phi + phi^2/(x + 2)", "--limit", "5"}},
       {"met", kPair, {"bound", "work", "force", "--load", "gust", "--leg", "1", "--limit", "0.1"}},
       {"branch", kSlider, {"check", "work"}},
+      {"five-bar", "five_bar_closure", {"check", "work"}},
+      {"shards", "robot_1", {"check", "wide_15"}, "", "", 400},
+      {"shards of pieces", kEverything, {"check", "way"}, kWay, "way.csv", 60},
+      {"shards of a paving", kCart, {"locate", "work", "--load", "gust"}, "", "", 1000},
+  };
+}
+
+std::vector<Base> of_solutions() {
+  return {
       {"list", kLoop, {"solve", "here"}},
       {"list on a curve", kLoop, {"solve", "path"}},
       {"list around a turn", kTurn, {"solve", "here"}},
       {"no configuration", kLoop, {"solve", "nowhere"}},
       {"part of a list", kDouble, {"solve", "here"}},
-      {"five-bar", "five_bar_closure", {"check", "work"}},
-      {"shards", "robot_1", {"check", "wide_15"}, "", "", 400},
-      {"shards of pieces", kEverything, {"check", "way"}, kWay, "way.csv", 60},
-      {"shards of a paving", kCart, {"locate", "work", "--load", "gust"}, "", "", 1000},
+      {"list in degrees", kDegrees, {"solve", "here"}},
+      {"branch in degrees", kDegrees, {"check", "work"}},
+      {"postures", kWrist, {"solve", "here"}},
+      {"postures by the tool", kWrist, {"solve", "tool"}},
+      {"postures beside a held joint", kElbow, {"solve", "here", "--hold", "q3"}},
   };
 }
 
@@ -301,7 +390,8 @@ std::vector<Base> of_the_library() {
 const std::vector<Base>& bases() {
   static const std::vector<Base> kBases = [] {
     std::vector<Base> all = written_here();
-    for (Base& base : of_the_library()) all.push_back(std::move(base));
+    for (auto* more : {of_solutions, of_the_library})
+      for (Base& base : more()) all.push_back(std::move(base));
     return all;
   }();
   return kBases;

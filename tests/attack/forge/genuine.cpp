@@ -85,6 +85,7 @@ verifier::Verification verify_about(const Base& base, const std::string& certifi
   options.time_limit = kSecondsOfVerifier;
   for (std::size_t i = 0; i + 1 < base.words.size(); ++i) {
     if (base.words[i] == "--alpha") options.overridden.insert("alpha");
+    if (base.words[i] == "--hold") options.overridden.insert("hold");
     if (base.words[i] != "--tolerance") continue;
     std::istringstream groups(base.words[i + 1].substr(0, base.words[i + 1].find('=')));
     for (std::string group; std::getline(groups, group, ',');)

@@ -137,12 +137,15 @@ class Evaluated {
     if (line.key == "pose") return add_pose(line);
     if (line.key == "piecewise") return begin_pieces(line);
     if (line.key == "piece") return add_piece(line);
-    if (line.key == "leg") return add_values(line, parted(line.text, " | "));
+    static const std::set<std::string> kLists{"leg", "joint", "held-joint", "tip", "tool"};
+    if (kLists.contains(line.key)) return add_values(line, parted(line.text, " | "));
     if (line.key == "limits") return add_values(line, parted(line.text, " : "));
     if (line.key == "wrench") return add_values(line, parted(line.text, " +- "));
     static const std::set<std::string> kExpressions{
-        "alpha",  "entry", "scale",       "defined",   "motion-defined",     "reach", "constraint",
-        "factor", "bound", "motor-error", "stiffness", "expression-defined", "start", "equation"};
+        "alpha",          "entry",       "scale",      "defined",
+        "motion-defined", "reach",       "constraint", "factor",
+        "bound",          "motor-error", "stiffness",  "expression-defined",
+        "start",          "equation",    "joint-value"};
     if (kExpressions.contains(line.key)) return add_values(line, {line.text});
     entries_.push_back({line.key + ' ' + line.text, {}});
   }

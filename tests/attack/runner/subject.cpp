@@ -189,9 +189,13 @@ std::vector<std::string> check_words(const Attack& attack, const std::string& mo
                                      const std::string& certificate_path) {
   Random random("command" + attack.family, attack.seed);
   if (attack.solve)
-    return {"regulus",     "solve",    model_path,    "m",         "--json",
-            "--quiet",     "--engine", "interpreted", "--threads", random.one_in(8) ? "2" : "1",
-            "--max-boxes", "30000"};
+    return {"regulus",       "solve",
+            model_path,      "m",
+            "--json",        "--quiet",
+            "--engine",      "interpreted",
+            "--threads",     random.one_in(8) ? "2" : "1",
+            "--max-boxes",   "30000",
+            "--certificate", certificate_path};
   std::vector<std::string> words{"regulus", "check",   model_path,      "m",
                                  "--json",  "--quiet", "--certificate", certificate_path};
   add_search_options(random, attack.model.closure.empty(), words);

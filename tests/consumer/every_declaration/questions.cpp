@@ -107,6 +107,7 @@ void use_files() {
   contents.json = regulus::check(bead()).json;
   contents.page_template = "page.template";
   regulus::write_page(bead(), contents, "page.html");
+  std::printf("%d\n", regulus::robot_picture(bead()).empty());
   std::ofstream("none.urdf") << "<robot name='none'/>\n";
   try {
     static_cast<void>(regulus::import_file("none.urdf"));

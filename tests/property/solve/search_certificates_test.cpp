@@ -52,54 +52,67 @@ struct Turns {
   Outcome outcome;
 };
 
+const std::vector<Turns> kTurns = {{"sin(q/2) - x", 1, Outcome::kRejected},
+                                   {"sin(q/2) - x", 2, Outcome::kVerified},
+                                   {"cos(q/2) + sin(2*q)/3 - x", 2, Outcome::kVerified},
+                                   {"sin(q/3) - x/9", 2, Outcome::kRejected},
+                                   {"q - 2*x", 1, Outcome::kRejected},
+                                   {"sin(q) + q/100 - x", 1, Outcome::kRejected},
+                                   {"sin(q) - x", 2, Outcome::kRejected},
+                                   {"sin(q)/2 + cos(2*q + x) - x - 3", 1, Outcome::kVerified},
+                                   {"exp(cos(3*q)) - 2*x + abs(sin(q))", 1, Outcome::kVerified},
+                                   // Each repeats after a turn, and the verifier does not see it.
+                                   {"sin(q/2)^2 - x", 1, Outcome::kUnfinished},
+                                   {"sin(q*(1 + a) - q*a) - x", 1, Outcome::kUnfinished}};
+
+std::string model_of(const std::string& equation, bool is_in_degrees) {
+  return "regulus = 1\nname = \"turn\"\n[pose]\nx = \"m\"\n[geometry]\n"
+         "a = { value = 1, tolerance = 0.001 }\n[closure]\n"
+         "unknowns = { q = \"" +
+         std::string(is_in_degrees ? "deg" : "rad") + "\" }\nequations = [\"" + equation +
+         "\"]\nstart = { x = 0.4, q = " + (is_in_degrees ? "45" : "0.8") +
+         " }\nrange = { q = " + (is_in_degrees ? "[-401, 401]" : "[-7, 7]") +
+         " }\n[motion.here]\nx = 0.4\n";
+}
+
 /// Half of some turns is all of a range that is longer only if these, and not fewer, change no equation.
+void expect_turns(const Turns& turns, bool is_in_degrees) {
+  const double radian = is_in_degrees ? 180 / std::numbers::pi : 1;
+  const std::string equation = turns.equation, what = equation + ", " + std::to_string(turns.count);
+  const bool is_unseen = equation.find("q*a") != std::string::npos;
+  const std::string model = model_of(equation, is_in_degrees);
+  Lines lines = lines_of(certified(model).text);
+  ASSERT_FALSE(lines.empty()) << what;
+  EXPECT_EQ(outcome(joined(lines), model), is_unseen ? Outcome::kUnfinished : Outcome::kVerified)
+      << what;
+  lines[first(lines, "unknown")] =
+      "unknown q = 0 +- " + std::to_string(turns.count) + (is_in_degrees ? "*180" : "*pi");
+  std::erase_if(lines, [&](const std::string& line) {
+    return line.starts_with("solution ") &&
+           std::fabs(std::stod(line.substr(9))) > turns.count * std::numbers::pi * radian;
+  });
+  if (equation == "sin(q) - x")
+    for (const double more : {-5.871669, -3.553109}) {
+      std::ostringstream line;
+      line << "solution " << (more - 1e-4) * radian << ':' << (more + 1e-4) * radian;
+      lines.insert(std::ranges::find(lines, "proof"), line.str());
+    }
+  const char* verdict = count_of(lines, "solution") == 0 ? "NONE" : "COMPLETE";
+  const verifier::Verification v = verified(forged_list(lines, verdict), model);
+  EXPECT_EQ(v.outcome, turns.outcome) << what << '\n' << describe(v);
+  EXPECT_EQ(turns.outcome == Outcome::kUnfinished,
+            v.reason.find("it is not certain whether the equations repeat") != std::string::npos)
+      << what << '\n'
+      << describe(v);
+}
+
 TEST(ARangeOfAnAngle, IsShortenedToTurnsOnlyIfTheEquationsRepeat) {
-  for (const Turns& turns :
-       std::vector<Turns>{{"sin(q/2) - x", 1, Outcome::kRejected},
-                          {"sin(q/2) - x", 2, Outcome::kVerified},
-                          {"cos(q/2) + sin(2*q)/3 - x", 2, Outcome::kVerified},
-                          {"sin(q/3) - x/9", 2, Outcome::kRejected},
-                          {"q - 2*x", 1, Outcome::kRejected},
-                          {"sin(q) + q/100 - x", 1, Outcome::kRejected},
-                          {"sin(q) - x", 2, Outcome::kRejected},
-                          {"sin(q)/2 + cos(2*q + x) - x - 3", 1, Outcome::kVerified},
-                          {"exp(cos(3*q)) - 2*x + abs(sin(q))", 1, Outcome::kVerified},
-                          // Each repeats after a turn, and the verifier does not see it.
-                          {"sin(q/2)^2 - x", 1, Outcome::kUnfinished},
-                          {"sin(q*(1 + a) - q*a) - x", 1, Outcome::kUnfinished}}) {
-    const std::string what = std::string(turns.equation) + ", " + std::to_string(turns.count);
-    const bool is_unseen = std::string(turns.equation).find("q*a") != std::string::npos;
-    const std::string model =
-        "regulus = 1\nname = \"turn\"\n[pose]\nx = \"m\"\n[geometry]\n"
-        "a = { value = 1, tolerance = 0.001 }\n[closure]\n"
-        "unknowns = { q = \"rad\" }\nequations = [\"" +
-        std::string(turns.equation) +
-        "\"]\nstart = { x = 0.4, q = 0.8 }\nrange = { q = [-7, 7] }\n"
-        "[motion.here]\nx = 0.4\n";
-    Lines lines = lines_of(certified(model).text);
-    ASSERT_FALSE(lines.empty()) << what;
-    EXPECT_EQ(outcome(joined(lines), model), is_unseen ? Outcome::kUnfinished : Outcome::kVerified)
-        << what;
-    lines[first(lines, "unknown")] = "unknown q = 0 +- " + std::to_string(turns.count) + "*pi";
-    const auto is_beyond = [&](const std::string& line) {
-      return line.starts_with("solution ") &&
-             std::fabs(std::stod(line.substr(9))) > turns.count * std::numbers::pi;
-    };
-    std::erase_if(lines, is_beyond);
-    if (std::string(turns.equation) == "sin(q) - x")
-      for (const double more : {-5.871669, -3.553109}) {
-        std::ostringstream line;
-        line << "solution " << more - 1e-4 << ':' << more + 1e-4;
-        lines.insert(std::ranges::find(lines, "proof"), line.str());
-      }
-    const std::size_t count = count_of(lines, "solution");
-    const std::string text = forged_list(lines, count == 0 ? "NONE" : "COMPLETE");
-    const verifier::Verification v = verified(text, model);
-    EXPECT_EQ(v.outcome, turns.outcome) << what << '\n' << describe(v);
-    EXPECT_EQ(turns.outcome == Outcome::kUnfinished,
-              v.reason.find("it is not certain whether the equations repeat") != std::string::npos)
-        << what << '\n'
-        << describe(v);
+  for (const Turns& turns : kTurns) {
+    expect_turns(turns, false);
+    // An angle in degrees is no number.
+    const std::string equation = turns.equation;
+    if (!equation.starts_with("q") && equation.find("+ q/") == std::string::npos)
+      expect_turns(turns, true);
   }
 }
 
@@ -114,6 +127,10 @@ TEST(ARangeOfAnAngle, IsNotThatOfALength) {
   const std::string text = without_sum(certified(model("rad")).text);
   EXPECT_EQ(outcome(text, model("rad")), Outcome::kVerified);
   EXPECT_EQ(outcome(text, model("m")), Outcome::kRejected);
+  EXPECT_EQ(outcome(text, model("deg")), Outcome::kRejected);
+  const std::string degrees = without_sum(certified(model("deg")).text);
+  EXPECT_EQ(outcome(degrees, model("deg")), Outcome::kVerified);
+  EXPECT_NE(outcome(degrees, model("rad")), Outcome::kVerified);
 }
 
 std::string model_at(const std::string& motion, const std::string& geometry = "a = 1") {

@@ -146,7 +146,7 @@ TEST(AQuestionAboutAClosure, IsComparedWithAModelFile) {
                  changed("phi = \"rad\", psi = \"rad\"", "psi = \"rad\", phi = \"rad\""),
                  "unknowns"));
   EXPECT_TRUE(is(Outcome::kRejected, changed("psi = \"rad\"", "psi = \"m\""), "radius.psi"));
-  EXPECT_TRUE(is(Outcome::kUnfinished, changed("psi = \"rad\"", "psi = \"deg\""), "degrees"));
+  EXPECT_TRUE(is(Outcome::kRejected, changed("psi = \"rad\"", "psi = \"deg\""), "equations[0]"));
   EXPECT_TRUE(is(Outcome::kRejected, changed("\"x - 0.45", "\"0\", \"x - 0.45"), "equations[0]"));
   EXPECT_TRUE(
       is(Outcome::kRejected, changed("0.25*sin(psi)\"]", "0.25*sin(psi)\", \"x - 1\"]"), "fewer"));

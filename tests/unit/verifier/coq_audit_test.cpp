@@ -25,9 +25,19 @@ std::string plain_theorem(const std::string& pieces = "") {
   return verifier::coq_proof(certificate);
 }
 
-/// The message for the plain file with `to` in the place of `from`; "" if it is found to be plain.
-std::string refusal(const std::string& from, const std::string& to) {
-  std::string text = plain_theorem();
+constexpr const char* kRobot =
+    "\nFrom Regulus Require Import Geometry.\n\nDefinition legs : list leg :=\n"
+    "  [((-9, 9, 0.5), (-3, 7, 0)); ((9, 9, 1e-2), (3, 7, 0))].\n\n"
+    "Definition the_set (x _T : R) (a1 : point) : Prop :=\n"
+    "  -15*deg <= x <= 15*deg /\\ near 0.1 (sin (2*pi*_T)) x /\\ in_ball 1 (1, 2, 3) a1.\n\n"
+    "Theorem the_robot : forall (x _T : R) (a1 : point), the_set x _T a1 ->\n"
+    "  full_column_rank 6 6 (gough legs (x, 0, 0) (euler_zxz 0 0 x)).\nProof.\n"
+    "  intros x _T a1 S.\n  by_geometry the_claim [x; first a1 - (1)] 1 S.\nQed.\n\n"
+    "Theorem the_set_is_inhabited : exists (x _T : R) (a1 : point), the_set x _T a1.\nProof.\n"
+    "  exists 0, ((0 + 1)/2), (1, 2, 3).\n  by_point.\nQed.\n";
+
+/// The message for a text with `to` in the place of `from`; "" if it is found to be plain.
+std::string refusal_of(std::string text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
   text.replace(at, from.size(), to);
@@ -37,6 +47,16 @@ std::string refusal(const std::string& from, const std::string& to) {
   } catch (const verifier::Rejection& why) {
     return why.what();
   }
+}
+
+/// The same for the plain file.
+std::string refusal(const std::string& from, const std::string& to) {
+  return refusal_of(plain_theorem(), from, to);
+}
+
+/// The same for a plain file with theorems about a robot.
+std::string refusal_of_robot(const std::string& from, const std::string& to) {
+  return refusal_of(plain_theorem() + kRobot, from, to);
 }
 
 TEST(AnAudit, StatesTheClaimByWholePaths) {
@@ -131,6 +151,48 @@ TEST(AnAudit, RefusesOtherTheoremsAndProofs) {
   EXPECT_NE(refusal("apply (", "exact (fun _ => I"), "");
   EXPECT_NE(refusal("Qed.\n", "Qed.\nTheorem the_claim : True. Proof. exact I. Qed.\n"), "");
   EXPECT_NE(refusal("Qed.\n", "Qed"), "");
+}
+
+TEST(AnAudit, StatesTheTheoremsAboutARobot) {
+  const auto theorem = read_plain_theorem(plain_theorem() + kRobot);
+  ASSERT_EQ(theorem.geometry.size(), 2U);
+  EXPECT_EQ(theorem.geometry[0].name, "the_robot");
+  EXPECT_EQ(theorem.geometry[0].statement,
+            "forall ( x _T : R ) ( a1 : point ) , the_set x _T a1 -> full_column_rank 6 6 ( gough "
+            "legs ( x , 0 , 0 ) ( euler_zxz 0 0 x ) )");
+  EXPECT_THAT(theorem.definitions, HasSubstr("Definition the_set ( x _T : R ) ( a1 : point ) :"));
+  EXPECT_FALSE(theorem.may_be_empty);
+  std::string shorter = plain_theorem() + kRobot;
+  shorter.erase(shorter.find("Theorem the_set_is"));
+  EXPECT_TRUE(read_plain_theorem(shorter).may_be_empty);
+}
+
+TEST(AnAudit, RefusesEverySentenceBesideTheTheoremsAboutARobot) {
+  for (const char* before :
+       {"From Regulus Require Import Geometry.", "Definition legs", "Definition the_set",
+        "Theorem the_robot", "  intros x", "  by_geometry", "Theorem the_set_is", "  by_point"})
+    for (const char* sentence : kOtherSentences)
+      EXPECT_NE(refusal_of_robot(before, std::string(sentence) + "\n" + before), "") << sentence;
+  for (const char* sentence : kOtherSentences)
+    EXPECT_NE(refusal_of_robot("by_point.\nQed.", "by_point.\nQed.\n" + std::string(sentence)), "");
+}
+
+TEST(AnAudit, RefusesWordsWithoutAMeaningForARobot) {
+  EXPECT_EQ(refusal_of_robot("", ""), "");
+  EXPECT_NE(refusal_of_robot("(x, 0, 0)", "(y, 0, 0)"), "");
+  EXPECT_NE(refusal_of_robot("[((-9", "[((_x"), "");
+  EXPECT_NE(refusal_of_robot("[((-9", "[((x"), "");
+  EXPECT_NE(refusal_of_robot("near 0.1", "close 0.1"), "");
+  EXPECT_NE(refusal_of_robot("/\\ near", "\\/ near"), "");
+  EXPECT_NE(refusal_of_robot("legs : list leg", "gough : list leg"), "");
+  EXPECT_NE(refusal_of_robot("the_set (x _T : R)", "the_set (x sin : R)"), "");
+  EXPECT_NE(refusal_of_robot("the_set (x _T : R)", "the_set (x x : R)"), "");
+  EXPECT_NE(refusal_of_robot("forall (x _T : R)", "forall (_T x : R)"), "");
+  EXPECT_NE(refusal_of_robot("the_set x _T a1 ->", "True ->"), "");
+  EXPECT_NE(refusal_of_robot("full_column_rank 6", "the_question 6"), "");
+  EXPECT_NE(refusal_of_robot("by_geometry", "admit; by_geometry"), "");
+  EXPECT_NE(refusal_of_robot("by_point.\nQed.", "by_point.\nAdmitted."), "");
+  EXPECT_NE(refusal_of_robot("Import Geometry.", "Import Geometry Evil."), "");
 }
 
 TEST(AnAudit, RefusesTextThatIsNotReadAsItLooks) {

@@ -85,8 +85,11 @@ def serial(
         geometry: constants that joints may name; a pair is (value, tolerance).
 
     Raises:
+        UsageError: if the convention is another.
         InputError: if the model has a mistake.
     """
+    if convention not in ("standard-dh", "modified-dh"):
+        raise UsageError(f'convention {convention!r} is "standard-dh" or "modified-dh"')
     texts = Texts()
     writer = Writer(texts)
     writer.head(name, source)

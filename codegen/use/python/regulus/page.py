@@ -6,6 +6,7 @@ from __future__ import annotations
 import html
 import os
 import tempfile
+import urllib.parse
 from typing import TYPE_CHECKING, Any
 
 from . import _regulus
@@ -15,7 +16,6 @@ if TYPE_CHECKING:
     from .results import Check, Path, Result
     from .robot import Question
 
-_QUICK = 0.5  # seconds of a search that is done again for its proof
 _PROVED = ("no-singularity", "singularity")
 
 
@@ -30,12 +30,12 @@ def _template() -> str:
     return next((path for path in paths if os.path.exists(path)), paths[0])
 
 
-def _proof(check: Check, folder: str, quick: bool) -> str:
+def _proof(check: Check, folder: str) -> str:
     """Returns the file of the proof, in the folder or not; "" if there is none."""
     written = check.certificate.path
     if written and os.path.exists(written):
         return os.path.abspath(written)
-    if check.verdict not in _PROVED or (quick and check.seconds > _QUICK):
+    if check.verdict not in _PROVED:
         return ""
     try:
         return check.certificate.question.prove(os.path.join(folder, "proof.txt"))
@@ -43,14 +43,14 @@ def _proof(check: Check, folder: str, quick: bool) -> str:
         return ""  # the question has no certificate, and the page says so
 
 
-def write_page(check: Check, path: str, quick: bool = False) -> None:
-    """Writes the page of a check. `quick`: without the proof, if its search was long.
+def write_page(check: Check, path: str) -> None:
+    """Writes the page of a check.
 
     Raises:
         FileError: if this build has no page, or the file cannot be written.
     """
     with tempfile.TemporaryDirectory() as folder:
-        proof = _proof(check, folder, quick)
+        proof = _proof(check, folder)
         _regulus.write_page(
             check.certificate.question.question,
             "check",
@@ -63,27 +63,34 @@ def write_page(check: Check, path: str, quick: bool = False) -> None:
         )
 
 
-def write_answer(question: Question, kind: str, headline: str, result: Result[Any], path: Path) -> str:
-    """Writes the page of another answer, and returns its path."""
+def write_answer(
+    question: Question,
+    kind: str,
+    headline: str,
+    result: Result[Any],
+    path: Path,
+    certificate: str = "",
+) -> str:
+    """Writes the page of another answer, with its proof if there is a file of it; returns its path."""
     file = os.fspath(path)
+    proof = certificate if os.path.exists(certificate) else ""
     _regulus.write_page(
-        question.question, kind, headline, result.report, result._text, "", _template(), file
+        question.question, kind, headline, result.report, result._text, proof, _template(), file
     )
     return file
 
 
-def page_frame(check: Check) -> str:
-    """Returns the page as a frame for a notebook; "" if there can be none."""
+def picture_and_link(check: Check, page: str) -> str:
+    """Returns a picture of the robot for a notebook, and a link to the page that was written last; some
+    kilobytes, so that notebooks stay small. "" stands for no page yet.
+    """
     try:
-        with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "page.html")
-            write_page(check, path, quick=True)
-            with open(path, encoding="utf-8") as file:
-                text = file.read()
+        picture = _regulus.robot_picture(check.certificate.question.question)
     except RegulusError:
-        return ""
-    return (
-        "<details><summary>The page: robot, boxes, proof</summary>"
-        '<iframe sandbox="allow-scripts allow-downloads" style="width:100%;height:44rem;border:0" '
-        f'srcdoc="{html.escape(text)}"></iframe></details>'
+        picture = ""
+    link = (
+        f'<a href="{html.escape(urllib.parse.quote(page))}">{html.escape(page)}</a>'
+        if page
+        else '<code>.page("FILE.html")</code> writes the page: robot, boxes, proof'
     )
+    return f"{picture}<p>{link}</p>"

@@ -22,14 +22,15 @@ CLAIMS: tuple[str, ...] = _regulus.CLAIMS
 LOAD_CLAIMS: tuple[str, ...] = _regulus.LOAD_CLAIMS
 """The claims of boxes about a load: "feasible", "infeasible", "undecided", "outside"."""
 
+# Those of pictures and pages.
 _COLOURS = {
-    "free": "#8fd19e",
-    "singular": "#d1495b",
-    "undecided": "#c9ced6",
-    "outside": "#f3f4f6",
-    "unreachable": "#e5d9c3",
-    "feasible": "#8fd19e",
-    "infeasible": "#d1495b",
+    "free": "#56b4e9",
+    "singular": "#d55e00",
+    "undecided": "#f0e442",
+    "outside": "#dddddd",
+    "unreachable": "#999999",
+    "feasible": "#56b4e9",
+    "infeasible": "#d55e00",
 }
 
 

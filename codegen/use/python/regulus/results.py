@@ -8,7 +8,7 @@ import json
 import os
 from typing import TYPE_CHECKING, Any, Generic, Mapping, Optional, TypeVar, Union, cast
 
-from .page import page_frame, write_answer, write_page
+from .page import picture_and_link, write_answer, write_page
 from .reports import BoundReport, CheckReport, ForcesReport, ForceWitness, LimitMarginReport
 from .reports import MarginReport, PathForcesReport, PathMarginReport, PathReport, Range, Witness
 
@@ -19,14 +19,14 @@ Path = Union[str, "os.PathLike[str]"]
 Report = TypeVar("Report")
 
 _COLOURS = {
-    "no-singularity": "#1a7f37",
-    "within": "#1a7f37",
-    "feasible": "#1a7f37",
-    "verified": "#1a7f37",
-    "singularity": "#b42318",
-    "exceeded": "#b42318",
-    "infeasible": "#b42318",
-    "rejected": "#b42318",
+    "no-singularity": "#0a5c91",
+    "within": "#0a5c91",
+    "feasible": "#0a5c91",
+    "verified": "#0a5c91",
+    "singularity": "#a84300",
+    "exceeded": "#a84300",
+    "infeasible": "#a84300",
+    "rejected": "#a84300",
 }
 
 
@@ -123,6 +123,7 @@ class Check(Result[Union[CheckReport, PathReport]]):
         self.boxes: int = finding.boxes
         self.seconds: float = finding.seconds
         self.certificate = Certificate(question, finding.certificate)
+        self._page = ""  # written last
 
     @property
     def witness(self) -> Optional[Witness]:
@@ -153,8 +154,10 @@ class Check(Result[Union[CheckReport, PathReport]]):
         Raises:
             FileError: if this build has no page, or the file cannot be written.
         """
-        write_page(self, os.fspath(path))
-        return os.fspath(path)
+        page = os.fspath(path)
+        write_page(self, page)
+        self._page = page
+        return page
 
     def _repr_html_(self) -> str:
         report = self.json
@@ -167,7 +170,7 @@ class Check(Result[Union[CheckReport, PathReport]]):
             ("time", f"{self.seconds:.3g} s"),
         ]
         rows += [("note", note) for note in self._notes]
-        return _table(_words(self.verdict), self.verdict, rows) + page_frame(self)
+        return _table(_words(self.verdict), self.verdict, rows) + picture_and_link(self, self._page)
 
 
 class PreparedCheck(Check):

@@ -91,7 +91,8 @@ class Solved(Found, Result[SolutionsReport]):
         Raises:
             FileError: if this build has no page, or the file cannot be written.
         """
-        return write_answer(self._question, "solutions", self.result, self, path)
+        proof = self.certificate or ""
+        return write_answer(self._question, "solutions", self.result, self, path, proof)
 
     def __repr__(self) -> str:
         return f"<{self.result}>"

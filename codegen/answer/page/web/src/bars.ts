@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Brackets as bars: solid up to what is certain, hatched up to the other end of the bracket.
 import { PageData } from "./data";
-import { h, section, shortNumber, svg, table, withUnit } from "./dom";
+import { h, section, svg, table } from "./dom";
+import { shortNumber, withUnit } from "./units";
 
 const WIDTH = 600;
 let patterns = 0;
@@ -23,7 +24,7 @@ function bars(list: readonly Bar[], title: string): HTMLElement {
     const inner = bar.inner ?? bar.outer ?? 0;
     const outer = bar.outer ?? inner;
     return [
-      svg("text", { x: 142, y: y + 13, "text-anchor": "end" }, bar.label || title),
+      svg("text", { x: 142, y: y + 13, "text-anchor": "end" }, bar.label),
       svg("rect", { x: 150, y, width: x(inner) - 150, height: 18, class: "solid-bar" }),
       svg("rect", { x: x(inner), y, width: Math.max(x(outer) - x(inner), 0), height: 18, class: "open-bar", fill: `url(#${id})` }),
       svg("text", { x: x(Math.max(Math.abs(outer), Math.abs(inner))) + 8, y: y + 13 }, bar.text),
@@ -32,6 +33,13 @@ function bars(list: readonly Bar[], title: string): HTMLElement {
   const pattern = svg("pattern", { id, width: 6, height: 6, patternUnits: "userSpaceOnUse", patternTransform: "rotate(45)" }, svg("rect", { width: 2.5, height: 6, class: "sample-line" }));
   const picture = svg("svg", { viewBox: `0 0 ${WIDTH} ${list.length * ROW + 6}`, class: "bars", role: "img", "aria-label": title }, svg("defs", {}, pattern), ...shapes);
   return h("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": `Bars: ${title}` }, picture);
+}
+
+/** The numbers of bars: on paper the bars have them. */
+function numbers(...of: Parameters<typeof table>): HTMLElement {
+  const made = table(...of);
+  made.classList.add("figure-table");
+  return made;
 }
 
 const text = (x: number | null): string => (x === null ? "none" : shortNumber(x));
@@ -53,7 +61,7 @@ function boundFigure(bound: any): HTMLElement {
     {},
     h("figcaption", {}, h("strong", {}, bound.bound), `: ${bound.result}`),
     bars(list, bound.bound),
-    table(
+    numbers(
       ["of", `${ends[0]} (solid)`, `${ends[1]} (end of the hatched part)`, "closed"],
       list.map((bar, i) => [
         bar.label || bound.bound,
@@ -85,11 +93,13 @@ function growing({ kind, groups, parameter, parameters }: any): string {
 
 export function boundsPart(data: PageData): HTMLElement | null {
   if (data.bounds.length === 0) return null;
-  return section(
+  const part = section(
     "Bounds over the whole motion",
     h("p", {}, "The attained end is the value at a pose of the motion; no pose has a value beyond the proved end."),
     ...data.bounds.map((bound) => (bound.limit === undefined ? boundFigure(bound) : limitFigure(bound))),
   );
+  part.classList.add("bounds");
+  return part;
 }
 
 /** The claims at both ends. With a limit they are about a matrix of its own, so the limit is named instead. */

@@ -1,24 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The data of a page, as codegen/answer/page/page_data.cpp writes it.
 import { Damage } from "./expression";
-import type { Check, Enclosure, Path, Point, Witness } from "./report_types"; // made from the table of keys
+import type { Check, Enclosure, Path, Point, Solutions, SolutionsAtPlaces, Witness } from "./report_types"; // made from the table of keys
 import { sha256 } from "./sha256";
 
-export type { TwistColumn } from "./report_types";
+export type { Solution, SolvedPlace, TwistColumn } from "./report_types";
 
 export type Bounds = Enclosure;
 export type ReportedPoint = Pick<Point, "parameters" | "pose" | "uncertain">;
 export type Degeneracy = Pick<Witness, "nullity" | "singular_values" | "twist" | "rows">;
+/** Of the other questions what the page reads of them. */
+type Solved = Partial<Pick<Solutions, "solution_units" | "solutions" | "open_boxes"> & Pick<SolutionsAtPlaces, "places" | "places_file">>;
 /** The report of a motion, or of one along way-points, which has the segment of the singular pose. */
-export type Report = Omit<Check, "proof"> & Partial<Pick<Path, "segment">>;
+export type Report = Omit<Check, "proof" | "verdict"> & { readonly verdict: Check["verdict"] | Solutions["verdict"] } & Partial<Pick<Path, "segment">> & Solved;
 
 export interface DrawnPart {
-  readonly kind: "base" | "platform" | "leg" | "link" | "rail" | "joint";
+  readonly kind: "base" | "platform" | "leg" | "link" | "rail" | "joint" | "tool";
   readonly row: number;
   readonly points: readonly number[]; // of `points`
 }
 
 export interface DrawingData {
+  readonly unit: string; // of lengths
   readonly lets: readonly (readonly [string, string])[];
   readonly points: readonly (readonly [string, string, string])[];
   readonly parts: readonly DrawnPart[];

@@ -56,21 +56,3 @@ export function table(head: string[], rows: (Node | string)[][], caption?: strin
     ),
   );
 }
-
-/** Six digits, for people. */
-export function shortNumber(x: number): string {
-  if (!Number.isFinite(x)) return x > 0 ? "∞" : x < 0 ? "−∞" : "no value";
-  const text = Number(x.toPrecision(6));
-  return Math.abs(text) >= 1e6 || (text !== 0 && Math.abs(text) < 1e-4) ? text.toExponential() : String(text);
-}
-
-export function withUnit(text: string, unit: string | undefined): string {
-  return unit && unit !== "1" ? `${text} ${unit}` : text;
-}
-
-/** For a slider: four digits, and degrees of an angle. */
-export function describeValue(x: number, unit: string | undefined): string {
-  const digits = (value: number): string => shortNumber(Number(value.toPrecision(4)));
-  const text = withUnit(digits(x), unit);
-  return unit === "rad" ? `${text} (${digits(Number(((x * 180) / Math.PI).toFixed(2)))}°)` : text;
-}

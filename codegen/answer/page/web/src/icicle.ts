@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tree of a proof: a row for each level, the width is the part of the volume, the colour the rule.
-import { h, section, shortNumber, svg, table } from "./dom";
+import { h, section, svg, table } from "./dom";
 import { ShownPose } from "./pose";
 import { Question } from "./question";
 import { Tree, TreeBox } from "./tree";
+import { describeRange, describeValue } from "./units";
 
 const WIDTH = 1000;
 const RULES = ["h-matrix", "mean-value", "second-order", "orthants", "determinant", "elimination", "rohn", "closed-form", "multiprecision", "filter", "outside"];
@@ -22,6 +23,7 @@ export class Icicle {
     private readonly tree: Tree,
     private readonly pose: ShownPose,
     what: string,
+    private readonly units: Record<string, string>,
   ) {
     this.chosen = tree.root;
     const levels = tree.leaves.reduce((most, leaf) => Math.max(most, leaf.depth), 0) + 1;
@@ -29,6 +31,7 @@ export class Icicle {
     const drawing = svg("svg", {
       viewBox: `0 0 ${WIDTH} ${levels * height}`,
       class: "icicle",
+      preserveAspectRatio: "none",
       tabindex: 0,
       role: "application",
       "aria-roledescription": "tree of boxes",
@@ -37,7 +40,7 @@ export class Icicle {
     this.draw(drawing, tree.root, 0, WIDTH, height);
     drawing.addEventListener("keydown", (event) => this.move(event));
     this.choose(tree.root);
-    this.element = section(what, h("p", {}, `${tree.leaves.length === 1 ? "1 box covers" : `${tree.leaves.length} boxes cover`} the whole motion. Each row is a level of splits, each width the part of the volume.`), drawing, this.status, this.rules());
+    this.element = section(what, h("p", {}, `${tree.leaves.length} boxes cover the whole motion. Each row is a level of splits, each width the part of the volume.`), drawing, this.status, this.rules());
   }
 
   private draw(drawing: SVGElement, box: TreeBox, x: number, width: number, height: number): void {
@@ -64,8 +67,8 @@ export class Icicle {
     this.shapes.get(box)?.classList.add("chosen");
     const { variables } = this.question;
     const ranges = box.box.flatMap(({ lo, hi }, k) =>
-      variables[k].kind === "parameter" ? [`${variables[k].name} ${shortNumber(lo)} to ${shortNumber(hi)}`] : []);
-    const state = box.halves.length > 0 ? `split at ${variables[box.variable].name} = ${shortNumber(box.at)}` : box.word;
+      variables[k].kind === "parameter" ? [`${variables[k].name} ${describeRange(lo, hi, this.units[variables[k].name])}`] : []);
+    const state = box.halves.length > 0 ? `split at ${variables[box.variable].name} = ${describeValue(box.at, this.units[variables[box.variable].name])}` : box.word;
     this.status.textContent = `Box ${box.id}: ${state}; ${ranges.join(", ")}`;
   }
 

@@ -8,6 +8,7 @@ import { Question } from "./question";
 import { Robot } from "./robot";
 import { robotPart } from "./robot_part";
 import { sharesPart, Slices } from "./slices";
+import { solutionsPart } from "./solutions_part";
 import { sourcePart } from "./source_part";
 import { readTree, Tree } from "./tree";
 import { Certificate, proveAgain, readCertificate, requireSameWords, verdictPart } from "./verdict_part";
@@ -31,17 +32,20 @@ function partsOfRanges(data: PageData, question: Question, certificate: Certific
   const { element, view } = robotPart(data, robot, pose, poseSliders(pose, data));
   const parts = [
     element,
-    new Slices(data, question, pose, tree, paving !== null).element,
+    // Whether forces hold a load is another question than how far a matrix is from singular.
+    data.kind === "load" || data.kind === "load-paving" ? null : new Slices(data, question, pose, tree, paving !== null).element,
     sharesPart(data),
     witnessPart(data, pose, robot, view),
     boundsPart(data),
-    tree ? new Icicle(question, tree, pose, paving ? "The tree of the paving" : "The tree of the proof").element : null,
+    // A tree of one box has nothing to show: the slices say so.
+    tree && tree.leaves.length > 1 ? new Icicle(question, tree, pose, paving ? "The tree of the paving" : "The tree of the proof", data.units).element : null,
   ];
   return { parts, pose };
 }
 
-/** Of a mechanism that is given by equations: its robot cannot be drawn, and its proof is not run. */
-function partsOfClosure(data: PageData, question: Question): Parts {
+/** Of solutions, and of a mechanism that is given by equations: it cannot be drawn. Their proofs are not run. */
+function partsOfQuoted(data: PageData, question: Question): Parts {
+  if (data.kind === "solutions") return [solutionsPart(data)];
   const paving = pavingTree(data, question);
   if (!paving) return [];
   const pose = new ShownPose(question);
@@ -49,7 +53,7 @@ function partsOfClosure(data: PageData, question: Question): Parts {
     section("The motion", poseSliders(pose, data)),
     new Slices(data, question, pose, paving, true).element,
     sharesPart(data),
-    new Icicle(question, paving, pose, "The tree of the paving").element,
+    new Icicle(question, paving, pose, "The tree of the paving", data.units).element,
   ];
 }
 
@@ -69,7 +73,7 @@ function build(main: HTMLElement): void {
   const isQuoted = question.isClosure || data.kind === "solutions";
   const certificate = isQuoted ? null : readCertificate(data, question);
   const { parts, pose } = isQuoted
-    ? { parts: partsOfClosure(data, question), pose: null }
+    ? { parts: partsOfQuoted(data, question), pose: null }
     : data.way ? partsOfWay(data, certificate) : partsOfRanges(data, question, certificate);
   const all = [verdictPart(data, question), ...parts, marginsPart(data), sourcePart(data)];
   main.replaceChildren(...all.filter((part): part is HTMLElement => part !== null));

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pose that every part of the page shows, with a slider for each motion parameter.
 import { Bounds, PageData, ReportedPoint } from "./data";
-import { describeValue, h } from "./dom";
+import { h } from "./dom";
 import { Question } from "./question";
 import { Vector } from "./robot";
+import { describeValue } from "./units";
 
 export const middleOf = ([lo, hi]: Bounds): number => ((lo ?? NaN) + (hi ?? NaN)) / 2;
 
@@ -67,7 +68,7 @@ export function poseSliders(pose: ShownPose, data: PageData): HTMLElement {
     const width = range.hi - range.lo;
     const output = h("output", {});
     if (width === 0) {
-      output.textContent = describeValue(range.lo, unit);
+      output.textContent = describeValue(range.lo, unit, 6);
       return h("div", { class: "slider" }, h("span", {}, `${name}, one value`), output);
     }
     const id = `slider-${k}`;

@@ -16,6 +16,41 @@ export interface Drawable {
   places(): number[][];
 }
 
+/** Returns the numbers of the coordinates of each point in a graph, whose names a scope has. */
+function pointsIn(graph: Graph, drawing: DrawingData, scope: Scope): number[][] {
+  for (const [name, text] of drawing.lets) scope.set(name, parseExpression(text, graph, scope));
+  return drawing.points.map((point) => point.map((text) => parseExpression(text, graph, scope)));
+}
+
+function pointsAt(graph: Graph, points: readonly number[][], variables: readonly number[]): Vector[] {
+  const values = approximate(graph, variables);
+  return points.map(([x, y, z]) => [values[x], values[y], values[z]]);
+}
+
+/** A robot whose points are expressions in some names; each list of their values is a place of it. */
+export class SolvedRobot implements Drawable {
+  readonly parts: readonly DrawnPart[];
+  private readonly graph = new Graph();
+  private readonly points: number[][];
+
+  constructor(
+    drawing: DrawingData,
+    names: readonly string[],
+    private readonly solutions: number[][],
+  ) {
+    this.parts = drawing.parts;
+    this.points = pointsIn(this.graph, drawing, new Map(names.map((name, k) => [name, this.graph.add("variable", k)])));
+  }
+
+  at(values: ArrayLike<number>): Vector[] {
+    return pointsAt(this.graph, this.points, Array.from(values));
+  }
+
+  places(): number[][] {
+    return this.solutions;
+  }
+}
+
 export class Robot implements Drawable {
   readonly parts: readonly DrawnPart[];
   private readonly graph = new Graph();
@@ -31,11 +66,7 @@ export class Robot implements Drawable {
       isParameter: kind === "parameter",
       middle: middle(range),
     }));
-    const scope = this.scope();
-    for (const [name, text] of drawing.lets) scope.set(name, parseExpression(text, this.graph, scope));
-    this.points = drawing.points.map((point) =>
-      point.map((text) => parseExpression(text, this.graph, scope)),
-    );
+    this.points = pointsIn(this.graph, drawing, this.scope());
   }
 
   /** The names of the question, with their operations copied into this graph. */
@@ -59,11 +90,7 @@ export class Robot implements Drawable {
   /** Returns every point at these values of the motion parameters. */
   at(parameters: ArrayLike<number>): Vector[] {
     let next = 0;
-    const values = approximate(
-      this.graph,
-      this.variables.map((v) => (v.isParameter ? parameters[next++] : v.middle)),
-    );
-    return this.points.map(([x, y, z]) => [values[x], values[y], values[z]]);
+    return pointsAt(this.graph, this.points, this.variables.map((v) => (v.isParameter ? parameters[next++] : v.middle)));
   }
 
   places(): number[][] {
@@ -75,21 +102,35 @@ export class Robot implements Drawable {
   }
 }
 
-/** The least and largest coordinates over a motion, for the view. */
-export function extentOf(robot: Drawable): { center: Vector; radius: number; isPlanar: boolean } {
-  const shown = robot.parts.filter((part) => part.kind !== "joint").flatMap((part) => part.points);
-  const all = robot
-    .places()
-    .map((place) => robot.at(place))
-    .flatMap((points) => shown.map((i) => points[i]))
-    .filter((point) => point.every(Number.isFinite));
+/** The middle and the radius of some points. */
+function sphereOf(points: readonly Vector[]): { center: Vector; radius: number } {
   const end = (pick: (...x: number[]) => number): number[] =>
-    [0, 1, 2].map((axis) => all.reduce((best, p) => pick(best, p[axis]), all[0]?.[axis] ?? 0));
+    [0, 1, 2].map((axis) => points.reduce((best, p) => pick(best, p[axis]), points[0]?.[axis] ?? 0));
   const lo = end(Math.min);
   const hi = end(Math.max);
-  const center = lo.map((x, axis) => (x + hi[axis]) / 2) as unknown as Vector;
   const radius = Math.hypot(...lo.map((x, axis) => hi[axis] - x)) / 2;
-  return { center, radius: radius > 0 ? radius : 1, isPlanar: !(hi[2] > lo[2]) };
+  return { center: lo.map((x, axis) => (x + hi[axis]) / 2) as unknown as Vector, radius: radius > 0 ? radius : 1 };
+}
+
+export interface Extent {
+  readonly points: readonly Vector[]; // at all places
+  readonly center: Vector;
+  readonly radius: number;
+  readonly size: number; // the radius of the robot itself, at one place
+  readonly isPlanar: boolean;
+}
+
+/** Axes are drawn as long as the robot wants them, so they do not count. */
+export function extentOf(robot: Drawable): Extent {
+  const shown = robot.parts.filter(({ kind }) => kind !== "joint" && kind !== "tool").flatMap((part) => part.points);
+  const places = robot.places().map((place) => {
+    const points = robot.at(place);
+    return shown.map((i) => points[i]).filter((point) => point.every(Number.isFinite));
+  });
+  const points = places.flat();
+  const first = places.find((place) => place.length > 0) ?? [];
+  const [lowest, highest] = [Math.min, Math.max].map((pick) => points.reduce((best, p) => pick(best, p[2]), points[0]?.[2] ?? 0));
+  return { points, ...sphereOf(points), size: sphereOf(first).radius, isPlanar: !(highest > lowest) };
 }
 
 export function distance(a: Vector, b: Vector): number {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The robot with its sliders, the colours of its legs, and its points as numbers.
 import { PageData } from "./data";
-import { Child, h, section, shortNumber, table, withUnit } from "./dom";
+import { Child, h, section, table } from "./dom";
 import { Drawable, scaleColour } from "./robot";
 import { LegScale, RobotView } from "./robot_view";
+import { shortNumber, withUnit } from "./units";
 
 /** What the page calls when the pose has changed. */
 export interface Changing {
@@ -33,8 +34,14 @@ function legend(scale: LegScale): HTMLElement {
   return h("p", { class: "leg-legend" }, `${scale.label}: ${shortNumber(scale.lo)} `, bar, withUnit(` ${shortNumber(scale.hi)}`, scale.unit));
 }
 
+/** How large the robot is, and what its lines are. */
+export function floorNote(view: RobotView, unit: string | undefined): HTMLElement {
+  const axes = view.hasTool ? " Grey cylinders are joints with their axes; the tool has its frame: x pink, y green, z blue." : "";
+  return h("p", { class: "note" }, `To scale: a square of the floor is ${withUnit(shortNumber(view.square), unit)} wide.${axes}`);
+}
+
 /** The colours of the legs, with a choice if there are several; null if they say nothing. */
-function legColours(data: PageData, view: RobotView): HTMLElement | null {
+export function legColours(data: PageData, view: RobotView): HTMLElement | null {
   const lengths = view.legScale;
   const scales = [...forceScales(data), ...(lengths.hi > lengths.lo ? [lengths] : [])];
   if (scales.length === 0) return null;
@@ -53,7 +60,7 @@ function legColours(data: PageData, view: RobotView): HTMLElement | null {
   return h("div", {}, h("label", { for: "leg-colours" }, "colour of a leg"), " ", select, shown);
 }
 
-function pointsTable(robot: Drawable, pose: Changing): HTMLElement {
+export function pointsTable(robot: Drawable, pose: Changing): HTMLElement {
   const body = h("div", {});
   const show = (): void => {
     const rows = robot.at(pose.values).map((point, i) => [String(i + 1), ...point.map(shortNumber)]);
@@ -70,9 +77,9 @@ export function robotPart(data: PageData, robot: Drawable | null, pose: Changing
     const note = h("p", {}, "The model gives a matrix and no points, so there is no robot to draw; a [drawing] table in the model adds them.");
     return { element: section("The motion", note, sliders), view: null };
   }
-  const view = new RobotView(robot, data.report.model, data.units["x"]);
+  const view = new RobotView(robot, data.report.model, data.drawing?.unit);
   view.show(robot.at(pose.values));
   pose.listen(() => view.show(robot.at(pose.values)));
   const beside = h("div", {}, sliders, legColours(data, view));
-  return { element: section("The robot", h("div", { class: "robot" }, view.element, beside), pointsTable(robot, pose)), view };
+  return { element: section("The robot", h("div", { class: "robot" }, h("div", {}, view.element, floorNote(view, data.drawing?.unit)), beside), pointsTable(robot, pose)), view };
 }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Slices through the boxes. What is certified is solid; what is only sampled is hatched and says so.
 import { PageData } from "./data";
-import { h, section, shortNumber, svg, table, withUnit } from "./dom";
+import { h, section, svg, table } from "./dom";
 import { ShownPose } from "./pose";
 import { Question } from "./question";
-import { approximateDeterminant } from "./matrices";
-import { leavesAt, Tree } from "./tree";
+import { Grid, isolines, levelsOf, Samples } from "./samples";
+import { leavesAt, Tree, TreeBox } from "./tree";
+import { describeRange, describeValue, shortNumber } from "./units";
 
 export type Claim = "free" | "singular" | "undecided" | "outside" | "unreachable";
 
@@ -38,7 +39,8 @@ export function sharesPart({ paving }: PageData): HTMLElement | null {
 }
 
 const SIZE = 400;
-const GRID = 40;
+const GRID = 40; // cells of the large slice in each direction
+const SMALL_GRID = 24;
 
 let patterns = 0;
 
@@ -60,6 +62,8 @@ export class Slices {
   readonly element: HTMLElement;
   private readonly axes: Axes;
   private readonly free: number[]; // parameters that are not single values
+  private readonly samples: Samples | null;
+  private readonly isZero: boolean; // the samples are, and not shown
   private readonly figures = h("div", { class: "slices" });
   private showSamples = true;
   private isWaiting = false;
@@ -72,9 +76,19 @@ export class Slices {
     private readonly isPaving: boolean,
   ) {
     this.free = question.parameters.flatMap(({ range }, k) => (range.lo < range.hi ? [k] : []));
-    this.axes = { across: this.free[0] ?? -1, up: this.free[1] ?? -1, stack: this.free[2] ?? -1 };
+    const samples = question.matrix.length > 0 && this.free.length > 0 ? new Samples(question) : null;
+    this.isZero = samples?.isZero ?? false;
+    this.samples = this.isZero ? null : samples;
+    const telling = this.tellingParameters();
+    this.axes = { across: telling[0] ?? -1, up: telling[1] ?? -1, stack: telling[2] ?? -1 };
+    const title = "Slices through the motion";
+    if (this.free.length === 0 || (!tree && !this.samples)) {
+      const words = this.free.length === 0 ? "The motion is a single pose, so it has no slices." : this.introduction();
+      this.element = section(title, h("p", {}, words));
+      return;
+    }
     this.element = section(
-      "Slices through the motion",
+      title,
       h("p", {}, this.introduction()),
       this.choices(),
       this.legend(),
@@ -84,12 +98,40 @@ export class Slices {
     this.draw();
   }
 
+  /** The parameters along which a slice shows something come first. */
+  private tellingParameters(): number[] {
+    const changing = this.samples?.changing() ?? new Set<number>();
+    let next = 0;
+    const numbers = this.question.variables.map(({ kind }) => (kind === "parameter" ? next++ : -1));
+    const visit = (node: TreeBox): void => {
+      if (node.halves.length > 0) changing.add(numbers[node.variable]);
+      node.halves.forEach(visit);
+    };
+    if (this.tree) visit(this.tree.root);
+    const telling = this.free.filter((k) => changing.has(k));
+    // One slice for each value of a parameter without effect would be five times the same.
+    return telling.length >= 2 ? telling : [...telling, ...this.free.filter((k) => !changing.has(k))].slice(0, 2);
+  }
+
   private introduction(): string {
+    return `${this.whatIsShown()} ${this.howFar()}`;
+  }
+
+  private whatIsShown(): string {
     if (this.isPaving)
       return "Each slice shows the boxes of the paving that meet a plane; the other parameters have the values of the sliders.";
-    if (this.tree)
-      return "Each slice shows the boxes of the proof that meet a plane; the other parameters have the values of the sliders.";
-    return "There is no proof over boxes to show here; add one with --paving. The samples below prove nothing.";
+    if (!this.tree) return "This page has no proof over boxes to show here; that of regulus report with --paving has boxes.";
+    if (this.tree.leaves.length === 1) return `One box is the whole proof (by the rule ${this.tree.leaves[0].word}), so every slice has one colour.`;
+    return "Each slice shows the boxes of the proof that meet a plane; the other parameters have the values of the sliders.";
+  }
+
+  private howFar(): string {
+    const { samples } = this;
+    if (this.isZero) return "At every sample of the motion the matrix is singular, but for roundings; samples prove nothing.";
+    if (!samples) return "";
+    if (this.free.length === 1) return `The dashed curve is ${samples.isSigned ? "det" : samples.name} at samples; it proves nothing.`;
+    const least = shortNumber(Number(((100 * samples.least) / samples.largest).toPrecision(2)));
+    return `Isolines show how far the matrix is from singular: ${samples.name} in % of the largest at ${samples.count} samples of the motion, of which the least has ${least} %. They prove nothing.`;
   }
 
   private choices(): HTMLElement {
@@ -111,23 +153,29 @@ export class Slices {
       choice("across", "across", false),
       choice("up", "up", true),
       choice("one slice for each of", "stack", true),
-      this.question.hasDeterminant
-        ? h("span", {}, box, " ", h("label", { for: "samples" }, "samples of det"))
-        : null,
+      this.samples ? h("span", {}, box, " ", h("label", { for: "samples" }, `samples of ${this.samples.name}`)) : null,
     );
   }
 
   private legend(): HTMLElement {
-    const claims = new Set<Claim>(this.tree?.leaves.map((leaf) => claimOfWord(leaf.word, this.isPaving)) ?? ["undecided"]);
+    const claims = new Set<Claim>(this.tree?.leaves.map((leaf) => claimOfWord(leaf.word, this.isPaving)) ?? []);
     const key = (name: string, text: string): HTMLElement =>
       h("li", {}, h("span", { class: `key ${name}` }), text);
     return h(
       "ul",
       { class: "legend" },
       ...[...claims].map((claim) => key(claim, CLAIM_WORDS[claim])),
-      ...(this.question.hasDeterminant ? [key("sampled", this.free.length > 1 ? "sampled, not proved: det changes its sign between neighbouring samples" : "dashed: det as sampled, not proved; the line is 0")] : []),
+      ...this.sampledKeys().map(([name, text]) => key(name, text)),
       key("cross", "the pose that is shown"),
     );
+  }
+
+  private sampledKeys(): [string, string][] {
+    if (!this.samples) return [];
+    const { isSigned, name } = this.samples;
+    if (this.free.length === 1) return [["dashed", `${isSigned ? "det" : name} as sampled, not proved; the line is 0`]];
+    const lines: [string, string] = ["dashed", `isolines of ${name}: sampled, not proved`];
+    return isSigned ? [lines, ["sampled", "sampled, not proved: det changes its sign between neighbouring samples"]] : [lines];
   }
 
   /** Draws once for all changes before the next frame. */
@@ -142,24 +190,62 @@ export class Slices {
 
   private draw(): void {
     const { stack } = this.axes;
-    if (this.axes.across < 0) {
-      this.figures.replaceChildren(h("p", {}, "The motion is a single pose."));
-      return;
-    }
-    const figures: HTMLElement[] = [];
+    const places: (number | null)[] = [null];
     if (stack >= 0 && stack !== this.axes.across && stack !== this.axes.up) {
       const { lo, hi } = this.question.parameters[stack].range;
-      for (let i = 0; i < 5; ++i) figures.push(this.slice(lo + ((hi - lo) * (i + 0.5)) / 5, false));
+      for (let i = 0; i < 5; ++i) places.push(lo + ((hi - lo) * (i + 0.5)) / 5);
     }
-    this.figures.replaceChildren(this.slice(null, true), h("div", { class: "stack" }, ...figures));
+    const grids = places.map((at) => this.gridAt(at));
+    const levels = levelsOf(grids.flatMap((grid) => (grid ? [grid.map((column) => column.map(Math.abs))] : [])));
+    const [main, ...others] = places.map((at, i) => this.slice(at, grids[i], levels));
+    this.figures.replaceChildren(main, h("div", { class: "stack" }, ...others));
+  }
+
+  private valuesAt(at: number | null): number[] {
+    const values = [...this.pose.values];
+    if (at !== null) values[this.axes.stack] = at;
+    return values;
+  }
+
+  /** The samples of a slice; null if none are shown, or it has no height. */
+  private gridAt(at: number | null): Grid | null {
+    const { across, up } = this.axes;
+    if (!this.samples || !this.showSamples || up < 0 || up === across) return null;
+    const ranges = [across, up].map((k) => this.question.parameters[k].range);
+    const point = this.valuesAt(at);
+    const cells = at === null ? GRID : SMALL_GRID;
+    return Array.from({ length: cells + 1 }, (_, i) =>
+      Array.from({ length: cells + 1 }, (__, j) => {
+        [point[across], point[up]] = [i, j].map((n, axis) => ranges[axis].lo + ((ranges[axis].hi - ranges[axis].lo) * n) / cells);
+        return this.samples!.at(point);
+      }));
+  }
+
+  /** Isolines, with their numbers where there is room. */
+  private isolines(grid: Grid, levels: readonly number[], isMain: boolean): SVGElement[] {
+    const { largest } = this.samples!;
+    const absolute = grid.map((column) => column.map(Math.abs));
+    const cell = SIZE / (grid.length - 1);
+    const [x, y] = [(a: number): string => (a * cell).toFixed(1), (b: number): string => (SIZE - b * cell).toFixed(1)];
+    return levels.flatMap((level, n) => {
+      const lines = isolines(absolute, level);
+      if (lines.length === 0) return [];
+      const path = svg("path", { d: lines.map((line) => `M${line.map(([a, b]) => `${x(a)} ${y(b)}`).join("L")}`).join(""), class: "isoline" });
+      // Not at the border, and not all in one row.
+      const inside = lines.flat().filter((place) => place.every((a) => a > 3 && a < GRID - 3));
+      if (!isMain || inside.length === 0) return [path];
+      const [a, b] = inside[Math.floor(inside.length * ((n * 0.38) % 1))];
+      const text = `${shortNumber(Number(((100 * level) / largest).toPrecision(2)))} %`;
+      return [path, svg("text", { x: x(a), y: String(Number(y(b)) + 4), class: "isoline-label", "text-anchor": "middle" }, text)];
+    });
   }
 
   /** A slice at the shown pose, or at another value of the parameter `stack`. */
-  private slice(at: number | null, isMain: boolean): HTMLElement {
+  private slice(at: number | null, grid: Grid | null, levels: readonly number[]): HTMLElement {
     const { across, up, stack } = this.axes;
     const { parameters } = this.question;
-    const values = [...this.pose.values];
-    if (at !== null) values[stack] = at;
+    const isMain = at === null;
+    const values = this.valuesAt(at);
     const id = `hatch-${++patterns}`;
     const x = parameters[across].range;
     const y = up >= 0 && up !== across ? parameters[up].range : { lo: 0, hi: 1 };
@@ -174,15 +260,14 @@ export class Slices {
       const [p, q] = [leaf.box[across], hasUp ? leaf.box[up] : y];
       shapes.push(rectangle(p.lo, p.hi, q.lo, q.hi, `box ${name}`));
     }
-    if (!this.tree) shapes.push(rectangle(x.lo, x.hi, y.lo, y.hi, "box undecided"));
-    if (this.showSamples && hasUp && this.question.hasDeterminant)
-      for (const [p, q] of this.signChanges(values)) {
-        const mark = rectangle(p.lo, p.hi, q.lo, q.hi, "sampled");
-        mark.setAttribute("fill", `url(#${id})`);
-        shapes.push(mark);
-      }
-    if (this.showSamples && !hasUp && this.question.hasDeterminant)
-      shapes.push(...this.determinantCurve(values));
+    if (!this.tree) shapes.push(rectangle(x.lo, x.hi, y.lo, y.hi, "box unclaimed"));
+    if (grid) {
+      shapes.push(...this.isolines(grid, levels, isMain));
+      const cell = SIZE / (grid.length - 1);
+      shapes.push(...this.signChanges(grid).map(([i, j]) =>
+        svg("rect", { x: i * cell, y: SIZE - (j + 1) * cell, width: cell, height: cell, class: "sampled", fill: `url(#${id})` })));
+    }
+    if (this.showSamples && !hasUp && this.samples) shapes.push(...this.determinantCurve(values));
     const cx = toX(values[across]);
     const cy = hasUp ? toY(values[up]) : SIZE / 2;
     if (isMain) shapes.push(svg("path", { d: `M${cx - 9} ${cy}H${cx + 9}M${cx} ${cy - 9}V${cy + 9}`, class: "cross" }));
@@ -210,7 +295,7 @@ export class Slices {
     const samples = Array.from({ length: 241 }, (_, i) => {
       const point = [...values];
       point[across] = lo + ((hi - lo) * i) / 240;
-      return this.sampled(point);
+      return this.samples!.at(point);
     });
     const largest = Math.max(...samples.filter(Number.isFinite).map(Math.abs), 1e-300);
     const places = samples.flatMap((det, i) =>
@@ -221,22 +306,16 @@ export class Slices {
     ];
   }
 
-  private sampled(parameters: readonly number[]): number {
-    const found = this.question.approximateAt(parameters);
-    return approximateDeterminant(this.question.matrix.map((id) => found[id]), this.question.columns);
-  }
-
   private framed(picture: SVGElement, isMain: boolean, hasUp: boolean, at: number | null): HTMLElement {
     const { parameters } = this.question;
     const axis = (k: number): string => {
       const { name, range } = parameters[k];
-      const unit = this.data.units[name];
-      return `${name} from ${shortNumber(range.lo)} to ${withUnit(shortNumber(range.hi), unit)}`;
+      return `${name} from ${describeRange(range.lo, range.hi, this.data.units[name])}`;
     };
     const { across, up, stack } = this.axes;
     const caption =
       at !== null
-        ? `${parameters[stack].name} = ${withUnit(shortNumber(at), this.data.units[parameters[stack].name])}`
+        ? `${parameters[stack].name} = ${describeValue(at, this.data.units[parameters[stack].name])}`
         : `across: ${axis(across)}${hasUp ? `; up: ${axis(up)}` : ""}`;
     return h("figure", { class: `slice${isMain ? " main-slice" : ""}${hasUp ? "" : " strip"}` }, picture, h("figcaption", {}, caption));
   }
@@ -254,27 +333,12 @@ export class Slices {
   }
 
   /** Cells of a grid at whose corners det has both signs, in doubles. */
-  private signChanges(values: readonly number[]) {
-    const { across, up } = this.axes;
-    const { question } = this;
-    const x = question.parameters[across].range;
-    const y = question.parameters[up].range;
-    const at = (range: { lo: number; hi: number }, i: number): number => range.lo + ((range.hi - range.lo) * i) / GRID;
-    const signs: number[][] = [];
-    for (let i = 0; i <= GRID; ++i) {
-      signs.push([]);
-      for (let j = 0; j <= GRID; ++j) {
-        const point = [...values];
-        [point[across], point[up]] = [at(x, i), at(y, j)];
-        signs[i].push(Math.sign(this.sampled(point)));
-      }
-    }
-    const cells: [{ lo: number; hi: number }, { lo: number; hi: number }][] = [];
-    for (let i = 0; i < GRID; ++i)
-      for (let j = 0; j < GRID; ++j) {
-        const corners = [signs[i][j], signs[i + 1][j], signs[i][j + 1], signs[i + 1][j + 1]];
-        if (corners.includes(1) && corners.includes(-1))
-          cells.push([{ lo: at(x, i), hi: at(x, i + 1) }, { lo: at(y, j), hi: at(y, j + 1) }]);
+  private signChanges(grid: Grid): [number, number][] {
+    const cells: [number, number][] = [];
+    for (let i = 0; i + 1 < grid.length; ++i)
+      for (let j = 0; j + 1 < grid.length; ++j) {
+        const corners = [grid[i][j], grid[i + 1][j], grid[i][j + 1], grid[i + 1][j + 1]].map(Math.sign);
+        if (corners.includes(1) && corners.includes(-1)) cells.push([i, j]);
       }
     return cells;
   }

@@ -16,25 +16,26 @@ const fileName = (path: string): string => path.split("/").pop() || "model.toml"
 
 /** Only a check is asked again by the command that the page knows; another answer by the one that made it. */
 function commandsOf(data: PageData): string {
-  if (data.certificate !== null) return data.again.slice(0, 2).join("\n");
+  if (data.certificate !== null) return data.again.slice(0, 2).filter((command) => command !== "").join("\n");
   return (data.kind === "check" || data.kind === "closure" || !data.command ? data.again.slice(0, 1) : [data.command]).join("\n");
 }
 
 export function sourcePart(data: PageData): HTMLElement {
   const licence = document.getElementById("licence")?.textContent ?? "";
   const file = fileName(data.model.file);
+  const commands = commandsOf(data); // none of a page that a program made
   return section(
     "Model and proof",
-    h("p", {}, data.certificate === null ? "Ask again:" : "Prove it again, with a program that shares no code with the solver:"),
-    h("pre", { tabindex: 0, "aria-label": "Commands" }, commandsOf(data)),
+    commands ? h("p", {}, data.certificate === null ? "Ask again:" : "Prove it again, with the separate verifier:") : null,
+    commands ? h("pre", { tabindex: 0, "aria-label": "Commands" }, commands) : null,
     h("p", {}, download(file, data.model.text), " ", data.certificate === null ? null : download("proof.txt", data.certificate)),
     table(
       ["property", "value"],
       [
         ["Regulus", data.version],
-        ["page made by", data.command],
+        ...(data.command ? [["page made by", data.command]] : []),
         ["SHA-256 of the model", data.report.model_sha256],
-        ...(["method", "boxes", "reason"] as const).filter((key) => data.report[key] !== undefined).map((key) => [key, String(data.report[key])]),
+        ...(["method", "boxes", "reason"] as const).filter((key) => (data.report[key] ?? null) !== null).map((key) => [key, String(data.report[key])]),
       ],
       "Versions and hashes",
     ),

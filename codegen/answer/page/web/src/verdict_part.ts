@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The verdict, what it does not mean, and the second proof in this browser.
 import { PageData } from "./data";
-import { describeValue, h, section, shortNumber, withUnit } from "./dom";
+import { h, section } from "./dom";
 import { Damage } from "./expression";
 import { Question } from "./question";
 import { proveTree, Progress } from "./reproof";
 import { proveSignChange, proveSmallDeterminant, readWitness } from "./sign_change";
 import { readTree, readTrees, Tree } from "./tree";
+import { exactDegrees, describeEnd, describeRange, describeValue, withUnit } from "./units";
 
 const WORDS = { "no-singularity": "NO SINGULARITY", singularity: "SINGULARITY", "possible-problem": "POSSIBLE PROBLEM" };
+
+/** The verdict of a check. */
+const verdictOf = (data: PageData): keyof typeof WORDS => data.report.verdict as keyof typeof WORDS;
 
 /** The claim and the proof of a certificate, checked against the question of the page. */
 export interface Certificate {
@@ -23,7 +27,7 @@ export function readCertificate(data: PageData, question: Question): Certificate
   if (data.certificate === null) return null;
   const lines = data.certificate.split("\n");
   const head = lines.indexOf("proof");
-  const verdict = WORDS[data.report.verdict];
+  const verdict = WORDS[verdictOf(data)];
   if (lines[0] !== "regulus-certificate 1" || head < 0 || lines[1] !== `verdict ${verdict}`)
     throw new Damage("the certificate does not claim the verdict of the page");
   const isFree = data.report.verdict === "no-singularity";
@@ -41,7 +45,10 @@ export function readCertificate(data: PageData, question: Question): Certificate
 export function requireSameWords(data: PageData): void {
   const headline = document.getElementById("verdict")?.textContent;
   const claim = document.getElementById("claim")?.textContent;
-  const isOther = data.kind === "check" && headline !== WORDS[data.report.verdict];
+  const isOther = data.kind === "check" && headline !== WORDS[verdictOf(data)];
+  const counted = data.kind === "solutions" && data.report.solutions ? /\d+/.exec(headline ?? "")?.[0] ?? "0" : null;
+  if (counted !== null && Number(counted) !== data.report.solutions?.length)
+    throw new Damage("the headline has another number of solutions than the data");
   if (isOther || headline !== data.headline || claim !== (data.report.claim ?? ""))
     throw new Damage("the verdict in words is not that of the data");
 }
@@ -58,46 +65,28 @@ const LIMITS: Record<keyof typeof WORDS, string[]> = {
   "possible-problem": ["It claims nothing: neither a proof nor a singular pose was found.", "More time, a smaller motion or another method may decide."],
 };
 
-const QUOTED = "Regulus has proved what it claims; this page quotes it and has no proof of it. The command below, with --certificate, writes one";
+const QUOTED = "Regulus has proved what it claims; this page quotes it and has no proof of it.";
 
 /** Says where the proof of an answer is that the page has not. */
 function quoted(data: PageData): string {
   if (data.certificate_note) return `Regulus has proved what it claims; this page quotes it. There is no proof in a file: ${data.certificate_note}.`;
-  return data.kind === "solutions" ? `${QUOTED}, if such a list has a proof.` : `${QUOTED}.`;
+  const how = data.command ? "The command below, with --certificate, writes one" : "The question, asked with a certificate, writes one";
+  return `${QUOTED} ${how}${data.kind === "solutions" ? ", if such a list has a proof" : ""}.`;
 }
 
 const HELD = "Regulus has proved what it claims. This page has the proof, and does not run it: save it, and let regulus verify check it.";
 
-const MEANINGS: Record<string, Record<string, string>> = {
-  matrix: {
-    "no-singularity": "at no pose of this motion can the platform give way while its motors are locked.",
-    singularity: "at a pose of this motion the platform can give way, at least a little, though all its motors are locked.",
-  },
-  forward: {
-    "no-singularity": "at no pose of this motion do the joints lose a direction in which they move the tool.",
-    singularity: "at a pose of this motion there is a direction in which the joints cannot move the tool.",
-  },
-};
-
-/** The verdict in the words of a machine's user; null if there is a threshold or no claim. */
+/** The claim in the words of a machine's user, as the report has it; null if nothing is proved. */
 function meaning({ report }: PageData): HTMLElement | null {
-  const words = MEANINGS[report.matrix === "matrix" ? "matrix" : "forward"][report.verdict];
-  return words && report.alpha === 0 ? h("p", { class: "meaning" }, `In other words: ${words}`) : null;
+  return report.meaning ? h("p", { class: "meaning" }, `In other words: ${report.meaning}.`) : null;
 }
 
 /** Why nothing was proved, and where; null if something was. */
 function obstacle({ report, units }: PageData): HTMLElement | null {
   if (report.verdict !== "possible-problem") return null;
-  const text = (x: number | null): string => (x === null ? "no bound" : shortNumber(x));
   const ranges = Object.entries(report.blocking_box ?? {}).map(([name, [lo, hi]]) =>
-    lo === hi ? `${name} = ${withUnit(text(lo), units[name])}` : `${name} from ${text(lo)} to ${withUnit(text(hi), units[name])}`);
+    lo === hi && lo !== null ? `${name} = ${describeValue(lo, units[name])}` : `${name} from ${describeRange(lo ?? -Infinity, hi ?? Infinity, units[name])}`);
   return h("p", {}, `Reason: ${report.reason}.`, ranges.length > 0 ? ` The box that blocks: ${ranges.join(", ")}.` : "");
-}
-
-/** An end of a range: its exact text if that is short, otherwise about four digits. */
-function describeEnd(value: number, exact: string | undefined, unit: string | undefined): string {
-  if (exact === undefined || exact.length > 12) return `≈ ${describeValue(value, unit)}`;
-  return exact === String(value) || unit !== "rad" ? withUnit(exact, unit) : `${exact} rad (≈ ${Number(((value * 180) / Math.PI).toFixed(2))}°)`;
 }
 
 /** The ranges and tolerances that were asked about, in a sentence each. */
@@ -110,9 +99,10 @@ function asked(data: PageData, question: Question): HTMLElement {
     withUnit(`${name} = ${text.length > 120 ? `${text.slice(0, 120)} …` : text}`, data.units[name]));
   const groups = new Map<string, number>();
   for (const { name, group, shape, tolerance_exact, radius_exact, unit } of data.report.question?.uncertain ?? []) {
-    const spread = shape === "ball" ? `in balls of radius ${radius_exact}` : `±${tolerance_exact}`;
-    if ((radius_exact ?? tolerance_exact) === undefined || tolerance_exact === "0") continue;
-    const words = `${group || name} ${withUnit(spread, unit)}`;
+    const size = radius_exact ?? tolerance_exact;
+    if (size === undefined || tolerance_exact === "0") continue;
+    const told = (unit === "rad" ? exactDegrees(size) : null) ?? withUnit(size, unit);
+    const words = `${group || name} ${shape === "ball" ? `in balls of radius ${told}` : `±${told}`}`;
     groups.set(words, (groups.get(words) ?? 0) + 1);
   }
   const uncertain = [...groups].map(([words, count]) => (count === 1 ? words : `${words} (${count} quantities)`));
@@ -122,21 +112,28 @@ function asked(data: PageData, question: Question): HTMLElement {
     h("dt", {}, "Uncertain"), h("dd", {}, uncertain.length > 0 ? `${uncertain.join("; ")}.` : "nothing: the model's numbers are taken as exact."));
 }
 
+/** The report for people; of solutions that are all in the table below it only repeats them. */
+function reportText(data: PageData): HTMLElement {
+  const text = h("pre", { tabindex: 0, "aria-label": "Report" }, data.text);
+  if (data.kind !== "solutions") return text;
+  return h("details", { open: (data.report.open_boxes ?? []).length > 0 || data.report.places !== undefined }, h("summary", {}, "The report, with all digits that are certain"), text);
+}
+
 export function verdictPart(data: PageData, question: Question): HTMLElement {
   const isCheck = data.kind === "check";
   return section(
     "What this means, and what not",
-    isCheck ? meaning(data) : h("pre", { tabindex: 0, "aria-label": "Report" }, data.text),
+    isCheck ? meaning(data) : reportText(data),
     data.kind === "solutions" ? null : asked(data, question),
     isCheck ? obstacle(data) : null,
     h(
       "ul",
       {},
-      ...(isCheck ? LIMITS[data.report.verdict] : [data.certificate === null ? quoted(data) : HELD]).map((text) => h("li", {}, text)),
+      ...(isCheck ? LIMITS[verdictOf(data)] : [data.certificate === null ? quoted(data) : HELD]).map((text) => h("li", {}, text)),
       h("li", {}, "It is about the robot as the model at the end of this page describes it: these numbers, these tolerances. It cannot know the robot on your floor."),
       h("li", {}, "Collisions, joint limits that the model does not state, and dynamics are no part of it."),
     ),
-    h("p", {}, "Regulus is a program that proves or refutes that a robot meets a singular pose; its proofs can be checked without it, as this page does."),
+    h("p", {}, `Regulus is a program that proves or refutes that a robot meets a singular pose; its proofs can be checked without it${isCheck ? ", as this page does" : ""}.`),
   );
 }
 
@@ -184,27 +181,52 @@ function* proveTrees(questionOf: (piece: number) => Question, trees: readonly Tr
 }
 
 /** Proves in slices of a few milliseconds. */
-function proveInSlices(verdict: keyof typeof WORDS, work: Generator<Progress, Progress>): void {
+function proveInSlices(verdict: keyof typeof WORDS, work: Generator<Progress, Progress>, ended: () => void): void {
   const step = (): void => {
     const until = performance.now() + 25;
     try {
       for (;;) {
         const next = work.next();
-        if (next.done) return summary(verdict, next.value);
+        if (next.done) {
+          summary(verdict, next.value);
+          return ended();
+        }
         if (performance.now() > until) {
           say(`Proving again: ${next.value.proved} of ${next.value.total} boxes …`, "working");
           break;
         }
       }
     } catch (error) {
-      return say(`NOT RE-PROVED: ${String(error)}`, "failed");
+      say(`NOT RE-PROVED: ${String(error)}`, "failed");
+      return ended();
     }
     setTimeout(step, 0);
   };
   step();
 }
 
-/** Proves the verdict again, and says in the page's header how far it came. */
+/** Proves that a determinant vanishes, or is small. */
+function proveWitness(verdict: keyof typeof WORDS, { proof, witnessed }: Certificate): void {
+  const witness = readWitness(proof, witnessed);
+  if (witness.reason === "small-determinant" && proveSmallDeterminant(witnessed, witness.points[0])) {
+    colour(verdict);
+    return say("RE-PROVED IN THIS BROWSER: the determinant is certainly within the threshold at a pose next to the witness.", "proved");
+  }
+  const found = witness.reason === "always-singular" ? null : proveSignChange(witnessed, witness.points[0]);
+  if (!found) return say("NOT RE-PROVED: this needs more digits or algebra than this page has; regulus verify has them.", "partly");
+  colour(verdict);
+  say("RE-PROVED IN THIS BROWSER: the determinant has certain, opposite signs at two poses near the witness, and is defined between them.", "proved");
+}
+
+function prove(data: PageData, question: Question, certificate: Certificate, ended: () => void): void {
+  const verdict = verdictOf(data);
+  if (certificate.tree) return proveInSlices(verdict, proveTree(question, certificate.tree), ended);
+  if (certificate.trees) return proveInSlices(verdict, proveTrees((piece) => new Question(data.question, piece), certificate.trees), ended);
+  proveWitness(verdict, certificate);
+  ended();
+}
+
+/** Proves the verdict again, says in the page's header how far it came, and offers to do it once more. */
 export function proveAgain(data: PageData, question: Question, certificate: Certificate | null): void {
   if (data.kind !== "check")
     return say(data.certificate_note
@@ -212,23 +234,19 @@ export function proveAgain(data: PageData, question: Question, certificate: Cert
       : data.certificate === null
       ? "Quoted: this page has no proof of this answer; regulus verify proves its certificate."
       : "Quoted: this page does not run the proof that it has; regulus verify does.", "partly");
-  const { verdict } = data.report;
-  if (verdict === "possible-problem") {
-    colour(verdict);
+  if (verdictOf(data) === "possible-problem") {
+    colour("possible-problem");
     return say("Nothing is claimed, so there is nothing to prove again.", "partly");
   }
   if (!certificate) return say(`NOT RE-PROVED: this page has no certificate. ${data.certificate_note}`, "partly");
-  if (certificate.tree) return proveInSlices(verdict, proveTree(question, certificate.tree));
-  if (certificate.trees) return proveInSlices(verdict, proveTrees((piece) => new Question(data.question, piece), certificate.trees));
-  const { witnessed } = certificate;
-  const witness = readWitness(certificate.proof, witnessed);
-  if (witness.reason === "small-determinant" && proveSmallDeterminant(witnessed, witness.points[0])) {
-    colour(verdict);
-    return say("RE-PROVED IN THIS BROWSER: the determinant is certainly within the threshold at a pose next to the witness.", "proved");
-  }
-  const found = witness.reason === "always-singular" ? null : proveSignChange(witnessed, witness.points[0]);
-  if (found) {
-    colour(verdict);
-    say("RE-PROVED IN THIS BROWSER: the determinant has certain, opposite signs at two poses near the witness, and is defined between them.", "proved");
-  } else say("NOT RE-PROVED: this needs more digits or algebra than this page has; regulus verify has them.", "partly");
+  const run = (): void => {
+    button.disabled = true;
+    document.getElementById("verdict")!.className = "unchecked";
+    say("Not checked yet: the proof in this page is run now.", "working");
+    // The page shows these words first.
+    setTimeout(() => prove(data, question, certificate, () => (button.disabled = false)), 50);
+  };
+  const button = h("button", { type: "button", id: "prove-again", click: run }, "Prove it again here");
+  document.getElementById("again")?.after(button);
+  run();
 }

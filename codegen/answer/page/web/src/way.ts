@@ -2,11 +2,12 @@
 // A motion along way-points: its pieces, and the place on it that the page shows. A place is u: the
 // number of the piece, from 0, and the part of it that lies behind.
 import { DrawingData, DrawnPart, PageData, ReportedPoint, WayData } from "./data";
-import { describeValue, h, shortNumber, withUnit } from "./dom";
+import { h } from "./dom";
 import { Damage } from "./expression";
 import { middleOf, originAt, Shown } from "./pose";
 import { Question } from "./question";
 import { Drawable, Robot, Vector } from "./robot";
+import { describeValue, shortNumber, withUnit } from "./units";
 
 const STEPS = 100; // of a slider, in each piece
 const MOST_PLACES = 64;

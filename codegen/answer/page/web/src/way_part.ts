@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The segments of a motion along way-points: a strip with what is certified, det as sampled, and a table.
-import { h, section, shortNumber, svg, table, withUnit } from "./dom";
+import { h, section, svg, table } from "./dom";
 import { approximateDeterminant } from "./matrices";
 import { Claim, CLAIM_WORDS, claimOfWord } from "./slices";
 import { Tree } from "./tree";
 import { Way } from "./way";
+import { shortNumber, withUnit } from "./units";
 
 const WIDTH = 800;
 const HEIGHT = 120;

@@ -2,10 +2,11 @@
 // The witness of a singularity, or the pose nearest to one that was met: its place, the twist that is
 // lost there and the rows that are dependent.
 import { Degeneracy, PageData, ReportedPoint, TwistColumn } from "./data";
-import { Child, h, section, shortNumber, table, withUnit } from "./dom";
+import { Child, h, section, table } from "./dom";
 import { middleOf, Shown } from "./pose";
 import { Drawable, extentOf, Vector } from "./robot";
 import { RobotView } from "./robot_view";
+import { describeValue, shortNumber, withUnit } from "./units";
 
 export interface Place {
   readonly point: ReportedPoint;
@@ -99,7 +100,7 @@ export function witnessPart(data: PageData, pose: Shown, robot: Drawable | null,
   }
   if (view && rows) view.marked = new Set(rows.taking_part.map((row) => row - 1));
   const values = data.way ? { ...point.parameters, ...point.pose } : point.parameters;
-  const list = Object.entries(values).map(([name, bounds]) => [name, withUnit(shortNumber(middleOf(bounds)), data.units[name])]);
+  const list = Object.entries(values).map(([name, bounds]) => [name, describeValue(middleOf(bounds), data.units[name], 6)]);
   return section(
     isProved ? "The singular pose" : "The pose to look at",
     h("p", {}, isProved
@@ -109,7 +110,7 @@ export function witnessPart(data: PageData, pose: Shown, robot: Drawable | null,
     table(["parameter", "value"], list),
     twist ? h("p", {}, `Lost twist (approximate; ${twist.normalised ?? ""}): `, twist.vectors.map((vector) =>
       vector.map((x, i) => withUnit(`${twist.columns[i]?.name ?? `column ${i + 1}`} = ${shortNumber(x)}`, undefined)).join(", ")).join("; ")) : null,
-    rows ? h("p", {}, `Dependent rows${view ? ", in red in the robot" : ""}: ${rows.taking_part.join(", ")}.`) : null,
+    rows ? h("p", {}, `Dependent rows${view ? ", in orange in the robot" : ""}: ${rows.taking_part.join(", ")}.`) : null,
     degeneracy.singular_values ? h("p", {}, `Singular values, as parts of the largest (approximate): ${degeneracy.singular_values.map((x) => Number(x.toPrecision(3))).join(", ")}.`) : null,
   );
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/verifier/model/platform_comparison.hpp"
+#include "runtime/verifier/model/place_comparison.hpp"
 
 #include <algorithm>
 
@@ -10,9 +10,9 @@ namespace {
 
 constexpr std::string_view kGeometry = "geometry.";
 
-class PlatformComparison {
+class PlaceComparison {
  public:
-  PlatformComparison(QuestionComparer& comparer, SectionReading* section)
+  PlaceComparison(QuestionComparer& comparer, SectionReading* section)
       : comparer_(comparer),
         q_(comparer.question()),
         values_(comparer.values()),
@@ -20,8 +20,9 @@ class PlatformComparison {
         motion_("motion." + q_.motion + '.') {}
 
   void run() {
-    if (section_ == nullptr) comparer_.refuse_model("it has neither [gough] nor [legs]");
+    if (section_ == nullptr) comparer_.refuse_model("it has none of [gough], [legs] and [serial]");
     name_constants();
+    if (q_.solutions->arm) return compare_arm();
     const std::vector<SectionLeg> legs = section_->telescopic_legs(comparer_);
     if (legs.size() != q_.solutions->legs.size())
       comparer_.refuse_model("it has " + std::to_string(legs.size()) + " legs, and not " +
@@ -62,6 +63,101 @@ class PlatformComparison {
                         point.value[axis],
                         std::string(kind) + ' ' + std::to_string(leg) + '_' + "xyz"[axis]);
   }
+
+  // An arm.
+
+  void compare_arm() {
+    require_known_keys();
+    require_no_tolerances();
+    const bool is_by_tool = has(motion_ + "tool[0]");
+    const bool has_values = name_joints(is_by_tool);
+    const SectionArm arm = section_->arm(comparer_);
+    const ArmLines& stated = *q_.solutions->arm;
+    if (arm.joints.size() != stated.joints.size())
+      comparer_.refuse_model("its arm has " + std::to_string(arm.joints.size()) +
+                             " joints, and not " + std::to_string(stated.joints.size()));
+    for (std::size_t k = 0; k < arm.joints.size(); ++k) compare_joint(arm.joints[k], k);
+    if (is_by_tool ? stated.tool.empty() : has_values && !stated.tool.empty())
+      comparer_.refuse_model(is_by_tool ? "the motion gives the place of the tool"
+                                        : "the motion gives values of the joints");
+    if (!stated.tool.empty()) return compare_tool(arm.tool, is_by_tool);
+    std::size_t free = 0;
+    for (std::size_t k = 0; k < arm.joints.size(); ++k)
+      if (stated.joints[k].held != kNoNode)
+        compare_value(arm.joints[k], "joint " + std::to_string(k) + "_15", has_values);
+      else
+        compare_value(arm.joints[k], "joint-value " + std::to_string(free++), has_values);
+  }
+
+  /// Gives each joint its value of the motion, or any. Returns false if the file has no such motion.
+  bool name_joints(bool is_by_tool) {
+    bool has_all = !is_by_tool;
+    for (const SectionPose& pose : section_->pose()) has_all = has_all && has(motion_ + pose.name);
+    if (!has_all && !is_by_tool && !comparer_.may_differ(kPlaceOption))
+      comparer_.refuse_model("the motion '" + q_.motion + "' gives no value of each joint");
+    if (!has_all && !is_by_tool)
+      comparer_.note_difference("the motion '" + q_.motion +
+                                "' gives no value of each joint; those are the certificate's");
+    for (const SectionPose& pose : section_->pose())
+      q_.actual.insert_or_assign(pose.name, has_all
+                                                ? comparer_.pose_at(motion_ + pose.name, pose.name)
+                                                : q_.graph.number(Rational(0L)));
+    return has_all;
+  }
+
+  void compare_joint(const SectionJoint& joint, std::size_t number) {
+    const FilePlace from = place_of_joint(joint.name);
+    if (joint.slides) comparer_.refuse(from, "a joint that turns");
+    const ArmJointLine& stated = q_.solutions->arm->joints[number];
+    if (stated.held != kNoNode) {
+      if (!comparer_.may_differ(kHoldOption)) comparer_.refuse(from, "a joint that is held");
+      comparer_.note_difference(joint.name + " keeps its value");
+    }
+    compare_frame(joint.origin, from, "joint " + std::to_string(number) + '_');
+    for (std::size_t i = 0; i < 3; ++i)
+      comparer_.compare(from, joint.axis[i],
+                        "joint " + std::to_string(number) + '_' + std::to_string(12 + i));
+  }
+
+  [[nodiscard]] FilePlace place_of_joint(const std::string& name) const {
+    for (std::size_t i = 0;; ++i) {
+      const std::string joint = "serial.joints[" + std::to_string(i) + "].name";
+      const auto found = values_.find(joint);
+      if (found != values_.end() && found->second.text == name)
+        return {"the frame of " + name, found->second.line, "another"};
+      if (i > format::kMostLines) return {"the frame of " + name, 0, "another"};
+    }
+  }
+
+  void compare_frame(const PlacementNodes& frame, const FilePlace& from, const std::string& key) {
+    for (std::size_t i = 0; i < 9; ++i)
+      comparer_.compare(from, frame.R[i / 3][i % 3], key + std::to_string(i));
+    for (std::size_t i = 0; i < 3; ++i)
+      comparer_.compare(from, frame.p[i], key + std::to_string(9 + i));
+  }
+
+  void compare_value(const SectionJoint& joint, const std::string& key, bool has_values) {
+    if (!has_values) return comparer_.note_compared(key);
+    comparer_.compare({motion_ + joint.name, 0, joint.name}, joint.value, key, kPlaceOption);
+  }
+
+  void compare_tool(const PlacementNodes& tip, bool is_in_file) {
+    compare_frame(tip, {"the frame of the tool", 0, "another"}, "tip ");
+    const Scope none;
+    for (std::size_t i = 0; i < 6; ++i) {
+      const std::string key = "tool " + std::to_string(i),
+                        place = motion_ + "tool[" + std::to_string(i) + ']';
+      if (!is_in_file) {
+        comparer_.note_compared(key);
+        continue;
+      }
+      if (!has(place)) comparer_.refuse_model("the motion's tool has fewer than six numbers");
+      comparer_.compare(comparer_.place_of(place), comparer_.expression_at(place, none), key,
+                        kPlaceOption);
+    }
+  }
+
+  // A platform.
 
   void compare_lengths(const std::vector<SectionLeg>& legs) {
     require_known_keys();
@@ -112,8 +208,8 @@ class PlatformComparison {
   /// The claim is about one platform.
   void require_no_tolerances() {
     for (const auto& [place, value] : values_) {
-      const bool is_of_robot =
-          place.starts_with(kGeometry) || place.starts_with("gough.") || place.starts_with("legs.");
+      const bool is_of_robot = place.starts_with(kGeometry) || place.starts_with("gough.") ||
+                               place.starts_with("legs.") || place.starts_with("serial.");
       const bool is_spread = is_of_robot && (place.find("tolerance") != std::string::npos ||
                                              place.find(".radius") != std::string::npos);
       const bool is_error = place.starts_with(motion_ + "error");
@@ -134,7 +230,7 @@ class PlatformComparison {
       const auto poses = section_->pose();
       const bool is_pose = std::ranges::any_of(
           poses, [&](const SectionPose& p) { return p.name == name && p.name == rest; });
-      if (!is_pose && name != "legs" && name != "error" && name != "alpha")
+      if (!is_pose && name != "legs" && name != "tool" && name != "error" && name != "alpha")
         comparer_.leave_out(comparer_.place_of(at->first), "this reader does not know it");
     }
   }
@@ -148,8 +244,8 @@ class PlatformComparison {
 
 }  // namespace
 
-void compare_platform(QuestionComparer& comparer, SectionReading* section) {
-  PlatformComparison(comparer, section).run();
+void compare_robot_at_place(QuestionComparer& comparer, SectionReading* section) {
+  PlaceComparison(comparer, section).run();
 }
 
 }  // namespace regulus::verifier

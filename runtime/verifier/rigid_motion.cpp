@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/verifier/model/rigid_motion.hpp"
+#include "runtime/verifier/rigid_motion.hpp"
 
 namespace regulus::verifier {
 

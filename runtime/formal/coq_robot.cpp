@@ -1,0 +1,400 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/formal/coq_robot.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "runtime/formal/coq_expression.hpp"
+#include "runtime/formal/coq_real.hpp"
+#include "runtime/verifier/evaluation.hpp"
+#include "runtime/verifier/model/file_expressions.hpp"
+#include "runtime/verifier/model/section_reading.hpp"
+#include "runtime/verifier/model/section_values.hpp"
+
+namespace regulus::verifier {
+namespace {
+
+constexpr std::size_t kLegs = 6;
+constexpr std::string_view kAxes = "xyz";
+constexpr std::array<const char*, 3> kCoordinates = {"first ", "second ", "third "};
+
+std::string index(std::size_t i) { return '[' + std::to_string(i) + ']'; }
+
+[[noreturn]] void refuse_model(const std::string& what) {
+  throw Unfinished("there is no theorem about a model file with " + what + " yet");
+}
+
+class RobotReader {
+ public:
+  RobotReader(const Question& question, const CoqModel& model)
+      : q_(question),
+        values_(model.values),
+        may_differ_(model.may_differ),
+        motion_("motion." + question.motion + '.'),
+        degrees_(poses_in_degrees(model.values)),
+        section_(read_section(model.values)),
+        expressions_(own_, values_, degrees_, hidden_,
+                     [](std::string_view, const Scope&) { return kNoNode; }) {
+    for (std::size_t i = 0; i < q_.variables.size(); ++i)
+      of_pose_[q_.variables[i].name] = "quantity v " + std::to_string(i);
+  }
+
+  RobotOfModel read() {
+    require_gough();
+    read_threshold();
+    read_geometry();
+    read_parameters();
+    read_poses();
+    read_anchors();
+    read_constraints();
+    require_all_read();
+    robot_.orientation = word("gough.orientation", "");
+    robot_.is_middle_in_set = is_middle_in_set();
+    return std::move(robot_);
+  }
+
+ private:
+  // What the file may have.
+
+  [[nodiscard]] bool has(const std::string& place) const { return values_.contains(place); }
+  [[nodiscard]] bool has_below(const std::string& table) const {
+    const auto first = values_.lower_bound(table);
+    return first != values_.end() && first->first.starts_with(table);
+  }
+  [[nodiscard]] std::string word(const std::string& place, const char* otherwise) const {
+    const auto found = values_.find(place);
+    return found == values_.end() ? otherwise : found->second.text;
+  }
+
+  void require_gough() const {
+    for (const char* table : {"legs.", "serial.", "matrix.", "pose.", "closure."})
+      if (has_below(table))
+        refuse_model("the table [" + std::string(table, 0, std::string_view(table).size() - 1) +
+                     ']');
+    if (!section_)
+      throw Unfinished("there is a theorem about model files with the table [gough] alone");
+    require_known_keys("gough.", {"orientation", "unit", "angle_unit", "base", "platform",
+                                  "base_tolerance", "platform_tolerance", "tolerance_shape"});
+    for (const char* side : {"gough.base", "gough.platform"})
+      if (has_below(side + index(kLegs))) refuse_model("more than six legs");
+    if (!has_below(motion_) || q_.motion.find_first_of(".[") != std::string::npos)
+      throw Unfinished("the model file has no motion '" + q_.motion + '\'');
+    std::set<std::string> known{"alpha", "constraints", "error", "parameters"};
+    for (const SectionPose& pose : section_->pose()) known.insert(pose.name);
+    require_known_keys(motion_, known);
+  }
+
+  /// `table`: with a dot behind its name.
+  [[nodiscard]] std::set<std::string> keys_of(const std::string& table) const {
+    std::set<std::string> keys;
+    for (auto place = values_.lower_bound(table);
+         place != values_.end() && place->first.starts_with(table); ++place) {
+      const std::string rest = place->first.substr(table.size());
+      keys.insert(rest.substr(0, rest.find_first_of(".[")));
+    }
+    return keys;
+  }
+
+  void require_known_keys(const std::string& table, const std::set<std::string>& known) const {
+    for (const std::string& key : keys_of(table))
+      if (!known.contains(key))
+        refuse_model("the key '" + key + "' in [" + table.substr(0, table.size() - 1) + ']');
+  }
+
+  /// What has not been read may change the set or the robot.
+  void require_all_read() const {
+    for (const std::string& table :
+         {motion_, std::string("gough.base["), std::string("gough.platform[")})
+      for (auto place = values_.lower_bound(table);
+           place != values_.end() && place->first.starts_with(table); ++place)
+        if (!read_.contains(place->first)) refuse_model("the key " + place->first);
+  }
+
+  /// A claim without a threshold says nothing about one.
+  void read_threshold() {
+    const std::string place = motion_ + "alpha";
+    const std::string written = has(place) ? text_at(place) : "0";
+    robot_.threshold = stated("alpha ").value_or(written);
+    if (!q_.has_threshold && robot_.threshold != "0")
+      throw Unfinished(
+          "the motion of the model file has a threshold, and the certificate has none");
+  }
+
+  // Expressions of the file.
+
+  /// The number or the expression at a place, with the names of the motion.
+  [[nodiscard]] NodeId node_at(const std::string& place, bool in_degrees = false) {
+    if (!has(place)) throw Unfinished("the model file has no " + place);
+    read_.insert(place);
+    return expressions_.at(place, scope_, in_degrees);
+  }
+  [[nodiscard]] std::string text_at(const std::string& place, bool in_degrees = false) {
+    const NodeId node = node_at(place, in_degrees);
+    const WrittenValue& written = values_.at(place);
+    return written.is_string ? coq_real(own_.graph, node, names_)
+                             : coq_written_number(written.text, own_.graph);
+  }
+  [[nodiscard]] std::string witness_of(NodeId node) const {
+    return coq_real(own_.graph, node, witnesses_);
+  }
+  /// A constant of the certificate.
+  [[nodiscard]] std::optional<std::string> stated(const std::string& key) {
+    const auto found = q_.stated.find(key);
+    if (!may_differ_ || found == q_.stated.end()) return std::nullopt;
+    return coq_real(own_.graph, parse(found->second.text, {}, own_.graph), {});
+  }
+
+  // Quantities.
+
+  /// What a variable of the certificate is at a pose that it names.
+  [[nodiscard]] std::string of_pose(const std::string& variable) const {
+    const auto found = of_pose_.find(variable);
+    return found == of_pose_.end() ? "" : found->second;
+  }
+
+  /// A constant, of the certificate if options may have changed it.
+  [[nodiscard]] NodeId end_at(const std::string& place, const std::string& stated_end,
+                              bool in_degrees) {
+    const auto found = q_.stated.find(stated_end);
+    if (!may_differ_ || found == q_.stated.end()) return node_at(place, in_degrees);
+    read_.insert(place);
+    return parse(found->second.text, {}, own_.graph);
+  }
+
+  /// A variable in a range.
+  NodeId ranged(const std::string& name, const std::string& place, const std::string& stated_name,
+                bool in_degrees) {
+    const NodeId lower = end_at(place + "[0]", "lower " + stated_name, in_degrees);
+    const NodeId upper = end_at(place + "[1]", "upper " + stated_name, in_degrees);
+    const auto text = [&](const std::string& stated_end, const std::string& end) {
+      const auto changed = stated(stated_end);
+      return changed ? *changed : text_at(end, in_degrees);
+    };
+    robot_.conditions.push_back(text("lower " + stated_name, place + "[0]") + " <= " + name +
+                                " <= " + text("upper " + stated_name, place + "[1]"));
+    Graph& graph = own_.graph;
+    const NodeId sum = graph.add(Op::kAdd, lower, upper);
+    return variable(name, graph.add(Op::kDivide, sum, graph.number("2")), of_pose(stated_name));
+  }
+
+  /// Adds a quantity, and returns its node.
+  NodeId variable(const std::string& name, NodeId middle, const std::string& of_pose) {
+    const std::string witness = coq_real(own_.graph, middle, witnesses_);
+    names_.push_back(name);
+    middles_.push_back(middle);
+    witnesses_.push_back(coq_argument(witness));
+    poses_.push_back(coq_argument(of_pose));
+    robot_.quantities.push_back({name, witness, of_pose});
+    return own_.graph.add(Op::kVariable, int(names_.size()) - 1);
+  }
+
+  void read_geometry() {
+    const std::string table = "geometry.";
+    for (const std::string& name : keys_of(table)) read_constant(table + name, name);
+  }
+
+  /// A number, or a list of coordinates: NAME_1, …
+  void read_constant(const std::string& place, const std::string& name) {
+    const std::string value = has_below(place + '.') ? place + ".value" : place;
+    std::vector<std::pair<std::string, std::string>> coordinates;  // place and name
+    if (has(value)) coordinates.emplace_back(value, name);
+    for (std::size_t i = 0; has(value + index(i)); ++i)
+      coordinates.emplace_back(value + index(i), name + '_' + std::to_string(i + 1));
+    const bool is_ball = has(place + ".radius");
+    const std::string key = place + (is_ball ? ".radius" : ".tolerance");
+    const std::string tolerance = tolerance_at(key, coordinates.at(0).second);
+    if (tolerance == "0") {
+      for (const auto& [at, own] : coordinates) {
+        scope_[own] = node_at(at);
+        robot_.of_certificate[own] = text_at(at);
+      }
+      return;
+    }
+    if (is_ball && coordinates.size() != kAxes.size()) refuse_model("a ball in the plane");
+    read_uncertain(coordinates, coq_argument(tolerance), is_ball);
+  }
+
+  void read_uncertain(const std::vector<std::pair<std::string, std::string>>& coordinates,
+                      const std::string& tolerance, bool is_ball) {
+    robot_.are_legs_certain = false;
+    std::vector<std::string> values, names;
+    for (const auto& [at, own] : coordinates) {
+      values.push_back(text_at(at));
+      names.push_back(coq_identifier(own));
+      if (!is_ball)
+        robot_.conditions.push_back("near " + tolerance + ' ' + coq_argument(values.back()) + ' ' +
+                                    names.back());
+      robot_.of_certificate[own] = names.back();
+      scope_[own] = variable(names.back(), node_at(at), is_ball ? "" : of_pose(own));
+    }
+    if (is_ball)
+      robot_.conditions.push_back("in_ball " + tolerance + " (" + text_of(values, ", ") + ") (" +
+                                  text_of(names, ", ") + ')');
+  }
+
+  void read_parameters() {
+    const std::string table = motion_ + "parameters.";
+    std::vector<std::pair<std::string, NodeId>> nodes;
+    for (const std::string& name : keys_of(table)) {
+      nodes.emplace_back(name, ranged(coq_identifier(name), table + name, name, false));
+      robot_.of_certificate[name] = coq_identifier(name);
+    }
+    for (const auto& [name, node] : nodes) scope_[name] = node;
+  }
+
+  /// Values may use the names of ranges.
+  void read_poses() {
+    const std::vector<SectionPose> poses = section_->pose();
+    for (const SectionPose& pose : poses) read_range(pose.name);
+    for (const SectionPose& pose : poses) read_value(pose.name);
+  }
+
+  void read_range(const std::string& name) {
+    const std::string place = motion_ + name;
+    const bool is_freed = may_differ_ && q_.stated.contains("lower " + name);
+    if (!has(place + "[0]") && !is_freed) return;
+    const bool in_degrees = degrees_.contains(name);
+    read_.insert(place);  // An option may have freed a value.
+    const std::string own = error_of(name, in_degrees).empty() ? name : name + "_commanded";
+    commanded_[name] = robot_.of_certificate[name] = own;
+    scope_[name] = ranged(own, place, name, in_degrees);
+  }
+
+  void read_value(const std::string& name) {
+    const bool in_degrees = degrees_.contains(name);
+    if (!commanded_.contains(name)) {
+      values_of_poses_[name] = node_at(motion_ + name, in_degrees);
+      commanded_[name] = robot_.of_certificate[name] = text_at(motion_ + name, in_degrees);
+    }
+    const std::string& commanded = commanded_[name];
+    const std::string error = error_of(name, in_degrees);
+    if (!error.empty()) {
+      robot_.conditions.push_back("near " + coq_argument(error) + ' ' + coq_argument(commanded) +
+                                  ' ' + name);
+      const auto value = values_of_poses_.find(name);
+      const NodeId node = value == values_of_poses_.end() ? scope_.at(name) : value->second;
+      const std::string of_error = of_pose(name + " error");
+      robot_.quantities.push_back(
+          {name, witness_of(node),
+           of_error.empty() ? "" : coq_real(own_.graph, node, poses_) + " + " + of_error});
+    }
+    robot_.of_certificate[name + " error"] =
+        error.empty() ? "0" : name + " - " + coq_argument(commanded);
+    const std::string actual = error.empty() ? commanded : name;
+    robot_.pose.push_back(in_degrees ? coq_argument(actual) + "*deg" : actual);
+  }
+
+  [[nodiscard]] std::string error_of(const std::string& name, bool in_degrees) {
+    const std::string place = motion_ + "error." + name;
+    read_.insert(place);
+    if (const auto error = stated("error " + name)) return *error;
+    return has(place) ? text_at(place, in_degrees) : "";
+  }
+
+  /// Returns the tolerance of a quantity of the certificate: the error of an expression has another
+  /// name.
+  [[nodiscard]] std::string tolerance_at(const std::string& key, const std::string& name) {
+    if (has(key)) read_.insert(key);
+    for (const std::string& own : {name, name + "_error"}) {
+      if (const auto spread = stated("spread " + own)) return *spread;
+      if (stated("value " + own)) return "0";
+    }
+    return has(key) ? text_at(key) : "0";
+  }
+
+  // Anchors.
+
+  /// Returns the anchor: a point of the theorem if it has a tolerance, or its coordinates.
+  std::string read_anchor(const std::string& side, char letter, std::size_t leg) {
+    const SectionQuantity written = section_quantity(
+        values_, "gough." + side + index(leg), {"gough." + side + "_tolerance", ""},
+        word("gough.tolerance_shape", "box") == "ball");
+    std::vector<std::string> coordinates, witnesses;
+    for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
+      coordinates.push_back(text_at(written.value + index(axis)));
+      witnesses.push_back(witness_of(node_at(written.value + index(axis))));
+    }
+    const std::string middle = '(' + text_of(coordinates, ", ") + ')';
+    const std::string name = letter + std::to_string(leg + 1);
+    const std::string tolerance = tolerance_at(written.tolerance.key, name + "_x");
+    const bool is_certain = tolerance == "0";
+    for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
+      const std::string own = name + '_' + kAxes[axis];
+      const std::string actual = is_certain ? coordinates[axis] : kCoordinates[axis] + name;
+      robot_.of_certificate[own] = actual;
+      robot_.of_certificate[own + "_error"] =
+          is_certain ? "0" : actual + " - " + coq_argument(coordinates[axis]);
+    }
+    if (is_certain) return middle;
+    robot_.are_legs_certain = false;
+    robot_.conditions.push_back((written.is_ball ? "in_ball " : "in_cube ") +
+                                coq_argument(tolerance) + ' ' + middle + ' ' + name);
+    std::vector<std::string> at_pose;
+    for (const char axis : kAxes) at_pose.push_back(of_pose(name + '_' + axis));
+    const bool is_known = std::ranges::find(at_pose, "") == at_pose.end() && !written.is_ball;
+    const std::string witness = '(' + text_of(witnesses, ", ") + ')';
+    robot_.quantities.push_back(
+        {name, witness, is_known ? '(' + text_of(at_pose, ", ") + ')' : "", true});
+    return name;
+  }
+
+  void read_anchors() {
+    std::vector<std::string> base, platform;
+    for (std::size_t leg = 0; leg < kLegs; ++leg) base.push_back(read_anchor("base", 'a', leg));
+    for (std::size_t leg = 0; leg < kLegs; ++leg)
+      platform.push_back(read_anchor("platform", 'b', leg));
+    for (std::size_t leg = 0; leg < kLegs; ++leg)
+      robot_.legs.push_back({"", '(' + base[leg] + ", " + platform[leg] + ')'});
+  }
+
+  /// They are about the commanded pose.
+  void read_constraints() {
+    for (const auto& [name, node] : values_of_poses_) scope_[name] = node;
+    for (std::size_t i = 0; has(motion_ + "constraints" + index(i)); ++i) {
+      robot_.conditions.push_back(text_at(motion_ + "constraints" + index(i)) + " <= 0");
+      constraints_.push_back(node_at(motion_ + "constraints" + index(i)));
+    }
+  }
+
+  /// The middle of the ranges may not satisfy the constraints.
+  [[nodiscard]] bool is_middle_in_set() const {
+    constexpr long kBits = 128;
+    const auto middles = evaluate(own_.graph, middles_, {}, kBits);
+    if (!middles) return false;
+    const auto values = evaluate(own_.graph, constraints_, *middles, kBits);
+    return values && std::ranges::all_of(*values, [](const Ball& value) {
+             return arb_is_nonpositive(value.get()) != 0;
+           });
+  }
+
+  const Question& q_;
+  const WrittenValues& values_;
+  const bool may_differ_;
+  const std::string motion_;  ///< "motion.NAME."
+  const Names degrees_, hidden_;
+  const std::unique_ptr<SectionReading> section_;
+  Question own_;  ///< its graph has the expressions of the file
+  FileExpressions expressions_;
+  Scope scope_;  ///< constants, parameters, and poses with ranges
+  std::map<std::string, NodeId> values_of_poses_;
+  std::map<std::string, std::string> commanded_;  ///< by pose parameter
+  /// A variable of the certificate at a pose that it names.
+  std::map<std::string, std::string> of_pose_;
+  /// By the number of a variable of the graph: its name, and values in Coq.
+  std::vector<std::string> names_, witnesses_, poses_;
+  std::vector<NodeId> middles_;  ///< of their ranges
+  RobotOfModel robot_;
+  std::vector<NodeId> constraints_;
+  std::set<std::string> read_;  ///< places of the file
+};
+
+}  // namespace
+
+RobotOfModel read_robot(const Question& question, const CoqModel& model) {
+  return RobotReader(question, model).read();
+}
+
+}  // namespace regulus::verifier

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// A robot and its motion as the verifier's reader finds them in a model file with the table [gough],
+// in the words of Geometry.v.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "runtime/formal/coq_question.hpp"
+#include "runtime/verifier/model/model_file.hpp"
+#include "runtime/verifier/question.hpp"
+
+namespace regulus::verifier {
+
+struct CoqModel {
+  WrittenValues values;
+  /// Options may have changed ranges, tolerances and errors: they are those of the certificate.
+  bool may_differ = false;
+};
+
+/// A quantity of the theorem: its identifier, a value in the set, and its value at the pose of a
+/// certificate, which is empty if that does not have it.
+struct CoqQuantity {
+  std::string name, witness, of_pose;
+  bool is_point = false;
+};
+
+struct RobotOfModel {
+  std::vector<CoqQuantity> quantities;
+  std::vector<std::string> conditions;  ///< what the set is
+  std::vector<std::string> pose;        ///< the actual pose: x, y, z, then the orientation
+  std::vector<CoqItem> legs;
+  bool are_legs_certain = true;  ///< they are numbers
+  std::string orientation;       ///< as in the file
+  std::string threshold;
+  bool is_middle_in_set = false;  ///< the witnesses satisfy the constraints
+  /// The value of a variable of the certificate, by its name.
+  std::map<std::string, std::string> of_certificate;
+};
+
+/// Throws Unfinished for what Geometry.v has no word for, and for a key that it does not know.
+[[nodiscard]] RobotOfModel read_robot(const Question& question, const CoqModel& model);
+
+}  // namespace regulus::verifier

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/verifier/pose_equations.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/verifier/proof.hpp"
+#include "runtime/verifier/rigid_motion.hpp"
+#include "runtime/verifier/rounding.hpp"
+
+namespace regulus::verifier {
+namespace {
+
+constexpr long kBitsOfLegs = 128;
+constexpr std::size_t kSixLegs = 6, kNumbers = 7, kTerms = 17, kRotation = 8, kConstant = 7;
+constexpr std::size_t kLeastPivots = 4;
+constexpr double kLeastPivot = 0.02;  ///< beside the first
+
+/// Of |t|², Rᵀt and t, of 1, and of the nine entries of R, row by row: their sum is 0.
+using Row = std::array<NodeId, kTerms>;
+
+/// The equations of the legs, solved for as many numbers as they determine.
+class Elimination {
+ public:
+  Elimination(Graph& graph, const std::vector<LegLine>& legs) : a_(graph) {
+    for (const LegLine& leg : legs) {
+      base_.push_back(leg.base);
+      platform_.push_back(leg.platform);
+      squares_.push_back(leg.square);
+    }
+    base_center_ = move_to_center(base_);
+    platform_center_ = move_to_center(platform_);
+    for (std::size_t i = 0; i < kSixLegs; ++i) rows_[i] = row(i);
+    find_size();
+    while (pivots_.size() < kSixLegs && eliminate()) {
+    }
+    if (pivots_.size() < kLeastPivots)
+      throw Unfinished("the legs determine too little of the pose to search for all of them");
+  }
+
+  struct Pivot {
+    std::size_t row, number;
+  };
+  [[nodiscard]] const std::vector<Pivot>& pivots() const noexcept { return pivots_; }
+  [[nodiscard]] const Row& at(std::size_t row) const { return rows_[row]; }
+  [[nodiscard]] bool is_pivot_row(std::size_t row) const {
+    return std::ranges::any_of(pivots_, [&](const Pivot& p) { return p.row == row; });
+  }
+  [[nodiscard]] bool is_determined(std::size_t number) const {
+    return std::ranges::any_of(pivots_, [&](const Pivot& p) { return p.number == number; });
+  }
+  /// The points that are the origins of the base and of the platform here.
+  struct Center {
+    VectorNodes nodes{};
+    std::array<double, 3> values{};
+  };
+  [[nodiscard]] const Center& base_center() const noexcept { return base_center_; }
+  [[nodiscard]] const Center& platform_center() const noexcept { return platform_center_; }
+  /// No place of the platform is farther from the origin.
+  [[nodiscard]] double reach() const noexcept { return reach_; }
+
+ private:
+  Ball value(NodeId node) {
+    auto values = evaluate(a_.graph(), {node}, {}, kBitsOfLegs);
+    if (!values) throw Unfinished("a number of a leg has no certain value");
+    return std::move((*values)[0]);
+  }
+  double approx(NodeId node) { return mid(value(node).enclosure()); }
+
+  Center move_to_center(std::vector<std::array<NodeId, 3>>& points) {
+    Center center;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      double sum = 0;
+      for (const auto& point : points) sum += approx(point[axis]);
+      center.values[axis] = std::isfinite(sum) ? sum / double(kSixLegs) : 0.0;
+      center.nodes[axis] = a_.graph().number(rational_of(center.values[axis]));
+    }
+    for (auto& point : points) point = a_.difference(point, center.nodes);
+    return center;
+  }
+
+  /// |t + Rb − a|² = ρ² is |t|² + 2b·Rᵀt − 2a·t + |a|² + |b|² − ρ² − 2a·Rb = 0.
+  Row row(std::size_t leg) {
+    const VectorNodes &a = base_[leg], &b = platform_[leg];
+    const NodeId two = a_.number(2), minus_two = a_.number(-2);
+    Row row{};
+    row[0] = a_.number(1);
+    for (std::size_t i = 0; i < 3; ++i) {
+      row[1 + i] = a_.product(two, b[i]);
+      row[4 + i] = a_.product(minus_two, a[i]);
+      for (std::size_t j = 0; j < 3; ++j)
+        row[kRotation + 3 * i + j] = a_.product(minus_two, a_.product(a[i], b[j]));
+    }
+    row[kConstant] = a_.difference(a_.sum(a_.dot(a, a), a_.dot(b, b)), squares_[leg]);
+    return row;
+  }
+
+  /// |t − a| ≤ |t + Rb − a| + |Rb| = ρ + |b|.
+  void find_size() {
+    reach_ = kInfinity;
+    for (std::size_t i = 0; i < kSixLegs; ++i) {
+      const NodeId most = a_.sum(
+          a_.root(squares_[i]),
+          a_.sum(a_.root(a_.dot(platform_[i], platform_[i])), a_.root(a_.dot(base_[i], base_[i]))));
+      reach_ = std::min(reach_, value(most).enclosure().hi);
+    }
+    if (!(reach_ > 0 && reach_ < kInfinity))
+      throw Unfinished("the lengths of the legs have no certain values");
+  }
+
+  /// Takes the largest coefficient that is left; false: it is nearly 0.
+  bool eliminate() {
+    Pivot best{};
+    double largest = 0;
+    for (std::size_t i = 0; i < kSixLegs; ++i)
+      for (std::size_t k = 0; k < kNumbers && !is_pivot_row(i); ++k) {
+        if (is_determined(k)) continue;
+        const double size = std::fabs(approx(rows_[i][k])) * (k == 0 ? reach_ : 1);
+        if (size > largest) largest = size, best = {i, k};
+      }
+    if (pivots_.empty()) first_ = largest;
+    if (!(largest > kLeastPivot * first_)) return false;
+    const NodeId divisor = rows_[best.row][best.number];
+    for (NodeId& term : rows_[best.row])
+      if (!a_.is_number(term, 0)) term = a_.quotient(term, divisor);
+    rows_[best.row][best.number] = a_.number(1);
+    for (std::size_t i = 0; i < kSixLegs; ++i) {
+      if (i == best.row) continue;
+      const NodeId factor = rows_[i][best.number];
+      for (std::size_t k = 0; k < kTerms; ++k)
+        rows_[i][k] = k == best.number
+                          ? a_.number(0)
+                          : a_.difference(rows_[i][k], a_.product(factor, rows_[best.row][k]));
+    }
+    pivots_.push_back(best);
+    return true;
+  }
+
+  GraphAlgebra a_;
+  std::vector<std::array<NodeId, 3>> base_, platform_;
+  std::vector<NodeId> squares_;
+  Center base_center_, platform_center_;
+  std::array<Row, kSixLegs> rows_{};
+  std::vector<Pivot> pivots_;
+  double reach_ = 0, first_ = 0;
+};
+
+/// The equations in one chart.
+class ChartEquations {
+ public:
+  ChartEquations(const Question& question, const Elimination& legs, std::size_t chart)
+      : result_{question}, a_(result_.question.graph), legs_(legs), chart_(chart) {}
+
+  PoseChart form() && {
+    name_unknowns();
+    const std::array<NodeId, kNumbers>& number = result_.numbers;
+    ClosureLines& closure = *result_.question.closure;
+    for (std::size_t i = 0; i < kSixLegs; ++i)
+      if (!legs_.is_pivot_row(i)) closure.equations.push_back(rest_of(legs_.at(i), kTerms));
+    const VectorNodes s = {number[1], number[2], number[3]}, t = {number[4], number[5], number[6]};
+    for (std::size_t i = 0; i < 3; ++i)
+      closure.equations.push_back(a_.difference(s[i], a_.dot(a_.transposed(R_)[i], t)));
+    closure.equations.push_back(a_.difference(number[0], a_.dot(t, t)));
+    place(t);
+    return std::move(result_);
+  }
+
+ private:
+  void name_unknowns() {
+    static constexpr std::array<const char*, 4> kParts = {"qw", "qx", "qy", "qz"};
+    static constexpr std::array<const char*, kNumbers> kNames = {"|t|^2", "s_x", "s_y", "s_z",
+                                                                 "t_x",   "t_y", "t_z"};
+    ClosureLines closure;
+    for (std::size_t part = 0; part < 4; ++part)
+      quaternion_[part] = part == chart_ ? a_.number(1) : unknown(closure, kParts[part], 1);
+    squared_ = a_.squared_norm(quaternion_);
+    const NodeId factor = a_.quotient(a_.number(1), squared_);
+    R_ = a_.scaled_turn(quaternion_);
+    for (VectorNodes& row : R_) row = a_.scaled(factor, row);
+    const double reach = up(legs_.reach() * kWider);
+    for (std::size_t k = 0; k < kNumbers; ++k) {
+      if (legs_.is_determined(k)) continue;
+      result_.free.push_back(k);
+      result_.numbers[k] = unknown(closure, kNames[k], k == 0 ? up(reach * reach) : reach);
+    }
+    for (const Elimination::Pivot& pivot : legs_.pivots())
+      result_.numbers[pivot.number] = a_.negative(rest_of(legs_.at(pivot.row), pivot.number));
+    result_.question.closure = std::move(closure);
+    result_.question.alpha = a_.number(0);
+  }
+
+  NodeId unknown(ClosureLines& closure, const char* name, double radius) {
+    closure.names.emplace_back(name);
+    const double wider = up(radius * kWider);
+    result_.range.push_back({-wider, wider});
+    return a_.graph().add(Op::kVariable, int(closure.names.size()) - 1);
+  }
+
+  /// Returns the sum of a row without the number `left_out` and those that are determined.
+  NodeId rest_of(const Row& row, std::size_t left_out) {
+    NodeId sum = row[kConstant];
+    for (std::size_t i = 0; i < 9; ++i)
+      sum = a_.sum(sum, a_.product(row[kRotation + i], R_[i / 3][i % 3]));
+    for (const std::size_t k : result_.free)
+      if (k != left_out) sum = a_.sum(sum, a_.product(row[k], result_.numbers[k]));
+    return sum;
+  }
+
+  /// The platform's origin: t + a₀ − R b₀.
+  void place(const VectorNodes& t) {
+    const VectorNodes p = a_.difference(a_.sum(t, legs_.base_center().nodes),
+                                        a_.product(R_, legs_.platform_center().nodes));
+    std::copy(p.begin(), p.end(), result_.pose.begin());
+    result_.base = legs_.base_center().values;
+    result_.platform = legs_.platform_center().values;
+    const NodeId norm = a_.root(squared_);
+    for (std::size_t part = 0; part < 4; ++part)
+      result_.pose[3 + part] = a_.quotient(quaternion_[part], norm);
+  }
+
+  static constexpr double kWider = 1 + 0x1p-20;
+
+  PoseChart result_;
+  GraphAlgebra a_;
+  const Elimination& legs_;
+  const std::size_t chart_;
+  std::array<NodeId, 4> quaternion_{};
+  NodeId squared_ = kNoNode;
+  MatrixNodes R_{};
+};
+
+}  // namespace
+
+std::vector<PoseChart> form_pose_equations(const Question& question) {
+  Question with_legs = question;
+  const Elimination legs(with_legs.graph, with_legs.solutions->legs);
+  std::vector<PoseChart> charts;
+  for (std::size_t chart = 0; chart < kCharts; ++chart)
+    charts.push_back(ChartEquations(with_legs, legs, chart).form());
+  return charts;
+}
+
+}  // namespace regulus::verifier

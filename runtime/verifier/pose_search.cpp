@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/verifier/pose_search.hpp"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
+#include "runtime/verifier/box_search.hpp"
+#include "runtime/verifier/pose_equations.hpp"
+#include "runtime/verifier/proof.hpp"
+
+namespace regulus::verifier {
+namespace {
+
+constexpr std::size_t kPlaces = 3, kParts = 4;
+constexpr double kScaleOfPoses = 0x1p-32;  ///< a part of the range
+constexpr double kBeyondChart =
+    1.25;  ///< a solution with a part beyond this is in no box of a chart
+
+Box box_of(const SolutionBox& solution) {
+  Box box;
+  for (std::size_t i = 0; i < solution.middle.size(); ++i)
+    box.push_back(point(solution.middle[i]) + Interval{-solution.radius[i], solution.radius[i]});
+  return box;
+}
+
+std::vector<double> middles(const Box& box) {
+  std::vector<double> result;
+  for (const Interval x : box) result.push_back(mid(x));
+  return result;
+}
+
+/// A chart with its search.
+struct Chart {
+  PoseChart equations;
+  BoxSearch search;
+  Evaluation pose;
+  std::vector<double> scale{};
+  std::vector<Box> reaches{};        ///< of lines
+  std::vector<std::size_t> lines{};  ///< whose reaches these are
+
+  Chart(PoseChart chart, WorkClock& clock, const Options& options, Verification& result)
+      : equations(std::move(chart)),
+        search(equations.question, {}, {}, clock, options, result),
+        pose(equations.question, {equations.pose.begin(), equations.pose.end()}) {
+    search.set_range(equations.range);
+    for (const Interval range : equations.range)
+      scale.push_back(kScaleOfPoses * (range.hi - range.lo));
+  }
+  Chart(const Chart&) = delete;
+  Chart& operator=(const Chart&) = delete;
+
+  /// Returns x, y, z and the unit quaternion; empty: not certain.
+  [[nodiscard]] Box pose_of(const Box& unknowns) {
+    Box result;
+    if (!pose.run(unknowns)) return result;
+    for (const NodeId node : equations.pose) result.push_back(pose.value(node));
+    return result;
+  }
+};
+
+/// A pose that is certain: where it is the only solution of a chart.
+struct ProvedPose {
+  std::size_t chart;
+  Box unknowns;
+  Box pose;
+};
+
+/// True only if the quaternions are no multiples of each other, or the places differ.
+bool are_different(const Box& a, const Box& b) {
+  if (are_disjoint(std::span(a).first(kPlaces), std::span(b).first(kPlaces))) return true;
+  for (std::size_t i = kPlaces; i < kPlaces + kParts; ++i)
+    for (std::size_t j = kPlaces; j < i; ++j)
+      if (!contains(a[i] * b[j] - a[j] * b[i], 0.0)) return true;
+  return false;
+}
+
+Box negative_turn(Box pose) {
+  for (std::size_t i = kPlaces; i < pose.size(); ++i) pose[i] = -pose[i];
+  return pose;
+}
+
+class PoseSearch {
+ public:
+  PoseSearch(Lines& lines, const Question& q, const Options& options, Verification& result)
+      : lines_(lines), claim_(*q.solutions), result_(result), clock_(options, result) {
+    for (PoseChart& chart : form_pose_equations(q))
+      charts_.push_back(std::make_unique<Chart>(std::move(chart), clock_, options, result));
+  }
+
+  void check() {
+    for (const SolutionLine& line : claim_.solutions) {
+      lines_.name_line(line.line);
+      prove(line);
+    }
+    lines_.name_line(0);
+    for (std::size_t c = 0; c < charts_.size() && claim_.verdict != format::kIncomplete; ++c)
+      charts_[c]->search.search(charts_[c]->reaches,
+                                [this, c](const Box& box) { look_for_other(c, box); });
+    result_.real_roots = result_.roots = proved_.size();
+  }
+
+ private:
+  /// Shows that a pose is within the line, and is that of no other line.
+  void prove(const SolutionLine& line) {
+    clock_.tick();
+    std::size_t c = 0;
+    for (std::size_t part = 1; part < kParts; ++part)
+      if (mag(line.values[kPlaces + part]) > mag(line.values[kPlaces + c])) c = part;
+    Chart& chart = *charts_[c];
+    const auto found = chart.search.test().solution_near(
+        {}, start_of(line.values, chart.equations, c), chart.scale);
+    if (!found) throw Unfinished("no pose was found near this line");
+    ProvedPose proved{c, box_of(*found), {}};
+    proved.pose = chart.pose_of(proved.unknowns);
+    if (proved.pose.empty()) throw Unfinished("the pose has no certain values");
+    const Box turned = negative_turn(proved.pose);
+    if (!is_in(proved.pose, line.values) && !is_in(turned, line.values)) {
+      if (are_disjoint(proved.pose, line.values) && are_disjoint(turned, line.values))
+        throw Rejection("no pose was found within this line");
+      throw Unfinished("the pose is not shown to be within this line");
+    }
+    for (std::size_t k = 0; k < proved_.size(); ++k) require_other(proved, k);
+    proved_.push_back(std::move(proved));
+    for (std::size_t other = 0; other < charts_.size(); ++other) add_reach(other);
+  }
+
+  /// The unknowns of a chart near the pose of a line.
+  static std::vector<double> start_of(const std::vector<Interval>& values, const PoseChart& chart,
+                                      std::size_t c) {
+    const std::vector<double> at = middles(values);
+    std::vector<double> result;
+    for (std::size_t part = 0; part < kParts; ++part)
+      if (part != c) result.push_back(at[kPlaces + part] / at[kPlaces + c]);
+    const double w = at[3];
+    const std::array<double, 3> v = {at[4], at[5], at[6]};
+    const double norm = w * w + v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    std::array<double, 7> numbers{};
+    std::array<std::array<double, 3>, 3> R{};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) {
+        const double cross = i == j ? 0 : ((j + 1) % 3 == i ? 1 : -1) * v[3 - i - j] * w;
+        R[i][j] = (i == j ? 1 : 0) + 2 * (v[i] * v[j] + cross - (i == j ? norm - w * w : 0)) / norm;
+      }
+    for (std::size_t i = 0; i < 3; ++i) {
+      numbers[4 + i] = at[i] - chart.base[i];
+      for (std::size_t j = 0; j < 3; ++j) numbers[4 + i] += R[i][j] * chart.platform[j];
+      numbers[0] += numbers[4 + i] * numbers[4 + i];
+    }
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) numbers[1 + i] += R[j][i] * numbers[4 + j];
+    for (const std::size_t k : chart.free) result.push_back(numbers[k]);
+    return result;
+  }
+
+  void require_other(const ProvedPose& proved, std::size_t k) const {
+    if (are_different(proved.pose, proved_[k].pose)) return;
+    const std::string line = std::to_string(claim_.solutions[k].line);
+    const Chart& chart = *charts_[proved.chart];
+    const auto at = std::ranges::find(chart.lines, k);
+    if (at != chart.lines.end() &&
+        is_in(proved.unknowns, chart.reaches[std::size_t(at - chart.lines.begin())]))
+      throw Rejection("the pose is that of line " + line);
+    throw Unfinished("the pose may be that of line " + line);
+  }
+
+  /// Adds the reach of the last pose in a chart, if it may be there.
+  void add_reach(std::size_t c) {
+    const ProvedPose& proved = proved_.back();
+    Chart& chart = *charts_[c];
+    const Interval unit = proved.pose[kPlaces + c];
+    if (contains(unit, 0.0)) return;
+    Box there;
+    for (std::size_t part = 0; part < kParts; ++part)
+      if (part != c) there.push_back(proved.pose[kPlaces + part] / unit);
+    for (const Interval x : there)
+      if (mig(x) > kBeyondChart) return;
+    there.insert(there.end(), proved.unknowns.begin() + 3, proved.unknowns.end());
+    std::vector<double> radius;
+    for (const Interval x : there) radius.push_back(up(mag(x - point(mid(x)))));
+    auto reach = chart.search.reach_of(middles(there), radius);
+    if (!reach || !is_in(there, *reach)) {
+      for (double& r : radius) r = up(2 * r);
+      reach = chart.search.reach_of(middles(there), radius);
+    }
+    if (!reach || !is_in(there, *reach)) return;
+    chart.reaches.push_back(std::move(*reach));
+    chart.lines.push_back(proved_.size() - 1);
+  }
+
+  /// Rejects the claim if a pose is found near the box that is in no line.
+  void look_for_other(std::size_t c, const Box& box) {
+    Chart& chart = *charts_[c];
+    const auto found = chart.search.test().solution_near({}, middles(box), chart.scale);
+    if (!found) return;
+    const Box pose = chart.pose_of(box_of(*found));
+    if (pose.empty()) return;
+    const bool is_other = std::ranges::all_of(
+        proved_, [&](const ProvedPose& known) { return are_different(pose, known.pose); });
+    if (is_other)
+      throw Rejection("there is another pose, near x = " + std::to_string(mid(pose[0])) + ", y = " +
+                      std::to_string(mid(pose[1])) + ", z = " + std::to_string(mid(pose[2])));
+  }
+
+  Lines& lines_;
+  const SolutionLines& claim_;
+  Verification& result_;
+  WorkClock clock_;
+  std::vector<std::unique_ptr<Chart>> charts_;
+  std::vector<ProvedPose> proved_;  ///< by line
+};
+
+}  // namespace
+
+void search_poses(Lines& lines, const Question& question, const Options& options,
+                  Verification& result) {
+  PoseSearch(lines, question, options, result).check();
+}
+
+}  // namespace regulus::verifier

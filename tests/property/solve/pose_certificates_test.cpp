@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Certificates of lists of poses on six legs that a search has found: genuine ones are verified and
+// compared with their files, forged ones are not.
+#include <fmt/format.h>
+
+#include <map>
+
+#include "tests/property/solve/certified_lists.hpp"
+#include "tests/support/random_source.hpp"
+
+namespace regulus::test {
+namespace {
+
+/// Writes the claim that belongs to the lines.
+std::string with_claim_of_poses(Lines lines, const std::string& verdict) {
+  lines[first(lines, "verdict")] = "verdict " + verdict;
+  lines[first(lines, "claim")] =
+      "claim " + format::describe_solutions_claim(
+                     {verdict, format::kOfSixLegs, "pose", "poses", count_of(lines, "solution")});
+  return joined(lines);
+}
+
+/// The same line, with the other quaternion of its rotation.
+std::string turned(const std::string& line) {
+  std::istringstream stream(line);
+  std::string text, word;
+  for (std::size_t i = 0; stream >> word; ++i) {
+    const std::size_t colon = word.find(':');
+    if (i >= 4)
+      word = fmt::format("{:a}:{:a}", -std::stod(word.substr(colon + 1)),
+                         -std::stod(word.substr(0, colon)));
+    text += (i == 0 ? "" : " ") + word;
+  }
+  return text;
+}
+
+void expect_forged_poses_fail(const std::string& certificate) {
+  const Lines genuine = lines_of(certificate);
+  EXPECT_EQ(genuine.back(), "end");
+  EXPECT_EQ(outcome(with_claim_of_poses(genuine, "INCOMPLETE")), Outcome::kVerified);
+  const auto at = std::ptrdiff_t(first(genuine, "solution"));
+  for (std::size_t k = 0; k < count_of(genuine, "solution"); ++k) {
+    Lines fewer = genuine;
+    fewer.erase(fewer.begin() + at + std::ptrdiff_t(k));
+    const char* verdict = count_of(fewer, "solution") == 0 ? "NONE" : "COMPLETE";
+    EXPECT_EQ(outcome(with_claim_of_poses(fewer, verdict)), Outcome::kRejected) << k;
+    if (k % 5 != 0) continue;
+    Lines more = genuine;
+    more.push_back("");
+    std::copy_backward(more.begin() + at, more.end() - 1, more.end());
+    for (const std::string& again :
+         {genuine[std::size_t(at) + k], turned(genuine[std::size_t(at) + k])}) {
+      more[std::size_t(at)] = again;
+      EXPECT_EQ(outcome(with_claim_of_poses(more, "COMPLETE")), Outcome::kRejected) << k;
+    }
+    Lines other = genuine;
+    other[std::size_t(at) + k] = turned(genuine[std::size_t(at) + k]);
+    EXPECT_EQ(outcome(joined(other)), Outcome::kVerified) << k;
+  }
+  Lines other = genuine;
+  other[first(other, "leg")] += " + 1";
+  EXPECT_NE(outcome(with_claim_of_poses(other, "COMPLETE")), Outcome::kVerified);
+}
+
+TEST(SearchedPosesOnSixLegs, AreVerifiedWithTheirFile) {
+  const std::string model = library_model("robot_1") +
+                            "[motion.here]\nx = 1\ny = 2\nz = 47\npsi = 0.1\ntheta = 0.12\n"
+                            "phi = 0.05\n";
+  const Certified made = certified(model, {}, "here");
+  ASSERT_EQ(made.solutions.found.size(), 12U);
+  const verifier::Verification v = verified(made.text, model);
+  EXPECT_EQ(v.outcome, Outcome::kVerified) << describe(v) << made.status.obstacle();
+  EXPECT_EQ(v.roots, 12U);
+  expect_forged_poses_fail(made.text);
+  const std::string plain = without_sum(made.text);
+  for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
+           {"z = 47\n", "z = 47.001\n"}, {"theta = 0.12\n", "theta = -0.12\n"}}) {
+    std::string changed = model;
+    changed.replace(changed.rfind(from), from.size(), to);
+    EXPECT_EQ(outcome(plain, changed), Outcome::kRejected) << from;
+  }
+}
+
+TEST(SearchedPosesOfFlatPlatforms, AreVerifiedWithTheirFiles) {
+  RandomSource random(9);
+  std::map<bool, int> counts;
+  for (int round = 0; round < 8; ++round) {
+    std::string base, platform;
+    const double spread = random.between(0.1, 0.9), other = random.between(0.1, 0.9);
+    for (int i = 0; i < 6; ++i) {
+      const double third = 2.0943951023931953 * (i / 2), side = i % 2 == 0 ? -1 : 1;
+      const double a = third + side * spread, b = third + side * (1.0471975512 - other);
+      base += fmt::format("[{:.6f}, {:.6f}, 0], ", 10 * std::cos(a), 10 * std::sin(a));
+      platform += fmt::format("[{:.6f}, {:.6f}, 0], ", 6 * std::cos(b), 6 * std::sin(b));
+    }
+    std::string motion = "legs = [";
+    for (int i = 0; i < 6; ++i) motion += fmt::format("{:.3f}, ", random.between(4, 9));
+    motion += "]\n";
+    if (round % 2 == 0)
+      motion = fmt::format(
+          "x = {:.3f}\ny = {:.3f}\nz = {:.3f}\npsi = {:.3f}\ntheta = {:.3f}\nphi = {:.3f}\n",
+          random.between(-2, 2), random.between(-2, 2), random.between(7, 12),
+          random.between(-0.5, 0.5), random.between(-0.5, 0.5), random.between(-0.5, 0.5));
+    const std::string model = fmt::format(
+        "regulus = 1\nname = \"flat\"\n[gough]\nunit = \"cm\"\norientation = \"euler-zxz\"\nbase = "
+        "[{}]\nplatform = [{}]\n"
+        "[motion.m]\n{}",
+        base, platform, motion);
+    const Certified made = certified(model);
+    ASSERT_TRUE(made.status.is_written()) << made.status.obstacle();
+    const verifier::Verification v = verified(made.text, model);
+    EXPECT_EQ(v.outcome, Outcome::kVerified) << describe(v) << model << made.text;
+    ++counts[made.solutions.found.empty()];
+    if (round == 2) expect_forged_poses_fail(made.text);
+  }
+  EXPECT_GE(counts[false], 3);
+  EXPECT_GE(counts[true], 1);
+}
+
+}  // namespace
+}  // namespace regulus::test
