@@ -155,10 +155,12 @@ Evaluation::Evaluation(const Question& question, const std::vector<NodeId>& root
     if (operands(node.op) > 0) is_read[std::size_t(node.a)] = true;
     if (operands(node.op) > 1) is_read[std::size_t(node.b)] = true;
   }
-  for (const NodeId id : all)
-    if (varies[std::size_t(id)] || is_read[std::size_t(id)])
-      steps_.push_back(
-          {id, graph.nodes()[std::size_t(id)], varies[std::size_t(id)], values_[std::size_t(id)]});
+  for (const NodeId id : all) {
+    const bool is_variable = varies[std::size_t(id)];
+    if (is_variable || is_read[std::size_t(id)])
+      steps_.push_back({id, is_variable ? graph.nodes()[std::size_t(id)] : Node{Op::kConstant},
+                        values_[std::size_t(id)]});
+  }
 }
 
 /// Computes an operation for which rounding alone may have put an operand outside the domain.
@@ -181,10 +183,9 @@ Interval Evaluation::narrowed(NodeId root, const Box& box) const {
 
 bool Evaluation::run(const Box& box) {
   for (const Step& step : steps_) {
-    Interval value = !step.varies                    ? step.constant
-                     : step.node.op == Op::kVariable ? box[std::size_t(step.node.a)]
-                     : operands(step.node.op) == 0   ? step.constant
-                                                     : compute(step.node, values_);
+    Interval value = step.node.op == Op::kVariable ? box[std::size_t(step.node.a)]
+                     : operands(step.node.op) == 0 ? step.constant
+                                                   : compute(step.node, values_);
     if (!is_bounded(value)) value = with_exact_operands(step.node, box);
     if (!is_bounded(value)) return false;
     values_[std::size_t(step.id)] = value;

@@ -58,9 +58,8 @@ class Evaluation {
  private:
   struct Step {
     NodeId id;
-    Node node;
-    bool varies;
-    Interval constant;  ///< if it does not vary
+    Node node;          ///< kConstant for each expression that does not vary
+    Interval constant;  ///< of a node without operands
   };
   [[nodiscard]] Interval with_exact_operands(const Node& node, const Box& box);
 
