@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/verifier/outside.hpp"
+
 namespace regulus::verifier {
 namespace {
 
