@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "runtime/verifier/model/equality.hpp"
 #include "runtime/verifier/planar_platform.hpp"
 
 namespace regulus::verifier {
@@ -56,6 +57,17 @@ class PlaceComparison {
     }
   }
 
+  /// Returns the value of a pose parameter in the motion, which may be a range from a number to the same;
+  /// kNoNode: it has none.
+  NodeId value_of(const std::string& pose) {
+    const std::string place = motion_ + pose;
+    if (has(place)) return comparer_.pose_at(place, pose);
+    if (!has(place + "[0]") || !has(place + "[1]") || has(place + "[2]")) return kNoNode;
+    const NodeId lo = comparer_.pose_at(place + "[0]", pose),
+                 hi = comparer_.pose_at(place + "[1]", pose);
+    return equality(q_, lo, hi) == Equality::kEqual ? lo : kNoNode;
+  }
+
   void compare_point(const SectionPoint& point, const char* kind, std::size_t leg) {
     const std::size_t axes = q_.solutions->legs.size() == kLegsInPlane ? 2 : 3;
     for (std::size_t axis = 0; axis < axes; ++axis)
@@ -92,16 +104,18 @@ class PlaceComparison {
   /// Gives each joint its value of the motion, or any. Returns false if the file has no such motion.
   bool name_joints(bool is_by_tool) {
     bool has_all = !is_by_tool;
-    for (const SectionPose& pose : section_->pose()) has_all = has_all && has(motion_ + pose.name);
+    Scope values;
+    for (const SectionPose& pose : section_->pose()) {
+      values[pose.name] = is_by_tool ? kNoNode : value_of(pose.name);
+      has_all = has_all && values[pose.name] != kNoNode;
+    }
     if (!has_all && !is_by_tool && !comparer_.may_differ(kPlaceOption))
       comparer_.refuse_model("the motion '" + q_.motion + "' gives no value of each joint");
     if (!has_all && !is_by_tool)
       comparer_.note_difference("the motion '" + q_.motion +
                                 "' gives no value of each joint; those are the certificate's");
-    for (const SectionPose& pose : section_->pose())
-      q_.actual.insert_or_assign(pose.name, has_all
-                                                ? comparer_.pose_at(motion_ + pose.name, pose.name)
-                                                : q_.graph.number(Rational(0L)));
+    for (const auto& [name, value] : values)
+      q_.actual.insert_or_assign(name, has_all ? value : q_.graph.number(Rational(0L)));
     return has_all;
   }
 
@@ -138,10 +152,14 @@ class PlaceComparison {
 
   void compare_value(const SectionJoint& joint, const std::string& key, bool has_values) {
     if (!has_values) return comparer_.note_compared(key);
-    comparer_.compare({motion_ + joint.name, 0, joint.name}, joint.value, key, kPlaceOption);
+    const std::string place = motion_ + joint.name;
+    comparer_.compare(comparer_.place_of(has(place) ? place : place + "[0]"), joint.value, key,
+                      kPlaceOption);
   }
 
   void compare_tool(const PlacementNodes& tip, bool is_in_file) {
+    if (has(motion_ + "tool[6]"))
+      comparer_.refuse_model("the motion's tool has more than six numbers");
     compare_frame(tip, {"the frame of the tool", 0, "another"}, "tip ");
     const Scope none;
     for (std::size_t i = 0; i < 6; ++i) {
@@ -166,8 +184,9 @@ class PlaceComparison {
     if (has(lengths + "[0]")) return compare_given_lengths(lengths, legs.size());
     Scope pose = q_.actual;
     for (const SectionPose& p : section_->pose()) {
-      if (!has(motion_ + p.name)) return accept_place(p.name, legs.size());
-      pose.insert_or_assign(p.name, comparer_.pose_at(motion_ + p.name, p.name));
+      const NodeId value = value_of(p.name);
+      if (value == kNoNode) return accept_place(p.name, legs.size());
+      pose.insert_or_assign(p.name, value);
     }
     for (std::size_t i = 0; i < legs.size(); ++i) {
       const NodeId square = section_->squared_length(legs[i], pose, comparer_);
@@ -228,8 +247,9 @@ class PlaceComparison {
       const std::string rest = at->first.substr(motion_.size());
       const std::string name = rest.substr(0, rest.find_first_of(".["));
       const auto poses = section_->pose();
-      const bool is_pose = std::ranges::any_of(
-          poses, [&](const SectionPose& p) { return p.name == name && p.name == rest; });
+      const bool is_pose = std::ranges::any_of(poses, [&](const SectionPose& p) {
+        return p.name == name && (rest == name || rest == name + "[0]" || rest == name + "[1]");
+      });
       if (!is_pose && name != "legs" && name != "tool" && name != "error" && name != "alpha")
         comparer_.leave_out(comparer_.place_of(at->first), "this reader does not know it");
     }

@@ -81,6 +81,7 @@ TEST(PosturesOfAnArmInTheLibrary, AreVerifiedWithTheirFile) {
              {"modified-dh", "standard-dh"},
              {"q5 = 0.9\n", "q5 = 0.90001\n"},
              {"0.5, 0, 0.2, 1]", "0.5, 0, 0.2, 1.001]"},
+             {"0.5, 0, 0.2, 1]", "0.5, 0, 0.2, 1, 0]"},
              {"{ name = \"q1\" }", "{ name = \"q1\", d = 0.1 }"},
              {"alpha = \"90*deg\" },\n]", "alpha = \"90*deg\" },\n{ type = \"fixed\", d = 0.1 }]"},
              {"a2 = { value = 0.4318, tolerance = 0", "a2 = { value = 0.4318, tolerance = 0.1"}}) {
@@ -122,6 +123,18 @@ TEST(PosturesOfAnArm, AreThoseOfAnyPairOfOppositeJoints) {
   }
   EXPECT_EQ(outcome_of_pair(genuine, 0), Outcome::kRejected);
   EXPECT_EQ(outcome_of_pair(genuine, 4), Outcome::kRejected);
+}
+
+TEST(PosturesOfAnArm, MayBeAtARangeFromANumberToTheSame) {
+  const auto model = [](const std::string& q1) {
+    return library_model("puma_560_serial") + "[motion.at]\nq1 = " + q1 +
+           "\nq2 = 0.4\nq3 = -0.7\nq4 = 0.3\nq5 = 0.9\nq6 = -1.4\n";
+  };
+  const std::string text = without_sum(certified(model("[0.3, \"3/10\"]"), {}, "at").text);
+  EXPECT_EQ(outcome(text, model("[0.3, \"3/10\"]")), Outcome::kVerified);
+  EXPECT_EQ(outcome(text, model("0.3")), Outcome::kVerified);
+  EXPECT_EQ(outcome(text, model("[0.3, 0.4]")), Outcome::kRejected);
+  EXPECT_EQ(outcome(text, model("[0.4, 0.4]")), Outcome::kRejected);
 }
 
 struct DhArm {
