@@ -252,7 +252,7 @@ class ArmEquations {
     return result;
   }
 
-  /// Of 1, cos a, sin a and 1, cos b, sin b of two variables.
+  /// Returns the sum of a form times 1, cos, sin of one variable and 1, cos, sin of another.
   NodeId expression(const Number& form, int first, int second) {
     const auto powers = [this](int variable) {
       const NodeId x = q_.graph.add(Op::kVariable, variable);

@@ -16,7 +16,7 @@ constexpr std::size_t kSixLegs = 6, kNumbers = 7, kTerms = 17, kRotation = 8, kC
 constexpr std::size_t kLeastPivots = 4;
 constexpr double kLeastPivot = 0.02;  ///< beside the first
 
-/// Of |t|², Rᵀt and t, of 1, and of the nine entries of R, row by row: their sum is 0.
+/// The factors of |t|², Rᵀt and t, of 1, and of the nine entries of R, row by row, in a sum that is 0.
 using Row = std::array<NodeId, kTerms>;
 
 /// The equations of the legs, solved for as many numbers as they determine.

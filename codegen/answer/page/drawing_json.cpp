@@ -8,6 +8,8 @@
 
 #include "codegen/answer/certificate/certificate_expression_writer.hpp"
 #include "codegen/model/drawing.hpp"
+#include "codegen/model/exact/exact_algebra.hpp"
+#include "codegen/model/mechanism/orientation.hpp"
 #include "codegen/model/mechanism/serial.hpp"
 #include "codegen/question/solve/nominal.hpp"
 
@@ -35,20 +37,16 @@ Drawing drawing_by_quaternion(const Model& model) {
   const auto fixed = [&nominal](const Point& p) {
     return Point{nominal.at(p[0]), nominal.at(p[1]), nominal.at(p[2])};
   };
-  const GiNaC::ex w = GiNaC::realsymbol("qw");
-  const Point v = {GiNaC::realsymbol("qx"), GiNaC::realsymbol("qy"), GiNaC::realsymbol("qz")};
-  const GiNaC::ex norm = w * w + dot(v, v);
+  std::vector<GiNaC::ex> quaternion;
+  for (const char* part : {"qw", "qx", "qy", "qz"}) quaternion.push_back(GiNaC::realsymbol(part));
+  const auto [S, N] = scaled_rotation(Orientation::kQuaternion, quaternion);
   const Point origin = {model.pose[0].symbol, model.pose[1].symbol, model.pose[2].symbol};
   using Kind = Drawing::Kind;
   Drawing::Part base{Kind::kBase, {}}, platform{Kind::kPlatform, {}};
   std::vector<Drawing::Part> legs;
   for (const ExtensibleLeg& leg : model.legs) {
-    const Point b = fixed(leg.platform);
-    const Point across = cross(v, b);
-    // b + 2 (w v x b + v x (v x b)) / norm
-    const Point turned = sum(b, scaled(2 / norm, sum(scaled(w, across), cross(v, across))));
     base.points.push_back(fixed(leg.base));
-    platform.points.push_back(sum(origin, turned));
+    platform.points.push_back(sum(origin, scaled(1 / N, times(S, fixed(leg.platform)))));
     legs.push_back(
         {Kind::kLeg, {base.points.back(), platform.points.back()}, static_cast<int>(legs.size())});
   }
@@ -56,7 +54,7 @@ Drawing drawing_by_quaternion(const Model& model) {
   return {std::move(legs)};
 }
 
-/// Of lengths; "1" if the model does not say.
+/// Returns the unit of lengths; "1" if the model does not say it.
 std::string unit_of_lengths(const Model& model) {
   if (model.arm) return model.arm->unit;
   for (const PoseParameter& p : model.pose)

@@ -70,14 +70,11 @@ std::size_t uncertain_count(const SearchSubject& p) {
   return count;
 }
 
-/// Between these doubles is an end of a range. The inner box of a ball is far from its outer one: then
-/// the end is near the outer one.
 Interval end_of_range(double outer, double inner) {
   constexpr int kSteps = 4;
   double near = outer;
   for (int i = 0; i < kSteps; ++i) near = std::nextafter(near, inner);
-  const double last = outer < inner ? std::min(near, inner) : std::max(near, inner);
-  return {std::min(outer, last), std::max(outer, last)};
+  return {std::min(outer, near), std::max(outer, near)};
 }
 
 std::string range_text(const SearchSubject& p, std::size_t k, const Interval& x) {

@@ -15,6 +15,10 @@ namespace regulus {
 /// More uncertain quantities than this are counted for people, not listed.
 inline constexpr std::size_t kMostListed = 8;
 
+/// Returns doubles between which a text may show an end of a range: from the outer bound towards the
+/// inner one, but not far, because the inner box of a ball is not near its outer one.
+[[nodiscard]] Interval end_of_range(double outer, double inner);
+
 /// Returns bounds of variable k. The ends of its whole range are written as in the model, because
 /// the outward and inward roundings enclose them.
 [[nodiscard]] std::string range_text(const SearchSubject& preparation, std::size_t k,

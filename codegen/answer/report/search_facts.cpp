@@ -40,8 +40,8 @@ std::string describe_degrees(const SearchSubject& p, std::size_t k) {
   const Interval& outer = p.variety.outer[k];
   const std::optional<Interval>& inner = p.variety.inner[k];
   if (p.labels.variables[k].unit != "rad" || (outer.lo == 0 && outer.hi == 0)) return "";
-  const auto lo = short_degrees(inner ? Interval{outer.lo, inner->lo} : outer);
-  const auto hi = short_degrees(inner ? Interval{inner->hi, outer.hi} : outer);
+  const auto lo = short_degrees(inner ? end_of_range(outer.lo, inner->lo) : outer);
+  const auto hi = short_degrees(inner ? end_of_range(outer.hi, inner->hi) : outer);
   return lo && hi ? fmt::format(" ({} deg)", ends_text(shortest_text(*lo), shortest_text(*hi)))
                   : "";
 }

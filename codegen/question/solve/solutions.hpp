@@ -57,8 +57,8 @@ struct Solutions {
   std::optional<std::uint64_t> complex_found{};
   /// The same, roughly: their values by unknown, a quaternion up to a factor.
   std::vector<std::vector<Complex>> roots{};
-  /// Of an arm whose joints turn: 1 to 3; joint N and joint N + 3 follow from those that were searched.
-  /// 0: they were not found so.
+  /// Postures of an arm whose joints turn have this number N, 1 to 3: joints N and N + 3 follow from those
+  /// that were searched. 0: no such search has found them.
   std::size_t opposite = 0;
   std::uint64_t boxes = 0;  ///< of the search
   double seconds = 0;

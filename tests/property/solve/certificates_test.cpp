@@ -10,13 +10,10 @@ namespace regulus::test {
 namespace {
 
 /// Writes the claim and the end that belong to the lines.
-std::string with_claim(Lines lines, const std::string& verdict) {
-  lines[first(lines, "verdict")] = "verdict " + verdict;
-  lines[first(lines, "claim")] =
-      "claim " + format::describe_solutions_claim(
-                     {verdict, format::kOfSixLegs, "pose", "poses", count_of(lines, "solution")});
-  lines.back() = "end " + std::to_string(count_of(lines, "root"));
-  return joined(lines);
+std::string with_claim(const Lines& lines, const std::string& verdict) {
+  Lines text = claiming(lines, verdict, format::kOfSixLegs, "pose", "poses");
+  text.back() = "end " + std::to_string(count_of(text, "root"));
+  return joined(text);
 }
 
 const std::string& dietmaier() {

@@ -94,6 +94,28 @@ inline std::size_t count_of(const Lines& lines, const std::string& key) {
       lines, [&](const std::string& line) { return line.starts_with(key + ' '); }));
 }
 
+/// Writes the verdict and the claim that belong to the lines.
+inline Lines claiming(Lines lines, const std::string& verdict, const char* robot, const char* one,
+                      const char* many) {
+  lines[first(lines, "verdict")] = "verdict " + verdict;
+  lines[first(lines, "claim")] =
+      "claim " +
+      format::describe_solutions_claim({verdict, robot, one, many, count_of(lines, "solution")});
+  return lines;
+}
+
+/// The list without any one of its lines is rejected. `text_of` writes lines with a verdict and its claim.
+template <class TextOf>
+void expect_each_line_is_needed(const Lines& genuine, const TextOf& text_of) {
+  const auto at = std::ptrdiff_t(first(genuine, "solution"));
+  for (std::size_t k = 0; k < count_of(genuine, "solution"); ++k) {
+    Lines fewer = genuine;
+    fewer.erase(fewer.begin() + at + std::ptrdiff_t(k));
+    const char* verdict = count_of(fewer, "solution") == 0 ? "NONE" : "COMPLETE";
+    EXPECT_EQ(outcome(text_of(fewer, verdict)), Outcome::kRejected) << k;
+  }
+}
+
 /// The certificate without the sum of the file, which would refuse each change of it.
 inline std::string without_sum(std::string certificate) {
   const std::size_t sum = certificate.find("\nsha256 ") + 8;

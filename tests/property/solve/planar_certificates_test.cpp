@@ -12,12 +12,8 @@ namespace regulus::test {
 namespace {
 
 /// Writes the claim that belongs to the lines.
-std::string with_planar_claim(Lines lines, const std::string& verdict) {
-  lines[first(lines, "verdict")] = "verdict " + verdict;
-  lines[first(lines, "claim")] =
-      "claim " + format::describe_solutions_claim(
-                     {verdict, format::kOfThreeLegs, "pose", "poses", count_of(lines, "solution")});
-  return joined(lines);
+std::string with_planar_claim(const Lines& lines, const std::string& verdict) {
+  return joined(claiming(lines, verdict, format::kOfThreeLegs, "pose", "poses"));
 }
 
 struct PlanarPlatform {
@@ -44,12 +40,7 @@ void expect_planar_forgeries_fail(const std::string& certificate) {
   const Lines genuine = lines_of(certificate);
   EXPECT_EQ(outcome(with_planar_claim(genuine, "INCOMPLETE")), Outcome::kVerified);
   const auto at = std::ptrdiff_t(first(genuine, "solution"));
-  for (std::size_t k = 0; k < count_of(genuine, "solution"); ++k) {
-    Lines fewer = genuine;
-    fewer.erase(fewer.begin() + at + std::ptrdiff_t(k));
-    const char* verdict = count_of(fewer, "solution") == 0 ? "NONE" : "COMPLETE";
-    EXPECT_EQ(outcome(with_planar_claim(fewer, verdict)), Outcome::kRejected) << k;
-  }
+  expect_each_line_is_needed(genuine, with_planar_claim);
   Lines more = genuine, other = genuine, turned = genuine;
   more.insert(more.begin() + at, genuine[std::size_t(at)]);
   other[first(other, "leg")] += " + 1";

@@ -10,12 +10,8 @@ namespace regulus::test {
 namespace {
 
 /// Writes the claim that belongs to the lines.
-std::string with_claim_of_postures(Lines lines, const std::string& verdict) {
-  lines[first(lines, "verdict")] = "verdict " + verdict;
-  lines[first(lines, "claim")] =
-      "claim " + format::describe_solutions_claim(
-                     {verdict, format::kOfArm, "posture", "postures", count_of(lines, "solution")});
-  return joined(lines);
+std::string with_claim_of_postures(const Lines& lines, const std::string& verdict) {
+  return joined(claiming(lines, verdict, format::kOfArm, "posture", "postures"));
 }
 
 /// Moves one angle of a line by so much.
@@ -38,12 +34,7 @@ void expect_forgeries_of_postures_fail(const std::string& certificate) {
   const Lines genuine = lines_of(certificate);
   EXPECT_EQ(outcome(with_claim_of_postures(genuine, "INCOMPLETE")), Outcome::kVerified);
   const auto at = std::ptrdiff_t(first(genuine, "solution"));
-  for (std::size_t k = 0; k < count_of(genuine, "solution"); ++k) {
-    Lines fewer = genuine;
-    fewer.erase(fewer.begin() + at + std::ptrdiff_t(k));
-    const char* verdict = count_of(fewer, "solution") == 0 ? "NONE" : "COMPLETE";
-    EXPECT_EQ(outcome(with_claim_of_postures(fewer, verdict)), Outcome::kRejected) << k;
-  }
+  expect_each_line_is_needed(genuine, with_claim_of_postures);
   for (std::size_t value = 0; value < 6; ++value)
     for (const double step : {0.0, kTurn, 0.5 * kTurn, 1e-3}) {
       Lines more = genuine;

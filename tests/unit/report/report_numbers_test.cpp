@@ -94,6 +94,19 @@ TEST_F(ReportNumbers, OfAnAngleInRadiansAreInDegreesTooIfThoseAreShort) {
   EXPECT_THAT(report_of("crossing"), HasSubstr("x in [0.1234567, 0.3] rad\n"));
 }
 
+TEST_F(ReportNumbers, OfAPointInABallAreAsFarAsItsRadius) {
+  std::string text = kModel;
+  text.insert(text.find("[matrix]"), "p = { value = [0, 1], radius = 0.05 }\n");
+  text.replace(text.find("\"h/2\""), 5, "\"h/2 + p_1 + p_2\"");
+  for (const char* radius : {"0.05", "0.07"}) {
+    text.replace(text.find("radius = ") + 9, 4, radius);
+    std::ofstream(options_.path) << text;
+    EXPECT_THAT(report_of("apart"),
+                HasSubstr(std::string("p_1 in [-") + radius + ", " + radius + "]\n"));
+  }
+  EXPECT_THAT(report_of("apart"), HasSubstr("p_2 in [0.93, 1.07]\n"));
+}
+
 TEST_F(ReportNumbers, DetermineTheWitness) {
   const std::string text = report_of("crossing");
   ASSERT_TRUE(result_.witness) << text;
