@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/model/degrees.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -34,7 +36,7 @@ void warn_about_angle(std::vector<std::string>& warnings, const Range& range, st
   for (const GiNaC::ex& end : {range.hi, range.lo}) {
     const std::optional<double> value = approx_value(end);
     if (!value || std::fabs(*value) <= (in_degrees ? 360 : kOneTurn)) continue;
-    const std::string shown = formula_text(end);
+    const std::string shown = is_plain(end) ? formula_text(end) : fmt::format("{:.6g}", *value);
     std::string warning =
         place.file.empty() ? "" : place.file + ":" + std::to_string(place.line) + ": ";
     warning += place.key + " is " + shown + (in_degrees ? " deg" : " rad") + ", more than a turn";

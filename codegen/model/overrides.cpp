@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "codegen/model/constants.hpp"
+#include "codegen/model/degrees.hpp"
+#include "codegen/model/mechanism/serial.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
 
@@ -67,6 +69,18 @@ bool free_constant(const Model& model, Motion& motion, const std::string& name,
   return false;
 }
 
+/// One number is an error of all that are named.
+void require_one_unit(const Model& model, const std::vector<std::string>& names) {
+  const PoseParameter* first = nullptr;
+  for (const PoseParameter& p : model.pose) {
+    if (std::ranges::find(names, p.name) == names.end()) continue;
+    if (first == nullptr) first = &p;
+    if (p.unit != first->unit)
+      refuse("one error for numbers in " + first->unit + " and in " + p.unit,
+             "name the parameters of each: " + first->name + "=E and " + p.name + "=E", "tube");
+  }
+}
+
 }  // namespace
 
 const Motion& find_motion(const Model& model, std::string_view name) {
@@ -117,11 +131,8 @@ void set_tube(const Model& model, Motion& motion, std::string_view tube) {
     names = split(tube.substr(0, equals));
   } else {
     names = all;
-    for (const PoseParameter& p : model.pose)
-      if (p.unit != model.pose.front().unit)
-        refuse("the pose has numbers in " + model.pose.front().unit + " and in " + p.unit,
-               "name the parameters of each: " + model.pose.front().name + "=E", "tube");
   }
+  require_one_unit(model, names);
   motion.error.resize(model.pose.size(), 0);
   for (const std::string& name : names) {
     const auto at = std::ranges::find(all, name);
@@ -148,8 +159,20 @@ void set_alpha(Motion& motion, const ex& alpha) {
   motion.alpha = checked_nonnegative(constant(alpha), {.file = "", .key = "alpha"});
 }
 
+bool takes_degrees(const Model& model, std::string_view group) {
+  return group == "angles" && model.arm && is_in_degrees(model.arm->angle_unit);
+}
+
 void set_tolerance(Model& model, std::string_view groups, std::string_view tolerance) {
-  const ParsedExpression term = parse_constant(tolerance, {.file = "", .key = std::string(groups)});
+  const std::vector<std::string> wanted = split(groups);
+  const auto in_degrees = std::ranges::count_if(
+      wanted, [&](const std::string& group) { return takes_degrees(model, group); });
+  if (in_degrees != 0 && in_degrees != std::ssize(wanted))
+    refuse("one number for lengths and for angles, which are in degrees",
+           "give each group its own: lengths=E, angles=E", std::string(groups));
+  const ParsedExpression term =
+      parse_constant(tolerance, {.file = "", .key = std::string(groups)},
+                     in_degrees != 0 ? NumberUnit::kDegrees : NumberUnit::kPlain);
   append(model.must_be_defined, term.must_be_defined);
   set_tolerance(model, groups, term.value);
 }
@@ -167,7 +190,8 @@ void set_tolerance(Model& model, std::string_view groups, const ex& tolerance) {
     return std::ranges::find(wanted, group) != wanted.end();
   };
   for (GeometryParameter& g : model.geometry)
-    if (is_wanted(g.group)) g.tolerance = checked;
+    if (is_wanted(g.group))
+      g.tolerance = takes_degrees(model, g.group) ? ex(checked * one_degree()) : checked;
   for (ToleranceBall& ball : model.balls)
     if (is_wanted(ball.group)) ball.radius = checked;
 }

@@ -102,13 +102,17 @@ void refuse_a_part(const std::vector<PlaceName>& names, std::span<const GivenNum
   throw InputError::statement("", 0, problem, remedy, symbol);
 }
 
-/// The number of a length or of the tool that is set.
-GiNaC::ex checked_number(const GivenNumber& given, bool is_length, Motion& motion) {
+/// The number of a length or of the tool that is set; an angle in radians.
+GiNaC::ex checked_number(const GivenNumber& given, const PlaceName& name, bool is_length,
+                         Motion& motion) {
   const Place place{.file = "", .key = given.name};
-  const ParsedExpression term =
-      given.value ? constant(*given.value) : parse_constant(given.text, place);
+  const ParsedExpression term = given.value
+                                    ? constant(*given.value)
+                                    : parse_constant(given.text, place, number_unit(name.unit));
   append(motion.must_be_defined, term.must_be_defined);
-  return is_length ? checked_nonnegative(term, place) : term.value;
+  warn_about_angle(motion.warnings, {term.value, term.value}, name.unit, place);
+  if (is_length) return checked_nonnegative(term, place);
+  return is_in_degrees(name.unit) ? term.value * one_degree() : term.value;
 }
 
 }  // namespace
@@ -130,7 +134,7 @@ std::vector<PlaceName> tool_names(const Model& model) {
   if (!model.arm) return {};
   std::vector<PlaceName> names;
   for (std::size_t i = 0; i < kTool.size(); ++i)
-    names.push_back({kTool[i], i < 3 ? model.arm->unit : "rad"});
+    names.push_back({kTool[i], i < 3 ? model.arm->unit : model.arm->angle_unit});
   return told_apart(model, std::move(names), "tool_");
 }
 
@@ -187,7 +191,7 @@ void set_number(const Model& model, Motion& motion, const GivenNumber& given) {
                  suggestion(given.name, words, "it has: " + listed(names)), given.name);
   }
   (is_length ? motion.legs : motion.tool)[std::size_t(at - names.begin())] =
-      checked_number(given, is_length, motion);
+      checked_number(given, *at, is_length, motion);
 }
 
 std::vector<PlacedNumber> place_of(const Model& model, const Motion& motion) {
@@ -200,8 +204,11 @@ std::vector<PlacedNumber> place_of(const Model& model, const Motion& motion) {
                                           : !motion.tool.empty() ? motion.tool
                                                                  : motion.pose;
   std::vector<PlacedNumber> place;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    place.push_back({names[i].name, names[i].unit, numbers[i].subs(values)});
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const GiNaC::ex unit =
+        !motion.tool.empty() && is_in_degrees(names[i].unit) ? one_degree() : GiNaC::ex(1);
+    place.push_back({names[i].name, names[i].unit, numbers[i].subs(values) / unit});
+  }
   return place;
 }
 

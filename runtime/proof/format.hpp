@@ -52,6 +52,7 @@ inline constexpr const char* kCondition = "condition";
 inline constexpr const char* kCondition2 = "condition-2";  ///< in the 2-norm
 inline constexpr const char* kDeflection = "deflection";
 inline constexpr const char* kDeterminant = "determinant";
+inline constexpr const char* kDeterminantMax = "determinant-max";  ///< or with its sign
 inline constexpr const char* kExpression = "expression";
 inline constexpr const char* kAbsolute = "absolute";
 inline constexpr const char* kLargest = "largest";
@@ -149,6 +150,7 @@ struct ClaimedBound {
   if (b.quantity == kCondition)
     return "condition number by row " + b.row + " and component " + b.columns + " of " + matrix;
   if (b.quantity == kCondition2) return "condition number in the 2-norm of " + matrix;
+  if (b.quantity == kDeterminantMax) return "det J^-1";
   return b.quantity == kDeterminant ? "|det J^-1|" : b.expression;
 }
 

@@ -277,6 +277,31 @@ NodeId Algebra::expression(const Polynomial& p) {
   return total == kNoNode ? graph_.number("0") : total;
 }
 
+NodeId Algebra::nested_expression(const Polynomial& p) {
+  std::map<int, std::size_t> terms_with;
+  for (const auto& [powers, factor] : p.terms())
+    for (const auto& [number, exponent] : powers)
+      if (exponent > 0) ++terms_with[number];
+  const auto most = std::max_element(terms_with.begin(), terms_with.end(),
+                                     [](auto& x, auto& y) { return x.second < y.second; });
+  if (most == terms_with.end() || most->second < 2) return expression(p);
+  Polynomial inner, rest;
+  for (const auto& [powers, factor] : p.terms()) {
+    PowerProduct left = powers;
+    const auto at = std::find_if(left.begin(), left.end(),
+                                 [&](const auto& power) { return power.first == most->first; });
+    if (at == left.end() || at->second <= 0) {
+      rest.add(powers, factor);
+      continue;
+    }
+    if (--at->second == 0) left.erase(at);
+    inner.add(left, factor);
+  }
+  const NodeId product =
+      graph_.add(Op::kMultiply, expression_of_atom(most->first), nested_expression(inner));
+  return rest.is_zero() ? product : graph_.add(Op::kAdd, product, nested_expression(rest));
+}
+
 NodeId Algebra::expression_of_atom(int number) {
   const Atom atom = atoms_[std::size_t(number)];
   switch (atom.kind) {

@@ -70,6 +70,8 @@ class Algebra {
 
   /// Returns an expression of the graph with the value of a polynomial.
   [[nodiscard]] NodeId expression(const Polynomial& p);
+  /// The same; the atom that most terms have is taken out of them, again and again.
+  [[nodiscard]] NodeId nested_expression(const Polynomial& p);
 
   [[nodiscard]] const Atom& atom(int number) const { return atoms_[std::size_t(number)]; }
 

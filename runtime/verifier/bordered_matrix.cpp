@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "runtime/verifier/determinant_of.hpp"
 #include "runtime/verifier/evaluation.hpp"
 #include "runtime/verifier/quantity_lines.hpp"
 #include "runtime/verifier/short_terms.hpp"
@@ -48,7 +49,7 @@ class Border {
   void take_scales() {
     for (const NodeId s : q_.scale) {
       q_.defined.push_back(s);
-      q_.defined.push_back(t_.reciprocal(s));
+      if (c_.kind != format::kDeterminantMax) q_.defined.push_back(t_.reciprocal(s));
     }
     q_.scale.clear();
   }
@@ -89,7 +90,9 @@ class Border {
     else if (c_.bound != kNoNode)
       end = q_.graph.add(Op::kDivide, t_.one,
                          t_.difference(t_.signed_by(sign_, c_.bound), c_.reference));
-    is_two_sided_ = c_.side == format::kAbsolute && c_.set && !is_symmetric(q_.graph, *c_.set);
+    const bool has_both_signs =
+        c_.kind == format::kDeterminantMax || (c_.set && !is_symmetric(q_.graph, *c_.set));
+    is_two_sided_ = c_.side == format::kAbsolute && has_both_signs;
     const NodeId lower = is_two_sided_ ? q_.graph.add(Op::kNegate, end) : t_.zero;
     r_ = add_variable("r", VariableKind::kParameter, lower, end);
   }
@@ -131,7 +134,9 @@ class Border {
     else if (c_.kind == format::kCondition)
       condition();
     else if (c_.kind == format::kExpression)
-      single(t_.difference(nominal(t_.one), t_.product(r_, t_.signed_by(sign_, c_.expression))));
+      value(c_.expression);
+    else if (c_.kind == format::kDeterminantMax)
+      value(determinant());
     else
       singular_values();
   }
@@ -155,9 +160,19 @@ class Border {
     set_order(1);
     B(0, 0) = entry;
   }
+  /// 1 + ry − r·f.
+  void value(NodeId f) {
+    single(t_.difference(nominal(t_.one), t_.product(r_, t_.signed_by(sign_, f))));
+  }
   void copy_matrix() {
     for (std::size_t i = 0; i < c_.model_rows; ++i)
       for (std::size_t j = 0; j < c_.model_columns; ++j) B(i, j) = A(i, j);
+  }
+
+  /// Returns det D·M. All entries must be defined, also one whose minor is 0.
+  [[nodiscard]] NodeId determinant() {
+    q_.defined.insert(q_.defined.end(), A_.begin(), A_.end());
+    return determinant_of(q_);
   }
 
   /// Returns the components of the load or the twist: numbers, or new variables.

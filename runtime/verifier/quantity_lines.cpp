@@ -90,7 +90,8 @@ class QuantityReader {
   /// Only some sides of a quantity have a meaning.
   void read_side() {
     quantity_.side = words_.side = lines_.take("side");
-    const bool is_signed = is_of({format::kForce, format::kSpeed, format::kDeflection});
+    const bool is_signed =
+        is_of({format::kForce, format::kSpeed, format::kDeflection, format::kDeterminantMax});
     bool is_known = false;
     if (quantity_.side == format::kAbsolute)
       is_known = is_signed || is_of({format::kError});
@@ -185,9 +186,9 @@ class QuantityReader {
   void read_bound() {
     const std::string reference = lines_.take("reference");
     quantity_.reference = parse(reference, {}, q_.graph);
-    const bool is_free =
-        quantity_.side != format::kAbsolute &&
-        is_of({format::kForce, format::kSpeed, format::kDeflection, format::kExpression});
+    const bool is_free = quantity_.side != format::kAbsolute &&
+                         is_of({format::kForce, format::kSpeed, format::kDeflection,
+                                format::kDeterminantMax, format::kExpression});
     if (!is_free && !is_zero(quantity_.reference))
       throw Rejection("this quantity has the reference 0");
     if (lines_.is("unbounded") && q_.singular) {

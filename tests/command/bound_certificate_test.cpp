@@ -87,6 +87,7 @@ TEST_F(BoundCertificateTest, ProvesTheNumberOfEachQuantity) {
       {"sigma-max", ""},
       {"condition", ".row_1_column_2"},
       {"determinant", ""},
+      {"determinant-max", ""},
       {"x^2 - x", ""}};
   for (const auto& [quantity, label] : quantities) {
     const CommandResult r = run({"regulus", "bound", model_, quantity, "--gap", "0.1", "--threads",

@@ -157,6 +157,7 @@ TEST_F(BoundCommandTest, RefusesWhatItCannotBound) {
       {{"force", "--load", "ani"}, "did you mean 'any'"},
       {{"force", "--load", "any", "--leg", "3"}, "--leg: found '3', expected a number from 1 to 2"},
       {{"speed", "--freedom", "x"}, "--freedom: has no meaning for speed"},
+      {{"determinant-max", "--leg", "1"}, "--leg: has no meaning for determinant-max"},
       // An expression has no legs, and no load.
       {{"x^2", "--leg", "1"}, "--leg: has no meaning for x^2"},
       {{"x^2", "--load", "any"}, "--load: has no meaning for x^2"},

@@ -7,6 +7,7 @@
 #include "codegen/model/exact/sign.hpp"
 #include "codegen/model/file/sections.hpp"
 #include "codegen/model/mechanism/reach.hpp"
+#include "codegen/model/mechanism/serial.hpp"
 #include "codegen/model/names.hpp"
 
 namespace regulus {
@@ -175,9 +176,12 @@ class MotionReader {
       toml_.refuse(list, std::to_string(numbers.size()) + " numbers in " + list.path,
                    "[x, y, z, roll, pitch, yaw]");
     for (const TomlEntry& number : numbers) {
-      const ParsedExpression term = toml_.constant(number, NumberUnit::kPlain);
+      const bool is_angle = motion_.tool.size() >= 3;
+      const std::string unit = is_angle ? reading_.model.arm->angle_unit : "";
+      const ParsedExpression term = toml_.constant(number, number_unit(unit));
       append(motion_.must_be_defined, term.must_be_defined);
-      motion_.tool.push_back(term.value);
+      warn_about_angle(motion_.warnings, {term.value, term.value}, unit, toml_.place(number));
+      motion_.tool.push_back(is_in_degrees(unit) ? term.value * one_degree() : term.value);
     }
     return without_pose();
   }

@@ -57,6 +57,7 @@ class SerialReader {
       in_degrees_ = choice(
           toml_, unit,
           std::array{std::pair{std::string("rad"), false}, std::pair{std::string("deg"), true}});
+    robot_.angle_unit = angle_unit();
     read_convention();
     read_tolerances();
     const TomlEntry joints = toml_.required(entry_, "joints");

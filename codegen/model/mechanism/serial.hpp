@@ -33,6 +33,7 @@ struct SerialJoint {
 
 struct Serial {
   std::string unit = "1";  ///< of lengths
+  std::string angle_unit = "rad";
   std::vector<SerialJoint> joints;
   Placement tool{};  ///< in the frame of the last joint, for pictures only
 };

@@ -35,18 +35,22 @@ class Sampler {
     for (const ex& constraint : motion.constraints)
       if (!(approx_number(constraint.subs(point)) <= 0)) return std::nan("");
     if (bordered_.parameter.empty()) return determinant(point);
+    if (bordered_.scaled) return determinant_of_scaled(point);
     return bordered_.rows_of_inverse == 0 ? by_determinants(point) : by_norm(point);
   } catch (const std::exception&) {
     return std::nan("");  // GiNaC throws at a pole
   }
 
+  static GiNaC::matrix values_at(const GiNaC::matrix& A, const exmap& point) {
+    GiNaC::matrix values(A.rows(), A.cols());
+    for (unsigned i = 0; i < A.rows(); ++i)
+      for (unsigned j = 0; j < A.cols(); ++j) values(i, j) = approx_number(A(i, j).subs(point));
+    return values;
+  }
+
   [[nodiscard]] double determinant(const exmap& point) const {
     const Model& model = bordered_.request.model;
-    GiNaC::matrix values(model.matrix.rows(), model.matrix.cols());
-    for (unsigned i = 0; i < values.rows(); ++i)
-      for (unsigned j = 0; j < values.cols(); ++j)
-        values(i, j) = approx_number(model.matrix(i, j).subs(point));
-    double value = approx_number(values.determinant());
+    double value = approx_number(values_at(model.matrix, point).determinant());
     for (const ex& scale : model.row_scale) value *= approx_number(scale.subs(point));
     return std::abs(value);
   }
@@ -54,11 +58,7 @@ class Sampler {
   GiNaC::matrix matrix_at(exmap point, double r) const {
     for (const MotionParameter& p : bordered_.request.motion.parameters)
       if (p.name == bordered_.parameter) point[p.symbol] = r;
-    const GiNaC::matrix& B = bordered_.plain;
-    GiNaC::matrix values(B.rows(), B.cols());
-    for (unsigned i = 0; i < B.rows(); ++i)
-      for (unsigned j = 0; j < B.cols(); ++j) values(i, j) = approx_number(B(i, j).subs(point));
-    return values;
+    return values_at(bordered_.plain, point);
   }
 
   /// det B is affine in r, so (det B(0) − det B(1))/det B(0) = q − y.
@@ -67,6 +67,11 @@ class Sampler {
     const double at_1 = approx_number(matrix_at(point, 1).determinant());
     const double value = 1 - at_1 / at_0;
     return bordered_.is_absolute ? std::abs(value) : value;
+  }
+
+  [[nodiscard]] double determinant_of_scaled(const exmap& point) const {
+    const double value = approx_number(values_at(*bordered_.scaled, point).determinant());
+    return bordered_.is_absolute ? std::abs(value) : value - approx_number(bordered_.reference);
   }
 
   [[nodiscard]] double by_norm(const exmap& point) const {

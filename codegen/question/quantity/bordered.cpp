@@ -5,6 +5,7 @@
 
 #include "codegen/model/constants.hpp"
 #include "codegen/model/mechanism/twist.hpp"
+#include "codegen/question/quantity/determinant_of_inverse.hpp"
 #include "codegen/question/quantity/inverse_columns.hpp"
 #include "codegen/question/quantity/inverse_in_one_unit.hpp"
 #include "codegen/question/quantity/quantity_traits.hpp"
@@ -25,6 +26,12 @@ bool is_symmetric(const VectorSet& set) {
                              [](const GeometryParameter& e) { return e.value.is_zero(); });
 }
 
+/// False if −q is a value wherever q is one.
+bool has_both_signs(const Component& c) {
+  if (c.kind == QuantityKind::kDeterminantMax) return true;
+  return c.set != nullptr && !is_symmetric(*c.set);
+}
+
 /// Builds B(r) and the request around it.
 class Border {
  public:
@@ -40,7 +47,7 @@ class Border {
     Model& model = bordered_.request.model;
     bordered_.is_absolute = c.is_absolute;
     if (c.kind == QuantityKind::kDeterminant) return determinant();
-    bordered_.is_two_sided = c.is_absolute && c.set != nullptr && !is_symmetric(*c.set);
+    bordered_.is_two_sided = c.is_absolute && has_both_signs(c);
     add_parameter();
     bordered_.plain = matrix_of(c.kind);
     model.matrix = with_combined_columns(c.kind);
@@ -106,11 +113,13 @@ class Border {
         return deflection();
       case QuantityKind::kCondition2:
         throw InternalError("the condition number in the 2-norm has no matrix B(r)");
+      case QuantityKind::kDeterminantMax:
+        return determinant_with_sign();
       case QuantityKind::kDeterminant:
       case QuantityKind::kExpression:
         break;
     }
-    return single(nominal(1) - r_ * component_.sign * *component_.expression);
+    return value(component_.sign * *component_.expression);
   }
 
   /// Combines the columns of B that have a transposed matrix.
@@ -262,6 +271,16 @@ class Border {
       for (unsigned j = 0; j < A.cols(); ++j) A(i, j) *= scales_[j];
     return A;
   }
+
+  matrix determinant_with_sign() {
+    matrix& scaled = bordered_.scaled.emplace(M());
+    for (unsigned i = 0; i < scaled.rows(); ++i)
+      for (unsigned j = 0; j < scaled.cols(); ++j)
+        scaled(i, j) *= (i == 0 ? component_.sign : 1) * scale_of(model(), i);
+    return value(component_.sign * determinant_of_inverse(model()));
+  }
+
+  [[nodiscard]] matrix value(const ex& f) const { return single(nominal(1) - r_ * f); }
 
   static matrix single(const ex& entry) {
     matrix B(1, 1);

@@ -20,6 +20,7 @@
 //   speed of motor i          the 1×1 matrix (1 + ry)/s_i − r·(m_i·ẋ + ρ|m_i|) for twists in a ball of
 //                             radius ρ about ẋ, if the sign of r is known; a box stays uncertain
 //   expression f              the 1×1 matrix 1 + ry − r·f
+//   det J⁻¹ with its sign     the same, f = det D·M by its minors
 //   deflection of freedom k   [ Mᵀ 0 ; −diag(1/(s²c)) M ] with column k of the second half replaced
 //                             by (1 + ry)·it − r·(w, 0): f' = D·f, Mᵀf' = w, M·dx = D⁻²f'/c;
 //                             transposed, so that w touches one row; the columns with Mᵀ are
@@ -51,11 +52,12 @@ struct Bordered {
   std::string parameter;  ///< the name of r, a pose parameter and a motion parameter; empty: the
                           ///< threshold α takes its place, and the model is as it was
   GiNaC::ex reference;    ///< y
-  bool is_two_sided = false;     ///< r is in [−R, R]; otherwise in [0, R]
-  bool is_reciprocal = true;     ///< the bound is y + 1/R; otherwise it is R
-  bool is_absolute = false;      ///< of |q|
-  unsigned rows_of_inverse = 0;  ///< of a singular value: the rows of J⁻¹; otherwise 0
-  bool has_norms = false;        ///< of a speed: the balls of the twist enter as norms
+  bool is_two_sided = false;              ///< r is in [−R, R]; otherwise in [0, R]
+  bool is_reciprocal = true;              ///< the bound is y + 1/R; otherwise it is R
+  bool is_absolute = false;               ///< of |q|
+  unsigned rows_of_inverse = 0;           ///< of a singular value: the rows of J⁻¹; otherwise 0
+  bool has_norms = false;                 ///< of a speed: the balls of the twist enter as norms
+  std::optional<GiNaC::matrix> scaled{};  ///< ±D·M if q is its determinant
   std::optional<GiNaC::matrix> combination{};  ///< of the columns, inverse_columns.hpp
 };
 

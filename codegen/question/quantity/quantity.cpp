@@ -8,6 +8,7 @@
 
 #include "codegen/model/mechanism/twist.hpp"
 #include "codegen/model/names.hpp"
+#include "codegen/question/quantity/determinant_of_inverse.hpp"
 #include "codegen/question/quantity/quantity_traits.hpp"
 #include "codegen/support/errors.hpp"
 
@@ -46,6 +47,7 @@ class Components {
   Quantity of(QuantityKind kind) {
     begin(kind);
     require_inverse();
+    require_few_rows();
     const VectorSet* const set = choose_data();
     if (traits_->compares_units) require_one_unit();
     switch (traits_->components) {
@@ -140,6 +142,15 @@ class Components {
           fmt::format("{}: the {}×{} matrix is not square, so it has no inverse; "
                       "sigma-min, sigma-max, speed and condition --norm 2 can be bounded",
                       options_.quantity, rows, columns));
+  }
+
+  void require_few_rows() const {
+    if (quantity_.kind == QuantityKind::kDeterminantMax &&
+        model_.matrix.rows() > kMostRowsOfDeterminant)
+      throw UsageError(
+          fmt::format("{}: the matrix has {} rows; a determinant of at most {} is "
+                      "multiplied out",
+                      options_.quantity, model_.matrix.rows(), kMostRowsOfDeterminant));
   }
 
   void require(const std::vector<GiNaC::ex>& values, const char* key, const char* meaning) const {
@@ -299,8 +310,10 @@ bool is_quantity(const std::string& word) { return std::ranges::count(quantity_w
 
 Quantity quantity_of(const Model& model, const QuantityOptions& options) {
   Components components(model, options);
-  const std::optional<QuantityKind> kind =
+  std::optional<QuantityKind> kind =
       is_quantity(options.quantity) ? kind_of(options.quantity, options.norm) : std::nullopt;
+  if (kind == QuantityKind::kDeterminant && (options.is_signed || options.least))
+    kind = QuantityKind::kDeterminantMax;
   Quantity quantity = kind ? components.of(*kind) : components.of_expression();
   for (Component& c : quantity.components)
     if (c.unit.empty()) c.unit = quantity.unit;

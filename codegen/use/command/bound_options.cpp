@@ -35,10 +35,9 @@ BoundCommand with_quantity(BoundCommand command) {
 
 void add_bound_options(CLI::App& app, BoundCommand& command) {
   QuantityOptions& q = command.quantity;
-  app.add_option(
-      "QUANTITY", q.quantity,
-      "force, error, speed, sigma-min, sigma-max, condition, deflection, determinant, or an "
-      "expression of the model in quotes");
+  app.add_option("QUANTITY", q.quantity,
+                 "force, error, speed, sigma-min, sigma-max, condition, deflection, determinant, "
+                 "determinant-max, or an expression of the model in quotes");
   add_quantity_options(app, q);
   app.add_option("--limit", command.limit,
                  "Compare with L: WITHIN if every value is below L (with --min and sigma-min: "

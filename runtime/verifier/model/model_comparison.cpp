@@ -232,12 +232,13 @@ class ModelComparison {
   const std::set<std::string> compared_;  ///< the keys that are compared elsewhere
 };
 
-void require_labels(const Question& question, const WrittenValues& values, const Options& options) {
+/// `differs`: what the reader is told of a file with another text.
+void require_labels(const Question& question, const WrittenValues& values, const Options& options,
+                    const char* differs) {
   const auto refuse = [&options](const std::string& why) {
     throw OtherModel("the certificate is not about " + options.model_name + ": " + why);
   };
-  if (question.sha256 != "-" && question.sha256 != sha256(options.model_text))
-    refuse("the SHA-256 of that file differs");
+  if (question.sha256 != "-" && question.sha256 != sha256(options.model_text)) refuse(differs);
   const auto name = values.find("name");
   const bool is_plain = name != values.end() && name->second.text.find('\\') == std::string::npos;
   if (is_plain && name->second.text != question.model)
@@ -259,10 +260,12 @@ void compare_with_file(Question& question, const WrittenValues& values, const Op
   try {
     compare_with_model(question, values, options, result, compared, sides);
   } catch (const Unfinished&) {
-    require_labels(question, values, options);
+    require_labels(question, values, options, "the SHA-256 of that file differs");
     throw;
   }
-  require_labels(question, values, options);
+  require_labels(question, values, options,
+                 "the values of this question are equal, but the SHA-256 of that file differs: its "
+                 "text was changed, perhaps a unit; make the certificate again");
 }
 
 }  // namespace regulus::verifier

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "runtime/verifier/model/equality.hpp"
+#include "runtime/verifier/model/joint_chain.hpp"
 #include "runtime/verifier/planar_platform.hpp"
 
 namespace regulus::verifier {
@@ -161,7 +162,8 @@ class PlaceComparison {
     if (has(motion_ + "tool[6]"))
       comparer_.refuse_model("the motion's tool has more than six numbers");
     compare_frame(tip, {"the frame of the tool", 0, "another"}, "tip ");
-    const Scope none;
+    const bool in_degrees = is_arm_in_degrees(values_);
+    GraphAlgebra algebra(q_.graph);
     for (std::size_t i = 0; i < 6; ++i) {
       const std::string key = "tool " + std::to_string(i),
                         place = motion_ + "tool[" + std::to_string(i) + ']';
@@ -170,8 +172,10 @@ class PlaceComparison {
         continue;
       }
       if (!has(place)) comparer_.refuse_model("the motion's tool has fewer than six numbers");
-      comparer_.compare(comparer_.place_of(place), comparer_.expression_at(place, none), key,
-                        kPlaceOption);
+      const bool is_in_degrees = i >= 3 && in_degrees;
+      const NodeId number = comparer_.constant_at(place, is_in_degrees);
+      comparer_.compare(comparer_.place_of(place), is_in_degrees ? algebra.degrees(number) : number,
+                        key, kPlaceOption);
     }
   }
 

@@ -62,6 +62,10 @@ class QuestionComparer final : public SectionComparer {
   [[nodiscard]] NodeId number_at(const std::string& place, const std::string& name) {
     return expressions_.at(place, no_names_, degrees_.contains(name));
   }
+  /// Returns a value without names; `in_degrees`: it is a number of degrees.
+  [[nodiscard]] NodeId constant_at(const std::string& place, bool in_degrees) {
+    return expressions_.at(place, no_names_, in_degrees);
+  }
   /// The file and the certificate differ, as an option allows.
   void note_difference(std::string difference) {
     result_.differences.push_back(std::move(difference));

@@ -166,6 +166,9 @@ double value_of(const Component& c, const RandomModel::Place& p) {
     }
     case QuantityKind::kDeterminant:
       return std::abs(p.J.determinant());
+    case QuantityKind::kDeterminantMax:
+      q = p.J.determinant();
+      break;
     case QuantityKind::kExpression:
       break;
   }
@@ -269,7 +272,10 @@ INSTANTIATE_TEST_SUITE_P(
         QuantityOptions{.quantity = "condition", .norm = "2"},
         QuantityOptions{.quantity = "deflection"},
         QuantityOptions{.quantity = "deflection", .is_signed = true},
-        QuantityOptions{.quantity = "determinant"}),
+        QuantityOptions{.quantity = "determinant"},
+        QuantityOptions{.quantity = "determinant", .least = true},
+        QuantityOptions{.quantity = "determinant", .is_signed = true},
+        QuantityOptions{.quantity = "determinant-max"}),
     name_of);
 
 }  // namespace

@@ -90,6 +90,27 @@ TEST(PosturesOfAnArmInTheLibrary, AreVerifiedWithTheirFile) {
   }
 }
 
+/// The tool of an arm in degrees is in degrees, as its joints are.
+TEST(TheToolOfAnArmInDegrees, IsThatOfTheArmInRadians) {
+  const std::string whole = library_model("puma_560_serial"), head = "[serial]\n",
+                    arm = whole.substr(0, whole.find("[motion."));
+  std::string in_degrees = arm;
+  in_degrees.insert(in_degrees.find(head) + head.size(), "angle_unit = \"deg\"\n");
+  const std::string numbers = "[motion.tool]\ntool = [0.4, 0.1, 0.5, 0, 20, 60]\n";
+  const Certified degrees = certified(in_degrees + numbers, {}, "tool"),
+                  radians = certified(
+                      arm + "[motion.tool]\ntool = [0.4, 0.1, 0.5, 0, \"20*deg\", \"pi/3\"]\n", {},
+                      "tool");
+  ASSERT_GT(degrees.solutions.found.size(), 0U);
+  const Lines one = lines_of(degrees.text), other = lines_of(radians.text);
+  EXPECT_EQ(one[first(one, "tool")], other[first(other, "tool")]);
+  EXPECT_EQ(count_of(one, "solution"), count_of(other, "solution"));
+  EXPECT_EQ(outcome(without_sum(degrees.text), in_degrees + numbers), Outcome::kVerified);
+  EXPECT_EQ(outcome(without_sum(degrees.text), arm + numbers), Outcome::kRejected);
+  const std::string with_deg = "[motion.tool]\ntool = [0.4, 0.1, 0.5, 0, \"20*deg\", \"60 deg\"]\n";
+  EXPECT_EQ(outcome(without_sum(degrees.text), in_degrees + with_deg), Outcome::kVerified);
+}
+
 Outcome outcome_of_pair(Lines lines, int pair) {
   lines[first(lines, "opposite")] = fmt::format("opposite {}", pair);
   verifier::Options options;

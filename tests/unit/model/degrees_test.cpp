@@ -99,6 +99,27 @@ TEST(Degrees, GiveASixLeggedPlatformTheSameMatrix) {
       EXPECT_TRUE((degrees.matrix(i, j).subs(same) - radians.matrix(i, j)).expand().is_zero());
 }
 
+TEST(Degrees, AreWhatAnOptionGivesTheAnglesOfAnArm) {
+  const auto tolerance_of = [](const std::string& unit, const char* groups, const char* text) {
+    Model model =
+        parse_model("regulus = 1\nname = \"m\"\n[serial]\nunit = \"m\"\nangle_unit = \"" + unit +
+                        "\"\nconvention = \"standard-dh\"\nlength_tolerance = 0\nangle_tolerance = "
+                        "0\njoints = [{ name "
+                        "= \"q1\", a = 1, alpha = 0.5 }, { name = \"q2\", a = 1 }]\n[motion.a]\nq1 "
+                        "= 0\nq2 = 1\n",
+                    "m");
+    set_tolerance(model, groups, text);
+    for (const GeometryParameter& g : model.geometry)
+      if (g.group == "angles") return formula_text(g.tolerance);
+    return std::string("none");
+  };
+  EXPECT_EQ(tolerance_of("deg", "angles", "0.5"), "(1/360)*pi");
+  EXPECT_EQ(tolerance_of("deg", "angles", "0.5*deg"), "(1/360)*pi");
+  EXPECT_EQ(tolerance_of("rad", "angles", "0.5"), "1/2");
+  EXPECT_EQ(tolerance_of("rad", "angles", "0.5*deg"), "(1/360)*pi");
+  EXPECT_THROW(tolerance_of("deg", "lengths,angles", "0.5"), InputError);
+}
+
 TEST(Degrees, AnAngleBeyondATurnGetsAWarningWithItsLine) {
   EXPECT_THAT(motion_of(model_text("rad", "phi", "[-15, 15]")).warnings,
               ElementsAre("m:10: motion.a.phi is 15 rad, more than a turn; if degrees are meant, "

@@ -218,6 +218,32 @@ TEST_F(ADamagedBound, OfADeterminantIsAboutItsScales) {
   EXPECT_NE(verified(text(), kFewBoxes).outcome, Outcome::kVerified);
 }
 
+/// det J⁻¹ = (2 + x)·2 from 4 to 6 has one sign; its opposite has none of its values.
+TEST_F(ADamagedBound, OfADeterminantHasItsSign) {
+  claim_.kind = "determinant-max";
+  claim_.a = claim_.e = 2, claim_.b = 1, claim_.c = claim_.d = 0, claim_.scale = {1, 1};
+  claim_.lo = 0, claim_.hi = 1;
+  const auto outcome = [&](const char* side, double bound) {
+    claim_.side = side;
+    claim_.bound = bound;
+    claim_.reference = claim_.side == "absolute" ? 0 : claim_.sign() * bound - 1;
+    return verified(text()).outcome;
+  };
+  EXPECT_EQ(outcome("largest", 6.01), Outcome::kVerified);
+  EXPECT_NE(outcome("largest", 5.99), Outcome::kVerified);
+  EXPECT_EQ(outcome("least", 3.99), Outcome::kVerified);
+  EXPECT_NE(outcome("least", 4.01), Outcome::kVerified);
+  EXPECT_EQ(outcome("absolute", 6.01), Outcome::kVerified);
+  EXPECT_NE(outcome("absolute", 5.99), Outcome::kVerified);
+  claim_.e = -2;
+  EXPECT_EQ(outcome("absolute", 6.01), Outcome::kVerified);
+  EXPECT_NE(outcome("absolute", 5.99), Outcome::kVerified);
+  EXPECT_EQ(outcome("least", -6.01), Outcome::kVerified);
+  EXPECT_NE(outcome("least", -5.99), Outcome::kVerified);
+  EXPECT_EQ(outcome("largest", -3.99), Outcome::kVerified);
+  EXPECT_NE(outcome("largest", -4.01), Outcome::kVerified);
+}
+
 /// Earlier versions wrote the matrix of the bound alone.
 TEST(AnOldBoundCertificate, ProvesNoNumber) {
   const verifier::Verification v = verified(

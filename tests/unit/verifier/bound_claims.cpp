@@ -126,6 +126,7 @@ double value_at(const BoundClaim& c, const Place& place) {
     q = (std::abs(A[c.row][0]) + std::abs(A[c.row][1])) * product(inverse(A)[c.column], w);
   }
   if (c.kind.starts_with("sigma")) q = singular_value(with_factors(c, J), c.kind == "sigma-max");
+  if (c.kind == "determinant-max") q = J[0][0] * J[1][1] - J[0][1] * J[1][0];
   if (c.kind == "condition-2")
     q = singular_value(with_factors(c, J), true) / singular_value(with_factors(c, J), false);
   if (c.has_norms) q += c.sign() * c.radius * std::hypot(J[c.row][0], J[c.row][1]);
@@ -153,9 +154,9 @@ BoundClaim random_claim(std::mt19937& random) {
   using Words = std::vector<const char*>;
   BoundClaim c;
   c.kind = pick(Words{"force", "force", "speed", "error", "deflection", "condition", "sigma-min",
-                      "sigma-max", "condition-2", "expression"});
+                      "sigma-max", "condition-2", "determinant-max", "expression"});
   c.is_norm = c.kind == "error" && random() % 2 == 0;
-  const bool is_signed = has_set(c);
+  const bool is_signed = has_set(c) || c.kind == "determinant-max";
   c.side = is_signed                         ? pick(Words{"absolute", "largest", "least"})
            : c.kind == "expression"          ? pick(Words{"largest", "least"})
            : c.kind == "sigma-min"           ? "least"
@@ -170,7 +171,7 @@ BoundClaim random_claim(std::mt19937& random) {
     c.errors[k] = number(random, 0.25, 1), c.stiffness[k] = number(random, 0.5, 3);
     c.factor[k] = number(random, 0.25, 2);
   }
-  if (is_signed && random() % 2 == 0) c.radius = number(random, 0.5, 2);
+  if (has_set(c) && random() % 2 == 0) c.radius = number(random, 0.5, 2);
   const bool is_two_sided = c.side == "absolute" && (c.middle[0] != 0 || c.middle[1] != 0);
   c.has_norms = c.kind == "speed" && c.radius > 0 && !is_two_sided && random() % 2 == 0;
   c.row = random() % 2, c.column = random() % 2;

@@ -476,7 +476,7 @@ class Robot:
 
         Args:
             quantity: "force", "error", "speed", "sigma-min", "sigma-max", "condition", "deflection",
-                "determinant", or an expression of the model.
+                "determinant", "determinant-max", or an expression of the model.
             load: the set of wrenches, of those in `loads`.
             twist: the set of twists, of those in `twists`.
             leg: the number of a leg, from 1; "" for all.
