@@ -125,10 +125,9 @@ TEST(UnitsOfAReport, HasThoseOfAWrench) {
 TEST(UnitsOfAReport, HasThoseOfAPoseOnAWay) {
   const TemporaryDirectory folder;
   const std::string path = (folder.path() / "way.csv").string();
-  std::ofstream(path) << "t,x,y,z\n0,0,0,47\n1,1,0,47\n";
+  std::ofstream(path) << "t,x,y,z,psi,theta,phi\n0,0,0,47,0,0,0\n1,1,0,47,0,0,0\n";
   const std::string report = run_command({kCommand, "bound", kRobot1, "table4_1", "force", "--load",
-                                          "payload", "--leg", "1", "--range", "psi=0", "--range",
-                                          "theta=0", "--range", "phi=0", "--waypoints", path})
+                                          "payload", "--leg", "1", "--waypoints", path})
                                  .errors;
   EXPECT_THAT(report, testing::ContainsRegex("x = [-0-9.]+ cm, .*psi = [-0-9.]+ rad"));
   EXPECT_THAT(report, testing::ContainsRegex("load_payload_1 = [-0-9.]+ N, .*load_payload_6 = "
