@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cfenv>
 #include <csignal>
 #include <iostream>
 #include <string>
+#include <vector>
 
 #include "codegen/support/errors.hpp"
+#include "codegen/support/shell_word.hpp"
 #include "codegen/use/command/run_command_line.hpp"
 #include "codegen/use/shell/shell_command.hpp"
 #include "codegen/use/shell/shell_session.hpp"
@@ -27,12 +30,12 @@ int with_output_written(int exit_code) {
   return exit_code;
 }
 
-/// Returns the words that were typed, with only the name of the program: its path has no meaning
+/// Returns the command as a shell reads it, with only the name of the program: its path has no meaning
 /// elsewhere.
 std::string typed(int argc, char** argv) {
-  std::string command = "regulus";
-  for (int i = 1; i < argc; ++i) command += std::string(" ") + argv[i];
-  return command;
+  std::vector<std::string> words{"regulus"};
+  words.insert(words.end(), argv + std::min(argc, 1), argv + argc);
+  return shell_command(words);
 }
 
 int run(const CommandLine& line, const std::string& typed) {

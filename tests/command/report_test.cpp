@@ -147,6 +147,13 @@ TEST_F(APage, OfACheckHasItsProofWithoutAFileOfIt) {
   EXPECT_FALSE(data["report"].contains("certificate"));
 }
 
+TEST_F(APage, HasItsCommandAsAShellReadsIt) {
+  const std::string model = (folder_.path() / "it's 1.toml").string();
+  fs::copy_file(kModels + "robot_1.toml", model);
+  const std::string command = page_of({"check", model, "wide_15"}, 0)["command"];
+  EXPECT_THAT(command, testing::StartsWith("regulus check 'it'\\''s 1.toml' wide_15"));
+}
+
 TEST_F(APage, OfACheckKeepsTheFileThatIsWanted) {
   const std::string proof = folder_.path() / "proof";
   const auto data =

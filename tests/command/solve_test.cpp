@@ -15,6 +15,7 @@ namespace {
 
 using nlohmann::json;
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr const char* kRegulus = REGULUS_BINARY_DIR "/bin/regulus";
 constexpr const char* kTable =
@@ -74,6 +75,36 @@ TEST_F(AllSolutionsByCommand, TakeTheToolOfAnArm) {
   EXPECT_EQ(place["yaw"]["unit"], "rad");
   EXPECT_THAT(solve({"puma_560_serial", "--at", "x=0.4"}).errors,
               HasSubstr("no motion is given, and y, z, roll, pitch, yaw have no value"));
+}
+
+/// cos p = 1 - 1e-9 has two solutions that are almost one.
+TEST_F(AllSolutionsByCommand, AnnounceAProofThatTheVerifierDoesNotFinish) {
+  const std::string proof = folder_.path() / "proof.txt";
+  const auto note_of = [&](const std::string& cosine) {
+    const std::string model =
+        file("turn.toml",
+             "regulus = 1\nname = \"turn\"\n[pose]\nt = \"1\"\n[closure]\n"
+             "unknowns = { p = \"rad\" }\nequations = [\"cos(p) - " +
+                 cosine +
+                 "\"]\nstart = { t = 0, p = 0 }\nrange = { p = [-100, 100] }\n"
+                 "[motion.m]\nt = 0\n");
+    const json found = report({model, "--certificate", proof});
+    EXPECT_EQ(found["certificate"], proof);
+    return found.value("certificate_note", "");
+  };
+  EXPECT_THAT(note_of("1 + 0.000000001"), HasSubstr("the verifier may not finish: line 11"));
+  EXPECT_EQ(run_command({kRegulus, "verify", proof}).exit_code, 2);
+  EXPECT_EQ(note_of("0.5"), "");
+  EXPECT_EQ(run_command({kRegulus, "verify", proof}).exit_code, 0);
+}
+
+TEST_F(AllSolutionsByCommand, HelpShowsNoOptionThatIsAlwaysRefused) {
+  for (const char* command : {"solve", "bound", "datasheet"})
+    EXPECT_THAT(run_command({kRegulus, command, "--help"}).output, Not(HasSubstr("--alpha")));
+  const std::string help = run_command({kRegulus, "solve", "--help"}).output;
+  for (const char* option : {"--method", "--determinant", "--bisect", "--without", "--precision"})
+    EXPECT_THAT(help, Not(HasSubstr(option)));
+  EXPECT_THAT(solve({"rpr_6", "--method", "jk"}).errors, HasSubstr("found by one method"));
 }
 
 TEST_F(AllSolutionsByCommand, SayWhatWasHeld) {

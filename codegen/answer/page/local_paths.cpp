@@ -5,7 +5,8 @@
 #include <array>
 #include <cctype>
 #include <nlohmann/json.hpp>
-#include <sstream>
+
+#include "codegen/support/shell_word.hpp"
 
 namespace regulus {
 namespace {
@@ -38,9 +39,8 @@ bool continues_path(char c) {
 LocalPaths::LocalPaths(const ModelOptions& model, std::string_view typed) {
   add(model.path);
   add(model.waypoints);
-  std::istringstream words{std::string(typed)};
   std::string before;
-  for (std::string word; words >> word; before = word) {
+  for (const std::string& word : words_of_command(typed)) {
     const std::size_t equals = word.find('=');
     const std::string_view option = std::string_view(word).substr(0, equals);
     if (std::ranges::find(kFileOptions, before) != kFileOptions.end() || word.ends_with(".toml"))
@@ -48,12 +48,18 @@ LocalPaths::LocalPaths(const ModelOptions& model, std::string_view typed) {
     else if (equals != std::string::npos &&
              std::ranges::find(kFileOptions, option) != kFileOptions.end())
       add(std::string_view(word).substr(equals + 1));
+    before = word;
   }
 }
 
 void LocalPaths::add(std::string_view path) {
   if (!is_path(path)) return;
   paths_.emplace_back(path);
+  // In a command its quotes are written otherwise.
+  if (path.find('\'') != std::string_view::npos) {
+    const std::string quoted = shell_word(path);
+    paths_.push_back(quoted.substr(1, quoted.size() - 2));
+  }
   std::ranges::sort(paths_, std::ranges::greater{}, &std::string::size);
 }
 

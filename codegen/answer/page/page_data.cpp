@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/answer/page/page_data.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "codegen/answer/certificate/certificate_question.hpp"
 #include "codegen/answer/certificate/piece_question.hpp"
 #include "codegen/answer/page/drawing_json.hpp"
 #include "codegen/answer/page/way_json.hpp"
+#include "codegen/support/shell_word.hpp"
 #include "regulus/version.hpp"
 
 namespace regulus {
@@ -16,19 +16,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kFormat = 1;
-
-bool is_plain(char c) {
-  return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') ||
-         std::string_view("_-./,:=+@%").find(c) != std::string_view::npos;
-}
-
-/// Returns the word as a shell reads it.
-std::string shell_word(const std::string& word) {
-  if (!word.empty() && std::ranges::all_of(word, is_plain)) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
 
 std::string way_option(const ModelOptions& model) {
   return model.waypoints.empty() ? "" : " --waypoints " + shell_word(model.waypoints);

@@ -29,6 +29,9 @@ std::string of_motion(const SearchSubject& p) {
 
 bool is_of_arm(const SearchSubject& p) { return p.labels.matrix_kind != MatrixKind::kInverse; }
 
+/// A matrix whose columns are not named as a twist says nothing of what it belongs to.
+bool has_platform(const SearchSubject& p) { return !p.labels.twist.empty(); }
+
 /// Returns "in all 6 directions of its matrix".
 std::string in_all_directions(const SearchSubject& p) {
   return fmt::format(
@@ -51,10 +54,11 @@ std::string held(const SearchSubject& p, const std::string& poses) {
   if (is_short(p))
     return fmt::format("at every pose {} each motion of the {} joints moves the tool", poses,
                        p.labels.columns);
-  return is_of_arm(p)
-             ? fmt::format("at every pose {} the joints can move the tool {}", poses,
-                           in_all_directions(p))
-             : fmt::format("at no pose {} can the platform give way while its legs hold", poses);
+  return is_of_arm(p) ? fmt::format("at every pose {} the joints can move the tool {}", poses,
+                                    in_all_directions(p))
+         : has_platform(p)
+             ? fmt::format("at no pose {} can the platform give way while its legs hold", poses)
+             : fmt::format("at no pose {} does the matrix lose rank", poses);
 }
 
 /// `pose`: "at some pose", "at every pose".
@@ -64,10 +68,11 @@ std::string lost(const SearchSubject& p, const char* pose, const std::string& po
   if (is_short(p))
     return fmt::format("{} {} the {} joints can move and leave the tool at rest", pose, poses,
                        p.labels.columns);
-  return is_of_arm(p)
-             ? fmt::format("{} {} the joints cannot move the tool {}", pose, poses,
-                           in_all_directions(p))
-             : fmt::format("{} {} the platform can give way although its legs hold", pose, poses);
+  return is_of_arm(p) ? fmt::format("{} {} the joints cannot move the tool {}", pose, poses,
+                                    in_all_directions(p))
+         : has_platform(p)
+             ? fmt::format("{} {} the platform can give way although its legs hold", pose, poses)
+             : fmt::format("{} {} the matrix loses rank", pose, poses);
 }
 
 std::string past_threshold(const SearchSubject& p, bool exceeded) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // [serial]: an arm by its joints, with Denavit-Hartenberg parameters or with origins and axes.
+#include <map>
 #include <optional>
 
 #include "codegen/model/constants.hpp"
@@ -276,8 +277,9 @@ class SerialReader {
               Tolerance& tolerance) {
     if (!tolerance.given.node) return term.value;
     tolerance.is_used = true;
-    return declare_quantity(reading_, given, name + "_" + std::to_string(index_), term,
-                            {tolerance.value, tolerance.group})
+    const std::string declared = name + "_" + std::to_string(index_);
+    units_[declared] = &tolerance == &length_ ? robot_.unit : "rad";
+    return declare_quantity(reading_, given, declared, term, {tolerance.value, tolerance.group})
         .value;
   }
 
@@ -319,6 +321,11 @@ class SerialReader {
     reading_.model = serial_model(std::move(reading_.model), robot_, &reading_.meter);
     Model& model = reading_.model;
     model.arm = std::make_shared<const Serial>(robot_);
+    if (!units_.empty()) {
+      Drawing drawing = *model.drawing;
+      drawing.units = units_;
+      model.drawing = std::make_shared<const Drawing>(std::move(drawing));
+    }
     if (in_degrees_) set_angles_in_degrees(model);
     for (std::size_t j = 0; j < model.pose.size(); ++j) {
       const PoseParameter& p = model.pose[j];
@@ -344,9 +351,10 @@ class SerialReader {
   Convention convention_ = Convention::kOrigins;
   bool in_degrees_ = false;  ///< numbers of angles are
   Tolerance length_, angle_;
-  int index_ = 0;                  ///< of the joint, from 1, fixed ones included
-  Placement pending_;              ///< since the last joint that moves
-  std::vector<TomlEntry> places_;  ///< of the names
+  std::map<std::string, std::string> units_;  ///< of the quantities that have a tolerance
+  int index_ = 0;                             ///< of the joint, from 1, fixed ones included
+  Placement pending_;                         ///< since the last joint that moves
+  std::vector<TomlEntry> places_;             ///< of the names
   std::vector<std::pair<std::size_t, TomlEntry>> leaders_;  ///< by joint that follows one
   std::vector<Range> ranges_;
   Motion limits_;

@@ -2,6 +2,7 @@
 #include "codegen/model/import/import.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
@@ -153,10 +154,39 @@ std::optional<Tables> known_form(Mechanism& mechanism, const std::string& file,
   return std::nullopt;
 }
 
+/// Returns the motors that [gough] or [legs] would have; none if the robot is not of that form.
+std::vector<std::string> usual_motors(const Mechanism& mechanism, const std::string& file,
+                                      const std::string& base) try {
+  std::vector<std::string> names;
+  if (is_open(mechanism)) return names;
+  if (const auto hexapod = find_hexapod(mechanism, file, base)) {
+    for (const HexapodLeg& leg : hexapod->legs) names.push_back(leg.slider);
+    return names;
+  }
+  if (const auto robot = find_planar_robot(mechanism, file, base, {}))
+    for (const PlanarLeg& leg : robot->legs)
+      names.push_back(leg.names.at(std::size_t(leg.actuated - 1)));
+  return names;
+} catch (const InputError&) {
+  return {};
+}
+
+/// Returns the motors that are asked for; where neither a wish nor the file names any, the usual ones.
+std::vector<std::string> motors_of(Mechanism& mechanism, const std::string& file,
+                                   const ImportOptions& options) {
+  std::vector<std::string> asked = split_names(options.actuated);
+  if (!asked.empty() || !mechanism.actuated.empty()) return asked;
+  const std::vector<std::string> usual = usual_motors(mechanism, file, options.base);
+  if (!usual.empty())
+    mechanism.notes.push_back(
+        fmt::format("driven: {}; --actuated names others", fmt::join(usual, ", ")));
+  return usual;
+}
+
 std::optional<Tables> closed_form(Mechanism& mechanism, const std::string& file,
                                   const ImportOptions& options, Identifiers& identifiers) {
-  const auto robot =
-      find_closed_robot(mechanism, file, {split_names(options.actuated), options.at}, identifiers);
+  const auto robot = find_closed_robot(
+      mechanism, file, {motors_of(mechanism, file, options), options.at}, identifiers);
   if (!robot) return std::nullopt;
   return Tables{closure_text(*robot), robot->summary};
 }

@@ -1,10 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/model/mechanism/twist.hpp"
 
+#include <algorithm>
+
 #include "codegen/model/degrees.hpp"
 
 namespace regulus {
 namespace {
+
+/// Returns the unit of a force on the platform; "1" if it does not follow from that of the motors.
+std::string force_unit_of(const Model& model) {
+  const Actuators& motors = model.actuators;
+  const std::string length = length_unit(model), turned = " " + length;
+  const auto all_are = [&](const std::string& unit) {
+    return std::ranges::all_of(motors.units, [&](const std::string& u) { return u == unit; });
+  };
+  if (all_are(length)) return motors.force_unit;
+  const bool is_torque = all_are("rad") && motors.force_unit.ends_with(turned);
+  return is_torque ? motors.force_unit.substr(0, motors.force_unit.size() - turned.size()) : "1";
+}
 
 bool is_angle(const PoseParameter& p) { return p.unit == "rad" || is_in_degrees(p.unit); }
 
@@ -23,6 +37,28 @@ std::vector<TwistComponent> twist_of(const Model& model) {
     twist.push_back({is_angle(p) ? TwistComponent::Kind::kAngular : TwistComponent::Kind::kLinear,
                      p.name, is_angle(p) ? "rad" : p.unit});
   return twist;
+}
+
+std::vector<std::string> units_of_rates(const std::vector<TwistComponent>& twist) {
+  std::vector<std::string> units;
+  for (const TwistComponent& c : twist) units.push_back(c.unit + "/s");
+  return units;
+}
+
+std::vector<std::string> units_of_wrench(const Model& model,
+                                         const std::vector<TwistComponent>& twist) {
+  const std::string force = force_unit_of(model);
+  std::vector<std::string> units;
+  for (const TwistComponent& c : twist)
+    units.push_back(c.kind == TwistComponent::Kind::kAngular ? unit_of_work(model)
+                    : c.unit == length_unit(model)           ? force
+                                                             : "1");
+  return units;
+}
+
+std::string unit_of_work(const Model& model) {
+  const std::string force = force_unit_of(model), length = length_unit(model);
+  return force == "1" || length == "1" ? "1" : force + " " + length;
 }
 
 }  // namespace regulus

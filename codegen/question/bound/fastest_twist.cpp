@@ -5,8 +5,10 @@
 
 #include <cmath>
 
+#include "codegen/answer/report/vector_text.hpp"
 #include "codegen/model/exact/decimal.hpp"
 #include "codegen/model/exact/sign.hpp"
+#include "codegen/model/mechanism/twist.hpp"
 
 namespace regulus {
 namespace {
@@ -64,9 +66,8 @@ void add_fastest_twist(AttainedPlace& place, const Request& request, const Compo
     row.push_back(component.sign * entry.value_or(0));
   }
   const std::vector<double> twist = fastest(place, row, *component.set);
-  std::string text;
-  for (const double entry : twist) text += fmt::format("{}{:.5g}", text.empty() ? "" : ", ", entry);
-  place.values += fmt::format("           with the twist ({}), approximately\n", text);
+  place.values += fmt::format("           with the twist {}, approximately\n",
+                              vector_text(twist, units_of_rates(twist_of(model))));
   place.json["twist"] = twist;
 }
 

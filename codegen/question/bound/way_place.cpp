@@ -10,14 +10,14 @@
 namespace regulus {
 namespace {
 
-/// "x = 9.5, y = -2": rounded, of all pose parameters but `parameter`.
+/// "x = 9.5 cm, y = -2 cm": rounded, of all pose parameters but `parameter`.
 std::string pose_text(const PreparedSearch& p, const WitnessPoint& point,
                       const std::string& parameter) {
   std::string text;
   for (std::size_t i = 0; i < point.pose.size() && i < p.labels.pose.size(); ++i)
     if (p.labels.pose[i].name != parameter)
-      text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", p.labels.pose[i].name,
-                          short_interval(point.pose[i]));
+      text += fmt::format("{}{} = {}{}", text.empty() ? "" : ", ", p.labels.pose[i].name,
+                          short_interval(point.pose[i]), unit_suffix(p.labels.pose[i].unit));
   return text;
 }
 

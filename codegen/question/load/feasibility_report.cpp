@@ -12,6 +12,8 @@
 #include "codegen/answer/report/place_text.hpp"
 #include "codegen/answer/report/question_report.hpp"
 #include "codegen/answer/report/search_facts.hpp"
+#include "codegen/answer/report/vector_text.hpp"
+#include "codegen/model/mechanism/twist.hpp"
 
 namespace regulus {
 namespace {
@@ -19,22 +21,20 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kFormatVersion = 1;
-std::string short_numbers(const std::vector<double>& values) {
-  std::string text;
-  for (const double value : values)
-    text += fmt::format("{}{:.5g}", text.empty() ? "" : ", ", value);
-  return text;
-}
-
-/// Returns the direction with a largest component of ±1, and the two numbers for it.
-std::string format_direction(const Shortage& s) {
+/// Returns the direction with a largest component of ±1, and the two numbers for it. It is that of a twist:
+/// the numbers are of work.
+std::string format_direction(const Model& model, const Shortage& s) {
   constexpr double kNoise = 1e-9;
   double most = 0;
   for (const double y : s.direction) most = std::fmax(most, std::fabs(y));
   std::vector<double> shown;
   for (const double y : s.direction) shown.push_back(std::fabs(y) > kNoise * most ? y / most : 0.0);
-  return fmt::format("along ({}), approximately, it needs {:.5g}, the forces give at most {:.5g}",
-                     short_numbers(shown), s.needed.lo / most, s.possible.hi / most);
+  std::vector<std::string> units;
+  for (const TwistComponent& c : twist_of(model)) units.push_back(c.unit);
+  const std::string unit = unit_suffix(unit_of_work(model));
+  return fmt::format("along {}, approximately, it needs {:.5g}{}, the forces give at most {:.5g}{}",
+                     vector_text(shown, units), s.needed.lo / most, unit, s.possible.hi / most,
+                     unit);
 }
 
 std::vector<double> middles(const std::vector<Interval>& values) {
@@ -124,10 +124,12 @@ std::string describe_limits(const PreparedForces& prepared) {
 
 void say_shortage(const PreparedForces& prepared, const ForceWitness& witness, Facts& facts) {
   const Shortage& s = witness.shortage;
-  facts.say("", fmt::format("{} has a wrench that no forces {} hold,\nnear the corner ({})\n{}",
+  const Model& model = prepared.request.model;
+  facts.say("", fmt::format("{} has a wrench that no forces {} hold,\nnear the corner {}\n{}",
                             prepared.load, describe_limits(prepared),
-                            short_numbers(middles(prepared.forces.corners[s.corner])),
-                            format_direction(s)));
+                            vector_text(middles(prepared.forces.corners[s.corner]),
+                                        units_of_wrench(model, twist_of(model))),
+                            format_direction(model, s)));
 }
 
 void tell_load(const PreparedForces& prepared, Facts& facts) {

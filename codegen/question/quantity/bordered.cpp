@@ -2,8 +2,10 @@
 #include "codegen/question/quantity/bordered.hpp"
 
 #include <algorithm>
+#include <memory>
 
 #include "codegen/model/constants.hpp"
+#include "codegen/model/drawing.hpp"
 #include "codegen/model/mechanism/twist.hpp"
 #include "codegen/question/quantity/determinant_of_inverse.hpp"
 #include "codegen/question/quantity/inverse_columns.hpp"
@@ -296,11 +298,21 @@ class Border {
   }
 
   /// Adds an uncertain quantity under a free name, and returns its symbol.
-  ex add_uncertain(const std::string& wanted, const ex& value, const ex& tolerance, int ball) {
+  ex add_uncertain(const std::string& wanted, const ex& value, const ex& tolerance, int ball,
+                   const std::string& unit = "1") {
     const std::string name = free_name(bordered_.request, wanted);
+    if (unit != "1") name_unit(name, unit);
     const GiNaC::realsymbol symbol(name);
     bordered_.request.model.geometry.push_back({symbol, name, value, tolerance, "", ball});
     return symbol;
+  }
+
+  /// Reports show it beside the value.
+  void name_unit(const std::string& name, const std::string& unit) {
+    std::shared_ptr<const Drawing>& drawing = bordered_.request.model.drawing;
+    Drawing named = drawing ? *drawing : Drawing();
+    named.units[name] = unit;
+    drawing = std::make_shared<const Drawing>(std::move(named));
   }
 
   /// Returns the values of a set by column: numbers where they are exact, otherwise new symbols.
@@ -309,8 +321,12 @@ class Border {
     const int first_ball = static_cast<int>(model.balls.size());
     for (const ToleranceBall& ball : set.balls)
       model.balls.push_back({.members = {}, .radius = ball.radius, .group = ""});
+    const std::vector<std::string> units = component_.kind == QuantityKind::kSpeed
+                                               ? units_of_rates(twist_)
+                                               : units_of_wrench(model, twist_);
     std::vector<ex> values;
-    for (const GeometryParameter& entry : set.entries) {
+    for (std::size_t k = 0; k < set.entries.size(); ++k) {
+      const GeometryParameter& entry = set.entries[k];
       if (entry.tolerance.is_zero() && entry.ball < 0) {
         values.push_back(entry.value);
         continue;
@@ -318,7 +334,8 @@ class Border {
       const int ball = entry.ball < 0 ? -1 : first_ball + entry.ball;
       if (ball >= 0)
         model.balls[static_cast<std::size_t>(ball)].members.push_back(model.geometry.size());
-      values.push_back(add_uncertain(entry.name, entry.value, entry.tolerance, ball));
+      values.push_back(add_uncertain(entry.name, entry.value, entry.tolerance, ball,
+                                     k < units.size() ? units[k] : "1"));
     }
     return values;
   }

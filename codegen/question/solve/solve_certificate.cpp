@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <sstream>
 
 #include "codegen/answer/certificate/certificate_expression_writer.hpp"
 #include "codegen/answer/certificate/certificate_question.hpp"
@@ -16,6 +17,7 @@
 #include "codegen/question/solve/platform_legs.hpp"
 #include "codegen/question/solve/system_solutions.hpp"
 #include "runtime/interval/floating_point_scope.hpp"
+#include "runtime/verifier/verify.hpp"
 
 namespace regulus {
 namespace {
@@ -343,6 +345,20 @@ std::string obstacle_of(const Request& request, const Solutions& solutions) {
   return "";
 }
 
+/// Returns why the verifier may not finish: what stops it within the boxes that it may evaluate here. A
+/// solution that is almost a double one stops it before the first.
+std::string doubt_of(const std::string& head, const std::string& proof) {
+  constexpr std::uint64_t kTriedBoxes = 1 << 10;
+  std::istringstream text(head + proof);
+  verifier::Options options;
+  options.max_boxes = kTriedBoxes;
+  const verifier::Verification tried = verifier::verify(text, options);
+  const bool is_stopped = tried.boxes > kTriedBoxes;
+  return tried.outcome == verifier::Outcome::kUnfinished && !is_stopped
+             ? "the verifier may not finish: " + tried.reason
+             : "";
+}
+
 }  // namespace
 
 ProofStatus certify_solutions(const std::string& path, const Request& request,
@@ -371,7 +387,7 @@ ProofStatus certify_solutions(const std::string& path, const Request& request,
                             : is_counted ? root_lines(roots_of(solutions))
                                          : "end\n";
   status.attempt([&] { write_witness(path, head, proof, placing); });
-  if (status.obstacle().empty()) status.set_written();
+  if (status.obstacle().empty()) status.set_written(doubt_of(head, proof));
   return status;
 }
 

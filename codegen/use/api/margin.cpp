@@ -13,6 +13,7 @@ MarginFinding margin(const Question& question, const MarginOptions& options,
   AskMargin asked{question.options(), options.search, {options.scale, options.parameter},
                   options.quantity,   options.limit,  options.gap};
   if (!options.tolerance.empty()) asked.model.tolerances.push_back(options.tolerance);
+  if (!options.tube.empty()) asked.model.tubes.push_back(options.tube);
   if (!options.alpha.empty()) asked.model.alpha = options.alpha;
   const auto answer = ask(asked, services_of(options.certificate, options.shard_size, interrupt));
   MarginFinding finding;

@@ -15,7 +15,7 @@
 
 namespace regulus {
 
-/// One of `tolerance`, `alpha`, `scale` and `parameter` is a range "LO:HI", or "LO:" if the upper end
+/// One of `tolerance`, `alpha`, `scale`, `parameter` and `tube` is a range "LO:HI", or "LO:" if the upper end
 /// must be found; the others are empty. With a `quantity` and a `limit` the bracket is that of the
 /// limit, which has no `alpha`.
 struct MarginOptions {
@@ -29,6 +29,7 @@ struct MarginOptions {
   std::string limit{};           ///< every value is below it (a least value: above); empty: none
   std::string certificate{};     ///< FILE of the proofs FILE.safe and FILE.singular; empty: none
   std::uint64_t shard_size = 0;  ///< of each proof, as for check()
+  std::string tube{};            ///< "x,y=0:0.1": control errors; "0:0.1": of all pose parameters
 
   [[nodiscard]] static SearchOptions for_a_minute() {
     SearchOptions options;

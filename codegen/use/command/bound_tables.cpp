@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tables of `regulus bound`, `regulus datasheet` and `regulus solve`.
+#include "codegen/answer/refusals.hpp"
 #include "codegen/use/command/certificate_options.hpp"
 #include "codegen/use/command/command_tables.hpp"
 #include "codegen/use/command/shared_options.hpp"
@@ -51,6 +52,13 @@ constexpr const char* kBoundCheckpoint =
     "itself, "
     "about every ten seconds); if FILE exists, continue from it, and prove again what it says";
 
+/// Help, manual and completion do not show an option that the command always refuses; who types it is
+/// told why.
+void hide_option(CLI::App& app, std::string_view name) {
+  CLI::Option* option = app.get_option_no_throw("--" + std::string(name));
+  if (option != nullptr) option->group("");
+}
+
 }  // namespace
 
 void CommandTables::add_bound() {
@@ -69,6 +77,7 @@ void CommandTables::add_bound() {
   bound_command->get_option("--checkpoint")->description(kBoundCheckpoint);
   add_output_options(*bound_command, bound.output);
   add_page_option(*bound_command, bound.output);
+  hide_option(*bound_command, "alpha");
   bound_command->footer(kBoundFooter);
 }
 
@@ -111,6 +120,8 @@ void CommandTables::add_solve() {
   add_certificate_option(*solve_command, solve.certificate, kSolveCertificate);
   add_output_options(*solve_command, solve.output);
   add_page_option(*solve_command, solve.output);
+  for (const OptionRefusal& refused : option_refusals_of_solutions())
+    hide_option(*solve_command, refused.option);
   solve_command->footer(kSolveFooter);
 }
 
@@ -136,6 +147,7 @@ void CommandTables::add_datasheet() {
   datasheet_command->get_option("--checkpoint")->description(kBoundCheckpoint);
   add_output_options(*datasheet_command, datasheet.output);
   add_page_option(*datasheet_command, datasheet.output);
+  hide_option(*datasheet_command, "alpha");
   datasheet_command->footer(kDatasheetFooter);
 }
 

@@ -17,6 +17,7 @@
 #include "codegen/question/engine/settings.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/exit_code.hpp"
+#include "codegen/support/shell_word.hpp"
 #include "codegen/use/command/commands.hpp"
 #include "codegen/use/command/run_command_line.hpp"
 #include "codegen/use/command/run_question.hpp"
@@ -40,11 +41,11 @@ void block_signals() {
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
 }
 
-/// Returns the words without the path of the program, which has no meaning elsewhere.
-std::string typed(const std::vector<std::string>& words) {
-  std::string command = "regulus-mpi";
-  for (std::size_t i = 1; i < words.size(); ++i) command += " " + words[i];
-  return command;
+/// Returns the command as a shell reads it, without the path of the program, which has no meaning
+/// elsewhere.
+std::string typed(std::vector<std::string> words) {
+  words.front() = "regulus-mpi";
+  return shell_command(words);
 }
 
 /// Returns the options of the command, which must be one that searches.

@@ -226,16 +226,16 @@ void bind_searches(py::module_& module) {
       [](const Question& question, const SearchOptions& search, const std::string& tolerance,
          const std::string& alpha, const std::string& scale, const std::string& parameter,
          const std::string& gap, const QuantityOptions& quantity, const std::string& limit,
-         const std::string& path, std::uint64_t shard_size) {
-        const MarginOptions options{search, tolerance, alpha, scale, parameter,
-                                    gap,    quantity,  limit, path,  shard_size};
+         const std::string& path, std::uint64_t shard_size, const std::string& tube) {
+        const MarginOptions options{search,   tolerance, alpha, scale,      parameter, gap,
+                                    quantity, limit,     path,  shard_size, tube};
         return run_there([=](const std::atomic<bool>& interrupt) {
           return margin(question, options, &interrupt);
         });
       },
       py::arg("question"), py::arg("options"), py::arg("tolerance"), py::arg("alpha"),
       py::arg("scale"), py::arg("parameter"), py::arg("gap"), py::arg("quantity"), py::arg("limit"),
-      py::arg("certificate") = "", py::arg("shard_size") = 0);
+      py::arg("certificate") = "", py::arg("shard_size") = 0, py::arg("tube") = "");
   module.def(
       "bound",
       [](const Question& question, const SearchOptions& search, const QuantityOptions& quantity,

@@ -19,6 +19,7 @@
 #include "codegen/model/request.hpp"
 #include "codegen/question/quantity/quantity.hpp"
 #include "codegen/support/exit_code.hpp"
+#include "codegen/support/shell_word.hpp"
 #include "codegen/support/write_file.hpp"
 #include "codegen/use/command/run_command_line.hpp"
 #include "codegen/use/shell/kept_options.hpp"
@@ -242,9 +243,13 @@ int ShellSession::prepare_again() {
 
 int ShellSession::run(const Words& words) {
   if (words[0] != "verify" && words[0] != "list") require_model();
+  return run_line(words);
+}
+
+int ShellSession::run_line(const Words& words) {
   CommandLine line = parsed(asked_, words);
   adopt(line);
-  return run_command_line(line, rest_of(words, 0));
+  return run_command_line(line, shell_command(whole_line(asked_, words)));
 }
 
 int ShellSession::plot(const Words& words) {
@@ -263,9 +268,7 @@ int ShellSession::show(const Words& words) {
     refuse(rest_of(words, 0), "show matrix|forms|occurrences|text|settings");
   if (words[1] == "text" && asked_.motion.empty())
     reject("no motion is chosen", "first choose one: motion NAME");
-  CommandLine line = parsed(asked_, {"explain", "--stage", words[1]});
-  adopt(line);
-  return run_command_line(line, rest_of(words, 0));
+  return run_line({"explain", "--stage", words[1]});
 }
 
 int ShellSession::history(const Words&) {

@@ -70,7 +70,10 @@ class ShellSession {
   int help(const Words& words);
   int quit(const Words& words);
   int run(const Words& words);
+  int run_line(const Words& words);
 
+  /// Returns the command line of these words, of the settings, and of the model.
+  [[nodiscard]] static Words whole_line(const Asked& asked, const Words& words);
   [[nodiscard]] static CommandLine parsed(const Asked& asked, const Words& words);
   void adopt(CommandLine& line);
   void change(const Setting& setting, bool keep);

@@ -101,9 +101,8 @@ int ShellSession::show_settings() {
   return 0;
 }
 
-/// Returns the command line of these words, of the settings, and of the model; leaves out settings
-/// that the command does not know.
-CommandLine ShellSession::parsed(const Asked& asked, const Words& words) {
+/// Leaves out settings that the command does not know.
+ShellSession::Words ShellSession::whole_line(const Asked& asked, const Words& words) {
   static const std::vector<CommandEntry> kTable = command_table();
   const auto& options = std::ranges::find(kTable, words[0], &CommandEntry::name)->options;
   Words line = {"regulus", words[0]};
@@ -120,6 +119,11 @@ CommandLine ShellSession::parsed(const Asked& asked, const Words& words) {
     }
   }
   line.insert(line.end(), words.begin() + 1, words.end());
+  return line;
+}
+
+CommandLine ShellSession::parsed(const Asked& asked, const Words& words) {
+  const Words line = whole_line(asked, words);
   std::vector<const char*> arguments;
   for (const std::string& word : line) arguments.push_back(word.c_str());
   CommandLine result = parse_command_line(static_cast<int>(arguments.size()), arguments.data());

@@ -127,6 +127,17 @@ TEST(AFiveBar, EndsInAPoint) {
   EXPECT_THAT(model, HasSubstr("x = 0\ny = 0.6\n"));
 }
 
+TEST(AFiveBar, HasTheSameMotorsAsAClosure) {
+  const auto tables = [](ImportOptions options) {
+    options.cuts = {"b_end=d_end"};
+    options.closure = true;
+    const std::string model = imported(kFiveBar, options);
+    return model.substr(model.find("[pose]"));
+  };
+  EXPECT_THAT(tables({}), HasSubstr("[closure]"));
+  EXPECT_EQ(tables({}), tables({.actuated = {"left,right"}}));
+}
+
 TEST(AClosedMechanism, OfNoKnownFormAsksForItsMotors) {
   EXPECT_THAT(refusal(with(kFiveBar, "<origin xyz=\"0 -0.3 0.4\"/>", "<origin xyz=\"0 0 0.4\"/>"),
                       {.cuts = {"b_end=d_end"}}),

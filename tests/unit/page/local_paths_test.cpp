@@ -56,5 +56,13 @@ TEST(LocalPathsOfAPage, AreNotTakenForTheEndsOfOthers) {
             "robot.toml /else/a/robot.toml b-a/robot.toml");
 }
 
+TEST(LocalPathsOfAPage, MayNeedQuotes) {
+  const std::string typed =
+      "regulus check '/home/my robots/it'\\''s.toml' --page '/tmp/a b/p q.html'";
+  const LocalPaths paths(model_at("/home/my robots/it's.toml"), typed);
+  EXPECT_EQ(without(paths, typed), "regulus check 'it'\\''s.toml' --page 'p q.html'");
+  EXPECT_EQ(without(paths, "file /home/my robots/it's.toml"), "file it's.toml");
+}
+
 }  // namespace
 }  // namespace regulus::test

@@ -16,6 +16,7 @@ from .errors import (
     FileError,
     InputError,
     InternalError,
+    MissingPackageError,
     RegulusError,
     UsageError,
 )
@@ -39,6 +40,7 @@ __all__ = [
     "LoadCheck",
     "LoadPaving",
     "Margin",
+    "MissingPackageError",
     "Paving",
     "Prepared",
     "PreparedCheck",

@@ -284,6 +284,7 @@ def margin(
     limit: str,
     certificate: str = "",
     shard_size: int = 0,
+    tube: str = "",
 ) -> MarginFinding: ...
 def bound(
     question: Question,

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+from importlib.util import find_spec
 from typing import Any
 
 _ARGUMENTS = {"filter": "filters", "no-cache": "use_cache=False"}
@@ -79,5 +80,20 @@ class CompileError(RegulusError, RuntimeError):
     """The compiler cannot be opened, or refused the text of a kernel."""
 
 
+class MissingPackageError(RegulusError, ImportError):
+    """A package of Python that an answer needs, and that is not installed."""
+
+
 class InternalError(RegulusError, RuntimeError):
     """A fault of Regulus itself."""
+
+
+_PACKAGES = {"numpy": "NumPy", "matplotlib": "Matplotlib"}
+
+
+def require_package(package: str, what: str) -> None:
+    """Raises MissingPackageError if `what` needs a package that is not installed."""
+    if find_spec(package) is None:
+        raise MissingPackageError(
+            f"{what} needs {_PACKAGES[package]}, which is not installed: pip install {package}"
+        )

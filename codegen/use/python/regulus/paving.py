@@ -8,7 +8,7 @@ import math
 from typing import TYPE_CHECKING, Any, Mapping, Optional, Union, cast
 
 from . import _regulus
-from .errors import UsageError
+from .errors import UsageError, require_package
 from .reports import ForcesReport, PathForcePavingReport, PathPavingReport, PavingReport, Range
 from .results import Result, _places, _table, _words
 
@@ -175,6 +175,7 @@ class Paving(Result[_Report]):
         Raises:
             UsageError: for variables that the paving does not have.
         """
+        require_package("matplotlib", "plot()")
         from matplotlib import pyplot
 
         self._require_boxes()

@@ -22,7 +22,7 @@ from .arguments import (
     text_of,
     words_of,
 )
-from .errors import ArgumentTypeError, FileError, UsageError
+from .errors import ArgumentTypeError, FileError, UsageError, require_package
 from .numbers import Number, Texts
 from .paving import LoadPaving, Paving
 from .results import Bound, Check, LoadCheck, Margin, Path, PreparedCheck, Verification
@@ -272,6 +272,7 @@ class Robot:
         `resolution` is then 1/512 of a segment. The others and the errors are as for check(); the
         `result` of an interrupt is a Paving.
         """
+        require_package("numpy", "locate()")
         question = Question(self, motion, range, tolerance, alpha, tube, waypoints)
         question.set_options(options)
 
@@ -341,6 +342,7 @@ class Robot:
         Arguments and errors are as for check_load() and locate(); the `result` of an interrupt is a
         LoadPaving.
         """
+        require_package("numpy", "locate_load()")
         question = Question(self, motion, range, tolerance)
         question.set_options(options)
 
@@ -376,7 +378,7 @@ class Robot:
         freedom: str = "",
         least: bool = False,
         signed: bool = False,
-        tube: Union[None, Number, Mapping[str, Number]] = None,
+        tube: Union[None, Range, Mapping[str, Range]] = None,
         waypoints: Optional[Path] = None,
         certificate: Optional[Path] = None,
         shard_size: int = 0,
@@ -385,7 +387,7 @@ class Robot:
         """Brackets the largest safe tolerance, threshold or size of a motion.
 
         With a quantity and a limit, it brackets the largest at which the quantity keeps the limit.
-        Exactly one of the first four is asked:
+        Exactly one of the first four, or of `tube`, is asked:
 
         Args:
             tolerance: groups: "base,platform", or {"base,platform": (lower, upper)}. Other entries
@@ -394,6 +396,8 @@ class Robot:
             scale: (lower, upper) of the factor of the motion's ranges about their middles.
             grow: {"R": (lower, upper)}: the parameter R of the motion, whose range grows from its
                 declared low end.
+            tube: (lower, upper) of the control errors of all pose parameters, or {"x,y": (lower, upper)}
+                of those named; numbers are errors that stay.
             gap: the bracket (a, b) is closed when (b - a)/b is at most this.
             quantity: what must keep the limit, as for bound(), with load, twist, leg, freedom,
                 least and signed.
@@ -409,7 +413,10 @@ class Robot:
         tolerance = mapping_of("tolerance", tolerance)
         asked = {k: v for k, v in tolerance.items() if elements_of(v) is not None}
         fixed = {k: v for k, v in tolerance.items() if k not in asked}
-        question = Question(self, motion, range, fixed, None, tube, waypoints)
+        tubes = tube if isinstance(tube, Mapping) else {} if tube is None else {"": tube}
+        asked_tubes = {k: v for k, v in tubes.items() if elements_of(v) is not None}
+        fixed_tubes: Mapping[str, Any] = {k: v for k, v in tubes.items() if k not in asked_tubes}
+        question = Question(self, motion, range, fixed, None, fixed_tubes, waypoints)
         question.set_options({"time_limit": 60, **options})
         of = question.texts.of
 
@@ -424,6 +431,12 @@ class Robot:
         def result(finding: Any) -> Margin:
             return Margin(question, finding, question.texts.notes)
 
+        if len(asked_tubes) > 1:
+            raise UsageError("margin: several tubes are asked; join their parameters: 'x,y'")
+        growing_tube = "".join(
+            (f"{names}=" if names else "") + bracket(f"tube: {names}" if names else "tube", ends)
+            for names, ends in asked_tubes.items()
+        )
         if len(asked) > 1:
             raise UsageError("margin: several tolerances are asked; join their groups: 'a,b'")
         if grow is not None and len(mapping_of("grow", grow)) != 1:
@@ -443,6 +456,7 @@ class Robot:
                     _quantity(quantity, load, twist, leg, freedom, least, signed),
                     "" if limit is None else of(limit, "limit"),
                     *proof_of(certificate, shard_size),
+                    growing_tube,
                 )
             )
         except KeyboardInterrupt as stop:
@@ -540,6 +554,7 @@ class Robot:
         The default of `time_limit` is 60 seconds. Errors are as for check(); the `result` of an
         interrupt is a Solved.
         """
+        require_package("numpy", "solve()")
         question = Question(self, motion, None, tolerance)
         question.set_options({"time_limit": 60, **options})
         given = assignments_of("at", at, question.texts)
@@ -577,6 +592,7 @@ class Robot:
         Limits of the search are those of each place. The others and the errors are as for solve();
         the `result` of an interrupt is a SolvedPlaces.
         """
+        require_package("numpy", "solve_many()")
         question = Question(self, motion, None, tolerance)
         question.set_options({"time_limit": 60, **options})
         given = mapping_of("at", at)
