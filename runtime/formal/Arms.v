@@ -1,6 +1,7 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(** The geometry of an arm in real numbers, and how a theorem about its Jacobian follows from one about
-    the question of a certificate. The definitions are those to read: parts, joints, the Jacobian. *)
+(** The geometry of an arm in real numbers, and how a theorem about its Jacobian follows from one
+    about the question of a certificate. The definitions are those to read: parts, joints, the
+    Jacobian. *)
 From Coq Require Import QArith Qreals Lra Lia.
 From Regulus Require Export Geometry.
 From Regulus Require Import Expressions Questions Regularity Determinants Forces.
@@ -30,8 +31,8 @@ Fixpoint turned (a : axis) (t : R) (u : point) : point :=
 
 (** An arm is a list of parts from the base to the tool. Each moves the frame of all later ones: by
     a vector; by an angle about an axis; along and about x, or z, as Denavit and Hartenberg do.
-    A joint turns about an axis by an angle, or slides along one. Its number is that of a column of the
-    Jacobian; with its rate it is the number of the joint that it follows, and moves so many times as
+    A joint turns about an axis by an angle, or slides along one. Its number is that of a column of
+    the Jacobian. A follower has the number of the joint that it follows, and moves so many times as
     fast. *)
 Inductive part : Type :=
   | shift_by (v : point)
