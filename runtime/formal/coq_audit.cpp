@@ -8,6 +8,7 @@
 
 #include "runtime/formal/coq_question.hpp"
 #include "runtime/formal/coq_tokens.hpp"
+#include "runtime/formal/coq_words.hpp"
 #include "runtime/verifier/proof.hpp"
 
 namespace regulus::verifier {
@@ -51,32 +52,8 @@ constexpr auto kClaims =
 
 /// What follows the theorem if the file is about the robot of a model file.
 constexpr std::string_view kGeometry = "From Regulus Require Import Geometry";
-constexpr std::string_view kLegsDefinition = "legs : list leg", kSet = "the_set";
-
-/// The words of its definitions and statements, in the meaning of Geometry.v.
-constexpr auto kRealWords = std::to_array<std::string_view>(
-    {"pi",   "deg",       "sqrt",           "sin",       "cos",     "tan",   "atan",   "exp",
-     "ln",   "Rabs",      "near",           "in_cube",   "in_ball", "first", "second", "third",
-     "True", "euler_zxz", "roll_pitch_yaw", "quaternion"});
-/// More words of a proof: they have a meaning for Coq, and none for a reader.
-constexpr auto kProofWords = std::to_array<std::string_view>(
-    {"intros", "S", "by_geometry", "by_threshold", "by_singularity", "by_point", "destruct", "as",
-     "v", "exists", "quantity", "singular_of_claim", "by_small_determinant", "small_of_claim",
-     "the_scales", "the_threshold", "no_quantities", "the_question", "the_claim"});
-constexpr auto kRealSymbols = std::to_array<std::string_view>(
-    {"(", ")", "[", "]", ";", ",", "+", "-", "*", "/", "^", "<=", "/\\"});
-
-/// Quantities of a robot but for the parameters of its motion, which begin with '_'.
-bool is_quantity(std::string_view name) {
-  constexpr auto kPose = std::to_array<std::string_view>(
-      {"x", "y", "z", "psi", "theta", "phi", "roll", "pitch", "yaw", "q0", "q1", "q2", "q3"});
-  constexpr std::string_view kCommanded = "_commanded";
-  if (name.starts_with('_')) return name.size() > 1;
-  if (name.size() == 2 && (name[0] == 'a' || name[0] == 'b'))
-    return '1' <= name[1] && name[1] <= '6';
-  if (name.ends_with(kCommanded)) name.remove_suffix(kCommanded.size());
-  return std::ranges::find(kPose, name) != kPose.end();
-}
+constexpr std::string_view kArms = "From Regulus Require Import Arms";
+constexpr std::string_view kLegsDefinition = "legs : list leg", kSet = "the_set", kArm = "arm";
 
 template <std::size_t N>
 bool is_one_of(std::string_view text, const std::array<std::string_view, N>& all) {
@@ -103,7 +80,8 @@ class PlainReader {
     while (at_ < sentences_.size() && sentences_[at_].front().text == "Definition") definition();
     PlainTheorem theorem = statement();
     proof();
-    if (current() == kGeometry) geometry(theorem);
+    is_arm_ = current() == kArms;
+    if (is_arm_ || current() == kGeometry) geometry(theorem);
     if (at_ < sentences_.size()) fail("nothing may follow the last theorem");
     return theorem;
   }
@@ -208,16 +186,19 @@ class PlainReader {
   // The theorems about a robot.
 
   void geometry(PlainTheorem& theorem) {
+    theorem.geometry_import = current() + ".\n";
     ++at_;
+    const bool has_parts = is_arm_ && current().starts_with("Definition arm ");
+    if (has_parts) arm_definition(theorem);
     const bool has_legs =
-        current().starts_with("Definition " + std::string(kLegsDefinition) + " := ");
+        !is_arm_ && current().starts_with("Definition " + std::string(kLegsDefinition) + " := ");
     if (has_legs) geometric_definition(3, {}, theorem);
     if (!current().starts_with("Definition the_set ")) fail("expected the definition of the_set");
     Words words{at_sentence(), 2};
     const std::vector<std::string> names = binders(words);
     for (const char* word : {":", "Prop"}) expect_word(words, word);
     geometric_definition(words.at, names, theorem);
-    robot(names, has_legs, theorem);
+    robot(names, {has_legs, has_parts}, theorem);
     if (at_ < sentences_.size())
       point(names, theorem);
     else
@@ -295,9 +276,19 @@ class PlainReader {
     Words words{at_sentence(), from};
     while (words.next() != ":=" && words.at < words.all.size() && from == 3) ++words.at;
     expect_word(words, ":=");
-    check_geometric_words(words, names, [](std::string_view) { return false; });
+    check_geometric_words(words, names, [this](std::string_view word) {
+      return is_arm_ && is_one_of(word, kPartWords);
+    });
     theorem.definitions += current() + ".\n";
     ++at_;
+  }
+
+  /// The names of its joints are its own.
+  void arm_definition(PlainTheorem& theorem) {
+    Words words{at_sentence(), 2};
+    const std::vector<std::string> joints = binders(words);
+    for (const char* word : {":", "list", "part"}) expect_word(words, word);
+    geometric_definition(words.at, joints, theorem);
   }
 
   /// Reads `Theorem NAME :`.
@@ -314,8 +305,13 @@ class PlainReader {
     expect("Proof");
   }
 
+  /// What the file defines before the set.
+  struct Own {
+    bool has_legs, has_parts;
+  };
+
   /// Full rank or a large determinant at all poses, or a determinant that is small or 0 at one.
-  void robot(const std::vector<std::string>& names, bool has_legs, PlainTheorem& theorem) {
+  void robot(const std::vector<std::string>& names, const Own& own, PlainTheorem& theorem) {
     constexpr const char* kName = "the_robot";
     Words words = theorem_named(kName);
     is_singular_ = words.next() == "exists" || (names.empty() && names_a_pose());
@@ -325,7 +321,12 @@ class PlainReader {
     const auto is_of_matrix = [&](std::string_view word) {
       constexpr auto kMatrixWords = std::to_array<std::string_view>(
           {"full_column_rank", "determinant", "gough", "inverse_jacobian", "<", "="});
-      return is_one_of(word, kMatrixWords) || (has_legs && word == "legs");
+      constexpr auto kArmWords =
+          std::to_array<std::string_view>({"full_column_rank", "full_row_rank", "jacobian"});
+      if (is_arm_)
+        return is_one_of(word, kArmWords) || is_one_of(word, kPartWords) ||
+               (own.has_parts && word == kArm);
+      return is_one_of(word, kMatrixWords) || (own.has_legs && word == "legs");
     };
     check_geometric_words(words, names, is_of_matrix);
     add_theorem(kName, theorem);
@@ -357,6 +358,7 @@ class PlainReader {
 
   std::vector<Sentence> sentences_;
   std::size_t at_ = 0, last_line_ = 1;
+  bool is_arm_ = false;       ///< the words of Arms.v have a meaning
   bool is_singular_ = false;  ///< the theorem about the robot names a pose
   std::set<std::string, std::less<>> defined_;
 };

@@ -23,9 +23,9 @@ struct PlainGeometry {
 struct PlainTheorem {
   std::string statement;  ///< as written, with single spaces
   std::string type;       ///< the same, each name by its whole path
-  /// Of a file with theorems about a robot: the definitions that these use, as sentences that need the
-  /// import of Geometry.v alone, and the theorems.
-  std::string definitions{};
+  /// Of a file with theorems about a robot: the import of Geometry.v or Arms.v, the definitions that these
+  /// use, as sentences that need this import alone, and the theorems.
+  std::string geometry_import{}, definitions{};
   std::vector<PlainGeometry> geometry{};
   /// They are about all points of a set, and nothing says that there is one.
   bool may_be_empty = false;

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/formal/coq_geometry.hpp"
 
+#include <algorithm>
 #include <vector>
 
+#include "runtime/formal/arm_view.hpp"
+#include "runtime/formal/coq_expression.hpp"
 #include "runtime/formal/coq_real.hpp"
+#include "runtime/verifier/model/section_reading.hpp"
 
 namespace regulus::verifier {
 namespace {
@@ -28,10 +32,15 @@ class GeometryWriter {
       : q_(question),
         claim_(claim_of(question)),
         may_differ_(model.may_differ),
-        robot_(read_robot(question, model)) {}
+        values_(model.values),
+        robot_(read_robot(question, model)) {
+    if (robot_.is_arm && claim_ != RobotClaim::kRegular)
+      throw Unfinished("there is no theorem about the determinant of an arm yet");
+  }
 
   [[nodiscard]] std::string text() const {
-    return "\nFrom Regulus Require Import Geometry.\n\n" + legs_text() +
+    return std::string("\nFrom Regulus Require Import ") + (robot_.is_arm ? "Arms" : "Geometry") +
+           ".\n\n" + (robot_.is_arm ? arm_text() : legs_text()) +
            "(** What the theorem is about: " + std::string(may_differ_ ? kOfOptions : kOfFile) +
            " *)\nDefinition the_set" + (robot_.quantities.empty() ? "" : ' ' + binders()) +
            " : Prop :=\n  " +
@@ -95,6 +104,10 @@ class GeometryWriter {
 
   /// The quantities of the certificate by those of the theorem.
   [[nodiscard]] std::string point_of_certificate() const {
+    const std::vector<std::string> values = values_of_certificate();
+    return values.empty() ? "no_quantities" : '[' + text_of(values, "; ") + ']';
+  }
+  [[nodiscard]] std::vector<std::string> values_of_certificate() const {
     std::vector<std::string> values;
     for (const Variable& variable : q_.variables) {
       const auto value = robot_.of_certificate.find(variable.name);
@@ -103,11 +116,78 @@ class GeometryWriter {
                          "' of the certificate");
       values.push_back(value->second);
     }
-    return values.empty() ? "no_quantities" : '[' + text_of(values, "; ") + ']';
+    return values;
   }
 
+  // Arms.
+
+  [[nodiscard]] std::vector<std::string> joint_names() const {
+    std::vector<std::string> names;
+    for (const SectionPose& pose : read_section(values_)->pose())
+      names.push_back(coq_identifier(pose.name));
+    return names;
+  }
+  /// The parts, with these words for the values of the joints.
+  [[nodiscard]] std::string parts(const std::vector<std::string>& joints,
+                                  const std::string& margin) const {
+    std::vector<CoqItem> items;
+    for (const CoqPart& part : robot_.parts) items.push_back({"", coq_part(part, joints)});
+    return coq_list(items, margin);
+  }
+  [[nodiscard]] std::string arm_text() const {
+    if (!robot_.is_geometry_certain) return "";
+    const std::vector<std::string> joints = joint_names();
+    return "(** The parts of the arm of the model file, from the base to the tool, with the values "
+           "of "
+           "its\n    joints. *)\nDefinition arm (" +
+           text_of(joints, " ") + " : R) : list part :=\n  " + parts(joints, "   ") + ".\n\n";
+  }
+  [[nodiscard]] std::string jacobian() const {
+    std::vector<std::string> joints;
+    for (const std::string& joint : robot_.pose) joints.push_back(coq_argument(joint));
+    return "(jacobian " +
+           (robot_.is_geometry_certain ? "(arm " + text_of(joints, " ") + ')'
+                                       : "\n    " + parts(robot_.pose, "     ")) +
+           ')';
+  }
+  [[nodiscard]] std::string rank_of_arm() const {
+    const std::size_t joints = robot_.pose.size();
+    return (joints > 6 ? "full_row_rank 6 " : "full_column_rank 6 ") + std::to_string(joints) +
+           "\n    " + jacobian();
+  }
+  /// The values of joints that are definitions of the certificate, and no numbers.
+  [[nodiscard]] std::string words_of_joints() const {
+    const std::vector<SectionPose> poses = read_section(values_)->pose();
+    std::vector<std::string> words;
+    for (std::size_t i = 0; i < poses.size(); ++i)
+      if (std::ranges::find(q_.variables, poses[i].name, &Variable::name) == q_.variables.end() &&
+          robot_.pose[i].find('_') != std::string::npos)
+        words.push_back(robot_.pose[i]);
+    return words.empty() ? "no_quantities" : '[' + text_of(words, "; ") + ']';
+  }
+  /// How many parts are before a link.
+  [[nodiscard]] std::size_t parts_before(std::size_t link) const {
+    std::size_t count = 0;
+    for (std::size_t joints = 0; joints < link; ++count)
+      joints += robot_.parts.at(count).joint.has_value();
+    return count;
+  }
+  [[nodiscard]] std::string proof_of_arm() const {
+    std::vector<std::string> names, rows;
+    for (const std::string& value : values_of_certificate()) names.push_back(coq_argument(value));
+    const ArmView view = find_arm_view(q_, values_, names);
+    for (const std::size_t row : view.rows) rows.push_back(std::to_string(row));
+    return std::string(view.ratio.empty() ? "by_rows_of_arm" : "by_arm") + " the_claim\n    " +
+           point_of_certificate() + ' ' + words_of_joints() + "\n    " +
+           std::to_string(parts_before(view.link)) + " (" + text_of(view.point, ", ") + ") [" +
+           text_of(rows, "; ") + ']' + (view.ratio.empty() ? "" : ' ' + coq_argument(view.ratio)) +
+           " S";
+  }
+
+  // Legs.
+
   [[nodiscard]] std::string legs_text() const {
-    if (!robot_.are_legs_certain) return "";
+    if (!robot_.is_geometry_certain) return "";
     return "(** The legs of the model file, each with its anchors on the base and on the platform. "
            "*)\n"
            "Definition legs : list leg :=\n  " +
@@ -116,7 +196,7 @@ class GeometryWriter {
 
   [[nodiscard]] std::string matrix(const char* word) const {
     const std::string legs =
-        !robot_.are_legs_certain ? "\n    " + coq_list(robot_.legs, "     ") + "\n   " : " legs";
+        !robot_.is_geometry_certain ? "\n    " + coq_list(robot_.legs, "     ") + "\n   " : " legs";
     return std::string(word) + legs + ' ' + position() + ' ' + orientation();
   }
 
@@ -130,13 +210,17 @@ class GeometryWriter {
   [[nodiscard]] std::string regular_theorem() const {
     const bool is_above = claim_ == RobotClaim::kAbove;
     const std::string conclusion =
-        is_above ? coq_argument(robot_.threshold) + " < " + size_of_determinant()
-                 : "full_column_rank 6 6 (" + matrix("gough") + ')';
+        is_above        ? coq_argument(robot_.threshold) + " < " + size_of_determinant()
+        : robot_.is_arm ? rank_of_arm()
+                        : "full_column_rank 6 6 (" + matrix("gough") + ')';
+    const std::string proof = robot_.is_arm
+                                  ? proof_of_arm()
+                                  : std::string(is_above ? "by_threshold" : "by_geometry") +
+                                        " the_claim\n    " + point_of_certificate() +
+                                        (is_above ? "" : ' ' + factor()) + " S";
     return "Theorem the_robot :" + (robot_.quantities.empty() ? "" : " forall " + binders() + ',') +
            "\n  " + set() + " ->\n  " + conclusion + ".\nProof.\n  intros" +
-           set().substr(std::string_view("the_set").size()) + " S.\n  " +
-           (is_above ? "by_threshold" : "by_geometry") + " the_claim\n    " +
-           point_of_certificate() + (is_above ? "" : ' ' + factor()) + " S.\nQed.\n";
+           set().substr(std::string_view("the_set").size()) + " S.\n  " + proof + ".\nQed.\n";
   }
 
   [[nodiscard]] std::string singular_theorem() const {
@@ -186,6 +270,7 @@ class GeometryWriter {
   const Question& q_;
   const RobotClaim claim_;
   const bool may_differ_;
+  const WrittenValues& values_;
   const RobotOfModel robot_;
 };
 

@@ -7,7 +7,9 @@
 #include <set>
 #include <utility>
 
+#include "runtime/formal/coq_arm.hpp"
 #include "runtime/formal/coq_expression.hpp"
+#include "runtime/formal/coq_keys.hpp"
 #include "runtime/formal/coq_real.hpp"
 #include "runtime/verifier/evaluation.hpp"
 #include "runtime/verifier/model/file_expressions.hpp"
@@ -21,17 +23,11 @@ constexpr std::size_t kLegs = 6;
 constexpr std::string_view kAxes = "xyz";
 constexpr std::array<const char*, 3> kCoordinates = {"first ", "second ", "third "};
 
-std::string index(std::size_t i) { return '[' + std::to_string(i) + ']'; }
-
-[[noreturn]] void refuse_model(const std::string& what) {
-  throw Unfinished("there is no theorem about a model file with " + what + " yet");
-}
-
-class RobotReader {
+class RobotReader : FileKeys {
  public:
   RobotReader(const Question& question, const CoqModel& model)
-      : q_(question),
-        values_(model.values),
+      : FileKeys(model.values),
+        q_(question),
         may_differ_(model.may_differ),
         motion_("motion." + question.motion + '.'),
         degrees_(poses_in_degrees(model.values)),
@@ -43,12 +39,14 @@ class RobotReader {
   }
 
   RobotOfModel read() {
-    require_gough();
+    robot_.is_arm = has_below("serial.");
+    require_robot();
     read_threshold();
     read_geometry();
+    if (robot_.is_arm) read_parts();
     read_parameters();
     read_poses();
-    read_anchors();
+    if (!robot_.is_arm) read_anchors();
     read_constraints();
     require_all_read();
     robot_.orientation = word("gough.orientation", "");
@@ -59,27 +57,15 @@ class RobotReader {
  private:
   // What the file may have.
 
-  [[nodiscard]] bool has(const std::string& place) const { return values_.contains(place); }
-  [[nodiscard]] bool has_below(const std::string& table) const {
-    const auto first = values_.lower_bound(table);
-    return first != values_.end() && first->first.starts_with(table);
-  }
-  [[nodiscard]] std::string word(const std::string& place, const char* otherwise) const {
-    const auto found = values_.find(place);
-    return found == values_.end() ? otherwise : found->second.text;
-  }
-
-  void require_gough() const {
-    for (const char* table : {"legs.", "serial.", "matrix.", "pose.", "closure."})
-      if (has_below(table))
+  void require_robot() const {
+    for (const char* table : {"legs.", "gough.", "serial.", "matrix.", "pose.", "closure."})
+      if (has_below(table) && (robot_.is_arm ? "serial." : "gough.") != std::string_view(table))
         refuse_model("the table [" + std::string(table, 0, std::string_view(table).size() - 1) +
                      ']');
     if (!section_)
-      throw Unfinished("there is a theorem about model files with the table [gough] alone");
-    require_known_keys("gough.", {"orientation", "unit", "angle_unit", "base", "platform",
-                                  "base_tolerance", "platform_tolerance", "tolerance_shape"});
-    for (const char* side : {"gough.base", "gough.platform"})
-      if (has_below(side + index(kLegs))) refuse_model("more than six legs");
+      throw Unfinished(
+          "there is a theorem about model files with the table [gough] or [serial] alone");
+    if (!robot_.is_arm) require_gough();
     if (!has_below(motion_) || q_.motion.find_first_of(".[") != std::string::npos)
       throw Unfinished("the model file has no motion '" + q_.motion + '\'');
     std::set<std::string> known{"alpha", "constraints", "error", "parameters"};
@@ -87,27 +73,17 @@ class RobotReader {
     require_known_keys(motion_, known);
   }
 
-  /// `table`: with a dot behind its name.
-  [[nodiscard]] std::set<std::string> keys_of(const std::string& table) const {
-    std::set<std::string> keys;
-    for (auto place = values_.lower_bound(table);
-         place != values_.end() && place->first.starts_with(table); ++place) {
-      const std::string rest = place->first.substr(table.size());
-      keys.insert(rest.substr(0, rest.find_first_of(".[")));
-    }
-    return keys;
-  }
-
-  void require_known_keys(const std::string& table, const std::set<std::string>& known) const {
-    for (const std::string& key : keys_of(table))
-      if (!known.contains(key))
-        refuse_model("the key '" + key + "' in [" + table.substr(0, table.size() - 1) + ']');
+  void require_gough() const {
+    require_known_keys("gough.", {"orientation", "unit", "angle_unit", "base", "platform",
+                                  "base_tolerance", "platform_tolerance", "tolerance_shape"});
+    for (const char* side : {"gough.base", "gough.platform"})
+      if (has_below(side + index(kLegs))) refuse_model("more than six legs");
   }
 
   /// What has not been read may change the set or the robot.
   void require_all_read() const {
-    for (const std::string& table :
-         {motion_, std::string("gough.base["), std::string("gough.platform[")})
+    for (const std::string& table : {motion_, std::string("gough.base["),
+                                     std::string("gough.platform["), std::string("serial.")})
       for (auto place = values_.lower_bound(table);
            place != values_.end() && place->first.starts_with(table); ++place)
         if (!read_.contains(place->first)) refuse_model("the key " + place->first);
@@ -219,7 +195,7 @@ class RobotReader {
 
   void read_uncertain(const std::vector<std::pair<std::string, std::string>>& coordinates,
                       const std::string& tolerance, bool is_ball) {
-    robot_.are_legs_certain = false;
+    robot_.is_geometry_certain = false;
     std::vector<std::string> values, names;
     for (const auto& [at, own] : coordinates) {
       values.push_back(text_at(at));
@@ -252,13 +228,22 @@ class RobotReader {
     for (const SectionPose& pose : poses) read_value(pose.name);
   }
 
+  /// The names of a platform's pose mean nothing else in Geometry.v.
+  [[nodiscard]] std::string identifier(const std::string& name) const {
+    return robot_.is_arm ? coq_identifier(name) : name;
+  }
+  [[nodiscard]] std::string commanded_identifier(const std::string& name) const {
+    return identifier(name) + (robot_.is_arm ? "'commanded" : "_commanded");
+  }
+
   void read_range(const std::string& name) {
     const std::string place = motion_ + name;
     const bool is_freed = may_differ_ && q_.stated.contains("lower " + name);
     if (!has(place + "[0]") && !is_freed) return;
     const bool in_degrees = degrees_.contains(name);
     read_.insert(place);  // An option may have freed a value.
-    const std::string own = error_of(name, in_degrees).empty() ? name : name + "_commanded";
+    const std::string own =
+        error_of(name, in_degrees).empty() ? identifier(name) : commanded_identifier(name);
     commanded_[name] = robot_.of_certificate[name] = own;
     scope_[name] = ranged(own, place, name, in_degrees);
   }
@@ -273,18 +258,18 @@ class RobotReader {
     const std::string error = error_of(name, in_degrees);
     if (!error.empty()) {
       robot_.conditions.push_back("near " + coq_argument(error) + ' ' + coq_argument(commanded) +
-                                  ' ' + name);
+                                  ' ' + identifier(name));
       const auto value = values_of_poses_.find(name);
       const NodeId node = value == values_of_poses_.end() ? scope_.at(name) : value->second;
       const std::string of_error = of_pose(name + " error");
       robot_.quantities.push_back(
-          {name, witness_of(node),
+          {identifier(name), witness_of(node),
            of_error.empty() ? "" : coq_real(own_.graph, node, poses_) + " + " + of_error});
     }
     robot_.of_certificate[name + " error"] =
-        error.empty() ? "0" : name + " - " + coq_argument(commanded);
-    const std::string actual = error.empty() ? commanded : name;
-    robot_.pose.push_back(in_degrees ? coq_argument(actual) + "*deg" : actual);
+        error.empty() ? "0" : identifier(name) + " - " + coq_argument(commanded);
+    const std::string actual = error.empty() ? commanded : identifier(name);
+    robot_.pose.push_back(in_degrees && !robot_.is_arm ? coq_argument(actual) + "*deg" : actual);
   }
 
   [[nodiscard]] std::string error_of(const std::string& name, bool in_degrees) {
@@ -303,6 +288,16 @@ class RobotReader {
       if (stated("value " + own)) return "0";
     }
     return has(key) ? text_at(key) : "0";
+  }
+
+  // The parts of an arm.
+
+  /// They may use the constants of the file alone.
+  void read_parts() {
+    robot_.parts = read_coq_parts(
+        values_,
+        [this](const std::string& place, bool in_degrees) { return text_at(place, in_degrees); },
+        read_);
   }
 
   // Anchors.
@@ -329,7 +324,7 @@ class RobotReader {
           is_certain ? "0" : actual + " - " + coq_argument(coordinates[axis]);
     }
     if (is_certain) return middle;
-    robot_.are_legs_certain = false;
+    robot_.is_geometry_certain = false;
     robot_.conditions.push_back((written.is_ball ? "in_ball " : "in_cube ") +
                                 coq_argument(tolerance) + ' ' + middle + ' ' + name);
     std::vector<std::string> at_pose;
@@ -371,7 +366,6 @@ class RobotReader {
   }
 
   const Question& q_;
-  const WrittenValues& values_;
   const bool may_differ_;
   const std::string motion_;  ///< "motion.NAME."
   const Names degrees_, hidden_;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// A robot and its motion as the verifier's reader finds them in a model file with the table [gough],
-// in the words of Geometry.v.
+// A robot and its motion as the verifier's reader finds them in a model file with the table [gough] or
+// [serial], in the words of Geometry.v and Arms.v.
 #pragma once
 
 #include <map>
 #include <string>
 #include <vector>
 
+#include "runtime/formal/coq_arm.hpp"
 #include "runtime/formal/coq_question.hpp"
 #include "runtime/verifier/model/model_file.hpp"
 #include "runtime/verifier/question.hpp"
@@ -29,10 +30,12 @@ struct CoqQuantity {
 struct RobotOfModel {
   std::vector<CoqQuantity> quantities;
   std::vector<std::string> conditions;  ///< what the set is
-  std::vector<std::string> pose;        ///< the actual pose: x, y, z, then the orientation
+  std::vector<std::string> pose;  ///< the actual pose: x, y, z, then the orientation; or the joints
   std::vector<CoqItem> legs;
-  bool are_legs_certain = true;  ///< they are numbers
-  std::string orientation;       ///< as in the file
+  bool is_arm = false;
+  std::vector<CoqPart> parts;
+  bool is_geometry_certain = true;  ///< legs or parts are numbers
+  std::string orientation;          ///< as in the file
   std::string threshold;
   bool is_middle_in_set = false;  ///< the witnesses satisfy the constraints
   /// The value of a variable of the certificate, by its name.

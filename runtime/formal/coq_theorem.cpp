@@ -49,8 +49,7 @@ std::string statements_anew(const PlainTheorem& theorem) {
   std::string text = std::string("Require Coq.Lists.List Regulus.Questions ") + kAuditedFolder +
                      '.' + kAuditedFile + ".\n" + theorem_anew("the_claim", theorem.type);
   std::string names = "audited_the_claim";
-  if (!theorem.geometry.empty())
-    text += "From Regulus Require Import Geometry.\n" + theorem.definitions;
+  if (!theorem.geometry.empty()) text += theorem.geometry_import + theorem.definitions;
   for (const PlainGeometry& robot : theorem.geometry) {
     text += theorem_anew(robot.name, robot.statement);
     names += ", audited_" + robot.name;

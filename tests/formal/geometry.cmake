@@ -66,6 +66,12 @@ expect_robot(threshold ${models}/robot_1.toml table6_5_5 "1 < Rabs ( determinant
              --alpha 1)
 expect_robot(small ${models}/robot_1.toml table6_5_5 "( euler_zxz psi theta phi ) ) ) <= 10" --alpha 10)
 expect_robot(ring ${own}/quaternion.toml ring "the_set")
+expect_robot(puma ${models}/puma_560_serial.toml dexterous
+             "full_column_rank 6 6 ( jacobian ( arm _q1 _q2 _q3 _q4 _q5 _q6 ) )")
+expect_robot(arm_path ${models}/puma_560_serial.toml sweep "forall ( _T _q1 _q2 _q3 _q4 _q5 _q6 : R ) , the_set")
+expect_robot(scara ${models}/scara.toml right_handed "full_column_rank 6 4 ( jacobian ( arm _q1 _q2 _d3 _q4 ) )")
+expect_robot(parallel ${models}/three_parallel_axes.toml table "full_column_rank 6 6 ( jacobian ( arm")
+expect_robot(wide_arm ${models}/seven_joints.toml table "full_row_rank 6 7 ( jacobian ( arm")
 file(READ ${WORK_DIR}/ring.txt.v text)
 if(NOT text MATCHES "No point of the set is known")
   message(FATAL_ERROR "The middle of the ranges does not satisfy the constraints\n${text}")
@@ -93,6 +99,24 @@ expect_difference(order "[-9, 9, 0], [9, 9, 0]" "[9, 9, 0], [-9, 9, 0]"
                   "no proof that an entry of the certificate is that of the model file")
 expect_difference(range "[motion.wide_15]  # §V-C1a\nx = [-15, 15]" "[motion.wide_15]\nx = [-15, 16]"
                   "no proof that a range of the model file is in that of the certificate")
+
+# Another arm, and a larger range of a joint.
+# expect_other_arm(NAME CHANGED TO REASON): in the file of the theorem.
+function(expect_other_arm name changed to reason)
+  file(READ ${WORK_DIR}/scara.txt.v text)
+  string(REPLACE "${changed}" "${to}" other "${text}")
+  if(other STREQUAL text)
+    message(FATAL_ERROR "the theorem has no '${changed}'")
+  endif()
+  file(WRITE ${WORK_DIR}/${name}.v "${other}")
+  expect_answer(REJECTED 1 ${WORK_DIR} --audit ${name}.v)
+  if(NOT why MATCHES "${reason}")
+    message(FATAL_ERROR "${name}: expected '${reason}'\n${why}")
+  endif()
+endfunction()
+expect_other_arm(longer "along_x 0.225 pi" "along_x 0.226 pi" "no proof that the matrix of the certificate")
+expect_other_arm(skew "prismatic 3 z_axis" "prismatic 3 x_axis" "no proof that|Coq refuses")
+expect_other_arm(joint "5*deg <= _q2" "-5*deg <= _q2" "no proof that a range")
 
 # A pose of the motion is singular, and none of a smaller range.
 string(REPLACE "psi = [\"-40*deg\", \"40*deg\"]" "psi = [\"-1*deg\", \"1*deg\"]" other "${robot}")

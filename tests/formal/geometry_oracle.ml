@@ -1,7 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Writes claims for Coq: the matrices that Geometry.v gives random platforms are close to those of
    another kind of computation. Here an orientation is a unit quaternion, and the row of a leg is the
-   derivative of half of its squared length along the six velocities of the platform, by differences. *)
+   derivative of half of its squared length along the six velocities of the platform, by differences. The
+   Jacobian that Arms.v gives random arms is close to the derivatives of place and orientation. *)
 
 let step = 1e-4
 let tolerance = "(1/1000)"
@@ -73,7 +74,86 @@ let platform (word, angles, orientation) =
     matrix;
   print_string ".\nProof. unfold near. repeat split; computed; interval. Qed.\n"
 
+(* ---- Arms ---- *)
+
+type part =
+  | Shift of exact list
+  | Turn of int * exact (* about an axis: 0 to 2; 3 to 5 are the opposite ones *)
+  | Along of int * exact * exact
+  | Joint of { slides : bool; number : int; axis : int; rate : exact option; value : exact }
+
+let vector axis = scaled (if axis > 2 then -1. else 1.) axes.(axis mod 3)
+let rotation axis angle = about (axis mod 3) (if axis > 2 then -.angle else angle)
+
+(* The place and the orientation of the end; joint k has moved by h. *)
+let end_of arm k h =
+  let next (p, o) part =
+    let moved v = add p (turned o v) in
+    match part with
+    | Shift v -> (moved (point v), o)
+    | Turn (axis, angle) -> (p, times o (rotation axis angle.value))
+    | Along (axis, length, angle) ->
+        (moved (scaled length.value axes.(axis)), times o (about axis angle.value))
+    | Joint j ->
+        let rate = match j.rate with Some r -> r.value | None -> 1. in
+        let value = if j.number = k then j.value.value +. (h *. rate) else j.value.value in
+        if j.slides then (moved (scaled value (vector j.axis)), o)
+        else (p, times o (rotation j.axis value))
+  in
+  List.fold_left next ((0., 0., 0.), (1., (0., 0., 0.))) arm
+
+let column arm k =
+  let p, o = end_of arm k step and q, (w, v) = end_of arm k (-.step) in
+  let velocity = scaled (1. /. (2. *. step)) (add p (scaled (-1.) q)) in
+  (* Between the orientations is a rotation by twice the step. *)
+  let spin = scaled (1. /. step) (snd (times o (w, scaled (-1.) v))) in
+  let list (a, b, c) = [ a; b; c ] in
+  list velocity @ list spin
+
+let text_of_axis axis =
+  let word = [| "x_axis"; "y_axis"; "z_axis" |].(axis mod 3) in
+  if axis > 2 then "(opposite " ^ word ^ ")" else word
+
+let text_of_part = function
+  | Shift v -> Printf.sprintf "shift_by (%s)" (texts ", " v)
+  | Turn (axis, angle) -> Printf.sprintf "turn_by %s %s" (text_of_axis axis) angle.text
+  | Along (axis, length, angle) ->
+      Printf.sprintf "along_%s %s %s" (if axis = 0 then "x" else "z") length.text angle.text
+  | Joint j -> (
+      let kind = if j.slides then "prismatic" else "revolute" in
+      let joint = Printf.sprintf "%s %d %s %s" kind j.number (text_of_axis j.axis) j.value.text in
+      match j.rate with
+      | Some r -> Printf.sprintf "follower %s (%s)" r.text joint
+      | None -> joint)
+
+let joint ?rate slides number =
+  Joint { slides; number; axis = Random.int 6; rate; value = random 2 8 }
+
+let arms =
+  let size () = random 3 8 and angle () = random 3 16 in
+  [ (fun () -> [ joint false 1; Along (0, size (), angle ()); Along (2, size (), angle ());
+                 joint false 2; Along (0, size (), angle ()); joint true 3; Shift [ size (); size (); size () ] ]);
+    (fun () -> [ Shift [ size (); size (); size () ]; Turn (Random.int 6, angle ()); joint true 2;
+                 joint false 1; Turn (Random.int 6, angle ()); joint ~rate:(random 2 4) false 2;
+                 Shift [ size (); size (); size () ] ]);
+    (fun () -> [ joint false 2; Along (2, size (), angle ()); joint false 1; Along (0, size (), angle ());
+                 joint ~rate:(random 2 4) false 1; Along (0, size (), angle ()) ]) ]
+
+let write_arm number arm =
+  let columns = List.sort_uniq compare (List.filter_map (function Joint j -> Some j.number | _ -> None) arm) in
+  Printf.printf "Definition arm_%d := [%s].\nGoal " number (String.concat "; " (List.map text_of_part arm));
+  List.iter
+    (fun k ->
+      List.iteri
+        (fun i entry ->
+          Printf.printf "%snear %s (%.6f)\n  (jacobian arm_%d %d %d)"
+            (if i + k > 1 then " /\\ " else "") tolerance entry number i (k - 1))
+        (column arm k))
+    columns;
+  print_string ".\nProof. unfold near. repeat split; computed; interval. Qed.\n"
+
 let () =
   Random.init 20;
-  print_string "From Interval Require Import Tactic.\nFrom Regulus Require Import Geometry.\n";
-  List.iter platform conventions
+  print_string "From Interval Require Import Tactic.\nFrom Regulus Require Import Arms.\n";
+  List.iter platform conventions;
+  List.iteri (fun number make -> write_arm number (make ())) arms

@@ -334,14 +334,17 @@ let nothing =
     threshold = zero; row = O; load = []; limit = zero; statement = ""; proof = "" }
 
 (* The text up to the claim, and what follows if the file is about the robot of a model file: theorems in
-   the words of Geometry.v, which are for Coq alone. In a comment, the first line of these leaves a first
+   the words of Geometry.v or Arms.v, which are for Coq alone. In a comment, the first line of these leaves a first
    part that is a fault. *)
 let split text =
-  let mark = "\nFrom Regulus Require Import Geometry.\n" in
+  let marks =
+    List.map (Printf.sprintf "\nFrom Regulus Require Import %s.\n") [ "Geometry"; "Arms" ]
+  in
+  let is_at i mark =
+    i + String.length mark <= String.length text && String.sub text i (String.length mark) = mark
+  in
   let rec find i =
-    if i + String.length mark > String.length text then String.length text
-    else if String.sub text i (String.length mark) = mark then i
-    else find (i + 1)
+    if i >= String.length text || List.exists (is_at i) marks then i else find (i + 1)
   in
   let stop = find 0 in
   (String.sub text 0 stop, String.sub text stop (String.length text - stop))

@@ -265,7 +265,7 @@ class ArmComparison {
         jacobian.push_back(views_[view.view].jacobian[row * joints_ + j]);
     std::vector<std::pair<Ball, Ball>> determinants;
     for (int number = 0; number < kPoints; ++number) {
-      const std::vector<Ball> at = point(number);
+      const std::vector<Ball> at = some_point(q_, number, kBits);
       const auto ours = evaluate(q_.graph, jacobian, at, kBits);
       const auto theirs = evaluate(q_.graph, q_.matrix, at, kBits);
       if (!ours || !theirs) continue;
@@ -286,7 +286,7 @@ class ArmComparison {
         (!is_transposed && (q_.rows != 6 || q_.columns != joints_ || joints_ == 6)))
       return false;
     for (int number = 0; number < kPoints; ++number) {
-      const std::vector<Ball> at = point(number);
+      const std::vector<Ball> at = some_point(q_, number, kBits);
       const auto ours = evaluate(q_.graph, views_.front().jacobian, at, kBits);
       auto theirs = evaluate(q_.graph, q_.matrix, at, kBits);
       if (!ours || !theirs) continue;
@@ -331,22 +331,6 @@ class ArmComparison {
     return arb_contains_zero(sum.get()) == 0 && arb_contains_zero(difference.get()) == 0;
   }
 
-  /// Returns some point of the ranges.
-  std::vector<Ball> point(int number) {
-    std::vector<Ball> result(q_.variables.size());
-    for (std::size_t k = 0; k < result.size(); ++k) {
-      const auto ends = evaluate(q_.graph, {q_.variables[k].lo, q_.variables[k].hi}, {}, kBits);
-      if (!ends) continue;
-      Ball& x = result[k];
-      arb_sub(x.get(), (*ends)[1].get(), (*ends)[0].get(), kBits);
-      arb_mul_ui(x.get(), x.get(), ulong(11 + 31 * number + 19 * int(k)) % 89, kBits);
-      arb_div_ui(x.get(), x.get(), 89, kBits);
-      arb_add(x.get(), x.get(), (*ends)[0].get(), kBits);
-      arb_get_mid_arb(x.get(), x.get());
-    }
-    return result;
-  }
-
   static constexpr int kMostDeterminants = 3;
 
   SectionComparer& comparer_;
@@ -363,6 +347,21 @@ class ArmComparison {
 };
 
 }  // namespace
+
+std::vector<Ball> some_point(const Question& q, int number, long bits) {
+  std::vector<Ball> result(q.variables.size());
+  for (std::size_t k = 0; k < result.size(); ++k) {
+    const auto ends = evaluate(q.graph, {q.variables[k].lo, q.variables[k].hi}, {}, bits);
+    if (!ends) continue;
+    Ball& x = result[k];
+    arb_sub(x.get(), (*ends)[1].get(), (*ends)[0].get(), bits);
+    arb_mul_ui(x.get(), x.get(), ulong(11 + 31 * number + 19 * int(k)) % 89, bits);
+    arb_div_ui(x.get(), x.get(), 89, bits);
+    arb_add(x.get(), x.get(), (*ends)[0].get(), bits);
+    arb_get_mid_arb(x.get(), x.get());
+  }
+  return result;
+}
 
 void compare_arm(SectionComparer& comparer, const std::vector<ChainJoint>& chain,
                  std::size_t columns) {

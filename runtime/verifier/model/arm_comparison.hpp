@@ -2,6 +2,7 @@
 // Decides how the matrix of a certificate is related to the Jacobian of an arm.
 #pragma once
 
+#include "runtime/verifier/ball.hpp"
 #include "runtime/verifier/model/chain_view.hpp"
 
 namespace regulus::verifier {
@@ -13,5 +14,8 @@ namespace regulus::verifier {
 /// out, with a reason.
 void compare_arm(SectionComparer& comparer, const std::vector<ChainJoint>& chain,
                  std::size_t columns);
+
+/// Returns a point of the ranges; other numbers give other ones.
+[[nodiscard]] std::vector<Ball> some_point(const Question& question, int number, long bits);
 
 }  // namespace regulus::verifier

@@ -36,6 +36,16 @@ constexpr const char* kRobot =
     "Theorem the_set_is_inhabited : exists (x _T : R) (a1 : point), the_set x _T a1.\nProof.\n"
     "  exists 0, ((0 + 1)/2), (1, 2, 3).\n  by_point.\nQed.\n";
 
+constexpr const char* kArm =
+    "\nFrom Regulus Require Import Arms.\n\nDefinition arm (_q1 : R) : list part :=\n"
+    "  [shift_by (0, 0, 0.5); revolute 1 (opposite z_axis) (_q1*deg);\n   along_x 0.1 (-pi/2)].\n\n"
+    "Definition the_set (_q1 _q1'commanded : R) : Prop :=\n  0 <= _q1 <= 1.\n\n"
+    "Theorem the_robot : forall (_q1 _q1'commanded : R), the_set _q1 _q1'commanded ->\n"
+    "  full_column_rank 6 1 (jacobian (arm _q1)).\nProof.\n  intros _q1 _q1'commanded S.\n"
+    "  by_arm the_claim [_q1] no_quantities 2 (0, 0, 0) [5] 1 S.\nQed.\n\n"
+    "Theorem the_set_is_inhabited : exists (_q1 _q1'commanded : R), the_set _q1 _q1'commanded.\n"
+    "Proof.\n  exists 0, 0.\n  by_point.\nQed.\n";
+
 /// The message for a text with `to` in the place of `from`; "" if it is found to be plain.
 std::string refusal_of(std::string text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
@@ -193,6 +203,34 @@ TEST(AnAudit, RefusesWordsWithoutAMeaningForARobot) {
   EXPECT_NE(refusal_of_robot("by_geometry", "admit; by_geometry"), "");
   EXPECT_NE(refusal_of_robot("by_point.\nQed.", "by_point.\nAdmitted."), "");
   EXPECT_NE(refusal_of_robot("Import Geometry.", "Import Geometry Evil."), "");
+}
+
+TEST(AnAudit, ReadsTheTheoremAboutAnArm) {
+  const auto theorem = read_plain_theorem(plain_theorem() + kArm);
+  ASSERT_EQ(theorem.geometry.size(), 2U);
+  EXPECT_EQ(theorem.geometry_import, "From Regulus Require Import Arms.\n");
+  EXPECT_THAT(theorem.definitions, HasSubstr("Definition arm ( _q1 : R ) : list part := ["));
+}
+
+TEST(AnAudit, RefusesWhatIsNoArm) {
+  const auto refusal_of_arm = [](const std::string& from, const std::string& to) {
+    return refusal_of(plain_theorem() + kArm, from, to);
+  };
+  for (const char* before : {"From Regulus Require Import Arms.", "Definition arm",
+                             "Definition the_set", "Theorem the_robot", "  by_arm"})
+    for (const char* sentence : kOtherSentences)
+      EXPECT_NE(refusal_of_arm(before, std::string(sentence) + "\n" + before), "") << sentence;
+  EXPECT_NE(refusal_of_arm("Import Arms.", "Import Arms Evil."), "");
+  EXPECT_NE(refusal_of_arm("Import Arms.", "Import Geometry."), "");
+  EXPECT_NE(refusal_of_arm("list part", "list leg"), "");
+  EXPECT_NE(refusal_of_arm("arm (_q1 : R)", "arm (revolute : R)"), "");
+  EXPECT_NE(refusal_of_arm("arm (_q1 : R)", "jacobian (_q1 : R)"), "");
+  EXPECT_NE(refusal_of_arm("(_q1*deg)", "(_q2*deg)"), "");
+  EXPECT_NE(refusal_of_arm("shift_by", "twist_of"), "");
+  EXPECT_NE(refusal_of_arm("jacobian (arm _q1)", "gough (arm _q1)"), "");
+  EXPECT_NE(refusal_of_arm("jacobian (arm _q1)", "legs (arm _q1)"), "");
+  EXPECT_NE(refusal_of_arm("  by_arm", "  admit; by_arm"), "");
+  EXPECT_NE(refusal_of_arm("0 <= _q1 <= 1", "arm _q1 <= 1"), "");
 }
 
 TEST(AnAudit, RefusesTextThatIsNotReadAsItLooks) {
