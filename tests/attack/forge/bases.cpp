@@ -337,6 +337,7 @@ std::vector<Base> written_here() {
        kPair,
        {"bound", "work", "deflection", "--load", "gust", "--freedom", "w_z", "--limit", "8"}},
       {"determinant", kPair, {"bound", "work", "determinant", "--limit", "0.001"}},
+      {"determinant-max", kPair, {"bound", "work", "determinant-max", "--limit", "100"}},
       {"expression", kPair, {"bound", "work", "x*phi + phi^2/(x + 2)", "--limit", "5"}},
       {"met", kPair, {"bound", "work", "force", "--load", "gust", "--leg", "1", "--limit", "0.1"}},
       {"branch", kSlider, {"check", "work"}},
