@@ -180,7 +180,7 @@ TEST_F(WayBoundTest, NamesTheSegmentTheTimeAndThePose) {
               testing::MatchesRegex("BETWEEN 2\\.9999[0-9]* AND 3(\\.0[0-9]*)? cm/s.*\n"));
   EXPECT_THAT(r.errors,
               testing::ContainsRegex("segment 4, t = 4 s \\(.*way.csv, lines 5 and 6\\)\n"));
-  EXPECT_THAT(r.errors, HasSubstr("x = 2, y = 0"));
+  EXPECT_THAT(r.errors, HasSubstr("x = 2 cm, y = 0 cm\n"));
   const json place = bound({shear_, "way", "speed", "--leg", "1"})["components"][0]["place"];
   EXPECT_EQ(place["segment"]["segment"], 4);
   EXPECT_EQ(place["segment"]["lines"], json({5, 6}));
