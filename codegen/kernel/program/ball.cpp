@@ -45,11 +45,14 @@ Ball::Ball(const FlintRational& value, long precision) : Ball() {
 
 Interval Ball::enclosure() const {
   constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+  constexpr long kBits = 64;
   if (!arb_is_finite(value_)) return Interval{-kUnbounded, kUnbounded};
   Float lo;
   Float hi;
-  arb_get_lbound_arf(lo.get(), value_, ARF_PREC_EXACT);
-  arb_get_ubound_arf(hi.get(), value_, ARF_PREC_EXACT);
+  // Both roundings have one direction, so the doubles are those of the exact bounds. These may need
+  // 2^60 bits: 1 ± 2^(−2^60).
+  arb_get_lbound_arf(lo.get(), value_, kBits);
+  arb_get_ubound_arf(hi.get(), value_, kBits);
   // The sum with +0 turns a −0 into +0.
   return Interval{arf_get_d(lo.get(), ARF_RND_FLOOR) + 0.0,
                   arf_get_d(hi.get(), ARF_RND_CEIL) + 0.0};

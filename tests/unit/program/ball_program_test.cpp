@@ -11,6 +11,7 @@
 #include <cln/rational_io.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <thread>
 
 #include "codegen/kernel/program/arb_arithmetic.hpp"
@@ -38,6 +39,18 @@ Program example() {
 std::vector<Ball> point(double x, double y) { return {Ball(x), Ball(y)}; }
 
 void expect_same(const Ball& a, const Ball& b) { EXPECT_TRUE(arb_equal(a.get(), b.get())); }
+
+/// The ends of 1 ± 2^(−2^60) have more bits than a machine has memory.
+TEST(Ball, WithATinyRadiusHasTheDoublesAroundItsMiddle) {
+  for (const double middle : {1.0, -1.0, 0x1p-1074, 0.1}) {
+    Ball ball(middle);
+    mag_one(arb_radref(ball.get()));
+    mag_mul_2exp_si(arb_radref(ball.get()), arb_radref(ball.get()), -(1L << 60));
+    const Interval around = ball.enclosure();
+    EXPECT_EQ(around.lo, std::nextafter(middle, -1e9) + 0.0);
+    EXPECT_EQ(around.hi, std::nextafter(middle, 1e9));
+  }
+}
 
 TEST(BallProgram, ComputesWhatTheProgramDoes) {
   const Program program = example();
