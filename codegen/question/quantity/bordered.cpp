@@ -30,8 +30,7 @@ bool is_symmetric(const VectorSet& set) {
 
 /// False if −q is a value wherever q is one.
 bool has_both_signs(const Component& c) {
-  if (c.kind == QuantityKind::kDeterminantMax) return true;
-  return c.set != nullptr && !is_symmetric(*c.set);
+  return c.kind == QuantityKind::kDeterminantMax || (c.set != nullptr && !is_symmetric(*c.set));
 }
 
 /// Builds B(r) and the request around it.

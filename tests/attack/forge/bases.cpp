@@ -116,7 +116,6 @@ twist = ["v_x", "w_z"]
 [load.gust]
 force = [[-1, 1]]
 moment = { value = [0], radius = 1 }
-
 [twist.turn]
 velocity = [[-1, 1]]
 rotation = [[-0.5, 0.5]]

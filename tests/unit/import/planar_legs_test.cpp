@@ -132,7 +132,8 @@ TEST(AFiveBar, HasTheSameMotorsAsAClosure) {
     options.cuts = {"b_end=d_end"};
     options.closure = true;
     const std::string model = imported(kFiveBar, options);
-    return model.substr(model.find("[pose]"));
+    // The order of the terms of an equation is GiNaC's.
+    return model.substr(model.find("[pose]"), model.find("equations") - model.find("[pose]"));
   };
   EXPECT_THAT(tables({}), HasSubstr("[closure]"));
   EXPECT_EQ(tables({}), tables({.actuated = {"left,right"}}));
