@@ -49,6 +49,7 @@ struct GeometryParameter {
   GiNaC::ex tolerance = 0;  ///< for a member of a ball: the ball's radius
   std::string group;        ///< the group that --tolerance GROUP=E sets; empty = none
   int ball = -1;  ///< index into Model::balls if its point varies in a ball, otherwise −1
+  bool takes_degrees = false;  ///< --tolerance gives its tolerance, an angle, in degrees
 };
 
 /// A point of the geometry that lies within `radius` of its nominal position.

@@ -5,7 +5,6 @@
 
 #include "codegen/model/constants.hpp"
 #include "codegen/model/degrees.hpp"
-#include "codegen/model/mechanism/serial.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
 
@@ -79,6 +78,21 @@ void require_one_unit(const Model& model, const std::vector<std::string>& names)
       refuse("one error for numbers in " + first->unit + " and in " + p.unit,
              "name the parameters of each: " + first->name + "=E and " + p.name + "=E", "tube");
   }
+}
+
+/// True if the tolerances of the groups are given in degrees. One number is the tolerance of all.
+bool take_degrees(const Model& model, std::string_view groups) {
+  const std::vector<std::string> wanted = split(groups);
+  bool some_do = false, some_do_not = false;
+  for (const GeometryParameter& g : model.geometry)
+    if (std::ranges::find(wanted, g.group) != wanted.end())
+      (g.takes_degrees ? some_do : some_do_not) = true;
+  if (some_do && some_do_not)
+    refuse(
+        "one number for tolerances in degrees and for others",
+        "give each group its own, and constants of [geometry] a group that no angle of a joint has",
+        std::string(groups));
+  return some_do;
 }
 
 }  // namespace
@@ -159,20 +173,10 @@ void set_alpha(Motion& motion, const ex& alpha) {
   motion.alpha = checked_nonnegative(constant(alpha), {.file = "", .key = "alpha"});
 }
 
-bool takes_degrees(const Model& model, std::string_view group) {
-  return group == "angles" && model.arm && is_in_degrees(model.arm->angle_unit);
-}
-
 void set_tolerance(Model& model, std::string_view groups, std::string_view tolerance) {
-  const std::vector<std::string> wanted = split(groups);
-  const auto in_degrees = std::ranges::count_if(
-      wanted, [&](const std::string& group) { return takes_degrees(model, group); });
-  if (in_degrees != 0 && in_degrees != std::ssize(wanted))
-    refuse("one number for lengths and for angles, which are in degrees",
-           "give each group its own: lengths=E, angles=E", std::string(groups));
   const ParsedExpression term =
       parse_constant(tolerance, {.file = "", .key = std::string(groups)},
-                     in_degrees != 0 ? NumberUnit::kDegrees : NumberUnit::kPlain);
+                     take_degrees(model, groups) ? NumberUnit::kDegrees : NumberUnit::kPlain);
   append(model.must_be_defined, term.must_be_defined);
   set_tolerance(model, groups, term.value);
 }
@@ -189,9 +193,9 @@ void set_tolerance(Model& model, std::string_view groups, const ex& tolerance) {
   const auto is_wanted = [&wanted](const std::string& group) {
     return std::ranges::find(wanted, group) != wanted.end();
   };
+  const ex unit = take_degrees(model, groups) ? one_degree() : ex(1);
   for (GeometryParameter& g : model.geometry)
-    if (is_wanted(g.group))
-      g.tolerance = takes_degrees(model, g.group) ? ex(checked * one_degree()) : checked;
+    if (is_wanted(g.group)) g.tolerance = checked * unit;
   for (ToleranceBall& ball : model.balls)
     if (is_wanted(ball.group)) ball.radius = checked;
 }

@@ -31,15 +31,12 @@ void set_alpha(Motion& motion, std::string_view alpha);
 /// Requires  alpha ≥ 0.
 void set_alpha(Motion& motion, const GiNaC::ex& alpha);
 
-/// True for the tolerances of angles of an arm in degrees.
-[[nodiscard]] bool takes_degrees(const Model& model, std::string_view group);
-
 /// Sets the tolerance, or the radius of the balls, of every member of the groups: a comma list such
-/// as "base,platform". Throws InputError that lists the groups if one is unknown, and if only some take
-/// degrees.
+/// as "base,platform". Throws InputError that lists the groups if one is unknown, and if only some of
+/// their members take degrees.
 void set_tolerance(Model& model, std::string_view groups, std::string_view tolerance);
 
-/// The same; a number of degrees where the group takes degrees.
+/// The same; a number of degrees if the members of the groups take degrees.
 ///
 /// Requires  tolerance ≥ 0.
 void set_tolerance(Model& model, std::string_view groups, const GiNaC::ex& tolerance);

@@ -674,17 +674,7 @@ Proof.
     destruct (IH (complement p a)) as (y & E & j & J & Y).
     { apply Rmult_integral in D as [D|D]; [exfalso; revert D; apply pow_nonzero; lra|].
       apply Rmult_integral in D as [D|D]; [contradiction|exact D]. }
-    set (c := - sum n (fun k => a O (skip p k) / a O p * y k)). exists (insert p c y). split.
-    + intros i I. rewrite sum_insert by exact P. destruct i as [|i].
-      * unfold c. rewrite (sum_ext n (fun k => a O (skip p k) * y k)
-          (fun k => a O p * (a O (skip p k) / a O p * y k))) by (intros; field; exact N).
-        rewrite sum_scale. ring.
-      * assert (F := E i ltac:(lia)). unfold complement in F.
-        rewrite (sum_ext n _ (fun k => a (S i) (skip p k) * y k +
-          (- a (S i) p) * (a O (skip p k) / a O p * y k))) in F by (intros; ring).
-        rewrite sum_plus, sum_scale in F. unfold c. lra.
-    + exists (skip p j). rewrite insert_skip. split; [|exact Y]. unfold skip.
-      destruct (j <? p)%nat; lia.
+    exact (kernel_beside_pivot n n p a y P N E (ex_intro _ j (conj J Y))).
 Qed.
 
 Theorem determinant_of_full_rank n a : full_column_rank n n a -> determinant n a <> 0.

@@ -125,6 +125,27 @@ Proof.
   - apply sum_ext. intros k _. rewrite insert_skip. reflexivity.
 Qed.
 
+(** A vector of the kernel beside a pivot, with a coordinate for the pivot. *)
+Lemma kernel_beside_pivot m n p a y : (p < S n)%nat -> a O p <> 0 ->
+  (forall i, (i < m)%nat -> sum n (fun k => complement p a i k * y k) = 0) ->
+  (exists j, (j < n)%nat /\ y j <> 0) ->
+  exists x, (forall i, (i < S m)%nat -> sum (S n) (fun j => a i j * x j) = 0) /\
+            exists j, (j < S n)%nat /\ x j <> 0.
+Proof.
+  intros P N E (j & J & Y).
+  set (c := - sum n (fun k => a O (skip p k) / a O p * y k)). exists (insert p c y). split.
+  - intros i I. rewrite sum_insert by exact P. destruct i as [|i].
+    + unfold c. rewrite (sum_ext n (fun k => a O (skip p k) * y k)
+        (fun k => a O p * (a O (skip p k) / a O p * y k))) by (intros; field; exact N).
+      rewrite sum_scale. ring.
+    + assert (F := E i ltac:(lia)). unfold complement in F.
+      rewrite (sum_ext n _ (fun k => a (S i) (skip p k) * y k +
+        (- a (S i) p) * (a O (skip p k) / a O p * y k))) in F by (intros; ring).
+      rewrite sum_plus, sum_scale in F. unfold c. lra.
+  - exists (skip p j). rewrite insert_skip. split; [|exact Y]. unfold skip.
+    destruct (j <? p)%nat; lia.
+Qed.
+
 Lemma underdetermined m : forall n a, (m < n)%nat ->
   exists y, (forall i, (i < m)%nat -> sum n (fun j => a i j * y j) = 0) /\
             exists j, (j < n)%nat /\ y j <> 0.
@@ -135,17 +156,7 @@ Proof.
   - destruct (IH (S n) (fun i => a (S i))) as (y & E & Y); [lia|]. exists y. split; [|exact Y].
     intros [|i] I; [|apply (E i); lia]. apply sum_zero. intros j J. rewrite Z by exact J. ring.
   - destruct (IH n (complement p a)) as (y & E & j & J & Y); [lia|].
-    set (c := - sum n (fun k => a O (skip p k) / a O p * y k)). exists (insert p c y). split.
-    + intros i I. rewrite sum_insert by exact P. destruct i as [|i].
-      * unfold c. rewrite (sum_ext n (fun k => a O (skip p k) * y k)
-          (fun k => a O p * (a O (skip p k) / a O p * y k))) by (intros; field; exact N).
-        rewrite sum_scale. ring.
-      * assert (F := E i ltac:(lia)). unfold complement in F.
-        rewrite (sum_ext n _ (fun k => a (S i) (skip p k) * y k +
-          (- a (S i) p) * (a O (skip p k) / a O p * y k))) in F by (intros; ring).
-        rewrite sum_plus, sum_scale in F. unfold c. lra.
-    + exists (skip p j). rewrite insert_skip. split; [|exact Y]. unfold skip.
-      destruct (j <? p)%nat; lia.
+    exact (kernel_beside_pivot m n p a y P N E (ex_intro _ j (conj J Y))).
 Qed.
 
 (** A row that is a combination of the others: the matrix is singular. *)

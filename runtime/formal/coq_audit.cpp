@@ -305,7 +305,7 @@ class PlainReader {
     expect("Proof");
   }
 
-  /// What the file defines before the set.
+  /// Says what the file defines before the set.
   struct Own {
     bool has_legs, has_parts;
   };

@@ -23,8 +23,8 @@ struct PlainGeometry {
 struct PlainTheorem {
   std::string statement;  ///< as written, with single spaces
   std::string type;       ///< the same, each name by its whole path
-  /// Of a file with theorems about a robot: the import of Geometry.v or Arms.v, the definitions that these
-  /// use, as sentences that need this import alone, and the theorems.
+  /// A file with theorems about a robot has these: the import of Geometry.v or Arms.v, the definitions that
+  /// the theorems use, as sentences that need this import alone, and the theorems.
   std::string geometry_import{}, definitions{};
   std::vector<PlainGeometry> geometry{};
   /// They are about all points of a set, and nothing says that there is one.

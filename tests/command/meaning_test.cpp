@@ -85,7 +85,7 @@ TEST(TheMeaningOfAVerdict, SaysThatAMatrixIsReduced) {
       "as far as the reduced matrix says, at no pose of this motion does the matrix lose rank");
 }
 
-/// Who writes a matrix without the names of its columns has not said that there is a platform.
+/// A model whose matrix has no names of columns does not say that there is a platform.
 TEST(TheMeaningOfAVerdict, SpeaksOfNoPlatformThatIsNotThere) {
   EXPECT_EQ(meaning_of({REGULUS_SOURCE_DIR "/models/rump.toml"}),
             "at no pose of this motion does the matrix lose rank");

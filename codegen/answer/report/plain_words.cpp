@@ -29,7 +29,7 @@ std::string of_motion(const SearchSubject& p) {
 
 bool is_of_arm(const SearchSubject& p) { return p.labels.matrix_kind != MatrixKind::kInverse; }
 
-/// A matrix whose columns are not named as a twist says nothing of what it belongs to.
+/// True if the columns are named as a twist: otherwise the model does not say what the matrix belongs to.
 bool has_platform(const SearchSubject& p) { return !p.labels.twist.empty(); }
 
 /// Returns "in all 6 directions of its matrix".

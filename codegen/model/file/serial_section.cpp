@@ -326,6 +326,9 @@ class SerialReader {
       drawing.units = units_;
       model.drawing = std::make_shared<const Drawing>(std::move(drawing));
     }
+    for (GeometryParameter& g : model.geometry)
+      if (const auto at = units_.find(g.name); at != units_.end())
+        g.takes_degrees = in_degrees_ && at->second == "rad";
     if (in_degrees_) set_angles_in_degrees(model);
     for (std::size_t j = 0; j < model.pose.size(); ++j) {
       const PoseParameter& p = model.pose[j];

@@ -336,9 +336,8 @@ std::string unit_of_values(const Request& request, const MarginQuestion& questio
   if (question.quantity == MarginQuantity::kTolerance)
     for (const GeometryParameter& g : request.model.geometry)
       if (is_named(g.group) || is_named(g.name))
-        units.insert(takes_degrees(request.model, g.group)
-                         ? "deg"
-                         : unit_of_constant(request.model.drawing.get(), g.name));
+        units.insert(g.takes_degrees ? "deg"
+                                     : unit_of_constant(request.model.drawing.get(), g.name));
   if (question.quantity == MarginQuantity::kTube)
     for (const PoseParameter& p : request.model.pose)
       if (is_named(p.name)) units.insert(p.unit);

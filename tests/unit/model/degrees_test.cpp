@@ -120,6 +120,26 @@ TEST(Degrees, AreWhatAnOptionGivesTheAnglesOfAnArm) {
   EXPECT_THROW(tolerance_of("deg", "lengths,angles", "0.5"), InputError);
 }
 
+/// A constant of [geometry] is no angle of a joint, whatever the name of its group.
+TEST(Degrees, AreNotTakenForAConstantOfAGroupWithThatName) {
+  const auto model_of = [](const char* tolerances) {
+    return parse_model(
+        std::string(
+            "regulus = 1\nname = \"m\"\n[geometry]\nk = { value = 1, tolerance = 0.01, group = "
+            "\"angles\" }\n[serial]\nangle_unit = \"deg\"\nconvention = \"standard-dh\"\n") +
+            tolerances +
+            "joints = [{ name = \"q1\", a = \"k\", alpha = 90 }, { name = \"q2\", a = 1 }]\n"
+            "[motion.a]\nq1 = 0\nq2 = 1\n",
+        "m");
+  };
+  Model model = model_of("");
+  set_tolerance(model, "angles", "0.5");
+  EXPECT_EQ(formula_text(model.geometry.front().tolerance), "1/2");
+  Model both = model_of("angle_tolerance = 0.5\n");
+  EXPECT_THROW(set_tolerance(both, "angles", "0.5"), InputError);
+  EXPECT_THROW(set_tolerance(both, "angles", GiNaC::ex(1)), InputError);
+}
+
 TEST(Degrees, AnAngleBeyondATurnGetsAWarningWithItsLine) {
   EXPECT_THAT(motion_of(model_text("rad", "phi", "[-15, 15]")).warnings,
               ElementsAre("m:10: motion.a.phi is 15 rad, more than a turn; if degrees are meant, "
