@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -62,6 +63,28 @@ TEST_F(BoundCommandTest, PrintsTheBracketTheLegAndThePose) {
 TEST_F(BoundCommandTest, TakesTheMotionOrTheOnlyOne) {
   EXPECT_EQ(regulus({"bound", model_, "m", "speed", "--quiet"}).output,
             regulus({"bound", model_, "speed", "--quiet"}).output);
+}
+
+/// det J⁻¹ = −2x for x from 1 to 3 has one sign, and the largest magnitude where it is least.
+TEST_F(BoundCommandTest, KnowsTheLargestDeterminantAndItsSignedEnds) {
+  std::ofstream(model_)
+      << "regulus = 1\nname = \"m\"\n[pose]\nx = \"1\"\n[matrix]\nrows = [[\"0\", \"x\"], "
+         "[\"1\", \"0\"]]\nrow_scale = [\"2\", \"1\"]\n[motion.m]\nx = [1, 3]\n";
+  const auto expect_about = [&](double value, std::vector<std::string> quantity) {
+    std::vector<std::string> words{"bound", model_, "--gap", "1e-4", "--quiet"};
+    words.insert(words.begin() + 2, quantity.begin(), quantity.end());
+    const CommandResult r = regulus(words);
+    double lo = 0, hi = 0;
+    ASSERT_EQ(std::sscanf(r.output.c_str(), "BETWEEN %lf AND %lf", &lo, &hi), 2) << r.output;
+    EXPECT_LE(lo, value) << r.output;
+    EXPECT_GE(hi, value) << r.output;
+    EXPECT_NEAR(lo, hi, 1e-3);
+  };
+  expect_about(2, {"determinant"});
+  expect_about(6, {"determinant-max"});
+  expect_about(-6, {"determinant", "--min"});
+  expect_about(-2, {"determinant", "--signed"});
+  expect_about(-6, {"determinant-max", "--min"});
 }
 
 /// κ₂ = (1 + √2)² at x = 2.
