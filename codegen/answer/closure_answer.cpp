@@ -67,11 +67,11 @@ class ClosureCheck final : public CheckAnswer {
     found_ = check_closure(prepared_, search_, watch_of(services, search_), display.observer(),
                            checkpoint.maker());
     checkpoint_line_ = checkpoint.line();
-    proof = certify_branch(services.certificate, prepared_, found_.searched,
-                           {nullptr, services.shard_size});
+    const ProofPlacing placing{nullptr, services.shard_size};
+    proof = found_.is_refuted()
+                ? certify_fold(services.certificate, prepared_, *found_.reached(), placing)
+                : certify_branch(services.certificate, prepared_, found_.searched, placing);
     if (proof.is_lost()) lost.push_back(proof.obstacle());
-    if (proof.is_wanted() && found_.is_refuted())
-      proof.set_obstacle("a singular configuration of a [closure] has no certificate");
     result = check_result(prepared_, found_);
     for (const VariableLabel& variable : prepared_.preparation.labels.variables)
       variables.push_back(variable.name);

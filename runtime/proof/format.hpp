@@ -37,7 +37,12 @@ inline constexpr const char* kUndecidedLeaf = "undecided";
 inline constexpr const char* kOutsideLeaf = "outside";
 inline constexpr const char* kNoneLeaf = "none";  ///< of a claim about all solutions
 inline constexpr const char* kOneLeaf = "one";
-inline constexpr const char* kTubeLeaf = "tube";   ///< of a claim about a closure
+inline constexpr const char* kTubeLeaf = "tube";  ///< of a claim about a closure
+// Lines of a singular configuration of a closure, and a coordinate that stays where it starts.
+inline constexpr const char* kFold = "fold";  ///< and the reason
+inline constexpr const char* kTowards = "towards";
+inline constexpr const char* kArc = "arc";
+inline constexpr const char* kStays = "start";
 inline constexpr const char* kLowerEnd = "lower";  ///< a coordinate that is the end of its range
 inline constexpr const char* kUpperEnd = "upper";
 inline constexpr const char* kEndOfRoot = "-";  ///< in a shard: the end of a range of box 0
@@ -169,9 +174,13 @@ struct ClaimedBound {
 }
 
 /// Returns the claim about a closure of as many equations as the set has rows in words.
-[[nodiscard]] inline std::string describe_closure_claim(const ClaimedSet& set) {
-  return "the mechanism has exactly one configuration on its branch, and the " +
-         (set.rows == 1 ? "equation is" : std::to_string(set.rows) + " equations are") +
+[[nodiscard]] inline std::string describe_closure_claim(const ClaimedSet& set, bool singular) {
+  const std::string equations =
+      set.rows == 1 ? "equation is" : std::to_string(set.rows) + " equations are";
+  if (singular)
+    return "configurations of the mechanism lead from the start to one where the " + equations +
+           " singular, " + describe_place(set, false) + " of the variety";
+  return "the mechanism has exactly one configuration on its branch, and the " + equations +
          " defined and regular there, " + describe_place(set, true) + " of the variety";
 }
 

@@ -5,22 +5,14 @@
 #include <algorithm>
 #include <numeric>
 
+#include "runtime/verifier/branch_start.hpp"
 #include "runtime/verifier/proof.hpp"
-#include "runtime/verifier/single_values.hpp"
 
 namespace regulus::verifier {
 namespace {
 
-constexpr long kBits = 128;
 /// Pairs of boxes that are visited, for each that may be evaluated.
 constexpr std::uint64_t kSteps = 16;
-
-Interval enclosure(const Graph& graph, NodeId node) {
-  const auto value = evaluate(graph, {node}, {}, kBits);
-  const Interval x = value ? (*value)[0].enclosure() : everything();
-  if (!is_bounded(x)) throw Unfinished("a value of the start has no certain value");
-  return x;
-}
 
 }  // namespace
 
@@ -144,60 +136,20 @@ void BranchTree::require_link(std::size_t a, std::size_t b, const Box& face) {
   joined_to_[root_of(std::uint32_t(a))] = root_of(std::uint32_t(b));
 }
 
-/// The uncertain quantities and the errors are at their middles, which their ranges contain.
-Box BranchTree::start_place() const {
-  Box place;
-  for (std::size_t k = 0; k < q_.variables.size(); ++k) {
-    const Variable& v = q_.variables[k];
-    const Interval range = variety_.outer[k];
-    if (v.kind != VariableKind::kParameter) {
-      const Interval middle = 0.5 * (enclosure(q_.graph, v.lo) + enclosure(q_.graph, v.hi));
-      place.push_back({std::max(middle.lo, range.lo), std::min(middle.hi, range.hi)});
-      continue;
-    }
-    place.push_back(enclosure(q_.graph, q_.closure->start[k]));
-    if (place[k].hi < range.lo || place[k].lo > range.hi)
-      throw Rejection("the start is not within the range of " + v.name);
-    if (place[k].lo < range.lo || place[k].hi > range.hi)
-      throw Unfinished("the start may not be within the range of " + v.name);
-    // Nothing depends on a variable of one value any more, so the start must have that value.
-    if (are_equal(q_.graph, v.lo, v.hi) && !are_equal(q_.graph, q_.closure->start[k], v.lo))
-      throw Unfinished("the start may not be at the only value of " + v.name);
-  }
-  return place;
-}
-
 /// The one configuration within the radius of the start must be that of each leaf in which the
 /// start may be.
 void BranchTree::check_start() {
-  const Box place = start_place();
-  std::vector<double> middle, outer, inner;
-  std::vector<Interval> start;
-  for (std::size_t i = 0; i < q_.closure->middle.size(); ++i) {
-    start.push_back(enclosure(q_.graph, q_.closure->middle[i]));
-    const Interval radius = enclosure(q_.graph, q_.closure->radius[i]);
-    if (!(radius.hi > 0.0)) throw Rejection("a radius of the start is not positive");
-    middle.push_back(mid(start[i]));
-    const Interval off = point(mag(start[i] - point(middle[i])));
-    outer.push_back((radius + off).hi);
-    inner.push_back((radius - off).lo);
-  }
-  if (!test_->has_one_solution(place, middle, outer, inner))
-    throw Unfinished("it was not shown that the start is near to exactly one configuration");
+  const Box place = start_place(q_, variety_);
+  const StartBox start(q_);
   std::vector<std::size_t> tubes;
   find_tubes(0, place, tubes);
   // A tube may be much thinner than the radius of the start.
-  std::vector<double> scale = inner;
+  std::vector<double> scale = start.radius();
   for (const std::size_t tube : tubes)
     for (std::size_t i = 0; i < scale.size(); ++i)
       scale[i] = std::min(scale[i], test_->radius_of(tubes_[tube])[i]);
-  const auto solution = test_->solution_near(place, middle, scale);
-  bool is_near = solution.has_value();
-  for (std::size_t i = 0; is_near && i < middle.size(); ++i)
-    is_near = mag(point(solution->middle[i]) - point(middle[i]) +
-                  Interval{-solution->radius[i], solution->radius[i]}) <= inner[i];
-  if (!is_near) throw Unfinished("the configuration at the start was not found");
-  for (const std::size_t tube : tubes) require_start(tube, place, *solution);
+  const SolutionBox solution = start.only_solution(*test_, place, scale);
+  for (const std::size_t tube : tubes) require_start(tube, place, solution);
 }
 
 /// Finds the tubes of the leaves in which a place may lie.

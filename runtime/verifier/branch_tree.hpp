@@ -42,7 +42,6 @@ class BranchTree {
   void descend(std::size_t node, std::size_t other, bool is_lower, std::size_t cut, Box& common);
   void require_link(std::size_t a, std::size_t b, const Box& face);
   void check_start();
-  [[nodiscard]] Box start_place() const;
   void find_tubes(std::size_t node, const Box& place, std::vector<std::size_t>& tubes) const;
   void require_start(std::size_t tube, const Box& place, const SolutionBox& solution);
   [[nodiscard]] std::uint32_t root_of(std::uint32_t tube);

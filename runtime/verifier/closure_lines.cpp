@@ -30,8 +30,8 @@ void read_unknown(ConstantLines& lines, Question& q, const Scope& commanded, Sco
 }  // namespace
 
 void read_unknown_lines(Lines& lines, Question& q, const Scope& commanded, Scope& actual) {
-  if (q.singular || q.load || q.has_threshold)
-    throw Rejection("a claim about a closure has the verdict NO SINGULARITY and alpha 0");
+  if (q.load || q.has_threshold)
+    throw Rejection("a claim about a closure is about singularity, and alpha is 0");
   ClosureLines& closure = q.closure.emplace();
   ConstantLines reader(lines, q);
   while (reader.is("unknown")) read_unknown(reader, q, commanded, actual);

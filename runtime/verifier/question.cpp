@@ -359,7 +359,7 @@ std::string Question::claim() const {
                                              solutions->solutions.size(), claimed_set().uncertain});
   if (load) return format::describe_load_claim(claimed_set(), load->verdict);
   if (quantity) return quantity->claim;
-  if (closure) return format::describe_closure_claim(claimed_set());
+  if (closure) return format::describe_closure_claim(claimed_set(), singular);
   return format::describe_claim(claimed_set(), singular);
 }
 

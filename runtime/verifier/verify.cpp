@@ -3,6 +3,7 @@
 
 #include "runtime/files/sha256.hpp"
 #include "runtime/verifier/bordered_matrix.hpp"
+#include "runtime/verifier/fold_path.hpp"
 #include "runtime/verifier/model/closure_comparison.hpp"
 #include "runtime/verifier/model/model_comparison.hpp"
 #include "runtime/verifier/model/waypoints.hpp"
@@ -72,6 +73,8 @@ void check(Lines& lines, Question& question, const Options& options, Verificatio
                         return TreeQuestion{question, variety};
                       }},
                  options, result);
+  else if (question.singular && question.closure)
+    check_fold(lines, question, variety, options, result);
   else if (question.singular)
     check_witness(lines, question, variety, options, result);
   else

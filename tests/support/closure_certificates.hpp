@@ -182,8 +182,9 @@ class ClosureTree {
 inline std::string closure_question(const ClosureCase& c) {
   format::ClaimedSet set{c.n, c.n, c.uncertain};
   return std::string("regulus-certificate 1\nverdict NO SINGULARITY\nclaim ") +
-         format::describe_closure_claim(set) + "\nmodel by hand\nsha256 -\nmotion turn\nalpha 0\n" +
-         c.set + c.unknowns + c.equations + c.motion + "proof\n";
+         format::describe_closure_claim(set, false) +
+         "\nmodel by hand\nsha256 -\nmotion turn\nalpha 0\n" + c.set + c.unknowns + c.equations +
+         c.motion + "proof\n";
 }
 
 /// A four-bar linkage: crank 0.2 at angle θ, coupler 0.35, rocker 0.25, distance of the joints 0.45.

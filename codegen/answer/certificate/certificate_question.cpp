@@ -202,9 +202,11 @@ CertifiedQuestion certified_question(const Request& request,
                                      const std::set<std::string>& uncertain) {
   require_distinct_names(request);
   const format::ClaimedSet set = claimed_set(request, uncertain);
-  const std::string regular = request.model.closure ? format::describe_closure_claim(set)
-                                                    : format::describe_claim(set, false);
-  return {QuestionText(request, uncertain).text(), regular, format::describe_claim(set, true)};
+  const auto claim = [&](bool singular) {
+    return request.model.closure ? format::describe_closure_claim(set, singular)
+                                 : format::describe_claim(set, singular);
+  };
+  return {QuestionText(request, uncertain).text(), claim(false), claim(true)};
 }
 
 std::string certificate_obstacle(const CertifiedQuestion& question, bool singular) {

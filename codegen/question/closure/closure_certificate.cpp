@@ -8,20 +8,61 @@
 namespace regulus {
 namespace {
 
-std::string tube_words(const BranchTube& tube) {
-  std::string words = "tube";
-  for (const auto* list : {&tube.at, &tube.center, &tube.slopes, &tube.radius})
-    for (const double x : *list) words += fmt::format(" {:a}", x);
+/// A reader with other roundings finds the configuration within so many of its radii.
+constexpr double kRoom = 0x1p10;
+
+std::string numbers(const std::vector<double>& list) {
+  std::string words;
+  for (const double x : list) words += fmt::format(" {:a}", x);
   return words;
+}
+
+std::string tube_numbers(const BranchTube& tube) {
+  return numbers(tube.at) + numbers(tube.center) + numbers(tube.slopes) + numbers(tube.radius);
 }
 
 void write_tree(ProofFile& file, const BranchTree& tree) {
   for (const Split& split : tree.splits()) file.split(split);
   for (const BranchLeaf& leaf : tree.leaves())
-    file.leaf(leaf.at.id, leaf.tube ? tube_words(*leaf.tube).c_str() : format::kOutsideLeaf);
+    file.leaf(leaf.at.id, leaf.tube ? (format::kTubeLeaf + tube_numbers(*leaf.tube)).c_str()
+                                    : format::kOutsideLeaf);
+}
+
+/// Returns the lines of the proof that a branch reaches a singular configuration.
+std::string fold_lines(const PreparedClosure& prepared, const FoldPath& path) {
+  std::string text = fmt::format("reason {}\n{}", format::kFold, format::kTowards);
+  const std::size_t parameters = prepared.shape.parameters;
+  for (std::size_t k = 0; k < prepared.shape.variables; ++k) {
+    const bool stays = !prepared.problem.inner[k] || (k >= parameters && path.uncertain.empty());
+    text += stays ? fmt::format(" {}", format::kStays)
+                  : numbers({k < parameters ? path.towards[k] : path.uncertain[k - parameters]});
+  }
+  text += '\n';
+  for (const CurveArc& arc : path.arcs)
+    text += fmt::format("{} {} {:a} : {:a}{}\n", format::kArc, arc.coordinate, arc.range.lo,
+                        arc.range.hi, tube_numbers(arc.tube));
+  std::vector<double> radius = path.end.radius;
+  for (double& r : radius) r *= kRoom;
+  return text + format::kFold + numbers(path.end.center) + numbers(radius) + numbers(path.normal) +
+         "\nend\n";
 }
 
 }  // namespace
+
+ProofStatus certify_fold(const std::string& path, const PreparedClosure& prepared, const Fold& fold,
+                         const ProofPlacing& placing) {
+  ProofStatus status(path);
+  if (!status.is_wanted()) return status;
+  status.attempt([&] {
+    const CertifiedQuestion question =
+        certified_question(prepared.request, uncertain_names(prepared.preparation.labels));
+    status.set_obstacle(certificate_obstacle(question, true));
+    if (!status.obstacle().empty()) return;
+    write_witness(path, question.head(true), fold_lines(prepared, fold.path), placing);
+  });
+  if (status.obstacle().empty()) status.set_written();
+  return status;
+}
 
 ProofStatus certify_branch(const std::string& path, const PreparedClosure& prepared,
                            const ClosureResult& result, const ProofPlacing& placing) {

@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The certificate of a branch.
+// The certificates of a branch, and of a singular configuration that it reaches.
 #pragma once
 
 #include "codegen/answer/certificate/proof_status.hpp"
-#include "codegen/question/closure/closure_run.hpp"
+#include "codegen/question/closure/fold_search.hpp"
 
 namespace regulus {
 
 /// Writes the proof of a branch, if it is proved. An empty `path` means no certificate.
 [[nodiscard]] ProofStatus certify_branch(const std::string& path, const PreparedClosure& prepared,
                                          const ClosureResult& result, const ProofPlacing& placing);
+
+/// Writes the proof that the branch reaches a singular configuration. An empty `path` means no
+/// certificate.
+///
+/// Requires  fold.is_on_branch.
+[[nodiscard]] ProofStatus certify_fold(const std::string& path, const PreparedClosure& prepared,
+                                       const Fold& fold, const ProofPlacing& placing);
 
 }  // namespace regulus

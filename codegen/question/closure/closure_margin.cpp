@@ -35,16 +35,19 @@ MarginStep ClosureAttempts::at(const MarginValue& value, const PlannedAttempt& p
 
 void ClosureAttempts::certify(const MarginValue& value, const Checked& checked, Verdict verdict) {
   if (!proofs_.are_wanted() || verdict == Verdict::kPossibleProblem) return;
-  if (verdict == Verdict::kSingularity)
-    return proofs_.set_no_singular("a singular configuration of a [closure] has no certificate");
-  const ProofStatus written = certify_branch(proofs_.safe_file(), checked.prepared,
-                                             checked.found.searched, proofs_.placing());
+  const bool is_safe = verdict == Verdict::kNoSingularity;
+  const ProofStatus written = is_safe ? certify_branch(proofs_.safe_file(), checked.prepared,
+                                                       checked.found.searched, proofs_.placing())
+                                      : certify_fold(proofs_.singular_file(), checked.prepared,
+                                                     *checked.found.reached(), proofs_.placing());
   if (written.is_lost())
-    proofs_.lose_safe(written.obstacle());
+    is_safe ? proofs_.lose_safe(written.obstacle()) : proofs_.lose_singular(written.obstacle());
   else if (!written.is_written())
-    proofs_.set_no_safe(written.obstacle());
-  else
+    is_safe ? proofs_.set_no_safe(written.obstacle()) : proofs_.set_no_singular(written.obstacle());
+  else if (is_safe)
     proofs_.set_safe("safe at " + value.text);
+  else
+    proofs_.set_singular("singular at " + value.text);
 }
 
 }  // namespace regulus

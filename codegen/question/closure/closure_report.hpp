@@ -19,9 +19,12 @@ struct ClosureFinding {
   ClosureResult searched;
   std::vector<Fold> folds{};
 
-  [[nodiscard]] bool is_refuted() const {
-    return std::ranges::any_of(folds, [](const Fold& fold) { return fold.is_on_branch; });
+  /// Returns the first one that is shown to be on the branch; null if there is none.
+  [[nodiscard]] const Fold* reached() const {
+    const auto found = std::ranges::find(folds, true, &Fold::is_on_branch);
+    return found == folds.end() ? nullptr : &*found;
   }
+  [[nodiscard]] bool is_refuted() const { return reached() != nullptr; }
 };
 
 /// The files of a search beside its answer; null: none.

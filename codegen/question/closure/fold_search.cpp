@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "codegen/answer/certificate/certificate_question.hpp"
 #include "codegen/model/exact/exact_double.hpp"
+#include "codegen/question/closure/line_model.hpp"
 #include "codegen/question/closure/uncertain_values.hpp"
 #include "runtime/interval/floating_point_scope.hpp"
 
@@ -19,77 +19,11 @@ constexpr double kRadiusOfStart = 0x1p-24;
 constexpr std::uint64_t kMostBoxes = 4096;
 /// The part of the line before its end where an unknown takes its place, halved.
 constexpr double kPartOfChange = 0x1p-8;
+/// Tubes go so much further than the fold, so that it is no end of them.
+constexpr double kPartBeyondFold = 0x1p-8;
 /// A fold beyond a place is looked for on a line that is so much longer.
 constexpr double kPartBeyond = 1.5;
 constexpr double kBeside = 0x1p-26;
-
-/// The equations along a line, without uncertain quantities.
-class LineModel {
- public:
-  LineModel(const PreparedClosure& prepared, const std::vector<double>& towards,
-            const std::vector<double>& uncertain)
-      : given_(prepared.request), closure_(*given_.model.closure), part_("part_of_line") {
-    GiNaC::exmap values;
-    const std::set<std::string> names = uncertain_names(given_);
-    std::size_t next = 0;
-    for (const GeometryParameter& g : given_.model.geometry)
-      values[g.symbol] = !uncertain.empty() && names.contains(g.name)
-                             ? g.value + part_ * (exact_number(uncertain[next++]) - g.value)
-                             : g.value;
-    for (std::size_t i = 0; i < given_.model.pose.size(); ++i) {
-      const auto parameter = std::ranges::find_if(
-          given_.motion.parameters,
-          [&](const MotionParameter& p) { return p.symbol.is_equal(given_.model.pose[i].symbol); });
-      const auto k = std::size_t(parameter - given_.motion.parameters.begin());
-      const ex from = closure_.start_pose[i];
-      const bool has_error = !given_.motion.error.empty() && !given_.motion.error[i].is_zero();
-      const ex error =
-          has_error && !uncertain.empty() ? part_ * exact_number(uncertain[next++]) : ex(0);
-      values[given_.model.pose[i].symbol] =
-          error + (parameter == given_.motion.parameters.end()
-                       ? given_.motion.pose[i]
-                       : from + part_ * (exact_number(towards[k]) - from));
-    }
-    for (const ex& equation : closure_.equations) equations_.push_back(equation.subs(values));
-    for (const ex& condition : given_.model.must_be_defined)
-      conditions_.push_back(condition.subs(values));
-  }
-
-  [[nodiscard]] const GiNaC::realsymbol& part() const { return part_; }
-  [[nodiscard]] const std::vector<ex>& equations() const { return equations_; }
-  [[nodiscard]] const Closure& closure() const { return closure_; }
-  [[nodiscard]] PoseParameter part_parameter() const { return {part_, "part_of_line", "1"}; }
-
-  /// A system in these unknowns, whose pose parameter is `moves`, if there is one.
-  [[nodiscard]] Request system(const std::optional<PoseParameter>& moves, const Range& range,
-                               const ex& from, std::vector<PoseParameter> unknowns,
-                               std::vector<Range> ranges, std::vector<ex> equations,
-                               std::vector<ex> start, std::vector<ex> radius) const {
-    Request request;
-    request.model.name = given_.model.name;
-    request.model.must_be_defined = conditions_;
-    Closure& closure = request.model.closure.emplace();
-    if (moves) {
-      request.model.pose.push_back(*moves);
-      request.motion.parameters.push_back({moves->symbol, moves->name, moves->unit, range});
-      request.motion.pose.emplace_back(moves->symbol);
-      request.motion.error.emplace_back(0);
-      closure.start_pose.push_back(from);
-    }
-    closure.start_radius = std::move(radius);
-    closure.unknowns = std::move(unknowns);
-    closure.ranges = std::move(ranges);
-    closure.equations = std::move(equations);
-    closure.start = std::move(start);
-    return request;
-  }
-
- private:
-  const Request& given_;
-  const Closure& closure_;
-  const GiNaC::realsymbol part_;
-  std::vector<ex> equations_, conditions_;
-};
 
 /// The row of the inverse that is largest: where the matrix is nearly singular, all are multiples of
 /// it. Empty if there is no inverse.
@@ -141,6 +75,8 @@ class FoldSearch {
     if (!are_possible(prepared_, uncertain_) || !follow_line() || !solve()) return std::nullopt;
     const Closure& closure = line_.closure();
     fold_.place.clear();
+    fold_.path.towards = towards_;
+    fold_.path.uncertain = uncertain_;
     for (std::size_t k = 0; k < towards_.size(); ++k) {
       const Interval from = prepared_.start.place[k];
       fold_.place.push_back(from + solution_[0] * (Interval(towards_[k]) - from));
@@ -221,6 +157,7 @@ class FoldSearch {
       ranges.push_back({-4, 4});
       length += exact_number(v[i]) * component;
     }
+    fold_.path.normal = v;
     for (const ex& equation : line_.equations()) {
       ex moved = 0;
       for (std::size_t i = 0; i < n_; ++i)
@@ -247,6 +184,7 @@ class FoldSearch {
     finder.find({&trial, 1}, {&found, 1});
     if (!found.tube) return false;
     solution_ = enclose(*found.tube, {});
+    fold_.path.end = *std::move(found.tube);
     return true;
   }
 
@@ -265,8 +203,27 @@ class FoldSearch {
     PreparedClosure swapped = prepared(swapped_request(*change, k));
     const ClosureResult second =
         run_closure(swapped, settings_of(swapped, search_, watch_.interrupt), nullptr);
-    return second.is_proved() && meet(first, second, change->unknowns[k], k) &&
-           holds_fold(second, k);
+    if (!second.is_proved()) return false;
+    const BranchLeaf* const change_over = meeting(first, second, change->unknowns[k], k);
+    const BranchLeaf* const end = change_over == nullptr ? nullptr : holding_fold(second, k);
+    if (end == nullptr) return false;
+    add_arcs(0, first, Interval(0), *change_over);
+    add_arcs(1 + k, second, Interval(change->unknowns[k]), *end);
+    return true;
+  }
+
+  /// Adds the tubes from the one at a place to another.
+  void add_arcs(std::size_t coordinate, const ClosureResult& result, const Interval& from,
+                const BranchLeaf& last) {
+    std::vector<const BranchLeaf*> leaves;
+    for (const BranchLeaf& leaf : result.branch.tree.leaves()) leaves.push_back(&leaf);
+    std::ranges::sort(leaves, {}, [](const BranchLeaf* leaf) { return leaf->at.box[0].lo; });
+    // The place is at an end of the range.
+    if (from.lo > leaves.front()->at.box[0].lo) std::ranges::reverse(leaves);
+    for (const BranchLeaf* const leaf : leaves) {
+      fold_.path.arcs.push_back({coordinate, leaf->at.box[0], *leaf->tube});
+      if (leaf == &last) return;
+    }
   }
 
   std::optional<BranchPoint> place_of_change(const PreparedClosure& line) const {
@@ -289,37 +246,40 @@ class FoldSearch {
       ranges.push_back(closure.ranges[i]);
       start.push_back(exact_number(from.unknowns[i]));
     }
-    const Interval range = hull(Interval(from.unknowns[k]), fold_.unknowns[k]);
+    const double way = mid(fold_.unknowns[k]) - from.unknowns[k];
+    const Interval range = hull(Interval(from.unknowns[k]),
+                                fold_.unknowns[k] + Interval(way * kPartBeyondFold));
     return line_.system(closure.unknowns[k], {exact_number(range.lo), exact_number(range.hi)},
                         exact_number(from.unknowns[k]), std::move(unknowns), std::move(ranges),
                         line_.equations(), std::move(start),
                         std::vector<ex>(n_, exact_number(kRadiusOfStart)));
   }
 
-  /// The configuration at the start of the swapped tubes is in a tube of the line.
-  [[nodiscard]] bool meet(const ClosureResult& first, const ClosureResult& second, double at_k,
-                          std::size_t k) const {
+  /// Returns the leaf of the line that holds the configuration at the start of the swapped tubes.
+  static const BranchLeaf* meeting(const ClosureResult& first, const ClosureResult& second,
+                                   double at_k, std::size_t k) {
     const std::vector<Interval>& others = second.links.configuration;
     std::vector<Interval> unknowns(others.begin() + 1, others.end());
     unknowns.insert(unknowns.begin() + std::ptrdiff_t(k), Interval(at_k));
-    const BranchLeaf* const leaf = leaf_with(first, others[0]);
-    return leaf != nullptr && certain_holds(*leaf->tube, {&others[0], 1}, unknowns);
+    return leaf_with(first, others[0], unknowns);
   }
 
-  static const BranchLeaf* leaf_with(const ClosureResult& result, const Interval& place) {
+  /// Returns the leaf in whose tube these unknowns are; nullptr if there is none.
+  static const BranchLeaf* leaf_with(const ClosureResult& result, const Interval& place,
+                                     const std::vector<Interval>& unknowns) {
     for (const std::size_t leaf : result.branch.tree.leaves_at({&place, 1})) {
       const BranchLeaf& found = result.branch.tree.leaves()[leaf];
-      if (found.tube && certain_subset(place, found.at.box[0])) return &found;
+      if (found.tube && certain_subset(place, found.at.box[0]))
+        return certain_holds(*found.tube, {&place, 1}, unknowns) ? &found : nullptr;
     }
     return nullptr;
   }
 
-  bool holds_fold(const ClosureResult& second, std::size_t k) const {
+  [[nodiscard]] const BranchLeaf* holding_fold(const ClosureResult& second, std::size_t k) const {
     std::vector<Interval> others{solution_[0]};
     for (std::size_t i = 0; i < n_; ++i)
       if (i != k) others.push_back(fold_.unknowns[i]);
-    const BranchLeaf* const leaf = leaf_with(second, fold_.unknowns[k]);
-    return leaf != nullptr && certain_holds(*leaf->tube, {&fold_.unknowns[k], 1}, others);
+    return leaf_with(second, fold_.unknowns[k], others);
   }
 
   const PreparedClosure& prepared_;

@@ -9,6 +9,23 @@
 
 namespace regulus {
 
+/// A piece of a curve of configurations, over a range of one of its coordinates: the part of a line
+/// of places, 0, or unknown 1 … n. The tube is of the others, in their order.
+struct CurveArc {
+  std::size_t coordinate = 0;
+  Interval range;
+  BranchTube tube;
+};
+
+/// Why a singular configuration is on the branch: FORMAT.md, "Closures".
+struct FoldPath {
+  std::vector<double> towards;    ///< the end of the line, by motion parameter
+  std::vector<double> uncertain;  ///< by uncertain quantity and error; empty: they stay
+  std::vector<CurveArc> arcs;     ///< each shares a configuration with the one before it
+  BranchTube end;                 ///< of (t, p, v), without variables
+  std::vector<double> normal;     ///< n
+};
+
 /// A configuration at which the derivatives of the equations by the unknowns, Φ_p, are singular.
 struct Fold {
   std::vector<Interval> place;     ///< encloses the motion parameters and uncertain quantities
@@ -16,6 +33,7 @@ struct Fold {
   std::vector<Interval>
       direction;  ///< encloses v ≠ 0 with Φ_p v = 0: what moves with the motors locked
   bool is_on_branch = false;  ///< configurations lead to it from the start, all in the variety
+  FoldPath path{};            ///< these; without arcs if it is not on the branch
 };
 
 /// Goes from the start along a line to `towards`, until the branch is lost. There the system

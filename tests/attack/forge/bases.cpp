@@ -341,6 +341,7 @@ std::vector<Base> written_here() {
       {"met", kPair, {"bound", "work", "force", "--load", "gust", "--leg", "1", "--limit", "0.1"}},
       {"branch", kSlider, {"check", "work"}},
       {"five-bar", "five_bar_closure", {"check", "work"}},
+      {"toggle", kRocker, {"check", "work"}},
       {"shards", "robot_1", {"check", "wide_15"}, "", "", 400},
       {"shards of pieces", kEverything, {"check", "way"}, kWay, "way.csv", 60},
       {"shards of a paving", kCart, {"locate", "work", "--load", "gust"}, "", "", 1000},

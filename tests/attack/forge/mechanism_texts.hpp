@@ -65,6 +65,29 @@ constraints = ["y - x/4 - 0.3"]
 error = { y = 0.001 }
 )toml";
 
+/// A branch that ends within the motion: a tolerance, an error, two ranges.
+inline constexpr const char* kRocker = R"toml(regulus = 1
+name = "rocker"
+
+[pose]
+x = "m"
+y = "m"
+
+[geometry]
+a = { value = 1, tolerance = 0.001, group = "a" }
+
+[closure]
+unknowns = { p = "m", q = "rad" }
+equations = ["p^2 - x - a", "sin(q) - y*p/4 - 0.1"]
+start = { x = 0, y = 0, p = 1, q = 0.1 }
+radius = { p = 0.5, q = 0.1 }
+
+[motion.work]
+x = [-2, 0.5]
+y = [-0.4, 0.4]
+error = { y = 0.001 }
+)toml";
+
 /// The configurations at a place: a ball, a tolerance, an error, a logarithm, two ranges.
 inline constexpr const char* kLoop = R"toml(regulus = 1
 name = "loop"

@@ -50,5 +50,46 @@ TEST(ACertificateOfAFourBar, IsVerifiedAndComparedWithItsModel) {
   EXPECT_GE(proved, 6);
 }
 
+/// A motion beyond a toggle has a proof that the branch reaches it. It is no proof for a motion that ends
+/// before, nor for the mirrored linkage.
+TEST(ACertificateOfAToggle, IsVerifiedAndComparedWithItsModel) {
+  std::mt19937 random(8);
+  int proved = 0;
+  for (int count = 0; count < 60 && proved < 12; ++count) {
+    const FourBar linkage = test::random_four_bar(random);
+    std::uniform_real_distribution<double> angle(-3, 3);
+    const double start = angle(random);
+    if (!linkage.is_between_toggles(start, 0.05)) continue;
+    double toggle = start;
+    while (toggle < start + 3 && linkage.is_between_toggles(toggle)) toggle += 1e-3;
+    if (toggle >= start + 3) continue;
+    const double tolerance = count % 3 == 0 ? 0.001 : 0;
+    const std::string model = linkage.text(start, start - 0.01, toggle + 0.2, tolerance);
+    const test::CheckedClosure checked = test::check_closure_text(model, test::usual_options());
+    if (checked.verdict() != Verdict::kSingularity) continue;
+    ++proved;
+    const std::string certificate = test::certified_closure(checked);
+    const verifier::Verification v = verified(certificate, model);
+    EXPECT_EQ(v.outcome, verifier::Outcome::kVerified) << model << certificate << describe(v);
+    const std::string before = linkage.text(start, start - 0.01, toggle - 0.05, tolerance);
+    EXPECT_EQ(verified(certificate, before).outcome, verifier::Outcome::kRejected);
+    FourBar mirror = linkage;
+    mirror.is_open = !mirror.is_open;
+    const std::string other = mirror.text(start, start - 0.01, toggle + 0.2, tolerance);
+    EXPECT_EQ(verified(certificate, other).outcome, verifier::Outcome::kRejected);
+    // The same proof with the range of the shorter motion.
+    const std::string short_range = certified(before);
+    if (short_range.empty()) continue;
+    const auto range_of = [](const std::string& text) {
+      const std::size_t at = text.find("\nparameter ");
+      return text.substr(at, text.find('\n', at + 1) - at);
+    };
+    std::string forged = certificate;
+    forged.replace(forged.find(range_of(forged)), range_of(forged).size(), range_of(short_range));
+    EXPECT_NE(verified(forged).outcome, verifier::Outcome::kVerified) << forged;
+  }
+  EXPECT_GE(proved, 8);
+}
+
 }  // namespace
 }  // namespace regulus

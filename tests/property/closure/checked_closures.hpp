@@ -42,7 +42,10 @@ inline CheckedClosure check_closure_text(const std::string& text, const SearchOp
 inline std::string certified_closure(const CheckedClosure& checked) {
   const TemporaryDirectory directory;
   const std::string path = (directory.path() / "certificate").string();
-  const ProofStatus status = certify_branch(path, checked.prepared, checked.found.searched, {});
+  const ProofStatus status =
+      checked.found.is_refuted()
+          ? certify_fold(path, checked.prepared, *checked.found.reached(), {})
+          : certify_branch(path, checked.prepared, checked.found.searched, {});
   std::ostringstream text;
   if (status.is_written()) text << std::ifstream(path).rdbuf();
   return text.str();

@@ -16,7 +16,7 @@ namespace {
 verifier::Question question_about(const PlantedSystem& system) {
   const std::size_t n = system.unknowns(), m = system.variables();
   std::string text = "regulus-certificate 1\nverdict NO SINGULARITY\nclaim " +
-                     format::describe_closure_claim({n, n}) +
+                     format::describe_closure_claim({n, n}, false) +
                      "\nmodel m\nsha256 -\nmotion m\nalpha 0\n";
   const auto lines = [&](std::size_t count, const std::string& before, const std::string& after) {
     for (std::size_t k = 0; k < count; ++k) text += before + std::to_string(k) + after + '\n';

@@ -32,14 +32,26 @@ TEST(ACertificateOfAClosure, IsVerified) {
   }
 }
 
-TEST(ACertificateOfAClosure, IsThatOfThePage) {
+/// Returns an example of the section about closures.
+std::string example_of_the_page(int number) {
   std::ostringstream page;
   page << std::ifstream(REGULUS_SOURCE_DIR "/runtime/proof/FORMAT.md").rdbuf();
   const std::string text = page.str(), fence = "```\n";
-  const std::size_t begin = text.find(fence, text.find("## Closures")) + fence.size();
-  const Verification v = verify_text(text.substr(begin, text.find(fence, begin) - begin));
-  EXPECT_TRUE(is(Outcome::kVerified, v, ""));
-  EXPECT_EQ(v.links, 1U);
+  std::size_t begin = text.find("## Closures"), end = begin;
+  for (int count = 0; count < number; ++count) {
+    begin = text.find(fence, end) + fence.size();
+    end = text.find(fence, begin);
+    if (count + 1 < number) end += fence.size();
+  }
+  return text.substr(begin, end - begin);
+}
+
+TEST(ACertificateOfAClosure, IsThatOfThePage) {
+  for (const int number : {1, 2}) {
+    const Verification v = verify_text(example_of_the_page(number));
+    EXPECT_TRUE(is(Outcome::kVerified, v, "")) << number;
+    EXPECT_EQ(v.links, 1U);
+  }
 }
 
 TEST(ACertificateOfAClosure, HasOneAnswerForAnyNumberOfThreads) {
@@ -71,7 +83,7 @@ TEST(ACertificateOfAClosure, MayHaveOneLeafAndNoVariables) {
 std::string of_one(const std::string& equation, const std::string& range = "-1 : 1",
                    const std::string& near = "0 +- 1/10", const std::string& start = "0") {
   return "regulus-certificate 1\nverdict NO SINGULARITY\nclaim " +
-         format::describe_closure_claim({1, 1}) +
+         format::describe_closure_claim({1, 1}, false) +
          "\nmodel m\nsha256 -\nmotion m\nalpha 0\nparameter x in " + range +
          "\npose x = x\nunknown p = " + near + "\nstart " + start + "\nequation " + equation +
          "\nproof\n";

@@ -34,9 +34,9 @@ TEST(AForgedClosure, OfAnotherFormatIsRefused) {
   for (const char* const name : {"crank", "theta", "phi", "sin", "2x"})
     EXPECT_TRUE(is(Outcome::kRejected, changed("unknown psi", std::string("unknown ") + name), "'"))
         << name;
-  EXPECT_TRUE(is(Outcome::kRejected, changed("alpha 0", "alpha 1"), "alpha 0"));
-  EXPECT_TRUE(is(Outcome::kRejected, changed("NO SINGULARITY", "SINGULARITY"), "NO SINGULARITY"));
-  EXPECT_TRUE(is(Outcome::kRejected, changed("NO SINGULARITY", "FEASIBLE"), "NO SINGULARITY"));
+  EXPECT_TRUE(is(Outcome::kRejected, changed("alpha 0", "alpha 1"), "alpha is 0"));
+  EXPECT_TRUE(is(Outcome::kRejected, changed("NO SINGULARITY", "SINGULARITY"), "claim"));
+  EXPECT_TRUE(is(Outcome::kRejected, changed("NO SINGULARITY", "FEASIBLE"), "about singularity"));
   EXPECT_TRUE(is(Outcome::kRejected, changed("start 60*pi/180\n", ""), "start"));
   EXPECT_TRUE(is(Outcome::kRejected, changed("start 60*pi/180\n", "start theta\n"), "declared"));
   EXPECT_TRUE(is(Outcome::kRejected, changed("equation x", "entry x"), "equation"));
