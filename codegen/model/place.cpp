@@ -102,17 +102,26 @@ void refuse_a_part(const std::vector<PlaceName>& names, std::span<const GivenNum
   throw InputError::statement("", 0, problem, remedy, symbol);
 }
 
-/// The number of a length or of the tool that is set; an angle in radians.
-GiNaC::ex checked_number(const GivenNumber& given, const PlaceName& name, bool is_length,
-                         Motion& motion) {
+/// A number that is set, in its unit.
+ParsedExpression checked_number(const GivenNumber& given, const PlaceName& name, Motion& motion) {
   const Place place{.file = "", .key = given.name};
   const ParsedExpression term = given.value
                                     ? constant(*given.value)
                                     : parse_constant(given.text, place, number_unit(name.unit));
   append(motion.must_be_defined, term.must_be_defined);
   warn_about_angle(motion.warnings, {term.value, term.value}, name.unit, place);
-  if (is_length) return checked_nonnegative(term, place);
-  return is_in_degrees(name.unit) ? term.value * one_degree() : term.value;
+  return term;
+}
+
+/// Gives a joint a value that it keeps while the others bring the tool to its place. Returns false if
+/// there is no such joint.
+bool hold_joint(const Model& model, Motion& motion, const GivenNumber& given) {
+  const std::vector<PlaceName> joints = pose_names(model);
+  const auto at = std::ranges::find(joints, given.name, &PlaceName::name);
+  if (at == joints.end()) return false;
+  const auto k = std::size_t(at - joints.begin());
+  motion.pose[k] = checked_number(given, *at, motion).value;
+  return true;
 }
 
 }  // namespace
@@ -162,6 +171,10 @@ Motion asked_motion(const Model& model, const ModelOptions& options,
   return motion;
 }
 
+bool keeps_value(const Model& model, const Motion& motion, std::size_t joint) {
+  return !motion.tool.empty() && !motion.pose[joint].is_equal(model.pose[joint].symbol);
+}
+
 void set_number(const Model& model, Motion& motion, const GivenNumber& given) {
   const std::vector<PlaceName> lengths = length_names(model), tool = tool_names(model);
   if (!motion.has_no_pose()) {
@@ -182,16 +195,23 @@ void set_number(const Model& model, Motion& motion, const GivenNumber& given) {
   const bool is_length = !motion.legs.empty();
   const std::vector<PlaceName>& names = is_length ? lengths : tool;
   const auto at = std::ranges::find(names, given.name, &PlaceName::name);
+  if (at == names.end() && !is_length && hold_joint(model, motion, given)) return;
   if (at == names.end()) {
     std::vector<std::string> words;
     for (const PlaceName& name : names) words.push_back(name.name);
+    if (!is_length)
+      for (const PoseParameter& p : model.pose) words.push_back(p.name);
     refuse_place("the motion " + in_quotes(motion.name) + " gives " +
                      (is_length ? "the lengths of the legs" : "the place of the tool") +
                      ", and no " + in_quotes(given.name),
-                 suggestion(given.name, words, "it has: " + listed(names)), given.name);
+                 suggestion(given.name, words, "it has: " + enumeration(words)), given.name);
   }
-  (is_length ? motion.legs : motion.tool)[std::size_t(at - names.begin())] =
-      checked_number(given, *at, is_length, motion);
+  const ParsedExpression number = checked_number(given, *at, motion);
+  const auto k = std::size_t(at - names.begin());
+  if (is_length)
+    motion.legs[k] = checked_nonnegative(number, {.file = "", .key = given.name});
+  else
+    motion.tool[k] = is_in_degrees(at->unit) ? number.value * one_degree() : number.value;
 }
 
 std::vector<PlacedNumber> place_of(const Model& model, const Motion& motion) {
@@ -209,6 +229,9 @@ std::vector<PlacedNumber> place_of(const Model& model, const Motion& motion) {
         !motion.tool.empty() && is_in_degrees(names[i].unit) ? one_degree() : GiNaC::ex(1);
     place.push_back({names[i].name, names[i].unit, numbers[i].subs(values) / unit});
   }
+  for (std::size_t k = 0; k < model.pose.size(); ++k)
+    if (keeps_value(model, motion, k))
+      place.push_back({model.pose[k].name, model.pose[k].unit, motion.pose[k]});
   return place;
 }
 

@@ -39,7 +39,11 @@ struct GivenNumber {
 [[nodiscard]] Motion asked_motion(const Model& model, const ModelOptions& options,
                                   std::span<const GivenNumber> given);
 
-/// Sets a number of the motion's place. A pose parameter may have a range "LO:HI" as text.
+/// True if a motion by the place of an arm's tool gives a joint a value, which it keeps.
+[[nodiscard]] bool keeps_value(const Model& model, const Motion& motion, std::size_t joint);
+
+/// Sets a number of the motion's place. A pose parameter may have a range "LO:HI" as text. Beside the
+/// place of a tool, a joint may have a value that it keeps.
 ///
 /// Throws    InputError if the motion has no such number.
 void set_number(const Model& model, Motion& motion, const GivenNumber& given);

@@ -117,6 +117,24 @@ TEST_F(AllSolutionsByCommand, SayWhatWasHeld) {
   EXPECT_EQ(arm["question"]["held"], json({"q1"}));
 }
 
+TEST_F(AllSolutionsByCommand, TakeAJointThatKeepsItsValueBesideTheTool) {
+  const std::vector<std::string> tool = {"seven_joints", "--at",  "x=0.4", "--at",   "y=0.1",
+                                         "--at",         "z=0.6", "--at",  "roll=2", "--at",
+                                         "pitch=0.2",    "--at",  "yaw=1"};
+  const auto with = [&tool](std::vector<std::string> more) {
+    more.insert(more.begin(), tool.begin(), tool.end());
+    return more;
+  };
+  const json found = report(with({"--at", "q3=0.25"}));
+  EXPECT_EQ(found["verdict"], "complete");
+  EXPECT_EQ(found["question"]["place"]["q3"]["exact"], "1/4");
+  EXPECT_EQ(found["solutions"], report(with({"--at", "q3=1/4", "--hold", "q3"}))["solutions"]);
+  EXPECT_THAT(solve(with({})).errors, HasSubstr("such as at q7=VALUE"));
+  EXPECT_THAT(solve(with({"--hold", "q3"})).errors, HasSubstr("at q3=VALUE"));
+  EXPECT_THAT(solve(with({"--at", "q8=1"})).errors, HasSubstr("no 'q8'"));
+  EXPECT_THAT(solve(with({"--at", "q3=1", "--at", "q4=1"})).errors, HasSubstr("5 joints are free"));
+}
+
 TEST_F(AllSolutionsByCommand, OfATableHaveALineForEachPlace) {
   const CommandResult found = solve({"rpr_6", "--waypoints", file("lengths.csv", kTable)});
   EXPECT_EQ(found.exit_code, 1);

@@ -2,7 +2,9 @@
 #include "codegen/question/solve/arm_chain.hpp"
 
 #include "codegen/kernel/formulation/variety.hpp"
+#include "codegen/model/degrees.hpp"
 #include "codegen/model/mechanism/rotation.hpp"
+#include "codegen/model/place.hpp"
 #include "codegen/question/solve/nominal.hpp"
 #include "runtime/interval/elementary.hpp"
 
@@ -112,6 +114,22 @@ ArmChain enclose_chain(const Model& model) {
     for (std::size_t i = 0; i < 3; ++i) enclosing.axis[i] = enclosed(nominal.at(joint.axis[i]));
   }
   return chain;
+}
+
+std::vector<Interval> enclose_values(const Model& model, const Motion& motion) {
+  const NominalGeometry nominal(model);
+  const bool is_by_tool = !motion.tool.empty();
+  const std::vector<GiNaC::ex> pose = is_by_tool ? motion.pose : pose_of(motion);
+  std::vector<Interval> values;
+  for (std::size_t i = 0; i < pose.size(); ++i) {
+    const bool turns_in_degrees =
+        model.arm->joints[i].kind == JointKind::kRevolute && is_in_degrees(model.pose[i].unit);
+    const GiNaC::ex unit = turns_in_degrees ? one_degree() : GiNaC::ex(1);
+    const bool is_free = is_by_tool && !keeps_value(model, motion, i);
+    values.push_back(is_free ? Interval(0)
+                             : enclose_constant(nominal.at(pose[i] * unit), model.pose[i].name));
+  }
+  return values;
 }
 
 LinkFrame enclose_target(const Model& model, const std::vector<GiNaC::ex>& tool) {

@@ -51,6 +51,10 @@ using ArmChain = std::vector<ArmJoint>;
 /// Throws    InputError if a number of it has no certain value.
 [[nodiscard]] ArmChain enclose_chain(const Model& model);
 
+/// Encloses the value of each joint, turns in radians. A joint without a value has 0: it is free to
+/// bring the tool to its place.
+[[nodiscard]] std::vector<Interval> enclose_values(const Model& model, const Motion& motion);
+
 /// Encloses the frame of the last joint when the tool is at x, y, z, roll, pitch, yaw.
 [[nodiscard]] LinkFrame enclose_target(const Model& model, const std::vector<GiNaC::ex>& tool);
 

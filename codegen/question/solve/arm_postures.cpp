@@ -11,9 +11,9 @@
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/degrees.hpp"
 #include "codegen/model/names.hpp"
+#include "codegen/model/place.hpp"
 #include "codegen/question/engine/settings.hpp"
 #include "codegen/question/solve/arm_system.hpp"
-#include "codegen/question/solve/nominal.hpp"
 #include "codegen/question/solve/root_search.hpp"
 #include "codegen/question/solve/system_solutions.hpp"
 #include "codegen/support/errors.hpp"
@@ -51,20 +51,20 @@ class ArmSolver {
       if (joint.follows)
         throw UsageError("the postures of an arm with joints that follow others are not found");
     const bool is_by_tool = !request.motion.tool.empty();
-    if (is_by_tool && !run.held.empty())
-      throw UsageError("a joint is held at the value of a motion, and this one gives the tool");
-    const std::vector<Interval> values =
-        is_by_tool ? std::vector<Interval>() : values_of(request.motion);
+    const std::vector<std::string> held = held_joints(request.motion, run.held);
+    const std::vector<Interval> values = enclose_values(model_, request.motion);
     free_.resize(chain_.size());
     std::iota(free_.begin(), free_.end(), std::size_t{0});
     target_ =
         is_by_tool ? enclose_target(model_, request.motion.tool) : posture_at(chain_, values).end;
-    for (const std::string& name : run.held) hold(name, values);
+    for (const std::string& name : held) hold(name, values);
     if (chain_.size() != kJoints)
-      throw UsageError(
-          fmt::format("{} joints are free to move, and a frame fixes six; {}", chain_.size(),
-                      chain_.size() > kJoints ? "name some that keep their values by hold"
-                                              : "postures are found of arms with six"));
+      throw UsageError(fmt::format(
+          "{} joints are free to move, and a frame fixes six; {}", chain_.size(),
+          chain_.size() < kJoints ? "postures are found of arms with six"
+          : is_by_tool
+              ? "give values that some keep, such as at " + model_.pose.back().name + "=VALUE"
+              : "name some that keep their values by hold"));
     for (const std::size_t i : free_)
       solutions_.unknowns.push_back({model_.pose[i].name, model_.pose[i].unit,
                                      !turns(i)       ? 0
@@ -106,16 +106,19 @@ class ArmSolver {
     std::optional<Reason> stopped_by{};
   };
 
-  /// Encloses the value of each joint, in radians.
-  [[nodiscard]] std::vector<Interval> values_of(const Motion& motion) const {
-    const NominalGeometry nominal(model_);
-    const std::vector<GiNaC::ex> pose = pose_of(motion);
-    std::vector<Interval> values;
-    for (std::size_t i = 0; i < pose.size(); ++i) {
-      const GiNaC::ex unit = in_degrees(i) ? one_degree() : GiNaC::ex(1);
-      values.push_back(enclose_constant(nominal.at(pose[i] * unit), model_.pose[i].name));
+  /// Returns the joints of the option, and those to which a motion by the tool gives a value.
+  [[nodiscard]] std::vector<std::string> held_joints(const Motion& motion,
+                                                     std::vector<std::string> names) const {
+    for (std::size_t i = 0; i < model_.pose.size() && !motion.tool.empty(); ++i) {
+      const std::string& name = model_.pose[i].name;
+      const bool is_named = std::ranges::find(names, name) != names.end();
+      if (is_named && !keeps_value(model_, motion, i))
+        throw UsageError(fmt::format(
+            "{} is held, and has no value; give it beside the place of the tool, at {}=VALUE",
+            in_quotes(name), name));
+      if (!is_named && keeps_value(model_, motion, i)) names.push_back(name);
     }
-    return values;
+    return names;
   }
 
   [[nodiscard]] bool turns(std::size_t joint) const {

@@ -236,7 +236,7 @@ std::string arm_lines(const Request& request, const Solutions& solutions) {
   const Model& model = request.model;
   const NominalGeometry nominal(model);
   const bool is_by_tool = !request.motion.tool.empty();
-  const std::vector<ex> pose = is_by_tool ? std::vector<ex>() : pose_of(request.motion);
+  const std::vector<ex> pose = is_by_tool ? request.motion.pose : pose_of(request.motion);
   std::string joints, values;
   for (std::size_t k = 0; k < model.arm->joints.size(); ++k) {
     const SerialJoint& joint = model.arm->joints[k];
@@ -245,9 +245,8 @@ std::string arm_lines(const Request& request, const Solutions& solutions) {
     const bool is_free = std::ranges::any_of(solutions.unknowns, [&](const SolvedUnknown& unknown) {
       return unknown.name == model.pose[k].name;
     });
-    ex value = 0;
-    if (!is_by_tool)
-      value = nominal.at(pose[k] * (is_in_degrees(model.pose[k].unit) ? one_degree() : ex(1)));
+    const ex unit = is_in_degrees(model.pose[k].unit) ? one_degree() : ex(1);
+    const ex value = is_by_tool && is_free ? ex(0) : nominal.at(pose[k] * unit);
     if (!is_free) numbers.push_back(value);
     joints += (is_free ? "joint " : "held-joint ") + expressions(numbers) + '\n';
     if (is_free) values += "joint-value " + expression_text(value) + '\n';

@@ -14,7 +14,7 @@ namespace regulus {
 
 struct SolveOptions {
   SearchOptions search{};
-  std::vector<std::string> at{};    ///< "NAME=VALUE": values of pose parameters
+  std::vector<std::string> at{};    ///< "NAME=VALUE": numbers of the place
   std::vector<std::string> hold{};  ///< joints of an arm that keep the values of the motion
   /// A file for the proof of solve(); empty: none.
   std::string certificate{};

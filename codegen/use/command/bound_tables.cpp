@@ -92,8 +92,8 @@ void CommandTables::add_solve() {
       ->add_option(
           "--at", solve.model.at,
           "The value of a pose parameter; in its place of a leg's length, rho_1, or of the "
-          "tool, x, y, z, roll, pitch, yaw; may be repeated. Values of all of them need no "
-          "MOTION")
+          "tool, x, y, z, roll, pitch, yaw; beside the tool, of a joint that keeps it; may be "
+          "repeated. Values of all of them need no MOTION")
       ->take_all()
       ->expected(1)
       ->type_name("NAME=VALUE");

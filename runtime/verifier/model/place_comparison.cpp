@@ -93,7 +93,13 @@ class PlaceComparison {
     if (is_by_tool ? stated.tool.empty() : has_values && !stated.tool.empty())
       comparer_.refuse_model(is_by_tool ? "the motion gives the place of the tool"
                                         : "the motion gives values of the joints");
-    if (!stated.tool.empty()) return compare_tool(arm.tool, is_by_tool);
+    if (!stated.tool.empty()) {
+      // The value that a joint keeps beside the tool is an option, as that it keeps one.
+      for (std::size_t k = 0; k < stated.joints.size(); ++k)
+        if (stated.joints[k].held != kNoNode)
+          comparer_.note_compared("joint " + std::to_string(k) + "_15");
+      return compare_tool(arm.tool, is_by_tool);
+    }
     std::size_t free = 0;
     for (std::size_t k = 0; k < arm.joints.size(); ++k)
       if (stated.joints[k].held != kNoNode)

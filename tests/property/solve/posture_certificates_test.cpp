@@ -111,6 +111,84 @@ TEST(TheToolOfAnArmInDegrees, IsThatOfTheArmInRadians) {
   EXPECT_EQ(outcome(without_sum(degrees.text), in_degrees + with_deg), Outcome::kVerified);
 }
 
+/// A frame, in doubles.
+struct Frame {
+  std::array<double, 9> R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  std::array<double, 3> p = {};
+  void move(const std::array<double, 3>& d) {
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) p[i] += R[3 * i + j] * d[j];
+  }
+  /// About the x axis (0) or the z axis (2).
+  void turn(std::size_t axis, double angle) {
+    const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double a = R[3 * i + u], b = R[3 * i + v];
+      R[3 * i + u] = a * std::cos(angle) + b * std::sin(angle);
+      R[3 * i + v] = b * std::cos(angle) - a * std::sin(angle);
+    }
+  }
+};
+
+/// Returns x, y, z, roll, pitch, yaw of the tool of models/seven_joints.toml.
+std::array<double, 6> tool_of_seven_joints(const std::array<double, 7>& q) {
+  constexpr double kQuarter = 1.57079632679489662;
+  constexpr std::array<std::array<double, 3>, 8> kOffset = {{{0, 0, 0.16},
+                                                             {0, 0, 0.2},
+                                                             {0, -0.2, 0},
+                                                             {0, 0, 0.22},
+                                                             {0, 0.18, 0},
+                                                             {0, 0, 0.22},
+                                                             {0, -0.08, 0},
+                                                             {0, 0, 0.1}}};
+  constexpr std::array<double, 7> kTurned = {0,         -kQuarter, kQuarter, kQuarter,
+                                             -kQuarter, -kQuarter, kQuarter};
+  Frame frame;
+  for (std::size_t i = 0; i < 7; ++i) {
+    frame.move(kOffset[i]);
+    frame.turn(0, kTurned[i]);
+    frame.turn(2, q[i]);
+  }
+  frame.move(kOffset[7]);
+  const auto& R = frame.R;
+  return {frame.p[0],       frame.p[1],
+          frame.p[2],       std::atan2(R[7], R[8]),
+          std::asin(-R[6]), std::atan2(R[3], R[0])};
+}
+
+/// At the place of the tool for random values of the joints, with the value of one joint, the planted
+/// posture is in the list.
+TEST(AJointBesideTheTool, KeepsItsValue) {
+  const std::string model = library_model("seven_joints");
+  RandomSource random(7);
+  for (int count = 0; count < 8; ++count) {
+    std::array<double, 7> q{};
+    for (double& angle : q) angle = random.between(-1.5, 1.5);
+    const std::array<double, 6> tool = tool_of_seven_joints(q);
+    // Beside a given elbow, q4, the upper arm can still turn about the line from shoulder to wrist.
+    constexpr std::array<std::size_t, 6> kHeld = {0, 1, 2, 4, 5, 6};
+    const std::size_t held = kHeld[std::size_t(count) % kHeld.size()];
+    std::vector<std::string> at = {fmt::format("q{}={:.17f}", held + 1, q[held])};
+    constexpr std::array<const char*, 6> kNames = {"x", "y", "z", "roll", "pitch", "yaw"};
+    for (std::size_t i = 0; i < 6; ++i) at.push_back(fmt::format("{}={:.17f}", kNames[i], tool[i]));
+    const Certified made = certified(model, at);
+    ASSERT_EQ(made.solutions.unknowns.size(), 6U);
+    const bool has_planted = std::ranges::any_of(made.solutions.found, [&](const auto& solution) {
+      for (std::size_t i = 0, k = 0; i < 7; ++i) {
+        if (i == held) continue;
+        const double away = mid(solution.values[k++]) - q[i];
+        if (std::fabs(std::remainder(away, 6.28318530717958648)) > 1e-6) return false;
+      }
+      return true;
+    });
+    EXPECT_TRUE(has_planted) << fmt::format("{}", fmt::join(at, " "));
+    if (made.text.empty()) continue;
+    EXPECT_EQ(outcome(made.text), Outcome::kVerified);
+    EXPECT_EQ(verified(made.text, model, true).outcome, Outcome::kVerified);
+    EXPECT_EQ(verified(made.text, model).outcome, Outcome::kRejected);
+  }
+}
+
 Outcome outcome_of_pair(Lines lines, int pair) {
   lines[first(lines, "opposite")] = fmt::format("opposite {}", pair);
   verifier::Options options;
