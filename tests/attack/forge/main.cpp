@@ -307,7 +307,7 @@ int main(int argc, char** argv) try {
   app.add_option("--json", options.json, "Write the counts to FILE");
   app.add_option("--show", options.show, "NUMBER: write the files of one forgery");
   app.add_option("--lines-of", options.format,
-                 "FORMAT.md: name the lines that no change of a certificate touches");
+                 "FORMAT.md: also name the lines that no change of a certificate touches");
   app.add_option("--failures", options.failures, "Most lines about failures");
   app.add_flag("--at-once", options.is_told_at_once, "Also tell each failure when it is found");
   CLI11_PARSE(app, argc, argv);
@@ -316,9 +316,9 @@ int main(int argc, char** argv) try {
     run.show(std::stoull(options.show));
     return 0;
   }
-  if (!options.format.empty()) return run.find_untouched(options.format);
+  const int untouched = options.format.empty() ? 0 : run.find_untouched(options.format);
   run.run();
-  return run.report();
+  return std::max(untouched, run.report());
 } catch (const std::exception& error) {
   std::cerr << "forge: " << error.what() << '\n';
   return 64;

@@ -35,7 +35,7 @@ Verdict verdict_around_home(const std::string& model) {
 
 TEST(ClosuresOfFiles, HaveVerdictsAboutTheRobotsOfTheFiles) {
   int proved = 0, open = 0;
-  for (std::uint64_t seed = 500; seed < 540; ++seed) {
+  for (std::uint64_t seed = 500; seed < 524; ++seed) {
     const RandomLoops loops(seed);
     const auto text = imported(loops);
     if (!text) continue;
@@ -60,7 +60,7 @@ TEST(ClosuresOfFiles, HaveVerdictsAboutTheRobotsOfTheFiles) {
       ASSERT_LT(locked.moves_unknown, 1e-5) << "seed " << seed;
     }
   }
-  EXPECT_GT(proved, 15);
+  EXPECT_GT(proved, 9);
   EXPECT_LT(open, proved);
 }
 

@@ -13,7 +13,7 @@ namespace regulus::test {
 
 inline verifier::Options little_effort() {
   verifier::Options options;
-  options.max_boxes = 2000;
+  options.max_boxes = 1000;
   options.max_boxes_per_leaf = 500;
   options.max_bits = 256;
   return options;

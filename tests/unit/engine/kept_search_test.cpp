@@ -88,7 +88,7 @@ TEST(KeptSearch, FollowsAllRangesToTheBit) {
         SearchOptions search;
         search.threads = threads;
         search.engine = Engine::kInterpreted;
-        search.max_boxes = 150;
+        search.max_boxes = 70;
         const PreparedSearch preparation = prepared(question, search, alpha);
         const Settings settings = settings_from(search);
         const Problem whole = preparation.problem();
