@@ -133,6 +133,7 @@ struct PreparedShape {
 struct PreparedQuestion::Parts {
   ModelOptions model;
   SearchOptions search;
+  const Settings unlimited;  ///< of `search`
   Request nominal;
   std::list<PreparedShape> prepared;  ///< the last one used is the first
 
@@ -147,7 +148,10 @@ struct PreparedQuestion::Parts {
   First first;
 
   Parts(const ModelOptions& asked, const SearchOptions& options)
-      : model(unchanged(asked)), search(options), nominal(read_request(model)) {
+      : model(unchanged(asked)),
+        search(options),
+        unlimited(settings_from(limited(options, {}))),
+        nominal(read_request(model)) {
     if (nominal.motion.trajectory)
       throw UsageError("prepare: a motion along way-points has no ranges to change; use check");
     // The file may change later.
@@ -161,6 +165,9 @@ struct PreparedQuestion::Parts {
   PreparedSearch& search_for(const Question& question, const std::atomic<bool>* interrupt);
   /// Returns that of the first question with these ranges of its parameters.
   PreparedSearch& search_for(std::span<const Interval> ranges, const std::atomic<bool>* interrupt);
+  /// The preparation is not counted in the time limit.
+  [[nodiscard]] Settings settings_for(const PreparedSearch& found, const SearchLimits& limits,
+                                      const std::atomic<bool>* interrupt) const;
   /// Throws    UsageError if the question is about another model or motion.
   [[nodiscard]] Request request_of(const Question& question) const;
 
@@ -212,6 +219,18 @@ PreparedSearch& PreparedQuestion::Parts::search_for(const Question& question,
       shape_for(shape_of(request, nominal), request, options_of(question), interrupt);
   found.replan(request);
   return found.search;
+}
+
+Settings PreparedQuestion::Parts::settings_for(const PreparedSearch& found,
+                                               const SearchLimits& limits,
+                                               const std::atomic<bool>* interrupt) const {
+  Settings settings = unlimited;
+  if (limits.threads != 0) settings.threads = limits.threads;
+  if (limits.max_boxes != 0) settings.max_boxes = limits.max_boxes;
+  if (limits.time_limit != 0) settings.time_limit = limits.time_limit;
+  settings.interrupt = interrupt;
+  for (const FilterFile& filter : found.filters) settings.filters.push_back(&filter.interface());
+  return settings;
 }
 
 void PreparedQuestion::Parts::begin(const Question& question, const std::atomic<bool>* interrupt) {
@@ -276,8 +295,7 @@ Finding PreparedQuestion::check(const Question& question, const SearchLimits& li
   Stopwatch watch;
   PreparedSearch& prepared = parts_->search_for(question, interrupt);
   const SearchOptions search = limited(parts_->search, limits);
-  Settings settings = settings_of(prepared, search, interrupt);
-  settings.time_limit = settings_from(search).time_limit;  // the preparation is not counted again
+  Settings settings = parts_->settings_for(prepared, limits, interrupt);
   Finding finding;
   finding.result = run_search(prepared, search, settings);
   finding.verdict = finding.result.verdict;
@@ -292,9 +310,7 @@ Result PreparedQuestion::check(std::span<const Interval> ranges, const SearchLim
                                const std::atomic<bool>* interrupt) {
   const AlgebraLock lock;
   PreparedSearch& prepared = parts_->search_for(ranges, interrupt);
-  const SearchOptions search = limited(parts_->search, limits);
-  Settings settings = settings_of(prepared, search, interrupt);
-  settings.time_limit = settings_from(search).time_limit;  // the preparation is not counted again
+  Settings settings = parts_->settings_for(prepared, limits, interrupt);
   if (!prepared.stopped) {
     Settings in_doubles = settings;
     in_doubles.max_boxes = std::min(settings.max_boxes, kBoxesInDoubles);
@@ -302,7 +318,7 @@ Result PreparedQuestion::check(std::span<const Interval> ranges, const SearchLim
     if (result.verdict != Verdict::kPossibleProblem) return result;
     settings.time_limit = std::max(0.0, settings.time_limit - result.statistics.seconds);
   }
-  return run_search(prepared, search, settings);
+  return run_search(prepared, limited(parts_->search, limits), settings);
 }
 
 void PreparedQuestion::describe(const Question& question, Finding& finding,
