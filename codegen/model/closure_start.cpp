@@ -42,25 +42,14 @@ void require_within(const Model& model, const Motion& motion, const MotionParame
 void require_equal(const Model& model, const Motion& motion, const PoseParameter& parameter,
                    const ex& value, const ex& start) {
   if (value.is_equal(start) || certain_sign(value - start) == CertainSign::kZero) return;
-  refuse(model, motion,
-         " does not contain the start of [closure]: " + parameter.name + " is " +
-             with_unit(value, parameter.unit) + " there, and " + with_unit(start, parameter.unit) +
-             " at the start",
-         "give " + parameter.name + " the value of closure.start, or a range that contains it");
-}
-
-std::vector<ex> values_of(const Model& model, const Motion& motion,
-                          const std::vector<std::optional<ex>>& found) {
-  std::vector<ex> values;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    if (!found[i])
-      refuse(model, motion,
-             " has the parameter " + motion.parameters[i].name +
-                 ", and the start of [closure] does not say what it is there",
-             "write the number in its place, or give the motion by ranges of the pose parameters");
-    values.push_back(*found[i]);
-  }
-  return values;
+  refuse(
+      model, motion,
+      " does not contain the start of [closure]: " + parameter.name + " is " +
+          with_unit(value, parameter.unit) + " there, and " + with_unit(start, parameter.unit) +
+          " at the start",
+      "give " + parameter.name +
+          " the value of closure.start, or a range that contains it; a motion by formulas begins "
+          "at the start, with its parameters at their lower ends");
 }
 
 }  // namespace
@@ -69,27 +58,28 @@ std::vector<ex> start_of(const Model& model, const Motion& motion) {
   const Closure& closure = model.closure.value();
   if (motion.waypoints || motion.trajectory)
     refuse(model, motion, " follows way-points, and the start of [closure] must be a place of it",
-           "give the motion by ranges of the pose parameters");
+           "give the motion by ranges of the pose parameters, or by formulas");
   std::vector<std::optional<ex>> found(motion.parameters.size());
   for (std::size_t i = 0; i < model.pose.size(); ++i) {
     const ex &value = motion.pose[i], &start = closure.start_pose[i];
     const auto at = std::ranges::find_if(
         motion.parameters, [&value](const MotionParameter& p) { return value.is_equal(p.symbol); });
-    if (at != motion.parameters.end()) {
-      std::optional<ex>& known = found[static_cast<std::size_t>(at - motion.parameters.begin())];
-      if (known) require_equal(model, motion, model.pose[i], *known, start);
-      require_within(model, motion, *at, start);
-      known = start;
-    } else if (symbols_of(value).empty()) {
-      require_equal(model, motion, model.pose[i], value, start);
-    } else {
-      refuse(model, motion,
-             " gives " + model.pose[i].name +
-                 " by a formula, and the start of [closure] must be a place of it",
-             "give the motion by ranges of the pose parameters");
-    }
+    if (at == motion.parameters.end()) continue;
+    std::optional<ex>& known = found[static_cast<std::size_t>(at - motion.parameters.begin())];
+    if (known) require_equal(model, motion, model.pose[i], *known, start);
+    require_within(model, motion, *at, start);
+    known = start;
   }
-  return values_of(model, motion, found);
+  std::vector<ex> values;
+  GiNaC::exmap at_start;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    values.push_back(found[k].value_or(motion.parameters[k].range.lo));
+    at_start[motion.parameters[k].symbol] = values[k];
+  }
+  for (std::size_t i = 0; i < model.pose.size(); ++i)
+    require_equal(model, motion, model.pose[i], motion.pose[i].subs(at_start),
+                  closure.start_pose[i]);
+  return values;
 }
 
 void require_start(const Model& model, const Motion& motion) {

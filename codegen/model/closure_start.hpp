@@ -11,9 +11,10 @@ namespace regulus {
 /// Returns the values of the motion's parameters at the start of the model's closure, by parameter.
 ///
 /// Requires  the model has a closure.
-/// Ensures   each is within its range, and the motion's pose there is the start's: both are proved.
-/// Throws    InputError, with the motion's name, if the start is no place of the motion, or if that
-///           cannot be told: its pose is given by formulas, or along way-points.
+/// Ensures   each is within its range, and the motion's pose there is the start's: both are proved. One
+///           that is no pose parameter is at its lower end: a motion by formulas begins at the start.
+/// Throws    InputError, with the motion's name, if the start is no such place of the motion, or if
+///           the motion follows way-points.
 [[nodiscard]] std::vector<GiNaC::ex> start_of(const Model& model, const Motion& motion);
 
 /// The same for a check alone. A model without a closure has no start, and passes.

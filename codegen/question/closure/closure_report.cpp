@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <ranges>
 
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/place_text.hpp"
@@ -142,6 +143,35 @@ std::vector<double> at_the_border(const PreparedClosure& prepared, std::vector<d
   return place;
 }
 
+/// The ends of the branch are looked for so much further than the first box without it.
+constexpr double kPartBeyond = 0x1p-6;
+
+/// Returns places a little beyond the boxes that are on the branch, to either side of the start, of a
+/// motion of one parameter.
+std::vector<double> beyond_the_branch(const PreparedClosure& prepared,
+                                      const ClosureResult& searched) {
+  std::vector<std::pair<Interval, bool>> boxes;
+  const std::vector<BranchLeaf>& leaves = searched.branch.tree.leaves();
+  for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
+    boxes.emplace_back(leaves[leaf].at.box[0],
+                       leaf < searched.links.on_branch.size() && searched.links.on_branch[leaf]);
+  std::ranges::sort(boxes, {}, [](const auto& box) { return box.first.lo; });
+  const double start = prepared.near_start.variables[0];
+  const Interval& range = prepared.problem.outer[0];
+  std::vector<double> places;
+  const auto go = [&](double end) {
+    places.push_back(std::clamp(end + kPartBeyond * (end - start), range.lo, range.hi));
+  };
+  const auto below = std::ranges::find_if(std::views::reverse(boxes), [&](const auto& box) {
+    return !box.second && box.first.lo < start;
+  });
+  if (below != boxes.rend()) go(below->first.lo);
+  const auto above = std::ranges::find_if(
+      boxes, [&](const auto& box) { return !box.second && box.first.hi > start; });
+  if (above != boxes.end()) go(above->first.hi);
+  return places;
+}
+
 }  // namespace
 
 std::string reason_of(const ClosureFinding& found) {
@@ -193,8 +223,7 @@ ClosureFinding pave_closure(PreparedClosure& prepared, const SearchOptions& sear
   found.searched =
       run_closure(prepared, settings, progress, checkpoint ? checkpoint(settings) : nullptr);
   if (prepared.shape.parameters != 1) return found;
-  const Interval& range = prepared.problem.outer[0];
-  for (const double end : {range.lo, range.hi})
+  for (const double end : beyond_the_branch(prepared, found.searched))
     if (auto fold = find_fold(prepared, {end}, {}, within(search, deadline), watch))
       found.folds.push_back(std::move(*fold));
   return found;

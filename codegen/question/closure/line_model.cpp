@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/closure/line_model.hpp"
 
-#include <algorithm>
-
 #include "codegen/answer/certificate/certificate_question.hpp"
+#include "codegen/model/closure_start.hpp"
 #include "codegen/model/exact/exact_double.hpp"
 
 namespace regulus {
@@ -20,19 +19,16 @@ LineModel::LineModel(const PreparedClosure& prepared, const std::vector<double>&
     values[g.symbol] = !uncertain.empty() && names.contains(g.name)
                            ? g.value + part_ * (exact_number(uncertain[next++]) - g.value)
                            : g.value;
+  const std::vector<ex> from = start_of(given_.model, given_.motion);
+  GiNaC::exmap place;
+  for (std::size_t k = 0; k < from.size(); ++k)
+    place[given_.motion.parameters[k].symbol] =
+        from[k] + part_ * (exact_number(towards[k]) - from[k]);
   for (std::size_t i = 0; i < given_.model.pose.size(); ++i) {
-    const auto parameter = std::ranges::find_if(
-        given_.motion.parameters,
-        [&](const MotionParameter& p) { return p.symbol.is_equal(given_.model.pose[i].symbol); });
-    const auto k = std::size_t(parameter - given_.motion.parameters.begin());
-    const ex from = closure_.start_pose[i];
     const bool has_error = !given_.motion.error.empty() && !given_.motion.error[i].is_zero();
     const ex error =
         has_error && !uncertain.empty() ? part_ * exact_number(uncertain[next++]) : ex(0);
-    values[given_.model.pose[i].symbol] =
-        error + (parameter == given_.motion.parameters.end()
-                     ? given_.motion.pose[i]
-                     : from + part_ * (exact_number(towards[k]) - from));
+    values[given_.model.pose[i].symbol] = error + given_.motion.pose[i].subs(place);
   }
   for (const ex& equation : closure_.equations) equations_.push_back(equation.subs(values));
   for (const ex& condition : given_.model.must_be_defined)

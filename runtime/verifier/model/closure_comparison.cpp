@@ -265,11 +265,40 @@ class ClosureComparison {
       else if (!parameter.empty())
         require(place, "start " + parameter, none);
       else if (q_.stated.contains("pose " + name))
-        comparer_.compare_at(place, "pose " + name, none);
+        compare_pose_at_start(name, place);
       else
         comparer_.leave_out(comparer_.place_of(place),
                             "the certificate has no such pose parameter");
     }
+    compare_lower_ends();
+  }
+
+  /// A motion by formulas begins at the start: there its parameters are at their lower ends, if they are
+  /// no pose parameters themselves.
+  void compare_lower_ends() {
+    for (std::size_t k = 0; k < closure_.start.size(); ++k) {
+      const std::string& parameter = q_.variables[k].name;
+      if (!is_at_a_pose(parameter))
+        comparer_.compare({"the start of the motion", 0, "the lower end of " + parameter},
+                          q_.stated.at("lower " + parameter).node, "start " + parameter, "");
+    }
+  }
+
+  /// The comparison of the motion has compared the formula with the file.
+  void compare_pose_at_start(const std::string& name, const std::string& place) {
+    std::map<NodeId, NodeId> start;
+    for (std::size_t k = 0; k < closure_.start.size(); ++k)
+      start.emplace(q_.graph.add(Op::kVariable, int(k)), closure_.start[k]);
+    const NodeId value = replaced(q_.graph, q_.stated.at("pose " + name).node, start);
+    if (equality(q_, value, comparer_.number_at(place, name)) != Equality::kEqual)
+      comparer_.refuse(comparer_.place_of(place), "another value of " + name + " at the start");
+  }
+
+  /// True if a pose parameter is this parameter of the motion.
+  [[nodiscard]] bool is_at_a_pose(const std::string& parameter) const {
+    return std::ranges::any_of(table("closure.start."), [&](const auto& entry) {
+      return parameter_of(entry.first) == parameter;
+    });
   }
 
   /// `range` is where the solver looks; it is no part of the claim.

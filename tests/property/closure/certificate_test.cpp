@@ -71,6 +71,16 @@ TEST(ACertificateOfAToggle, IsVerifiedAndComparedWithItsModel) {
     const std::string certificate = test::certified_closure(checked);
     const verifier::Verification v = verified(certificate, model);
     EXPECT_EQ(v.outcome, verifier::Outcome::kVerified) << model << certificate << describe(v);
+    // The same by a formula, which turns back at the end.
+    const std::string by_formula =
+        model.substr(0, model.find("theta = [")) +
+        fmt::format("parameters = {{ T = [0, 3] }}\ntheta = \"{:.17g} + {:.17g}*sin(T)\"\n", start,
+                    toggle + 0.2 - start);
+    const test::CheckedClosure along = test::check_closure_text(by_formula, test::usual_options());
+    EXPECT_EQ(along.verdict(), Verdict::kSingularity) << by_formula;
+    const std::string of_formula = test::certified_closure(along);
+    EXPECT_EQ(verified(of_formula, by_formula).outcome, verifier::Outcome::kVerified) << of_formula;
+    EXPECT_EQ(verified(of_formula, model).outcome, verifier::Outcome::kRejected);
     const std::string before = linkage.text(start, start - 0.01, toggle - 0.05, tolerance);
     EXPECT_EQ(verified(certificate, before).outcome, verifier::Outcome::kRejected);
     FourBar mirror = linkage;

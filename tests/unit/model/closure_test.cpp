@@ -229,11 +229,14 @@ TEST(ClosureStart, IsRefusedForMotionsThatDoNotTellIt) {
   EXPECT_EQ(refusal("parameters = { T = [1, 2] }\ntheta = \"T\"\n"), "");
   EXPECT_THAT(refusal("theta = 1\n"),
               HasSubstr("theta is 1 rad there, and (1/3)*pi rad at the start"));
-  EXPECT_THAT(refusal("parameters = { T = [0, 2] }\ntheta = \"2*T\"\n"),
-              HasSubstr("gives theta by a formula"));
-  EXPECT_THAT(refusal("parameters = { T = [0, 2], R = [0, 1] }\ntheta = \"T\"\n"
-                      "constraints = [\"T - R\"]\n"),
-              HasSubstr("has the parameter R"));
+  // A motion by formulas begins at the start.
+  EXPECT_EQ(refusal("parameters = { T = [0, 2] }\ntheta = \"2*T + pi/3\"\n"), "");
+  EXPECT_EQ(refusal("parameters = { T = [\"pi/6\", 2] }\ntheta = \"2*T\"\n"), "");
+  EXPECT_THAT(refusal("parameters = { T = [0, \"pi/6\"] }\ntheta = \"2*T\"\n"),
+              HasSubstr("theta is 0 rad there, and (1/3)*pi rad at the start"));
+  EXPECT_EQ(refusal("parameters = { T = [0, 2], R = [0, 1] }\ntheta = \"T\"\n"
+                    "constraints = [\"T - R\"]\n"),
+            "");
   EXPECT_THAT(refusal("waypoints = \"w.csv\"\n"), HasSubstr("follows way-points"));
   Model without = parsed(kFourBar);
   without.closure.reset();

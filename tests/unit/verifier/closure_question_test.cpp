@@ -195,5 +195,37 @@ TEST(AQuestionAboutAClosure, MayHaveADriverGivenByAParameter) {
   EXPECT_FALSE(is(Outcome::kVerified, compared(certificate, degrees), ""));
 }
 
+/// A motion by a formula begins at the start, with its parameter at the lower end.
+TEST(AQuestionAboutAClosure, MayBeginWhereAFormulaDoes) {
+  const auto moved = [](const std::string& theta, const std::string& range) {
+    return with_other(bar_file(), "theta = [\"-100*deg\", \"100*deg\"]",
+                      "theta = \"" + theta + "\"\nparameters = { T = " + range + " }");
+  };
+  const std::string head = exact_bar().substr(0, exact_bar().find("proof\n"));
+  const auto question = [&head](const std::string& theta, const std::string& range,
+                                const std::string& start) {
+    const std::size_t line = head.find("parameter theta"), end = head.find('\n', line),
+                      begin = head.find("\nstart ") + 1;
+    std::string text = head;
+    text.replace(begin, text.find('\n', begin) - begin, "start " + start);
+    text.replace(line, end - line, "parameter T in " + range);
+    return with_other(text, "pose theta = theta", "pose theta = " + theta) + "proof\n";
+  };
+  const auto answer = [](const std::string& certificate, const std::string& file) {
+    return compared(certificate, file).reason;
+  };
+  const std::string file = moved("pi/3 + T^2", "[0, \"1/2\"]");
+  const auto is_compared = [](const std::string& reason) {
+    return reason.find("not about") == std::string::npos;
+  };
+  // Without a proof the file ends too early; whether the question is that of the file is asked before.
+  EXPECT_TRUE(is_compared(answer(question("pi/3 + T^2", "0 : 1/2", "0"), file)));
+  EXPECT_FALSE(is_compared(answer(question("pi/3 + T^2", "0 : 1/2", "1/2"), file)));
+  EXPECT_FALSE(is_compared(answer(question("pi/3 + T^2", "-1/2 : 1/2", "0"), file)));
+  EXPECT_FALSE(is_compared(answer(question("pi/3 + T^3", "0 : 1/2", "0"), file)));
+  EXPECT_FALSE(
+      is_compared(answer(question("1 + T^2", "0 : 1/2", "0"), moved("1 + T^2", "[0, 0.5]"))));
+}
+
 }  // namespace
 }  // namespace regulus::test
