@@ -216,19 +216,21 @@ class ArmSolver {
     const Interval circle(-mid(kPi) - kOverlapOfTurn, mid(kPi) + kOverlapOfTurn);
     Problem problem;
     problem.outer.assign(kSearched.size(), circle);
-    const RootList list = search_roots(
-        {problem,
-         {0, 0, kSearched.size(), 0},
-         [&, &loop = loop, &end = end] { return std::make_unique<OppositeAxes>(loop, end); }},
-        std::vector<Interval>(kSearched.size(), kTurn), settings_, run_.progress);
+    const RootQuestion question{
+        problem, {0, 0, kSearched.size(), 0}, [&, &loop = loop, &end = end] {
+          return std::make_unique<OppositeAxes>(loop, end);
+        }};
+    const RootList list = search_roots(question, std::vector<Interval>(kSearched.size(), kTurn),
+                                       settings_, run_.progress);
     count(list);
+    RootJudge judge(question);
     Attempt attempt;
     attempt.stopped_by = list.stopped_by;
     for (const std::vector<Interval>& box : list.open)
       attempt.open.push_back(all_joints(box, first));
     if (!list.is_complete) attempt.obstacle = obstacle_of(list, attempt.open);
     for (const Root& four : list.roots)
-      if (!add_posture(attempt, four, loop, end, first)) {
+      if (!add_posture(attempt, four, judge, loop, end, first)) {
         attempt.open.push_back(all_joints(four.values, first));
         attempt.obstacle = "a solution of four joints is not shown to be a posture, or none";
       }
@@ -236,8 +238,8 @@ class ArmSolver {
   }
 
   /// Returns false if neither is shown.
-  bool add_posture(Attempt& attempt, const Root& four, const ArmChain& loop, const LinkFrame& end,
-                   std::size_t first) const {
+  bool add_posture(Attempt& attempt, const Root& four, RootJudge& judge, const ArmChain& loop,
+                   const LinkFrame& end, std::size_t first) const {
     OppositeAxes axes(loop, end);
     const std::vector<RootSystem::Box> boxes = {four.values};
     axes.evaluate(boxes, false);
@@ -258,7 +260,9 @@ class ArmSolver {
       const double whole = std::round((four.center[i] - mid(value)) / mid(kTurn));
       same.push_back(value + Interval(whole) * kTurn);
     }
-    if (!four.is(same)) return false;
+    // The box of a root may be smaller than the enclosures: it is the only one much farther, too.
+    const auto wide = four.is(same) ? std::nullopt : judge.root_near({}, four.center);
+    if (!four.is(same) && !(wide && wide->is(four.values) && wide->is(same))) return false;
     attempt.postures.push_back(std::move(*root));
     return true;
   }
