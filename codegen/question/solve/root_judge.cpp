@@ -19,6 +19,7 @@ constexpr double kWorthwhile = 0.9;
 /// The radius of a uniqueness test is larger than the box by this, so that neighbours overlap.
 constexpr double kRoom = 1 + 0x1p-6;
 constexpr double kLeastRadius = 0x1p-46;  ///< relative to 1 or to the unknown
+constexpr double kSmallRadius = 0x1p-24;
 
 double least_radius(double center) { return kLeastRadius * std::fmax(1.0, std::fabs(center)); }
 
@@ -245,6 +246,7 @@ void RootJudge::find_roots(std::span<Trial> trials) {
   std::vector<std::optional<RootSystem::Values>> at_center;
   for (std::size_t i = 0; i < promising.size(); ++i) at_center.push_back(system_->at(i));
   system_->evaluate(boxes, true);
+  std::vector<Trial*> small;
   for (std::size_t i = 0; i < promising.size(); ++i) {
     Trial& trial = *promising[i];
     const auto over = system_->at(i);
@@ -252,7 +254,10 @@ void RootJudge::find_roots(std::span<Trial> trials) {
     const auto K = approx_inverse_of(middles(at_center[i]->by_unknown), n);
     if (!K) continue;
     const TubeImage image = image_about(trial.center, radii[i], *K, *at_center[i], *over);
-    if (!has_one_solution({{}, trial.center, {}, radii[i]}, image)) continue;
+    if (!has_one_solution({{}, trial.center, {}, radii[i]}, image)) {
+      if (std::ranges::max(radii[i]) < kSmallRadius) small.push_back(&trial);
+      continue;
+    }
     Root& root = trial.finding->root.emplace();
     root.center = trial.center, root.radius = radii[i];
     for (std::size_t j = 0; j < n; ++j)
@@ -260,6 +265,15 @@ void RootJudge::find_roots(std::span<Trial> trials) {
                             Interval(-image.radius[j], image.radius[j]));
     trial.is_open = trial.is_promising = false;
   }
+  for (Trial* const trial : small) find_root_about(*trial);
+}
+
+/// The box is so small that rounding alone may fail the test: it is tried with more room.
+void RootJudge::find_root_about(Trial& trial) {
+  auto root = root_near(trial.box, trial.center);
+  if (!root || !root->is(trial.unknowns(question_.shape))) return;
+  trial.finding->root = std::move(root);
+  trial.is_open = trial.is_promising = false;
 }
 
 /// Tests the promising boxes.
@@ -356,39 +370,6 @@ std::optional<Root> RootJudge::root_near(const Box& variables, std::vector<doubl
     return root;
   }
   return std::nullopt;
-}
-
-void RootJudge::put(cluster::ByteWriter& to, const RootFinding& finding) {
-  to.put(finding.is_empty);
-  to.put(finding.is_undefined);
-  to.put(finding.is_regular);
-  to.put_list(std::span<const Interval>(finding.unknowns));
-  to.put_list(std::span<const double>(finding.impact));
-  to.put(finding.root.has_value());
-  if (!finding.root) return;
-  to.put_list(std::span<const double>(finding.root->center));
-  to.put_list(std::span<const double>(finding.root->radius));
-  to.put_list(std::span<const Interval>(finding.root->values));
-  to.put(finding.root->sign);
-}
-
-RootFinding RootJudge::take(cluster::ByteReader& from, const RootQuestion& question) {
-  const std::size_t n = question.shape.unknowns;
-  RootFinding finding;
-  finding.is_empty = from.take_flag();
-  finding.is_undefined = from.take_flag();
-  finding.is_regular = from.take_flag();
-  finding.unknowns = from.take_list_of<Interval>(n);
-  finding.impact = from.take_list<double>();
-  if (!finding.impact.empty() && finding.impact.size() != question.shape.variables + n)
-    throw cluster::MalformedMessage();
-  if (!from.take_flag()) return finding;
-  Root& root = finding.root.emplace();
-  root.center = from.take_list_of<double>(n);
-  root.radius = from.take_list_of<double>(n);
-  root.values = from.take_list_of<Interval>(n);
-  root.sign = from.take<int>();
-  return finding;
 }
 
 }  // namespace regulus

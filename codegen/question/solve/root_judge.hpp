@@ -113,6 +113,7 @@ class RootJudge {
 
   void narrow(std::span<Trial> trials);
   void find_roots(std::span<Trial> trials);
+  void find_root_about(Trial& trial);
   void test_regularity(std::span<Trial> trials);
   void sharpen(const Box& variables, Root& root);
 
