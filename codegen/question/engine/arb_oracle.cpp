@@ -25,6 +25,11 @@ class BallMatrix {
   arb_mat_t value_;
 };
 
+/// FLINT keeps memory for each thread, which its end must give back.
+struct MemoryOfThread {
+  ~MemoryOfThread() { flint_cleanup(); }
+};
+
 Ball determinant(const std::vector<Ball>& entries, int size, long bits) {
   BallMatrix matrix(size, size);
   for (int i = 0; i < size; ++i)
@@ -56,6 +61,7 @@ void ArbOracle::note_bits(long bits) noexcept {
 
 // If memory is exhausted, the result is not known.
 std::optional<Interval> ArbOracle::enclose(std::span<const Interval> point) noexcept try {
+  thread_local const MemoryOfThread given_back;
   std::optional<Interval> enclosure;
   for (long bits = kFirstBits; bits <= max_bits_; bits *= 2) {
     enclosure = enclose_with(point, bits);
