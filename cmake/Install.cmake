@@ -94,7 +94,7 @@ if(REGULUS_CODEGEN)
   if(REGULUS_MPI)
     set_target_properties(regulus-mpi PROPERTIES INSTALL_RPATH_USE_LINK_PATH TRUE)
     install(TARGETS regulus-mpi RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT mpi)
-    install(FILES ${PROJECT_SOURCE_DIR}/codegen/use/mpi/CLUSTER.md
+    install(FILES ${PROJECT_BINARY_DIR}/share/doc/regulus-mpi/CLUSTER.md
             DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/regulus-mpi COMPONENT mpi)
     install(FILES ${PROJECT_BINARY_DIR}/codegen/use/mpi/regulus-mpi.1
             DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT mpi)
@@ -114,8 +114,6 @@ if(REGULUS_CODEGEN)
   endif()
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/formal DESTINATION ${CMAKE_INSTALL_DATADIR}/regulus
           COMPONENT codegen FILES_MATCHING PATTERN "*.v" PATTERN "*.ml" PATTERN _CoqProject PATTERN "*.md")
-  install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/codegen/EMBEDDING.md
-          DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/regulus COMPONENT codegen)
   include(${CMAKE_CURRENT_LIST_DIR}/ManualPages.cmake)
   regulus_install_licences(${CMAKE_INSTALL_DATADIR}/doc/regulus codegen)
 

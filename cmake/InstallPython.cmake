@@ -18,7 +18,7 @@ file(GLOB python_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/codegen/use/pyt
      ${PROJECT_SOURCE_DIR}/codegen/use/python/regulus/*.pyi ${PROJECT_SOURCE_DIR}/codegen/use/python/regulus/py.typed)
 install(FILES ${python_sources} ${PROJECT_BINARY_DIR}/codegen/answer/reports.py DESTINATION ${python_dir}/regulus COMPONENT python)
 if(NOT DEFINED SKBUILD)
-  install(FILES ${PROJECT_SOURCE_DIR}/codegen/use/python/PYTHON.md
+  install(FILES ${PROJECT_BINARY_DIR}/share/doc/python3-regulus/PYTHON.md
           DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-regulus COMPONENT python)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/codegen/use/python/examples
           DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-regulus COMPONENT python FILES_MATCHING PATTERN "*.ipynb")

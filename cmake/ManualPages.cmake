@@ -20,12 +20,18 @@ set(manual ${PROJECT_BINARY_DIR}/share/doc/regulus/manual)
 set(script ${CMAKE_CURRENT_LIST_DIR}/write_manual_pages.cmake)
 list(TRANSFORM REGULUS_MANUAL_PAGES PREPEND ${PROJECT_SOURCE_DIR}/ OUTPUT_VARIABLE sources)
 list(TRANSFORM REGULUS_MANUAL_PICTURES PREPEND ${PROJECT_SOURCE_DIR}/ OUTPUT_VARIABLE pictures)
+# Pages beside the manual, and in other packages.
+set(loose
+    "${PROJECT_SOURCE_DIR}/README.md>${manual}/../README.md>manual/"
+    "${PROJECT_SOURCE_DIR}/codegen/use/mpi/CLUSTER.md>${manual}/../../regulus-mpi/CLUSTER.md>../regulus/manual/"
+    "${PROJECT_SOURCE_DIR}/codegen/use/python/PYTHON.md>${manual}/../../python3-regulus/PYTHON.md>../regulus/manual/")
 add_custom_command(
   OUTPUT ${manual}/README.md
-  COMMAND ${CMAKE_COMMAND} "-DPAGES=${sources}" "-DPICTURES=${pictures}" -DFOLDER=${manual} "-DCMARK=$<$<BOOL:${REGULUS_CMARK}>:${REGULUS_CMARK}>"
+  COMMAND ${CMAKE_COMMAND} "-DPAGES=${sources}" "-DPICTURES=${pictures}" "-DLOOSE=${loose}" -DFOLDER=${manual} "-DCMARK=$<$<BOOL:${REGULUS_CMARK}>:${REGULUS_CMARK}>"
           -P ${script}
   DEPENDS ${sources} ${pictures} ${script}
   COMMENT "Writing the pages of the manual"
   VERBATIM)
 add_custom_target(regulus_manual_pages ALL DEPENDS ${manual}/README.md)
+install(FILES ${manual}/../README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/regulus COMPONENT codegen)
 install(DIRECTORY ${manual} DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/regulus COMPONENT codegen)

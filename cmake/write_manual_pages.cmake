@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Writes the pages of the manual side by side into FOLDER.
 #   PAGES, PICTURES   files
+#   LOOSE             pages that lie elsewhere: PAGE>FILE>PREFIX, where the prefix leads from FILE to FOLDER
 #   CMARK             the program cmark-gfm; empty: no HTML
 cmake_minimum_required(VERSION 3.25)
 
@@ -27,6 +28,17 @@ function(name_headings html result)
   set(${result} "${html}" PARENT_SCOPE)
 endfunction()
 
+# A link to another page or picture loses its folders, and gets the prefix; one with a scheme has a colon, and
+# is left alone.
+function(relink text prefix result)
+  string(REPLACE "](models/README.md)" "](MODELS.md)" text "${text}")
+  string(REGEX REPLACE "\\]\\([^]):#[ ]*/([^]):#/[ ]+\\.(md|svg|webp))" "](\\1" text "${text}")
+  if(prefix)
+    string(REGEX REPLACE "\\]\\(([^]):#/[ ]+\\.(md|svg|webp))" "](${prefix}\\1" text "${text}")
+  endif()
+  set(${result} "${text}" PARENT_SCOPE)
+endfunction()
+
 set(style "body{max-width:60rem;margin:2rem auto;padding:0 1rem;font:16px/1.5 sans-serif;color:#1b1f24;background:#fff}
 pre{background:#f4f5f7;padding:.8rem;overflow-x:auto}code{font-size:90%}
 table{border-collapse:collapse}td,th{border:1px solid #c9ced6;padding:.3rem .6rem;text-align:left;vertical-align:top}
@@ -39,9 +51,7 @@ file(COPY ${PICTURES} DESTINATION ${FOLDER})
 foreach(page IN LISTS PAGES)
   page_name(${page} name)
   file(READ ${page} text)
-  string(REPLACE "](models/README.md)" "](MODELS.md)" text "${text}")
-  # A link to another file loses its folders; one with a scheme has a colon, and is left alone.
-  string(REGEX REPLACE "\\]\\([^]):#[ ]*/([^]):#/[ ]+\\.(md|svg|webp))" "](\\1" text "${text}")
+  relink("${text}" "" text)
   file(WRITE ${FOLDER}/${name} "${text}")
   if(NOT CMARK)
     continue()
@@ -56,4 +66,14 @@ foreach(page IN LISTS PAGES)
        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\">\n"
        "<title>${title}</title>\n<style>${style}</style></head><body>\n"
        "<p><a href=\"README.html\">Regulus: the manual</a></p>\n${html}</body></html>\n")
+endforeach()
+
+foreach(loose IN LISTS LOOSE)
+  string(REPLACE ">" ";" loose "${loose}")
+  list(GET loose 0 page)
+  list(GET loose 1 file)
+  list(GET loose 2 prefix)
+  file(READ ${page} text)
+  relink("${text}" "${prefix}" text)
+  file(WRITE ${file} "${text}")
 endforeach()

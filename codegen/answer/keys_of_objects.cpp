@@ -198,6 +198,7 @@ constexpr Key kGrowing[] = {
     {"groups?", "text"},
     {"parameter?", "text"},
     {"parameters?", "text"},
+    {"unit", "text?", "of low, high and the ends of the bracket; null: none"},
     {"low", "exact"},
     {"high", "exact?", "null: none"},
 };

@@ -203,6 +203,59 @@ test("Legs have the colours of their forces, by a bound in the page", async (bro
   assert.deepEqual(faults, []);
 });
 
+/** Where the bars of a page end, in shares of their room, and what stands beside them. */
+const barsOf = (page) =>
+  page.$$eval(".bar", (all) => all.map((bar) => {
+    const { width } = bar.getBoundingClientRect();
+    const [solid, open] = [".solid-bar", ".open-bar"].map((name) => bar.querySelector(name).getBoundingClientRect().width / width);
+    return { solid, open, label: bar.previousSibling.textContent, text: bar.nextSibling.textContent };
+  }));
+
+test("Bars have a scale for each unit, and their words are whole", async (browser) => {
+  const file = pageOf("errors", ["bound", robot, "table4_1", "error", "--gap", "0.9"]);
+  const { page, faults } = await open(browser, file);
+  const { components } = JSON.parse(await page.$eval("#data", (data) => data.textContent)).report;
+  assert.deepEqual([...new Set(components.map(({ unit }) => unit))], ["cm", "rad"]);
+  const shown = new Map((await barsOf(page)).map((bar) => [bar.label, bar]));
+  for (const { label, unit, attained, proved } of components) {
+    const largest = Math.max(...components.filter((other) => other.unit === unit).map((other) => other.proved ?? other.attained));
+    assert.ok(Math.abs(shown.get(label).solid - attained / largest) < 0.01, label);
+    assert.ok(Math.abs(shown.get(label).open - (proved - attained) / largest) < 0.01, label);
+    assert.match(shown.get(label).text, new RegExp(` ${unit}$`));
+  }
+  await requireAccessible(page, "bars");
+  assert.deepEqual(faults, []);
+  const long = `${work}/long_units.html`;
+  writeFileSync(long, forged(file, (data) =>
+    [data.report, ...data.bounds].forEach((bound) => bound.components.forEach((c, i) =>
+      Object.assign(c, { unit: i % 2 ? "rad/(N*mm*deg)" : "mm", label: `${c.label} of a long name`, attained: -1.2345678e-12, proved: 1.2345678e-7 })))));
+  for (const width of [1200, 390]) {
+    const { page: forgedPage } = await open(browser, long, { width });
+    const hidden = await forgedPage.$$eval(".bar-label, .bar-text", (texts) => texts.filter((text) => {
+      const region = text.closest(".scroll");
+      const end = text.getBoundingClientRect().right - region.getBoundingClientRect().left + region.scrollLeft;
+      return end > region.scrollWidth + 1 || text.scrollWidth > text.clientWidth + 1;
+    }).map((text) => text.textContent));
+    assert.deepEqual(hidden, [], String(width));
+    assert.ok((await barsOf(forgedPage)).every(({ text, solid }) => solid === 0 && /(mm|deg\))$/.test(text)));
+  }
+});
+
+test("A bar ends where the knowledge does, and a margin has its unit", async (browser) => {
+  const page = async (name, change) => {
+    const file = `${work}/${name}.html`;
+    writeFileSync(file, forged(makePage("margins", [robot, "table4_1", "--margin", "base=0:", "--gap", "0.9"]), change));
+    return (await barsOf((await open(browser, file)).page))[0];
+  };
+  assert.match((await page("margin_unit", () => {})).text, /^[\d.]+ … [\d.]+ cm$/);
+  const only = await page("margin_open", (data) => (data.margins[0].refuted = null));
+  assert.match(only.text, /^at least [\d.]+ cm$/);
+  const none = await page("margin_unknown", (data) => Object.assign(data.margins[0], { certified: null, refuted: null }));
+  assert.deepEqual([none.text, none.solid, none.open], ["nothing known", 0, 1]);
+  const negative = await page("margin_negative", (data) => Object.assign(data.margins[0], { certified: -4, refuted: -1 }));
+  assert.ok(Math.abs(negative.solid - 0.25) < 0.01 && Math.abs(negative.open - 0.75) < 0.01, JSON.stringify(negative));
+});
+
 test("Limits, margins and loads are told in their own words, and quoted", async (browser) => {
   const orthoglide = `${source}/models/orthoglide.toml`;
   const { page } = await open(browser, pageOf("limit", ["bound", orthoglide, "cube", "sigma-min", "--limit", "0.4"]));

@@ -9,6 +9,7 @@ import numpy
 import pytest
 
 import regulus as rg
+import typed_use
 
 PLANAR = rg.load("planar_3rpr")
 CABLE = rg.load("cable_8")
@@ -174,3 +175,11 @@ def test_a_proof_may_be_in_shards(tmp_path):
     assert len(list((tmp_path / f"{safe.name}.shards").iterdir())) > 2 and rg.verify(safe)
     (tmp_path / f"{safe.name}.shards" / "2").unlink()
     assert "shard 2: it is missing" in rg.verify(safe).reason
+
+
+def test_what_types_accept_runs(tmp_path):
+    typed_use.ranges(PLANAR)
+    typed_use.other_numbers(PLANAR, tmp_path)
+    typed_use.solutions(rg.load("rpr_6"))
+    typed_use.models()
+    assert (tmp_path / "proof.txt").exists()

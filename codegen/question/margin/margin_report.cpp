@@ -51,6 +51,7 @@ Json json_question(const MarginQuestion& question) {
   if (question.quantity == MarginQuantity::kParameter) object["parameter"] = question.groups;
   if (question.quantity == MarginQuantity::kTube && !question.groups.empty())
     object["parameters"] = question.groups.substr(0, question.groups.size() - 1);
+  object["unit"] = question.unit.empty() ? Json(nullptr) : Json(question.unit);
   object["low"] = question.low.text;
   object["high"] = question.high ? Json(question.high->text) : Json(nullptr);
   return object;

@@ -6,11 +6,11 @@ from __future__ import annotations
 from typing import Any, Mapping, Optional, Sequence, Union
 
 from .errors import UsageError
-from .numbers import Number, Texts
-from .robot import Range, Robot
+from .numbers import Array, Number, Numbers, Range, Texts
+from .robot import Robot
 from .toml import Writer, motion_tables, quoted
 
-Points = Sequence[Sequence[Number]]
+Points = Union[Array, Sequence[Numbers]]
 
 
 def _points(writer: Writer, name: str, points: Points) -> None:

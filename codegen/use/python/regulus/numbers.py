@@ -11,16 +11,25 @@ import math
 import numbers
 from decimal import Decimal
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, Union
+from typing import TYPE_CHECKING, Any, Sequence, Tuple, Union
 
 from .errors import ArgumentTypeError, UsageError
 
 if TYPE_CHECKING:
+    import numpy
+    import numpy.typing
     import sympy
 
-    Number = Union[str, int, float, Fraction, Decimal, sympy.Expr]
+    Array = numpy.typing.NDArray[Any]
+    Number = Union[
+        str, int, float, Fraction, Decimal, numpy.integer[Any], numpy.floating[Any], sympy.Expr
+    ]
 else:
-    Number = Any
+    Array = Number = Any
+
+Numbers = Union[Sequence[Number], Array]
+Range = Union[Number, Tuple[Number, Number], Numbers]
+"""(lower, upper) as a tuple, a list or an array of NumPy, or one value."""
 
 
 def _text_of_fraction(value: Fraction) -> str:
@@ -39,7 +48,7 @@ class Texts:
     def __init__(self) -> None:
         self.notes: list[str] = []
 
-    def of(self, value: Number, name: str = "") -> str:
+    def of(self, value: Any, name: str = "") -> str:
         """Returns the text of a number of a model: an integer, "1/3", "15*deg", a Fraction, a
         Decimal, a constant of SymPy, a float.
 
@@ -57,7 +66,7 @@ class Texts:
                 raise
             raise type(wrong)(f"{name}: {wrong}") from None
 
-    def _of(self, value: Number) -> str:
+    def _of(self, value: Any) -> str:
         if isinstance(value, str):
             return value
         if getattr(value, "ndim", None) == 0 and hasattr(value, "item"):

@@ -10,6 +10,7 @@ import urllib.parse
 from typing import TYPE_CHECKING, Any
 
 from . import _regulus
+from .arguments import path_of
 from .errors import RegulusError, UsageError
 
 if TYPE_CHECKING:
@@ -72,7 +73,7 @@ def write_answer(
     certificate: str = "",
 ) -> str:
     """Writes the page of another answer, with its proof if there is a file of it; returns its path."""
-    file = os.fspath(path)
+    file = path_of("path", path)
     proof = certificate if os.path.exists(certificate) else ""
     _regulus.write_page(
         question.question, kind, headline, result.report, result._text, proof, _template(), file

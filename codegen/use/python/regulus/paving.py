@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import json
 import math
-from typing import TYPE_CHECKING, Any, Mapping, Optional, Union, cast
+from typing import TYPE_CHECKING, Any, Mapping, Optional, Sequence, SupportsFloat, Union, cast
 
 from . import _regulus
 from .errors import UsageError, require_package
@@ -147,22 +147,22 @@ class Paving(Result[_Report]):
         found: numpy.typing.NDArray[Any] = self.boxes[kept]
         return found
 
-    def _middle(self, axes: list[str], at: Optional[dict[str, float]]) -> dict[str, float]:
-        given = dict(at or {})
+    def _middle(self, axes: list[str], at: Optional[Mapping[str, SupportsFloat]]) -> dict[str, float]:
+        given = {name: float(value) for name, value in (at or {}).items()}
         for name in given:
             if name not in self.variables or name in axes:
                 raise UsageError(f"at: {name!r} is not a variable that is not drawn")
         for name in self.variables:
             if name not in axes:
                 lo, hi = self._range(name)
-                given[name] = float(given.get(name, lo / 2 + hi / 2))
+                given.setdefault(name, lo / 2 + hi / 2)
         return given
 
     def plot(
         self,
         ax: Any = None,
-        axes: Optional[tuple[str, str]] = None,
-        at: Optional[dict[str, float]] = None,
+        axes: Optional[Sequence[str]] = None,
+        at: Optional[Mapping[str, SupportsFloat]] = None,
     ) -> Any:
         """Draws the boxes on axes of Matplotlib, and returns these.
 
@@ -214,7 +214,7 @@ class Paving(Result[_Report]):
         ax.autoscale_view()
         ax.legend(handles=handles)
 
-    def _across(self, axes: Optional[tuple[str, str]]) -> list[str]:
+    def _across(self, axes: Optional[Sequence[str]]) -> list[str]:
         if axes is None:
             moving = self._moving()
             return moving[:2] if moving else self.variables[:1]

@@ -8,6 +8,7 @@ import json
 import os
 from typing import TYPE_CHECKING, Any, Generic, Mapping, Optional, TypeVar, Union, cast
 
+from .arguments import path_of
 from .page import picture_and_link, write_answer, write_page
 from .reports import BoundReport, CheckReport, ForcesReport, ForceWitness, LimitMarginReport
 from .reports import MarginReport, PathForcesReport, PathMarginReport, PathReport, Range, Witness
@@ -15,7 +16,7 @@ from .reports import MarginReport, PathForcesReport, PathMarginReport, PathRepor
 if TYPE_CHECKING:
     from .robot import Question
 
-Path = Union[str, "os.PathLike[str]"]
+Path = Union[str, bytes, "os.PathLike[str]", "os.PathLike[bytes]"]
 Report = TypeVar("Report")
 
 _COLOURS = {
@@ -99,7 +100,7 @@ class Certificate:
             UsageError: if nothing is proved, or the proof cannot be written in the format.
             FileError: if the file cannot be written.
         """
-        self.path = self.question.prove(os.fspath(path))
+        self.path = self.question.prove(path_of("path", path))
         return self.path
 
 
@@ -154,7 +155,7 @@ class Check(Result[Union[CheckReport, PathReport]]):
         Raises:
             FileError: if this build has no page, or the file cannot be written.
         """
-        page = os.fspath(path)
+        page = path_of("path", path)
         write_page(self, page)
         self._page = page
         return page

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import json
 import os
-from typing import Any, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Mapping, Optional, Sequence, Union
 
 from . import _regulus
 from .arguments import (
@@ -23,13 +23,10 @@ from .arguments import (
     words_of,
 )
 from .errors import ArgumentTypeError, FileError, UsageError, require_package
-from .numbers import Number, Texts
+from .numbers import Number, Numbers, Range, Texts
 from .paving import LoadPaving, Paving
 from .results import Bound, Check, LoadCheck, Margin, Path, PreparedCheck, Verification
 from .solutions import Solved, SolvedPlaces
-
-Range = Union[Number, Tuple[Number, Number], Sequence[Number]]
-"""(lower, upper) as a tuple, a list or an array of NumPy, or one value."""
 
 _LARGEST_MODEL = 4 << 20  # bytes
 
@@ -576,7 +573,7 @@ class Robot:
         self,
         motion: str = "",
         *,
-        at: Optional[Mapping[str, Union[Number, Sequence[Number]]]] = None,
+        at: Optional[Mapping[str, Union[Number, Numbers]]] = None,
         waypoints: Optional[Path] = None,
         hold: Sequence[str] = (),
         tolerance: Optional[Mapping[str, Number]] = None,

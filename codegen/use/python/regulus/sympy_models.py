@@ -4,11 +4,11 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import Any, Iterable, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Iterable, Mapping, Optional, Sequence, Union
 
 from .errors import ArgumentTypeError, UsageError
-from .numbers import Number, Texts
-from .robot import Range, Robot
+from .numbers import Range, Texts
+from .robot import Robot
 from .toml import Writer, motion_tables
 
 _FUNCTIONS = ("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "log", "Abs")
@@ -130,7 +130,7 @@ def from_sympy(
     pose: Pose,
     *,
     motions: Mapping[str, Mapping[Any, Range]],
-    geometry: Optional[Mapping[Any, Union[Number, Tuple[Number, Number]]]] = None,
+    geometry: Optional[Mapping[Any, Range]] = None,
     row_scale: Optional[Sequence[Any]] = None,
     name: str = "robot",
     source: str = "",

@@ -5,10 +5,11 @@ from __future__ import annotations
 
 import json
 import re
-from typing import Any, Mapping, Sequence, Tuple, Union
+from typing import Any, Mapping, Sequence
 
+from .arguments import elements_of
 from .errors import UsageError
-from .numbers import Number, Texts
+from .numbers import Number, Range, Texts
 
 _INTEGER = re.compile(r"-?\d{1,18}$")
 
@@ -39,7 +40,7 @@ class Writer:
     def text(self, name: str, value: str) -> None:
         self.line(name, quoted(value))
 
-    def number(self, value: Number, name: str = "") -> str:
+    def number(self, value: Any, name: str = "") -> str:
         text = self._texts.of(value, name)
         return text if _INTEGER.match(text) else quoted(text)
 
@@ -53,16 +54,17 @@ class Writer:
         lines = ",\n  ".join("[" + ", ".join(map(quoted, row)) + "]" for row in rows)
         self.line(name, f"[\n  {lines},\n]")
 
-    def quantity(self, name: str, value: Union[Number, Tuple[Number, Number]]) -> None:
+    def quantity(self, name: str, value: Range) -> None:
         """Writes a constant, or (value, tolerance) in a group of its own."""
-        if not isinstance(value, (tuple, list)):
+        pair = elements_of(value)
+        if pair is None:
             self.line(name, self.number(value, name))
             return
-        if len(value) != 2:
-            raise UsageError(f"geometry: {name!r} has {len(value)} numbers; give (value, tolerance)")
+        if len(pair) != 2:
+            raise UsageError(f"geometry: {name!r} has {len(pair)} numbers; give (value, tolerance)")
         self.line(
             name,
-            f"{{ value = {self.number(value[0], name)}, tolerance = {self.number(value[1], name)}, "
+            f"{{ value = {self.number(pair[0], name)}, tolerance = {self.number(pair[1], name)}, "
             f"group = {quoted(name)} }}",
         )
 
@@ -77,6 +79,6 @@ def motion_tables(writer: Writer, motions: Mapping[str, Mapping[Any, Any]]) -> N
     for name, ranges in motions.items():
         writer.table(f"motion.{name}")
         for parameter, value in ranges.items():
-            is_range = isinstance(value, (tuple, list))
-            write = writer.numbers if is_range else writer.number
-            writer.line(str(parameter), write(value, f"{name}: {parameter}"))
+            ends, where = elements_of(value), f"{name}: {parameter}"
+            text = writer.number(value, where) if ends is None else writer.numbers(ends, where)
+            writer.line(str(parameter), text)

@@ -1,37 +1,66 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Brackets as bars: solid up to what is certain, hatched up to the other end of the bracket.
+// Brackets as bars: solid from 0 as far as the value is certain, hatched over the bracket in which it lies.
 import { PageData } from "./data";
-import { h, section, svg, table } from "./dom";
+import { h, section, table } from "./dom";
 import { shortNumber, withUnit } from "./units";
-
-const WIDTH = 600;
-let patterns = 0;
-const ROW = 30;
 
 interface Bar {
   readonly label: string;
-  readonly inner: number | null; // below or at it the bar is solid
-  readonly outer: number | null;
-  readonly text: string;
+  readonly unit: string; // "1" or "": none
+  readonly low: number | null; // null: not known
+  readonly high: number | null;
+  readonly isUnbounded?: boolean;
 }
 
+/** What bars of one unit are drawn to: from 0 or below it to 0 or above it. */
+interface Scale {
+  readonly lo: number;
+  readonly hi: number;
+}
+
+function scaleOf(list: readonly Bar[]): Scale {
+  const ends = list.flatMap(({ low, high }) => [low, high]).filter((end): end is number => end !== null && Number.isFinite(end));
+  return { lo: Math.min(0, ...ends), hi: Math.max(1e-300, ...ends) };
+}
+
+function textOf({ low, high, unit, isUnbounded }: Bar): string {
+  if (isUnbounded) return "unbounded: a singular pose";
+  if (low === null && high === null) return "nothing known";
+  if (high === null) return `at least ${withUnit(shortNumber(low!), unit)}`;
+  if (low === null) return `at most ${withUnit(shortNumber(high), unit)}`;
+  return withUnit(`${shortNumber(low)} … ${shortNumber(high)}`, unit);
+}
+
+/** A part of a bar between two values. */
+function stretch(name: string, from: number, to: number, { lo, hi }: Scale): HTMLElement {
+  const part = (value: number): number => (100 * (Math.min(Math.max(value, lo), hi) - lo)) / (hi - lo);
+  const element = h("span", { class: name });
+  element.style.left = `${part(from)}%`;
+  element.style.width = `${part(to) - part(from)}%`;
+  return element;
+}
+
+/** Texts stand beside the bars and not in them, so that they have the room that they need. */
+function barRow(bar: Bar, scale: Scale): HTMLElement[] {
+  const [low, high] = [bar.low ?? -Infinity, bar.high ?? Infinity];
+  const certain = low > 0 ? [0, low] : high < 0 ? [high, 0] : [0, 0];
+  return [
+    h("span", { class: "bar-label" }, bar.label),
+    h("span", { class: "bar" }, stretch("solid-bar", certain[0], certain[1], scale), stretch("open-bar", low, high, scale), stretch("zero", 0, 0, scale)),
+    h("span", { class: "bar-text" }, textOf(bar)),
+  ];
+}
+
+/** Lengths of bars are compared within a unit alone. */
 function bars(list: readonly Bar[], title: string): HTMLElement {
-  const largest = Math.max(...list.map((bar) => Math.max(Math.abs(bar.outer ?? 0), Math.abs(bar.inner ?? 0))), 1e-300);
-  const id = `open-${++patterns}`;
-  const x = (value: number): number => 150 + (Math.abs(value) / largest) * (WIDTH - 330);
-  const shapes = list.flatMap((bar, i) => {
-    const y = i * ROW + 6;
-    const inner = bar.inner ?? bar.outer ?? 0;
-    const outer = bar.outer ?? inner;
-    return [
-      svg("text", { x: 142, y: y + 13, "text-anchor": "end" }, bar.label),
-      svg("rect", { x: 150, y, width: x(inner) - 150, height: 18, class: "solid-bar" }),
-      svg("rect", { x: x(inner), y, width: Math.max(x(outer) - x(inner), 0), height: 18, class: "open-bar", fill: `url(#${id})` }),
-      svg("text", { x: x(Math.max(Math.abs(outer), Math.abs(inner))) + 8, y: y + 13 }, bar.text),
-    ];
+  const units = [...new Set(list.map(({ unit }) => unit))];
+  const rows = units.flatMap((unit) => {
+    const ofUnit = list.filter((bar) => bar.unit === unit);
+    const scale = scaleOf(ofUnit);
+    const head = units.length > 1 ? [h("span", { class: "bar-unit" }, withUnit("in", unit === "1" || unit === "" ? "numbers without unit" : unit))] : [];
+    return [...head, ...ofUnit.flatMap((bar) => barRow(bar, scale))];
   });
-  const pattern = svg("pattern", { id, width: 6, height: 6, patternUnits: "userSpaceOnUse", patternTransform: "rotate(45)" }, svg("rect", { width: 2.5, height: 6, class: "sample-line" }));
-  const picture = svg("svg", { viewBox: `0 0 ${WIDTH} ${list.length * ROW + 6}`, class: "bars", role: "img", "aria-label": title }, svg("defs", {}, pattern), ...shapes);
+  const picture = h("div", { class: "bars", role: "img", "aria-label": title }, ...rows);
   return h("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": `Bars: ${title}` }, picture);
 }
 
@@ -42,31 +71,25 @@ function numbers(...of: Parameters<typeof table>): HTMLElement {
   return made;
 }
 
-const text = (x: number | null): string => (x === null ? "none" : shortNumber(x));
+const text = (x: number | null, unit: string): string => (x === null ? "none" : withUnit(shortNumber(x), unit));
 
 function boundFigure(bound: any): HTMLElement {
   const components: any[] = bound.components;
-  const list: Bar[] = components.map((c) => {
-    const [lower, upper] = bound.least ? [c.proved, c.attained] : [c.attained, c.proved];
-    return {
-      label: c.label,
-      inner: lower,
-      outer: upper,
-      text: c.unbounded ? "unbounded: a singular pose" : withUnit(`${text(lower)} … ${text(upper)}`, c.unit),
-    };
+  const list = components.map(({ label, unit, attained, proved, unbounded }): Bar => {
+    const [low, high] = bound.least ? [proved, attained] : [attained, proved];
+    return { label, unit, low, high, isUnbounded: unbounded };
   });
-  const ends = bound.least ? ["proved", "attained"] : ["attained", "proved"];
   return h(
     "figure",
     {},
     h("figcaption", {}, h("strong", {}, bound.bound), `: ${bound.result}`),
     bars(list, bound.bound),
     numbers(
-      ["of", `${ends[0]} (solid)`, `${ends[1]} (end of the hatched part)`, "closed"],
-      list.map((bar, i) => [
-        bar.label || bound.bound,
-        withUnit(text(bar.inner), components[i].unit),
-        withUnit(text(bar.outer), components[i].unit),
+      ["of", ...(bound.least ? ["proved", "attained"] : ["attained", "proved"]), "closed"],
+      list.map(({ label, unit, low, high }, i) => [
+        label || bound.bound,
+        text(low, unit),
+        text(high, unit),
         components[i].closed ? "yes" : components[i].reason || "no",
       ]),
       bound.bound,
@@ -95,7 +118,7 @@ export function boundsPart(data: PageData): HTMLElement | null {
   if (data.bounds.length === 0) return null;
   const part = section(
     "Bounds over the whole motion",
-    h("p", {}, "The attained end is the value at a pose of the motion; no pose has a value beyond the proved end."),
+    h("p", {}, "The attained end is the value at a pose of the motion; no pose has a value beyond the proved end. A bar is solid as far as the value is certain, and hatched over the bracket in which it lies; bars of the same unit have the same scale."),
     ...data.bounds.map((bound) => (bound.limit === undefined ? boundFigure(bound) : limitFigure(bound))),
   );
   part.classList.add("bounds");
@@ -111,6 +134,10 @@ function claimsOf(margin: any): string {
   return margin.refuted_exact ? `${lower} At ${margin.refuted_exact}: ${above}.` : lower;
 }
 
+function barOf({ margin, certified, refuted }: any): Bar {
+  return { label: margin.groups ?? margin.parameter ?? margin.parameters ?? "", unit: margin.unit ?? "", low: certified, high: refuted };
+}
+
 export function marginsPart(data: PageData): HTMLElement | null {
   if (data.margins.length === 0) return null;
   return section(
@@ -120,7 +147,7 @@ export function marginsPart(data: PageData): HTMLElement | null {
         "figure",
         {},
         h("figcaption", {}, h("strong", {}, growing(margin.margin)), `: ${margin.bracket}${margin.limit ? `; the limit is ${margin.limit}` : ""}`),
-        bars([{ label: margin.margin.groups ?? margin.margin.parameter ?? "", inner: margin.certified, outer: margin.refuted, text: `${text(margin.certified)} … ${text(margin.refuted)}` }], margin.margin.kind),
+        bars([barOf(margin)], margin.margin.kind),
         h("p", {}, claimsOf(margin)),
       ),
     ),
