@@ -160,7 +160,7 @@ TEST_F(UserFiles, WhatAPavingCannotHaveIsRefusedBeforeAnythingIsMoved) {
            {along, {"--resolution", "2"}, "expected a number above 0"},
            {paved, {"--picture", file("z.svg"), "--axes", "x,q"}, "'q' is not a parameter"},
            {paved, {"--picture", file("z.svg"), "--slices", "phi=1"}, "expected p=N"},
-           {paved, {"--picture", file("z.vtu"), "--range", "x=0"}, "this motion has 2"},
+           {paved, {"--picture", file("z.vtu"), "--range", "x=0"}, "this motion has ranges of y, phi; --range x=LO:HI"},
            {paved, {"--axes", "x,y"}, "--axes needs --picture"},
            {paved, {"--resolution", "0"}, "expected a number above 0"},
            {loaded, {"--picture", file("z.svg"), "--axes", "x,q"}, "'q' is not a parameter"},
