@@ -28,14 +28,14 @@ constexpr std::string_view kNoPageOfTexts =
     "a page proves again what the model says, and not the text of a kernel; leave one of the two "
     "out";
 constexpr std::string_view kNoTheorem =
-    "Coq proves what the regularity of a matrix says; regulus-verify proves this";
+    "Coq has theorems about the rank of a matrix, and none about this; regulus-verify proves it";
 constexpr std::string_view kNoClosure =
     "this question has no answer for a model with [closure]; ask check, locate, margin, or for "
     "finite errors, or give the robot by its legs or its matrix";
 constexpr std::string_view kNoWayOfClosures =
     "a model with [closure] has no motions along way-points; give the motion by ranges";
 constexpr std::string_view kNoTheoremOfClosures =
-    "Coq has no theorem about a [closure]; regulus-verify proves this";
+    "Coq has no theorem about a [closure]; regulus-verify proves it";
 constexpr std::string_view kNoCheckpointOfFiniteErrors =
     "finite errors keep no checkpoint; leave it out";
 constexpr std::string_view kNoRanksOfFiniteErrors =
@@ -43,25 +43,25 @@ constexpr std::string_view kNoRanksOfFiniteErrors =
 constexpr std::string_view kNoShardsOfClosures =
     "the boxes of a branch are linked, so its proof is one file; leave the shards out";
 constexpr std::string_view kNoProofOfPavings =
-    "where the branch of a [closure] is certain has no proof; ask check for one";
+    "a paving of a [closure] has no proof; check has one of the whole motion";
 constexpr std::string_view kNoFiniteErrors =
-    "finite errors are those of a model with [closure], over ranges; leave finite out, for errors "
-    "to "
-    "first order";
+    "only a model with [closure] has finite errors, and over ranges alone; leave finite out, for "
+    "errors to first order";
 constexpr std::string_view kNoProofOfFiniteErrors =
-    "finite errors have no proof in a file; ask check for one of the branch";
-constexpr std::string_view kNoWayTheorem = "Coq has the theorem about a force over ranges alone";
+    "finite errors have no proof in a file; check has one of the branch";
+constexpr std::string_view kNoWayTheorem =
+    "Coq has no theorem about a quantity along way-points; regulus-verify proves it";
 
 constexpr std::string_view kNoShardsOfSolutions =
     "a proof of a list of solutions is short, and one file; leave the shards out";
 constexpr std::string_view kNoTheoremOfSolutions =
-    "Coq has no theorem about a list of solutions; regulus-verify proves this";
+    "Coq has no theorem about a list of solutions; regulus-verify proves it";
 constexpr std::string_view kNoCheckpointOfSolutions =
     "a search for all solutions keeps no checkpoint; leave it out";
 constexpr std::string_view kNoRanksOfSolutions =
     "a search for all solutions runs in one process only; use regulus";
 constexpr std::string_view kNoWayOfSolutions =
-    "solutions are those at one place; name a motion that has one, or give its values by at";
+    "solve answers for one place; name a motion that has one place, or give its values by at";
 constexpr std::string_view kNoBoxesOfSolutions =
     "a picture is of the boxes of a paving, not of solutions";
 constexpr std::string_view kOneMethodOfSolutions =
@@ -245,13 +245,14 @@ void refuse_services_of(Kind kind, const SearchOptions& search, const Services& 
 
 constexpr std::string_view kIntroduction =
     "# What works with what\n\n"
-    "Each row is a kind of question, each column what it may ask for beside its answer. A number "
-    "is "
-    "the reason why\na question does not have it, below the table; – has no meaning. C++ and "
+    "Each row is a kind of question, each column what it may ask for beside its answer. A question "
+    "that\nlacks it has a number, whose reason is below the table; – has no meaning. C++ and "
     "Python "
-    "ask the same questions as the\ncommand. Every search takes limits, threads and an interrupt, "
+    "ask the same\nquestions as the command. Every search takes limits, threads and an interrupt, "
     "and "
-    "shows its progress on a terminal. Of bounds over\nranges Coq proves those of forces.\n\n";
+    "shows its progress on\na terminal. Coq proves bounds of forces over ranges, and no other "
+    "bounds "
+    "of quantities.\n\n";
 
 /// Returns the number of a reason, from 1.
 std::size_t number_of(std::string_view reason, std::vector<std::string_view>& reasons) {

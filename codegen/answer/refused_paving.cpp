@@ -3,7 +3,7 @@
 
 #include "codegen/answer/outputs.hpp"
 #include "codegen/answer/picture/picture_options.hpp"
-#include "codegen/answer/picture/robot_shape.hpp"
+#include "codegen/answer/picture/robot_in_map.hpp"
 #include "codegen/answer/picture/way_picture.hpp"
 #include "codegen/answer/report/paving_options.hpp"
 #include "codegen/model/exact/certain_sign.hpp"
@@ -24,7 +24,7 @@ void require_pictures(const PictureRequest& pictures, const Request& request) {
         {enclose_constant(p.range.lo, p.name).lo, enclose_constant(p.range.hi, p.name).hi});
   }
   const PictureOptions options = resolve_pictures(pictures, paving, subject);
-  if (options.robot) require_robot_shape(request, subject, options);
+  if (options.robot) require_robot_in_map(request, subject, options);
 }
 
 }  // namespace

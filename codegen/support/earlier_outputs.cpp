@@ -77,6 +77,32 @@ void remove_parts(const OutputFile& output, const std::string& folder) {
     fail(output, folder, "cannot be removed: " + error.message());
 }
 
+/// Files that a run goes on with are read by who knows them.
+void require_file(const OutputFile& output) {
+  std::error_code error;
+  const fs::file_status status = fs::status(output.path, error);
+  if (!fs::exists(status) || output.continues) return;
+  if (is_stream(output.path) || !fs::is_regular_file(status))
+    throw FileError(output.option + ": " + output.path +
+                    " is not a regular file; name another file to write");
+}
+
+/// A file is made there and removed: only this shows that one can be made. One that exists is renamed
+/// first, a link to one, too; a link to none is followed.
+void require_room(const OutputFile& output) try {
+  const std::string& path = output.path;
+  if (fs::exists(path))
+    const AtomicFile beside(path, 0600, AT_FDCWD);
+  else
+    const AtomicFile new_one(path);
+} catch (const std::system_error& error) {
+  const std::string folder = fs::path(output.path).parent_path().string();
+  std::string why = error.code().message() + "; name another file";
+  if (std::error_code none; !folder.empty() && !fs::exists(folder, none))
+    why = "there is no folder " + folder + "; make it, or name a file in another one";
+  throw FileError(output.option + ": " + output.path + " cannot be created: " + why);
+}
+
 /// Moves or removes the parts of an earlier file, before that file is moved.
 void set_parts_aside(const OutputFile& output, bool file_exists) {
   const std::string folder = output.path + output.parts_ending;
@@ -94,9 +120,6 @@ void set_aside(const OutputFile& output) {
   const fs::file_status status = fs::status(output.path, error);
   if (!output.parts_ending.empty()) set_parts_aside(output, fs::is_regular_file(status));
   if (!fs::exists(status)) return;
-  if (is_stream(output.path) || !fs::is_regular_file(status))
-    throw FileError(output.option + ": " + output.path +
-                    " is not a regular file; name another file to write");
   const std::string old = output.path + kEarlierEnding;
   fs::rename(output.path, old, error);
   if (error)
@@ -113,6 +136,8 @@ void set_earlier_outputs_aside(const std::vector<std::string>& inputs,
   for (const OutputFile& output : files) {
     require_no_input(inputs, output);
     require_own_names(output, taken);
+    require_file(output);
+    require_room(output);
   }
   for (const OutputFile& output : files)
     if (!output.continues) set_aside(output);

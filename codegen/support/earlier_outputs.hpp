@@ -24,12 +24,12 @@ struct OutputFile {
 /// The folder of its parts goes with it, and FILE.old has no parts of another file. The folder of a
 /// file that does not exist, because its run was killed, is removed.
 ///
-/// Call it before anything else is done. Devices and pipes stay as they are. An existing FILE.old
-/// is replaced.
+/// Call it before anything else is done: it tries whether a file can be made in each folder. Devices
+/// and pipes stay as they are. An existing FILE.old is replaced.
 ///
-/// Throws    FileError when a file cannot be moved, or a folder of parts has other files; UsageError,
-///           before anything is moved, when two outputs, or an output and a file of `inputs`, would
-///           use one name. Empty paths are none.
+/// Throws    FileError when a file cannot be made or moved, or a folder of parts has other files;
+///           UsageError when two outputs, or an output and a file of `inputs`, would use one name.
+///           Nothing is moved unless all files can be made. Empty paths are none.
 void set_earlier_outputs_aside(const std::vector<std::string>& inputs,
                                const std::vector<OutputFile>& outputs);
 

@@ -121,7 +121,7 @@ TEST_F(CheckpointOption, AFolderThatIsNotThereIsSaidBeforeTheSearch) {
   const CommandResult result =
       regulus({"check", kRobot1, "wide_15", "--checkpoint", file("no/such/folder")});
   EXPECT_EQ(result.exit_code, 74);
-  EXPECT_THAT(result.errors, HasSubstr("folder cannot be locked"));
+  EXPECT_THAT(result.errors, HasSubstr("cannot be created: there is no folder"));
 }
 
 /// A closing terminal sends SIGHUP, perhaps twice; nohup asks programs to ignore it.

@@ -185,6 +185,17 @@ TEST(Command, SaysWhichNumberAnOptionTakes) {
   EXPECT_THAT(verify.errors, HasSubstr("--threads: found '0', expected a whole number from 1"));
 }
 
+TEST(Command, TakesOptionsBeforeItsArguments) {
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"check", "--range", "x=0", "--tolerance", "base=0", kPlanar,
+                                 "regular"},
+        {"check", "--without", "stall", "--quiet", kPlanar, "regular", "--range=x=0:1"},
+        {"locate", "--output", "/dev/null", "--picture", "/dev/null/none.vtu", kPlanar, "regular"}})
+    EXPECT_THAT(regulus(words).errors, testing::Not(HasSubstr("MODEL is required"))) << words[1];
+  EXPECT_EQ(regulus({"check", "--range", "x=0", "--range", "y=14", kPlanar, "regular"}).exit_code,
+            0);
+}
+
 TEST(Command, SaysWhichWordIsMistyped) {
   const CommandResult command = regulus({"chek", "robot_1", "--json"});
   EXPECT_EQ(command.exit_code, 64);
@@ -194,6 +205,8 @@ TEST(Command, SaysWhichWordIsMistyped) {
     EXPECT_THAT(regulus({"check", "robot_1", option, "base=1"}).errors,
                 HasSubstr("there is no option '--tolerence'; did you mean '--tolerance'?"));
   EXPECT_THAT(regulus({"check", "robot_1", "--xyz"}).errors, HasSubstr("regulus check --help"));
+  EXPECT_THAT(regulus({"check", "robot_1", "--picture", "p.svg"}).errors,
+              HasSubstr("regulus check has no option '--picture'; it is one of regulus locate"));
   EXPECT_THAT(regulus({"check"}).errors, HasSubstr("MODEL is required"));
   const CommandResult nothing = regulus({});
   EXPECT_EQ(nothing.exit_code, 64);
@@ -279,6 +292,7 @@ TEST(Command, ChecksAVarietyOfOnePose) {
 
 TEST(Command, HasHelpForEveryCommand) {
   EXPECT_THAT(regulus({"--help"}).output, HasSubstr("POSSIBLE PROBLEM"));
+  EXPECT_THAT(regulus({"--help"}).output, HasSubstr("\n  regulus check robot_1 wide_15\n"));
   EXPECT_THAT(regulus({"check", "--help"}).output, HasSubstr("--tolerance"));
   EXPECT_THAT(regulus({"explain", "--help"}).output, HasSubstr("MODEL"));
   EXPECT_THAT(regulus({"--version"}).output, testing::StartsWith("regulus "));
@@ -323,7 +337,10 @@ TEST(Command, SaysWhyACertificateCannotBeWritten) {
   const CommandResult refused =
       regulus({"check", kPlanar, "regular", "--certificate", "/nowhere/at/all"});
   EXPECT_EQ(refused.exit_code, 74);
-  EXPECT_THAT(refused.errors, HasSubstr("cannot be created: No such file or directory"));
+  EXPECT_EQ(refused.output, "");
+  EXPECT_THAT(refused.errors,
+              HasSubstr("--certificate: /nowhere/at/all cannot be created: there is "
+                        "no folder /nowhere/at; make it"));
   EXPECT_EQ(regulus({"verify", "/nowhere/at/all"}).exit_code, 74);
 }
 

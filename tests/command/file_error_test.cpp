@@ -71,20 +71,55 @@ TEST_F(FileTrouble, AnAnswerIsToldWithoutItsProof) {
   }
 }
 
-TEST_F(FileTrouble, AFolderInWhichNothingCanBeMadeIsSaid) {
-  const std::vector<std::string> check = {"check", kPlanar, "regular"},
-                                 locate = {"locate", kPlanar, "regular", "--quiet"};
-  const auto with = [](std::vector<std::string> words, const std::string& option,
-                       const std::string& path) {
-    words.insert(words.end(), {option, path});
-    return regulus(words);
-  };
-  expect_trouble(with(check, "--certificate", kNowhere), "the certificate");
-  expect_trouble(with(check, "--checkpoint", kNowhere), "the checkpoint");
-  expect_trouble(with(locate, "--certificate", kNowhere), "the certificate");
-  expect_trouble(with(locate, "--output", kNowhere), "here cannot be created");
-  expect_trouble(with(locate, "--picture", std::string(kNowhere) + ".svg"),
-                 "here.svg cannot be created");
+/// Every option that names a file to write, before anything is searched or renamed.
+TEST_F(FileTrouble, AFolderInWhichNothingCanBeMadeIsSaidBeforeTheSearch) {
+  using Words = std::vector<std::string>;
+  const Words check = {"check", kPlanar, "regular"}, locate = {"locate", kPlanar, "regular"},
+              margin = {"margin", kPlanar, "regular", "--tolerance", "base=0:0.1"},
+              bound = {"bound", kPlanar, "regular", "determinant"},
+              sheet = {"datasheet", model_path("orthoglide"), "cube"},
+              solve = {"solve", model_path("rpr_6")};
+  const std::vector<std::tuple<Words, std::string, std::string>> cases = {
+      {check, "--certificate", ""},
+      {check, "--checkpoint", ""},
+      {check, "--page", ".html"},
+      {locate, "--certificate", ""},
+      {locate, "--checkpoint", ""},
+      {locate, "--page", ".html"},
+      {locate, "--output", ""},
+      {locate, "--picture", ".svg"},
+      {locate, "--picture", ".vtu"},
+      {margin, "--certificate", ""},
+      {margin, "--checkpoint", ""},
+      {margin, "--page", ".html"},
+      {bound, "--certificate", ""},
+      {bound, "--checkpoint", ""},
+      {bound, "--page", ".html"},
+      {sheet, "--certificate", ""},
+      {sheet, "--checkpoint", ""},
+      {sheet, "--page", ".html"},
+      {solve, "--certificate", ""},
+      {solve, "--page", ".html"},
+      {{"report", kPlanar, "regular"}, "--output", ".html"},
+      {{"generate", kPlanar, "regular", "--output", file("kernel")}, "--depfile", ".d"}};
+  write_file(file("earlier.html"), "the one before");
+  for (const auto& [words, option, ending] : cases)
+    for (const std::string& place : {std::string(kNowhere), file("no/folder")}) {
+      Words all = words;
+      all.insert(all.end(), {option, place + ending});
+      if (option == "--certificate") all.insert(all.end(), {"--page", file("earlier.html")});
+      const CommandResult result = regulus(all);
+      expect_trouble(result, option + ": " + place);
+      expect_trouble(result, ending + " cannot be created: ");
+      EXPECT_EQ(result.output, "") << words[0] << ' ' << option;
+    }
+  EXPECT_EQ(file_contents(file("earlier.html")), "the one before");
+  expect_trouble(regulus({"generate", kPlanar, "regular", "--output", kNowhere}),
+                 "cannot be written");
+  write_file(file("a_file"), "");
+  expect_trouble(regulus({"generate", kPlanar, "regular", "--output", file("a_file/kernel")}),
+                 "cannot be written: Not a directory");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(directory_.path()), {}), 2);
 }
 
 TEST_F(FileTrouble, ACertificateThatDoesNotFitLeavesNoneOfAnEarlierRun) {

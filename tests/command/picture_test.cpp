@@ -209,7 +209,14 @@ TEST_F(PictureFile, RefusesWhatCannotBeDrawn) {
     return result_.errors;
   };
   EXPECT_THAT(refused("p.vtu", {kPlanar, "crossing", "--range", "phi=0"}),
-              HasSubstr("boxes in space need three motion parameters with ranges"));
+              HasSubstr("boxes in space need three motion parameters with ranges; this motion has "
+                        "ranges of x, y; --range phi=LO:HI gives another"));
+  EXPECT_THAT(refused("p.vtu", {kRobot1, "wide_15"}),
+              HasSubstr("x, y, z, psi, theta, phi; --range p=V sets a parameter to one value"));
+  EXPECT_THAT(refused("p.svg", {model_path("rump"), "point"}),
+              HasSubstr("this motion has none; --range x=LO:HI gives one"));
+  EXPECT_THAT(refused("p.svg", {kRobot1, "T1", "--slices", "T=3"}),
+              HasSubstr("this motion has a range of T; name a motion with more of them"));
   EXPECT_THAT(refused("p.svg", {kPlanar, "crossing", "--slices", "phi=1"}),
               HasSubstr("expected p=N"));
   EXPECT_THAT(refused("p.svg", {kPlanar, "crossing", "--slices", "psi=4"}),

@@ -139,6 +139,15 @@ TEST(ManualPage, NamesTheCommandsThatRunOnRanks) {
     EXPECT_THAT(page, HasSubstr(words));
 }
 
+TEST(Help, ListsTheCommandsThatRunOnRanksAlone) {
+  const std::string help = run_command(ranks(1, {"--help"})).output;
+  EXPECT_THAT(help, HasSubstr("mpirun -n 8 regulus-mpi check robot_1 wide_15"));
+  for (const char* command : {"check", "locate", "margin", "bound", "datasheet", "verify"})
+    EXPECT_THAT(help, HasSubstr("\n  " + std::string(command) + ' '));
+  for (const char* command : {"solve", "report", "explain", "generate", "import", "list", "shell"})
+    EXPECT_THAT(help, testing::Not(HasSubstr("\n  " + std::string(command) + ' ')));
+}
+
 TEST_F(Ranks, BracketAsOneThreadDoes) {
   const CommandResult many =
       run_command(ranks(2, {"margin", model("robot_1"), "wide_15", "--tolerance",

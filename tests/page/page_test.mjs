@@ -285,7 +285,7 @@ test("A closure is quoted, with its proof to save, and with slices of its paving
   assert.equal(await boxes.$$eval(".sampled, .sample-curve", (marks) => marks.length), 0);
   assert.match(await secondProof(boxes), /^Quoted: this answer has no proof in a file/);
   assert.match(await textOf(boxes, "main"), /free: the branch has exactly one configuration, and its 2×2 matrix/);
-  assert.match(await textOf(boxes, "main"), /There is no proof in a file: where the branch of a .closure. is certain has no proof/);
+  assert.match(await textOf(boxes, "main"), /There is no proof in a file: a paving of a .closure. has no proof/);
   assert.deepEqual(none, []);
   const { page: errors, faults: quiet } = await open(browser, pageOf("finite", ["bound", bars, "inside", "error", "--finite", "--tolerance", "links=0.001"]));
   assert.match(await secondProof(errors), /^Quoted: this answer has no proof in a file/);

@@ -42,13 +42,17 @@ double step_of(double width, int most_ticks, bool is_angle) {
 
 }  // namespace
 
-Axis::Axis(Interval range, const std::string& name, const std::string& unit, int most_ticks)
-    : range_(range), is_angle_(unit == "rad"), most_ticks_(most_ticks) {
+Axis::Axis(Interval range, const std::string& name, const std::string& unit, int most_ticks,
+           const std::optional<Interval>& shown)
+    : range_(range),
+      shown_(shown.value_or(range)),
+      is_angle_(unit == "rad"),
+      most_ticks_(most_ticks) {
   if (is_angle_) factor_ = 180 / std::numbers::pi;
   std::string scale = unit_suffix(is_angle_ ? "deg" : unit);
   if (!scale.empty()) scale.erase(0, 1);
-  const Interval shown(range.lo * factor_, range.hi * factor_);
-  if (const int exponent = exponent_of(shown); exponent != 0) {
+  const Interval numbers(shown_.lo * factor_, shown_.hi * factor_);
+  if (const int exponent = exponent_of(numbers); exponent != 0) {
     factor_ *= std::pow(10.0, -exponent);
     scale = fmt::format("× 10{}{}{}", superscript(exponent), scale.empty() ? "" : " ", scale);
   }
@@ -60,16 +64,17 @@ std::string Axis::ends(Interval x) const {
 }
 
 std::string Axis::range_command(const char* axis) const {
-  const double lo = range_.lo * factor_, hi = range_.hi * factor_;
+  const double lo = shown_.lo * factor_, hi = shown_.hi * factor_;
   std::string command = fmt::format("set {}range [{:.9g}:{:.9g}]\n", axis, lo, hi);
   if (const double width = hi - lo; most_ticks_ > 0 && width > 0 && std::isfinite(width))
     command += fmt::format("set {}tics {:.9g}\n", axis, step_of(width, most_ticks_, is_angle_));
   return command;
 }
 
-Axis axis_of(const SearchSubject& p, std::size_t variable, int most_ticks) {
+Axis axis_of(const SearchSubject& p, std::size_t variable, int most_ticks,
+             const std::optional<Interval>& shown) {
   const VariableLabel& label = p.labels.variables[variable];
-  return {p.variety.outer[variable], label.name, label.unit, most_ticks};
+  return {p.variety.outer[variable], label.name, label.unit, most_ticks, shown};
 }
 
 std::string drawn_text(const VariableLabel& variable, const Interval& value) {

@@ -3,6 +3,7 @@
 // along it short. Angles are in degrees. For drawing only.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "codegen/question/engine/search_subject.hpp"
@@ -11,10 +12,13 @@ namespace regulus {
 
 class Axis {
  public:
-  /// At most so many numbers stand along the axis; 0: the plot says where.
-  Axis(Interval range, const std::string& name, const std::string& unit, int most_ticks = 8);
+  /// At most so many numbers stand along the axis; 0: the plot says where. `shown`: what the axis
+  /// is for, with the range in it; nothing: the range.
+  Axis(Interval range, const std::string& name, const std::string& unit, int most_ticks = 8,
+       const std::optional<Interval>& shown = {});
 
   [[nodiscard]] const Interval& range() const noexcept { return range_; }
+  [[nodiscard]] const Interval& shown() const noexcept { return shown_; }
   /// Returns what a value is multiplied by for the numbers along the axis.
   [[nodiscard]] double factor() const noexcept { return factor_; }
   /// Returns "z (cm)", "det J⁻¹ (× 10⁵)".
@@ -25,7 +29,7 @@ class Axis {
   [[nodiscard]] std::string range_command(const char* axis) const;
 
  private:
-  Interval range_;
+  Interval range_, shown_;
   double factor_ = 1;
   bool is_angle_;
   int most_ticks_;
@@ -34,7 +38,7 @@ class Axis {
 
 /// Returns the axis of a variable.
 [[nodiscard]] Axis axis_of(const SearchSubject& preparation, std::size_t variable,
-                           int most_ticks = 8);
+                           int most_ticks = 8, const std::optional<Interval>& shown = {});
 
 /// Returns "phi = 25 deg", "x in [−2, 4] cm": six digits, for the text of a picture.
 [[nodiscard]] std::string drawn_text(const VariableLabel& variable, const Interval& value);

@@ -30,7 +30,7 @@ Canvas::Canvas(const PreparedSearch& preparation, const PictureOptions& options,
       rows_(options.drawn.size() > 1 ? columns_ : 1),
       tiles_(columns_ * rows_),
       volumes_(options.shade == Shade::kShare ? columns_ * rows_ : 0),
-      determinants_(rows_ == 1 ? columns_ : 0) {
+      determinants_(is_flat() ? columns_ : 0) {
   for (const std::size_t k : drawn_) ranges_.push_back(preparation.variety.outer[k]);
   for (const std::size_t k : options.paving.axes)
     if (std::ranges::count(drawn_, k) == 0 && !(slice && slice->axis == k)) hidden_.push_back(k);

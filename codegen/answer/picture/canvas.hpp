@@ -34,7 +34,7 @@ class Canvas final : public Observer {
   void on_leaf(const OpenBox& box, Rule rule, const Proof& proof) noexcept override;
   void on_open(const OpenBox& box) noexcept override;
 
-  [[nodiscard]] bool is_flat() const noexcept { return rows_ == 1; }
+  [[nodiscard]] bool is_flat() const noexcept { return drawn_.size() < 2; }
   [[nodiscard]] std::size_t columns() const noexcept { return columns_; }
   [[nodiscard]] std::size_t rows() const noexcept { return rows_; }
   [[nodiscard]] const std::optional<Slice>& slice() const noexcept { return slice_; }

@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 
 #include "codegen/answer/picture/gnuplot.hpp"
 #include "codegen/answer/picture/plot.hpp"
-#include "codegen/answer/picture/robot_shape.hpp"
+#include "codegen/answer/picture/robot_in_map.hpp"
 
 namespace regulus {
 namespace {
@@ -86,12 +87,18 @@ void add_share_legends(Plot& plot, const PictureOptions& options, const Volumes&
 std::string map_commands(const PreparedSearch& p, const PictureOptions& options,
                          const Volumes& volumes, const Canvas& canvas, bool has_legend) {
   const int most_ticks = options.slices.empty() ? 8 : 4;
-  Plot plot(axis_of(p, options.drawn[0], most_ticks), axis_of(p, options.drawn[1], most_ticks));
+  std::optional<RobotInMap> robot;
+  if (options.robot) robot.emplace(p, options);
+  const auto axis = [&](std::size_t k) {
+    return axis_of(p, options.drawn[k], most_ticks,
+                   robot ? std::optional(robot->extent(k)) : std::nullopt);
+  };
+  Plot plot(axis(0), axis(1));
   const VariableLabel& across = p.labels.variables[options.drawn[0]];
   const VariableLabel& up = p.labels.variables[options.drawn[1]];
-  const Interval x = plot.across().range(), y = plot.up().range();
+  const Interval x = plot.across().shown(), y = plot.up().shown();
   const double ratio = (y.hi - y.lo) / (x.hi - x.lo);
-  const bool equal = across.unit == up.unit && ratio > 0.4 && ratio < 2.5;
+  const bool equal = across.unit == up.unit && (robot || (ratio > 0.4 && ratio < 2.5));
   if (options.shade == Shade::kShare) {
     add_shares(plot, canvas);
     if (has_legend) add_share_legends(plot, options, volumes);
@@ -99,9 +106,10 @@ std::string map_commands(const PreparedSearch& p, const PictureOptions& options,
     add_claims(plot, canvas);
     if (has_legend) add_legends(plot, options, volumes);
   }
-  if (options.robot) add_robot_shape(plot, p, options, canvas.slice());
-  return "set ylabel " + Gnuplot::quoted(plot.up().label()) + '\n' +
-         (equal ? "set size ratio -1\n" : "") + plot.commands();
+  if (robot) robot->add_to(plot, canvas.slice(), has_legend);
+  return "set xlabel " + Gnuplot::quoted(plot.across().label()) + "\nset ylabel " +
+         Gnuplot::quoted(plot.up().label()) + '\n' + (equal ? "set size ratio -1\n" : "") +
+         plot.commands();
 }
 
 }  // namespace regulus

@@ -67,21 +67,39 @@ bool ends_with_any(const std::string& file, std::initializer_list<const char*> e
   return std::ranges::any_of(endings, [&](const char* ending) { return file.ends_with(ending); });
 }
 
-void require_axes_for(const PictureRequest& request, const PictureOptions& options) {
-  const std::size_t ranges = options.paving.axes.size();
-  if (!request.files.empty() && options.drawn.empty())
-    throw UsageError(
-        "--picture: there is nothing to draw, because no motion parameter has a range");
+/// Throws UsageError that `what` needs other ranges, with those of the motion and what changes them.
+[[noreturn]] void refuse_ranges(const std::string& what, const SearchSubject& p, const Axes& axes,
+                                bool too_many = false) {
+  std::string words = what + "; this motion has " +
+                      (axes.empty()       ? "none"
+                       : axes.size() == 1 ? "a range of "
+                                          : "ranges of ");
+  if (!axes.empty()) words += listed(p, axes);
+  for (std::size_t k = 0; k < p.labels.variables.size() && !too_many; ++k)
+    if (is_motion(p.labels.variables[k]) && std::ranges::count(axes, k) == 0)
+      throw UsageError(words + "; --range " + p.labels.variables[k].name + "=LO:HI gives " +
+                       (axes.empty() ? "one" : "another"));
+  throw UsageError(words + (too_many ? "; --range p=V sets a parameter to one value"
+                                     : "; name a motion with more of them, or give a "
+                                       "constant of its pose a range, --range p=LO:HI"));
+}
+
+void require_axes_for(const PictureRequest& request, const PictureOptions& options,
+                      const SearchSubject& p) {
+  const Axes& axes = options.paving.axes;
+  const bool is_flat = options.drawn.size() < 2;
+  if (!request.files.empty() && axes.empty())
+    refuse_ranges("--picture: a motion parameter with a range is needed to draw", p, axes);
+  if (!options.slices.empty() && is_flat)
+    refuse_ranges("--slices: two other motion parameters with ranges are needed to draw", p, axes);
+  if (options.shade == Shade::kShare && is_flat)
+    refuse_ranges("--shade share: two motion parameters with ranges are needed to draw", p, axes);
   for (const std::string& file : request.files)
-    if (is_grid_file(file) && ranges != 3)
-      throw UsageError(fmt::format(
-          "--picture {}: boxes in space need three motion parameters with ranges; this motion has "
-          "{}; --range p=V sets a parameter to one value",
-          file, ranges));
-  if (!options.slices.empty() && options.drawn.size() < 2)
-    throw UsageError("--slices: two other motion parameters with ranges are needed to draw");
-  if (options.shade == Shade::kShare && options.drawn.size() < 2)
-    throw UsageError("--shade share: two motion parameters with ranges are needed to draw");
+    if (is_grid_file(file) && axes.size() != 3)
+      refuse_ranges(fmt::format("--picture {}: boxes in space need three motion parameters with "
+                                "ranges",
+                                file),
+                    p, axes, axes.size() > 3);
 }
 
 }  // namespace
@@ -110,7 +128,7 @@ PictureOptions resolve_pictures(const PictureRequest& request, const PavingOptio
   const Axes choice = options.drawn;
   if (options.drawn.size() > 2) options.drawn.resize(2);
   if (!request.axes.empty()) options.drawn = parse_axes(request.axes, p, choice);
-  require_axes_for(request, options);
+  require_axes_for(request, options, p);
   return options;
 }
 

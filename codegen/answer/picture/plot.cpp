@@ -9,6 +9,14 @@
 #include "codegen/answer/report/paving_report.hpp"
 
 namespace regulus {
+namespace {
+
+std::string line_style(double width, double dots) {
+  return fmt::format("linespoints linewidth {} pointtype 7 pointsize {} linecolor rgb '#202020'",
+                     width, dots);
+}
+
+}  // namespace
 
 Plot::Plot(Axis across, Axis up) : across_(std::move(across)), up_(std::move(up)) {}
 
@@ -52,9 +60,14 @@ void Plot::add_path(std::vector<PlacePoint> points, PathStyle path) {
         "{} with filledcurves closed fillcolor rgb '{}' fillstyle transparent solid 0.5 noborder "
         "notitle",
         block, path == PathStyle::kBase ? "#404040" : "#ffffff"));
-  parts_.push_back(fmt::format(
-      "{} with linespoints linewidth {} pointtype 7 pointsize {} linecolor rgb '#202020' notitle",
-      block, is_body ? 1.5 : 3, path == PathStyle::kPlace ? 1.2 : 0.6));
+  parts_.push_back(fmt::format("{} with {} notitle", block,
+                               line_style(is_body || path == PathStyle::kRail ? 1.5 : 3,
+                                          path == PathStyle::kPlace ? 1.2 : 0.6)));
+}
+
+void Plot::add_rod_legend(const std::string& text) {
+  parts_.push_back(
+      fmt::format("keyentry with {} title {}", line_style(3, 0.6), Gnuplot::quoted(text)));
 }
 
 void Plot::add_legend(const std::string& colour, const std::string& text) {

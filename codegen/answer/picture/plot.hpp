@@ -19,7 +19,7 @@ struct PlacePoint {
 };
 
 /// A line shows these points; a place is one point.
-enum class PathStyle : std::uint8_t { kBase, kPlatform, kRod, kPlace };
+enum class PathStyle : std::uint8_t { kBase, kPlatform, kRail, kRod, kPlace };
 
 /// A plot that grows layer by layer. Later layers are drawn over earlier ones.
 class Plot {
@@ -37,6 +37,8 @@ class Plot {
   void add_path(std::vector<PlacePoint> points, PathStyle path);
   /// Adds a line of the legend.
   void add_legend(const std::string& colour, const std::string& text);
+  /// Adds a line of the legend for rods.
+  void add_rod_legend(const std::string& text);
 
   [[nodiscard]] const Axis& across() const noexcept { return across_; }
   [[nodiscard]] const Axis& up() const noexcept { return up_; }

@@ -50,6 +50,13 @@ std::string escaped(const std::string& path) {
 
 }  // namespace
 
+void require_room_in(const fs::path& folder) {
+  fs::path there = fs::absolute(folder);
+  while (!fs::exists(there) && there.has_relative_path()) there = there.parent_path();
+  name_in_errors(folder,
+                 [&] { const AtomicFile probe((there / "regulus").string(), 0600, AT_FDCWD); });
+}
+
 void write_files(const fs::path& folder, const std::vector<GeneratedFile>& files) {
   std::error_code error;
   fs::create_directories(folder, error);

@@ -9,6 +9,9 @@
 
 namespace regulus {
 
+/// Throws FileError if no file can be made in the folder, or no folder in its place.
+void require_room_in(const std::filesystem::path& folder);
+
 /// Writes the files into the folder; creates it if necessary.
 ///
 /// Ensures   no file is ever visible half-written; if it throws, none has been replaced, unless the

@@ -38,7 +38,7 @@ Request solve_request_of(Model model, const ModelOptions& options,
   Request request = request_of(std::move(model), given, more);
   if (request.motion.trajectory)
     throw UsageError(
-        "solutions are those at one place; name a motion that has one, or give its values by at, "
+        "solve answers for one place; name a motion that has one place, or give its values by at, "
         "or "
         "those of many places by waypoints");
   require_place_alone(request.motion);

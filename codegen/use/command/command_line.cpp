@@ -53,6 +53,16 @@ CommandEntry entry_of(const CLI::App& app, const std::string& name) {
   return entry;
 }
 
+/// Says which other commands have the option; empty: none.
+std::string commands_with(const std::string& option, const CLI::App& app) {
+  std::string names;
+  for (const CLI::App* one : app.get_subcommands(nullptr))
+    if (const CLI::Option* found = one->get_option_no_throw(option);
+        found != nullptr && !found->get_group().empty())
+      names += (names.empty() ? "regulus " : ", regulus ") + one->get_name();
+  return names;
+}
+
 std::vector<std::string> long_names_of(const CLI::App& command) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options())
@@ -76,9 +86,12 @@ std::optional<UsageError> mistyped_word(const CLI::App& app, int argc, const cha
     const std::string_view word(argv[i]);
     const std::string option(word.substr(0, word.find('=')));
     const bool is_known = std::ranges::find(options, option) != options.end();
-    if (option.starts_with("--") && option.size() > 2 && !is_known)
-      return UsageError("there is no option " + in_quotes(option) + "; " +
-                        suggestion(option, options, "regulus " + command + " --help lists them"));
+    if (!option.starts_with("--") || option.size() == 2 || is_known) continue;
+    if (const std::string others = commands_with(option, app); !others.empty())
+      return UsageError("regulus " + command + " has no option " + in_quotes(option) +
+                        "; it is one of " + others);
+    return UsageError("there is no option " + in_quotes(option) + "; " +
+                      suggestion(option, options, "regulus " + command + " --help lists them"));
   }
   return std::nullopt;
 }
@@ -106,7 +119,7 @@ CommandLine parse_command_line(int argc, const char* const* argv,
                                const std::string& shell_commands) {
   CommandTables tables(shell_commands);
   const std::string_view program(argc > 0 ? argv[0] : "");
-  if (program.ends_with("regulus-mpi")) tables.app.name("regulus-mpi");
+  if (program.ends_with("regulus-mpi")) tables.show_ranks();
   CommandLine result;
   try {
     tables.app.parse(argc, argv);

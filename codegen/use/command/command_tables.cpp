@@ -10,11 +10,19 @@
 namespace regulus {
 namespace {
 
-constexpr const char* kDescription =
+constexpr const char* kIntroduction =
     "Regulus proves that a parallel robot has no singular pose in a workspace or on a trajectory, "
     "or\n"
-    "shows one, whatever the rounding, the manufacturing tolerances and the control errors.\n\n"
-    "  regulus check models/robot_1.toml wide_15\n\n"
+    "shows one, whatever the rounding, the manufacturing tolerances and the control errors.\n\n";
+
+constexpr const char* kFirstExample = "  regulus check robot_1 wide_15\n\n";
+
+constexpr const char* kIntroductionOfRanks =
+    "regulus-mpi runs these commands of regulus on the processes that MPI starts. The answers are "
+    "the\nsame; `man regulus-mpi` and the page CLUSTER of the manual say more.\n\n"
+    "  mpirun -n 8 regulus-mpi check robot_1 wide_15\n\n";
+
+constexpr const char* kVerdicts =
     "The last line on standard output is the verdict:\n"
     "  NO SINGULARITY    proved for every pose and every uncertain value declared   (exit 0)\n"
     "  SINGULARITY       a witness proves it; the report shows the pose, the twist\n"
@@ -50,7 +58,9 @@ constexpr const char* kExplainFooter =
     "Exit: 0 shown; 64 usage, 65 bad model, 70 internal fault, 74 file error.";
 
 constexpr const char* kGenerateFooter =
-    "What to do with the files: codegen/EMBEDDING.md. In CMake, regulus_add_kernel() does it.\n"
+    "What to do with the files: the page EMBEDDING of the manual. In CMake, regulus_add_kernel() "
+    "does\n"
+    "it.\n"
     "Exit: 0 written; 64 usage, 65 bad model, 70 internal fault, 74 file error.";
 
 constexpr const char* kShellFooter =
@@ -88,8 +98,9 @@ void add_paving_options(CLI::App& app, LocateCommand& command) {
                  "File for the boxes, one JSON object on each line; - is standard output")
       ->type_name("FILE.jsonl");
   app.add_option("--picture", command.pictures.files,
-                 "Draw the paving; may be repeated. A .vtu file has the boxes of three ranges in "
-                 "space, for ParaView and other programs")
+                 "Draw the paving, by the program gnuplot; may be repeated. A .vtu file, which "
+                 "needs no gnuplot, has the boxes of three ranges in space, for ParaView and other "
+                 "programs")
       ->take_all()
       ->expected(1)
       ->type_name("FILE.svg|.pdf|.png|.vtu");
@@ -111,8 +122,8 @@ void add_paving_options(CLI::App& app, LocateCommand& command) {
       ->type_name("{worst,share}")
       ->default_str("worst");
   app.add_flag("--robot", command.pictures.robot,
-               "Draw the robot over the map, at the middle of the ranges: a model whose [drawing] "
-               "is in a plane");
+               "Draw the robot over the map, at the middle of the ranges; a robot in space as seen "
+               "along the third axis. The axes are two coordinates of its place, such as x,y");
 }
 
 void add_margin_options(CLI::App& app, MarginCommand& command) {
@@ -174,6 +185,12 @@ void add_explain_options(CLI::App& app, ExplainCommand& command) {
   app.add_flag("--quiet", command.output.quiet, "Do not name the file of an installed model");
 }
 
+/// An option that may be repeated would take the model for another value: --range x=0 MODEL.
+void give_one_value_each(CLI::App& command) {
+  for (CLI::Option* option : command.get_options())
+    if (!option->get_positional()) option->allow_extra_args(false);
+}
+
 void add_shell_options(CLI::App& app, ShellCommand& command) {
   app.add_option("MODEL", command.path, "Model file to load first");
   app.add_flag("--json", command.json, "Print each result as one JSON object on a line");
@@ -181,7 +198,8 @@ void add_shell_options(CLI::App& app, ShellCommand& command) {
 
 }  // namespace
 
-CommandTables::CommandTables(const std::string& shell_commands) : app(kDescription, "regulus") {
+CommandTables::CommandTables(const std::string& shell_commands)
+    : app(std::string(kIntroduction) + kFirstExample + kVerdicts, "regulus") {
   app.set_version_flag("--version", std::string("regulus ") + kVersion);
   app.require_subcommand(1);
   app.footer(kExitCodes);
@@ -219,7 +237,18 @@ CommandTables::CommandTables(const std::string& shell_commands) : app(kDescripti
       "shell", "Load, show, set, check and plot at a prompt, or as a script on standard input");
   add_shell_options(*shell_command, shell);
   shell_command->footer(shell_commands + kShellFooter);
-  for (CLI::App* command : app.get_subcommands(nullptr)) group_options(*command);
+  for (CLI::App* command : app.get_subcommands(nullptr)) {
+    group_options(*command);
+    give_one_value_each(*command);
+  }
+}
+
+void CommandTables::show_ranks() {
+  app.name("regulus-mpi");
+  app.description(std::string(kIntroductionOfRanks) + kVerdicts);
+  for (CLI::App* other : {solve_command, report_command, explain_command, generate_command,
+                          import_command, list_command, shell_command})
+    other->group("");
 }
 
 void CommandTables::add_report() {

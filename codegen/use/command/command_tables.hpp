@@ -40,6 +40,8 @@ struct CommandTables {
 
   /// `shell_commands`: the first part of the footer of `shell`.
   explicit CommandTables(const std::string& shell_commands);
+  /// Makes the help that of regulus-mpi, which runs some of the commands.
+  void show_ranks();
 
  private:
   void add_check();

@@ -11,6 +11,7 @@
 #include "codegen/answer/report/report_text.hpp"
 #include "codegen/kernel/cpp/write_files.hpp"
 #include "codegen/kernel/jit/object_file.hpp"
+#include "codegen/support/earlier_outputs.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/write_file.hpp"
 
@@ -25,6 +26,19 @@ GenerateOptions generate_options(const GenerateCommand& command, const Request& 
   for (const std::string& isa : command.isas) options.isas.push_back(parse_isa(isa).value());
   options.command = typed;
   return options;
+}
+
+/// Throws FileError if the files have no place. The folder need not exist yet.
+void require_room(const GenerateCommand& command) {
+  require_room_in(command.folder);
+  if (command.dependencies.empty()) return;
+  const auto whole = [](const std::filesystem::path& path) {
+    return (std::filesystem::absolute(path) / "").lexically_normal();
+  };
+  OutputFile rule{"--depfile", command.dependencies};
+  rule.continues = true;  // replaced in its place, as the kernel's files are
+  const std::filesystem::path file = std::filesystem::absolute(rule.path);
+  if (whole(file.parent_path()) != whole(command.folder)) set_earlier_outputs_aside({}, {rule});
 }
 
 std::string compiled(const GeneratedFile& source, const std::vector<NamedText>& headers, Isa isa) {
@@ -112,10 +126,11 @@ void add_generate_options(CLI::App& app, GenerateCommand& command) {
 
 void generate_files(const GenerateCommand& command, const Request& request,
                     const std::string& typed) {
+  const std::filesystem::path folder = command.folder;
+  require_room(command);
   const GenerateOptions options = generate_options(command, request, typed);
   std::vector<GeneratedFile> files = generate(request, options);
   if (command.object) add_objects(files, options);
-  const std::filesystem::path folder = command.folder;
   const std::string dependencies =
       command.dependencies.empty() ? "" : dependency_text(folder, files, request.model.path);
   write_files(folder, files);
