@@ -247,8 +247,8 @@ class FoldSearch {
       start.push_back(exact_number(from.unknowns[i]));
     }
     const double way = mid(fold_.unknowns[k]) - from.unknowns[k];
-    const Interval range = hull(Interval(from.unknowns[k]),
-                                fold_.unknowns[k] + Interval(way * kPartBeyondFold));
+    const Interval range =
+        hull(Interval(from.unknowns[k]), fold_.unknowns[k] + Interval(way * kPartBeyondFold));
     return line_.system(closure.unknowns[k], {exact_number(range.lo), exact_number(range.hi)},
                         exact_number(from.unknowns[k]), std::move(unknowns), std::move(ranges),
                         line_.equations(), std::move(start),

@@ -28,7 +28,7 @@ struct SolveRun {
   const std::atomic<bool>* interrupt = nullptr;
   Observer* progress = nullptr;          ///< null: none
   std::function<void()> begin_search{};  ///< called when the search begins
-  std::vector<std::string> held{};       ///< joints of an arm that keep the values of the motion or the place
+  std::vector<std::string> held{};       ///< joints of an arm that keep their values
 
   void begin() const {
     if (begin_search) begin_search();

@@ -26,7 +26,6 @@ e = "x/(y + k) + d"
 [matrix]
 rows = [["x + b + 4", "y/(x + 3)"], ["e*y/100", "log(y + k) + d"]]
 row_scale = ["1/d", "1/(b + x^2)"]
-
 [motion.m]
 x = [-1, 1]
 y = ["-1/2", 0.5]
