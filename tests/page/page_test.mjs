@@ -470,6 +470,11 @@ test("Angles are in degrees, and exact ones exactly", async (browser) => {
   assert.doesNotMatch(await textOf(page, "main section:first-of-type"), /rad|0\.26/);
 });
 
+test("Tolerances and ranges are decimals, where these are exact", async (browser) => {
+  const { page } = await open(browser, makePage("decimals", [robot, "table4_1", "--tolerance", "base=0.1", "--tolerance", "platform=1/3000", "--range", "x=0.125:1"]));
+  assert.match(await textOf(page, "#asked"), /x from 0\.125 cm to 1 cm.*base ±0\.1 cm.*platform ±1\/3000 cm/s);
+});
+
 test("A proof by one box says so, and isolines show how far from singular it is", async (browser) => {
   const model = `${work}/one_box.toml`;
   // det = 4 y: isolines are lines of equal y, and their levels have equal steps.

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Wrong arguments are errors of one family, in Python's words; arrays of NumPy are ranges."""
 
+import ast
 import math
 import pathlib
 import re
@@ -183,3 +184,24 @@ def test_what_types_accept_runs(tmp_path):
     typed_use.solutions(rg.load("rpr_6"))
     typed_use.models()
     assert (tmp_path / "proof.txt").exists()
+
+
+def test_the_stub_says_what_the_module_has():
+    """Without mypy, whose stubtest says more: names, and the signatures that pybind11 writes."""
+    stub = ast.parse((pathlib.Path(rg.__file__).parent / "_regulus.pyi").read_text())
+    names = set()
+    for node in stub.body:
+        if isinstance(node, ast.AnnAssign):
+            names.add(node.target.id)
+        if not isinstance(node, (ast.FunctionDef, ast.ClassDef)):
+            continue
+        names.add(node.name)
+        found = getattr(rg._regulus, node.name)
+        if isinstance(node, ast.FunctionDef):
+            written = found.__doc__.splitlines()[0].replace("regulus._regulus.", "")
+            typed = f"{node.name}({ast.unparse(node.args)}) -> {ast.unparse(node.returns)}"
+            assert re.sub(r" *= *", "=", written.replace("List[", "list[").replace("Tuple[", "tuple[")) == typed
+        else:
+            members = {n.target.id if isinstance(n, ast.AnnAssign) else n.name for n in node.body}
+            assert {n for n in vars(found) if not n.startswith("_")} == {n for n in members if n[0] != "_"}
+    assert names == {name for name in dir(rg._regulus) if not name.startswith("_")}

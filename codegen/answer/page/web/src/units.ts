@@ -44,13 +44,25 @@ export function exactDegrees(exact: string): string | null {
   return exact.length <= 16 && text.length <= 7 && !text.includes("e") ? `${sign}${text}°` : null;
 }
 
+/** "0.1" of 1/10; a quotient that has no short decimal stays as it is. */
+export function exactDecimal(exact: string): string {
+  const [whole, numerator, denominator] = /^(-?\d{1,9})\/(\d{1,9})$/.exec(exact) ?? [];
+  if (whole === undefined) return exact;
+  let rest = Number(denominator);
+  for (const prime of [2, 5]) while (rest % prime === 0) rest /= prime;
+  const text = String(Number(numerator) / Number(denominator));
+  // So few digits that the decimal is the quotient, and no neighbour of it.
+  return rest === 1 && text.length <= 12 && !text.includes("e") ? text : exact;
+}
+
 /** An end of a range: its exact text if that is short, otherwise about four digits. */
 export function describeEnd(value: number, exact: string | undefined, unit: string | undefined): string {
   const angle = unit === "rad" && exact !== undefined ? exactDegrees(exact) : null;
   if (angle !== null) return angle;
   if (exact === undefined || exact.length > 12) return `≈ ${describeValue(value, unit)}`;
-  if (unit === "deg") return `${exact}°`;
-  return unit === "rad" ? `${exact} rad (≈ ${describeValue(value, unit)})` : withUnit(exact, unit);
+  const decimal = exactDecimal(exact);
+  if (unit === "deg") return `${decimal}°`;
+  return unit === "rad" ? `${decimal} rad (≈ ${describeValue(value, unit)})` : withUnit(decimal, unit);
 }
 
 /** The next of 1, 2 and 5 times a power of ten that is at least x. */

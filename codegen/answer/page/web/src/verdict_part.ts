@@ -7,7 +7,7 @@ import { Question } from "./question";
 import { proveTree, Progress } from "./reproof";
 import { proveSignChange, proveSmallDeterminant, readWitness } from "./sign_change";
 import { readTree, readTrees, Tree } from "./tree";
-import { exactDegrees, describeEnd, describeRange, describeValue, withUnit } from "./units";
+import { exactDecimal, exactDegrees, describeEnd, describeRange, describeValue, withUnit } from "./units";
 
 const WORDS = { "no-singularity": "NO SINGULARITY", singularity: "SINGULARITY", "possible-problem": "POSSIBLE PROBLEM" };
 
@@ -101,7 +101,7 @@ function asked(data: PageData, question: Question): HTMLElement {
   for (const { name, group, shape, tolerance_exact, radius_exact, unit } of data.report.question?.uncertain ?? []) {
     const size = radius_exact ?? tolerance_exact;
     if (size === undefined || tolerance_exact === "0") continue;
-    const told = (unit === "rad" ? exactDegrees(size) : null) ?? withUnit(size, unit);
+    const told = (unit === "rad" ? exactDegrees(size) : null) ?? withUnit(exactDecimal(size), unit);
     const words = `${group || name} ${shape === "ball" ? `in balls of radius ${told}` : `±${told}`}`;
     groups.set(words, (groups.get(words) ?? 0) + 1);
   }
