@@ -48,7 +48,7 @@ constexpr const char* kHelp =
     "  --coq FILE       do not prove the claim, but write it as a theorem that Coq proves:\n"
     "                   coqc -Q FOLDER Regulus FILE (runtime/formal/FORMAL.md). With --model, the\n"
     "                   file also has a theorem about the robot of the model file, if that has\n"
-    "                   the table [gough]; otherwise nothing is written\n"
+    "                   the table [gough], [serial] or [matrix]; otherwise nothing is written\n"
     "  --force          with --coq or --theorem: the certificate is FILE.leg_N.safe of `regulus "
     "bound\n"
     "                   MODEL MOTION force`; the theorem says that the force is within the bound\n"
