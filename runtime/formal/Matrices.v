@@ -335,10 +335,15 @@ Ltac equal_functions :=
 
 (** What divides is not 0, as the certificate says. *)
 Ltac nonzero :=
+  repeat match goal with D : all_of _ |- _ => real_in D end;
+  repeat match goal with D : _ /\ _ |- _ => destruct D end;
   repeat split;
   first [ clear; lra
         | match goal with N : ?a = 0 -> False |- _ =>
-            let Z := fresh in intros Z; apply N; clear - Z; lra end ].
+            let Z := fresh in intros Z; apply N; revert Z;
+            repeat match goal with E : ?x = _ |- _ =>
+              is_var x; match goal with |- context [x] => rewrite E end end;
+            clear; intros Z; lra end ].
 
 Ltac same_number :=
   unfold Rdiv; rewrite ?Rinv_1, ?Rmult_1_r; simpler_angles;
@@ -399,11 +404,8 @@ Ltac same_scales names :=
   first [ same_numbers_without names
         | fail 2 "no proof that a scale of the certificate is that of the model file" ].
 
-(** What the certificate says of divisors is known. *)
 Ltac matrices entries scales :=
-  let D := fresh "D" in intros D; real_in D;
-  repeat match goal with S : _ /\ _ |- _ => destruct S end;
-  real; split; [same_rows entries | same_scales scales].
+  let D := fresh "D" in intros D; real; split; [same_rows entries | same_scales scales].
 
 (** [S] says that the quantities of the robot are in their set. *)
 Ltac at_point claim x S :=

@@ -84,6 +84,7 @@ expect_robot(sides ${models}/planar_3rpr.toml regular "the_matrix _a1_1 _a1_2 _a
 expect_robot(cranks ${models}/planar_3rrr.toml regular "full_column_rank 3 3 ( the_matrix _x _y _phi )")
 expect_robot(delta ${models}/delta.toml work "full_column_rank 6 6 ( the_matrix _x _y _z )")
 expect_robot(wrist ${models}/puma_560.toml wrist "exists ( _q4 _q5 : R ) , the_set _q4 _q5")
+expect_robot(quotient ${own}/quotient.toml work "forall ( _x _phi'commanded _phi : R )")
 expect_robot(words_of_coq ${own}/names.toml all "( the_matrix _check_correct _eq_refl _tree _Forall")
 file(READ ${WORK_DIR}/ring.txt.v text)
 if(NOT text MATCHES "No point of the set is known")
