@@ -226,7 +226,9 @@ class GeometryWriter {
     if (claim_ == RobotClaim::kAbove)
       return coq_argument(robot_.threshold) + " < " + size_of_determinant();
     if (matrix_) return "full_column_rank " + matrix_->shape() + ' ' + matrix_->matrix();
-    return is_arm() ? rank_of_arm() : "full_column_rank 6 6 (" + matrix("gough") + ')';
+    return is_arm() ? rank_of_arm()
+                    : "full_column_rank " + std::to_string(robot_.legs.size()) + " 6 (" +
+                          matrix("gough") + ')';
   }
   [[nodiscard]] std::string regular_proof() const {
     const bool is_above = claim_ == RobotClaim::kAbove;

@@ -36,12 +36,13 @@ class RobotReader : FileKeys {
         expressions_(own_, values_, degrees_, hidden_,
                      [](std::string_view, const Scope&) { return kNoNode; }) {
     robot_.kind = kind_of_robot(model.values);
+    table_ = has_below("gough.") ? "gough." : "legs.";
     for (std::size_t i = 0; i < q_.variables.size(); ++i)
       of_pose_[q_.variables[i].name] = "quantity v " + std::to_string(i);
   }
 
   RobotOfModel read() {
-    require_known_robot(values_, robot_.kind, q_.motion, pose_names());
+    require_known_robot(values_, robot_.kind, q_.motion);
     read_threshold();
     read_geometry();
     if (robot_.kind == RobotKind::kArm) read_parts();
@@ -50,7 +51,7 @@ class RobotReader : FileKeys {
     if (robot_.kind == RobotKind::kPlatform) read_anchors();
     read_constraints();
     require_all_read();
-    robot_.orientation = word("gough.orientation", "");
+    robot_.orientation = word(table_ + "orientation", "");
     robot_.is_middle_in_set = is_middle_in_set();
     robot_.own = std::move(own_);
     robot_.names = std::move(names_);
@@ -60,16 +61,11 @@ class RobotReader : FileKeys {
  private:
   // What the file may have.
 
-  [[nodiscard]] std::vector<std::string> pose_names() const {
-    std::vector<std::string> names;
-    for (const SectionPose& pose : pose_list_) names.push_back(pose.name);
-    return names;
-  }
-
   /// What has not been read may change the set or the robot.
   void require_all_read() const {
-    for (const std::string& table : {motion_, std::string("gough.base["),
-                                     std::string("gough.platform["), std::string("serial.")})
+    for (const std::string& table :
+         {motion_, std::string("gough.base["), std::string("gough.platform["),
+          std::string("serial."), std::string("legs.leg[")})
       for (auto place = values_.lower_bound(table);
            place != values_.end() && place->first.starts_with(table); ++place)
         if (!read_.contains(place->first)) refuse_model("the key " + place->first);
@@ -302,9 +298,11 @@ class RobotReader : FileKeys {
 
   /// Returns the anchor: a point of the theorem if it has a tolerance, or its coordinates.
   std::string read_anchor(const std::string& side, char letter, std::size_t leg) {
-    const SectionQuantity written = section_quantity(
-        values_, "gough." + side + index(leg), {"gough." + side + "_tolerance", ""},
-        word("gough.tolerance_shape", "box") == "ball");
+    const std::string place =
+        has_below("gough.") ? table_ + side + index(leg) : table_ + "leg" + index(leg) + '.' + side;
+    const SectionQuantity written =
+        section_quantity(values_, place, {table_ + side + "_tolerance", ""},
+                         word(table_ + "tolerance_shape", "box") == "ball");
     std::vector<std::string> coordinates, witnesses;
     for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
       coordinates.push_back(text_at(written.value + index(axis)));
@@ -314,6 +312,7 @@ class RobotReader : FileKeys {
     const std::string name = letter + std::to_string(leg + 1);
     const std::string tolerance = tolerance_at(written.tolerance.key, name + "_x");
     const bool is_certain = tolerance == "0";
+    if (!is_certain && leg >= kLegs) refuse_model("a tolerance of a seventh leg");
     for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
       const std::string own = name + '_' + kAxes[axis];
       const std::string actual = is_certain ? coordinates[axis] : kCoordinates[axis] + name;
@@ -336,10 +335,13 @@ class RobotReader : FileKeys {
 
   void read_anchors() {
     std::vector<std::string> base, platform;
-    for (std::size_t leg = 0; leg < kLegs; ++leg) base.push_back(read_anchor("base", 'a', leg));
-    for (std::size_t leg = 0; leg < kLegs; ++leg)
-      platform.push_back(read_anchor("platform", 'b', leg));
-    for (std::size_t leg = 0; leg < kLegs; ++leg)
+    std::size_t legs = has_below("gough.") ? kLegs : 0;
+    for (; has_below("legs.leg" + index(legs)); ++legs)
+      for (const char* key : {".type", ".range[0]", ".range[1]"})
+        read_.insert("legs.leg" + index(legs) + key);
+    for (std::size_t i = 0; i < legs; ++i) base.push_back(read_anchor("base", 'a', i));
+    for (std::size_t i = 0; i < legs; ++i) platform.push_back(read_anchor("platform", 'b', i));
+    for (std::size_t leg = 0; leg < legs; ++leg)
       robot_.legs.push_back({"", '(' + base[leg] + ", " + platform[leg] + ')'});
   }
 
@@ -366,6 +368,7 @@ class RobotReader : FileKeys {
   const Question& q_;
   const bool may_differ_;
   const std::string motion_;  ///< "motion.NAME."
+  std::string table_;         ///< of a platform
   const Names degrees_, hidden_;
   const std::vector<SectionPose> pose_list_;
   Question own_;  ///< its graph has the expressions of the file

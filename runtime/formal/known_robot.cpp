@@ -16,38 +16,46 @@ class KnownRobot : FileKeys {
 
   [[nodiscard]] RobotKind kind() const {
     if (has_below("serial.")) return RobotKind::kArm;
-    if (has_below("gough.")) return RobotKind::kPlatform;
+    if (has_below("gough.") || has_struts()) return RobotKind::kPlatform;
     if (has_below("matrix.")) return RobotKind::kMatrix;
-    for (const char* table : {"legs", "closure"})
-      if (has_below(std::string(table) + '.')) refuse_table(table);
+    if (has_below("closure.")) refuse_table("closure");
     throw Unfinished(
-        "the model file describes no robot: it has none of [gough], [serial] and [matrix]");
+        "the model file describes no robot: it has none of [gough], [legs], [serial] and [matrix]");
   }
 
-  void require(RobotKind kind, const std::string& motion,
-               const std::vector<std::string>& poses) const {
+  void require(RobotKind kind, const std::string& motion) const {
     for (const char* table : {"legs", "gough", "serial", "matrix", "pose", "closure"})
       if (has_below(std::string(table) + '.') && !belongs_to(kind, table)) refuse_table(table);
-    if (kind == RobotKind::kPlatform) require_gough();
+    if (kind == RobotKind::kPlatform) require_platform();
     if (kind == RobotKind::kMatrix)
       require_known_keys("matrix.", {"rows", "row_scale", "reduced", "twist"});
     const std::string table = "motion." + motion + '.';
     if (!has_below(table) || motion.find_first_of(".[") != std::string::npos)
       throw Unfinished("the model file has no motion '" + motion + '\'');
     std::set<std::string> known{"alpha", "constraints", "error", "parameters"};
-    known.insert(poses.begin(), poses.end());
+    for (const SectionPose& pose : poses_of_file(values_)) known.insert(pose.name);
     require_known_keys(table, known);
   }
 
  private:
+  /// Returns true for [legs] with legs of variable length alone, which turn in all joints.
+  [[nodiscard]] bool has_struts() const {
+    for (std::size_t i = 0; has_below("legs.leg" + index(i)); ++i) {
+      const std::string shared = word("legs.type", "");
+      const std::string type = word("legs.leg" + index(i) + ".type", shared.c_str());
+      if (type != "UPS" && type != "SPS") refuse_model("legs of the type '" + type + '\'');
+    }
+    return has_below("legs.");
+  }
+
   [[noreturn]] static void refuse_table(const std::string& table) {
     refuse_model("the table [" + table + ']');
   }
 
-  static bool belongs_to(RobotKind kind, const std::string& table) {
+  [[nodiscard]] bool belongs_to(RobotKind kind, const std::string& table) const {
     switch (kind) {
       case RobotKind::kPlatform:
-        return table == "gough";
+        return table == (has_below("gough.") ? "gough" : "legs");
       case RobotKind::kArm:
         return table == "serial";
       default:
@@ -55,7 +63,11 @@ class KnownRobot : FileKeys {
     }
   }
 
-  void require_gough() const {
+  void require_platform() const {
+    if (!has_below("gough."))
+      return require_known_keys(
+          "legs.", {"orientation", "unit", "angle_unit", "type", "leg", "range", "base_tolerance",
+                    "platform_tolerance", "tolerance_shape"});
     require_known_keys("gough.", {"orientation", "unit", "angle_unit", "base", "platform",
                                   "base_tolerance", "platform_tolerance", "tolerance_shape"});
     for (const char* side : {"gough.base", "gough.platform"})
@@ -80,9 +92,8 @@ std::vector<SectionPose> poses_of_file(const WrittenValues& values) {
   return poses;
 }
 
-void require_known_robot(const WrittenValues& values, RobotKind kind, const std::string& motion,
-                         const std::vector<std::string>& poses) {
-  KnownRobot(values).require(kind, motion, poses);
+void require_known_robot(const WrittenValues& values, RobotKind kind, const std::string& motion) {
+  KnownRobot(values).require(kind, motion);
 }
 
 }  // namespace regulus::verifier

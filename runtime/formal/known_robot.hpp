@@ -10,7 +10,7 @@
 namespace regulus::verifier {
 
 enum class RobotKind {
-  kPlatform,  ///< [gough]
+  kPlatform,  ///< [gough], or [legs] with legs of variable length alone
   kArm,       ///< [serial]
   kMatrix,    ///< [matrix]
 };
@@ -23,7 +23,6 @@ enum class RobotKind {
 
 /// Throws Unfinished for a second robot, a motion that the file does not have, and a key without a
 /// meaning in a theorem.
-void require_known_robot(const WrittenValues& values, RobotKind kind, const std::string& motion,
-                         const std::vector<std::string>& poses);
+void require_known_robot(const WrittenValues& values, RobotKind kind, const std::string& motion);
 
 }  // namespace regulus::verifier

@@ -57,8 +57,8 @@ TEST_F(RobotTheorem, IsThatOfTheMatrixWithTheNamesOfTheFile) {
 
 TEST_F(RobotTheorem, IsRefusedForAReasonThatIsTrue) {
   const std::string rows = "[[\"x\", \"y\"], [\"right\", \"y\"]]";
-  expect_none(kModels + "snu_3upu.toml", "away", "the table [legs]");
-  expect_none(kModels + "hunt_3rps.toml", "work", "the table [legs]");
+  expect_none(kModels + "snu_3upu.toml", "away", "legs of the type 'UPU'");
+  expect_none(kModels + "hunt_3rps.toml", "work", "legs of the type 'RPS'");
   expect_none(write_model("[[\"asin(x/10)\", \"y\"], [\"-1\", \"y\"]]", "x = [0, 4]\ny = [1, 3]\n"),
               "m", "asin, acos or atan2");
   expect_none(write_model(rows, "x = [0, 4]\ny = [-1, 3]\nconstraints = [\"x - 5\"]\n"), "m",

@@ -112,6 +112,21 @@ constexpr const char* kMatrixFile =
     "p = [3, \"2/4\"]\n[let]\nlater = \"c + p_2\"\nc = \"cos(phi)\"\nhidden = \"x\"\n"
     "[matrix]\nrows = [[\"later*L + 1\"]]\nrow_scale = [\"1/c\"]\nreduced = \"a reason\"\n";
 
+TEST(ATheoremAboutARobot, KnowsLegsOfVariableLength) {
+  const auto robot = [](const std::string& more, const std::string& leg = "") {
+    return robot_of("[legs]\norientation = \"roll-pitch-yaw\"\ntype = \"UPS\"\n" + more +
+                        "[[legs.leg]]\nbase = [1, 2, 3]\nplatform = [4, 5, 6]\n" + leg +
+                        "[motion.work]\nx = [0, 1]\ny = 1\nz = 2\nroll = 0\npitch = 0\nyaw = 0\n",
+                    kParameterX);
+  };
+  EXPECT_THAT(robot("range = [1, 2]\n").text, HasSubstr("[((1, 2, 3), (4, 5, 6))]."));
+  EXPECT_THAT(robot("base_tolerance = 0.1\n").text, HasSubstr("in_cube 0.1 (1, 2, 3) a1"));
+  EXPECT_THAT(robot("", "actuated = 1\n").reason, HasSubstr("the key legs.leg[0].actuated"));
+  EXPECT_THAT(robot("", "type = \"PUS\"\n").reason, HasSubstr("legs of the type 'PUS'"));
+  EXPECT_THAT(robot("rod = 3\n").reason, HasSubstr("'rod' in [legs]"));
+  EXPECT_THAT(robot("[gough]\nunit = \"m\"\n").reason, HasSubstr("the table [legs]"));
+}
+
 TEST(ATheoremAboutAMatrix, HasTheNamesOfTheFile) {
   const CoqRobot robot = robot_with_claim(
       "the full 1x1 matrix of the model is defined and has full rank at every pose and value of "
@@ -163,7 +178,7 @@ TEST(ATheoremAboutAMatrix, IsNotWrittenForWhatItDoesNotKnow) {
   EXPECT_THAT(reason("[matrix]\nrows = [[1]]\n", "where = \"reachable\"\n"), HasSubstr("'where'"));
   EXPECT_THAT(reason("[matrix]\nrows = [[1]]\n[closure]\nunknowns = { p = 1 }\n"),
               HasSubstr("[closure]"));
-  EXPECT_THAT(reason("[legs]\ntype = \"UPS\"\n"), HasSubstr("the table [legs]"));
+  EXPECT_THAT(reason("[legs]\nleg = [{ type = \"RUS\" }]\n"), HasSubstr("legs of the type 'RUS'"));
 }
 
 TEST(AReal, HasTheParenthesesThatCoqNeeds) {
