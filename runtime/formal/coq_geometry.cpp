@@ -20,7 +20,11 @@ constexpr std::string_view kQuaternion = "quaternion";
 enum class RobotClaim { kRegular, kAbove, kSingular, kSmall };
 
 RobotClaim claim_of(const Question& q) {
-  if (q.is_piecewise) throw Unfinished("there is no theorem about way-points of a model file yet");
+  if (q.is_piecewise)
+    throw Unfinished(
+        "there is no theorem about the robot of a motion in pieces yet, as way-points and the cut "
+        "of "
+        "an atan2 make them");
   if (q.load || q.quantity || q.closure || q.solutions)
     throw Unfinished(
         "the theorem about a model file is for the claims NO SINGULARITY and SINGULARITY");
