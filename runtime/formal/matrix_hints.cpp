@@ -49,7 +49,7 @@ class HintSearch {
 
   MatrixHints run(const std::vector<std::string>& lines) {
     name_variables();
-    const std::set<std::string, std::less<>> needed = names_needed(lines);
+    const std::set<std::string, std::less<>> needed = names_used(lines, q_.has_threshold);
     for (const std::string& line : lines) read(line, needed);
     return std::move(hints_);
   }
@@ -174,29 +174,6 @@ class HintSearch {
     }
   }
 
-  /// The definitions that the entries and scales use.
-  [[nodiscard]] std::set<std::string, std::less<>> names_needed(
-      const std::vector<std::string>& lines) const {
-    std::set<std::string, std::less<>> needed;
-    const auto add = [&needed](std::string_view text) {
-      while (!text.empty()) {
-        const std::size_t begin = std::min(text.find_first_of(kLetters), text.size());
-        text.remove_prefix(begin);
-        const std::string_view name = text.substr(0, text.find_first_not_of(kCharacters));
-        if (!name.empty()) needed.emplace(name);
-        text.remove_prefix(name.size());
-      }
-    };
-    for (const std::string& line : lines)
-      if (line.starts_with("entry ") || (q_.has_threshold && line.starts_with("scale ")))
-        add(line.substr(6));
-    for (const std::string& line : lines | std::views::reverse) {
-      std::string_view rest = line;
-      if (take_until(rest, " ") == "let" && needed.contains(take_until(rest, " = "))) add(rest);
-    }
-    return needed;
-  }
-
   void read(const std::string& line, const std::set<std::string, std::less<>>& needed) {
     std::string_view rest = line;
     const std::string_view key = take_until(rest, " ");
@@ -293,10 +270,23 @@ class HintSearch {
         if (std::ranges::any_of(other,
                                 [](const Ball& x) { return arb_contains_zero(x.get()) != 0; }))
           continue;
-        if (const auto factor = ratio(*own, other, is_inverse))
-          return multiple(*factor, number, is_inverse);
+        const auto factor = ratio(*own, other, is_inverse);
+        if (!factor) continue;
+        const Match found = multiple(*factor, number, is_inverse);
+        if (!rests_on_numbers(names_between(node, found.node), number)) return found;
       }
     return {};
+  }
+
+  /// Constants such as cos(15 deg) may be related in a way that Coq does not see.
+  [[nodiscard]] bool rests_on_numbers(const std::vector<std::size_t>& names,
+                                      std::size_t itself) const {
+    return std::ranges::any_of(names, [&](std::size_t name) {
+      return name != itself &&
+             std::ranges::none_of(ingredients(graph_, {values_of_names_[name]}), [this](NodeId id) {
+               return graph_.nodes()[std::size_t(id)].op == Op::kVariable;
+             });
+    });
   }
 
   static Ball one() {
@@ -368,10 +358,6 @@ class HintSearch {
   }
 
   static constexpr std::size_t kMostRatioBits = 64;
-  static constexpr std::string_view kLetters =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
-  static constexpr std::string_view kCharacters =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
 
   const Question& q_;
   RobotOfModel& robot_;
