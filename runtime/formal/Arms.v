@@ -95,8 +95,8 @@ Fixpoint row_of_column (i number : nat) (l : list (nat * twist)) : R :=
       (if Nat.eqb k number then nth i (coordinates_of t) 0 else 0) + row_of_column i number rest
   end.
 
-(** Six rows: the velocity of the end of the arm, then the angular velocity of its last link. A column
-    for each number, the first being 1. *)
+(** Six rows: the velocity of the end of the arm, then the angular velocity of its last link. A
+    column for each number, the first being 1. *)
 Definition jacobian (arm : list part) (i j : nat) : R :=
   row_of_column i (S j) (twists (fun u => u) (end_of arm) arm).
 
@@ -234,10 +234,12 @@ Lemma part_rigid p : rigid (move p) (spin p).
 Proof.
   split; [apply spin_rotation|]. induction p; intros u; simpl.
   - by_coordinates.
-  - rewrite of_origin by apply turned_rotation. generalize (turned a angle u). intros. by_coordinates.
+  - rewrite of_origin by apply turned_rotation. generalize (turned a angle u). intros.
+    by_coordinates.
   - by_coordinates.
   - by_coordinates.
-  - rewrite of_origin by apply turned_rotation. generalize (turned a angle u). intros. by_coordinates.
+  - rewrite of_origin by apply turned_rotation. generalize (turned a angle u). intros.
+    by_coordinates.
   - generalize (unit_vector a). intros. by_coordinates.
   - apply IHp.
 Qed.
@@ -326,7 +328,8 @@ Proof.
 Qed.
 
 Lemma spins_there l : forall u, spins l (spins_back l u) = u.
-Proof. induction l as [|p l IH]; intros u; simpl; [reflexivity|]. rewrite (proj1 (spin_back p _)). apply IH. Qed.
+Proof. induction l as [|p l IH]; intros u; simpl; [reflexivity|]. rewrite (proj1 (spin_back p _)).
+  apply IH. Qed.
 Lemma spins_and_back l : forall u, spins_back l (spins l u) = u.
 Proof. induction l as [|p l IH]; intros u; simpl; [reflexivity|]. rewrite IH. apply spin_back. Qed.
 
@@ -354,7 +357,8 @@ Fixpoint total (number : nat) (l : list (nat * twist)) : twist :=
   end.
 
 Lemma total_app k a b :
-  total k (a ++ b) = (plus (fst (total k a)) (fst (total k b)), plus (snd (total k a)) (snd (total k b))).
+  total k (a ++ b) = (plus (fst (total k a)) (fst (total k b)),
+                       plus (snd (total k a)) (snd (total k b))).
 Proof.
   induction a as [|[m [v w]] a IH].
   - simpl. destruct (total k b) as [v w]. simpl. f_equal; by_coordinates.
@@ -363,7 +367,8 @@ Proof.
 Qed.
 
 Lemma inward_seen l : forall F Q W r k, rigid W r -> (forall u, W (F u) = through l u) ->
-  total k (twists (fun u => u) (W Q) (rev l)) = total k (map (with_number (carried r)) (inward F Q l)).
+  total k (twists (fun u => u) (W Q) (rev l))
+  = total k (map (with_number (carried r)) (inward F Q l)).
 Proof.
   induction l as [|p l IH]; intros F Q W r k H E; [reflexivity|]. simpl rev. simpl inward.
   rewrite twists_of_both, rev_involutive, map_app, !total_app. simpl.
@@ -387,13 +392,15 @@ Definition moved (d : point) (t : twist) : twist := (plus (fst t) (cross (snd t)
 Lemma twists_of_other_point F P Q l :
   twists F P l = map (with_number (moved (minus P Q))) (twists F Q l).
 Proof.
-  revert F. induction l as [|p l IH]; intros F; [reflexivity|]. simpl. rewrite map_app, <- IH. f_equal.
+  revert F. induction l as [|p l IH]; intros F; [reflexivity|]. simpl. rewrite map_app, <- IH.
+  f_equal.
   clear IH. induction p; simpl; try reflexivity.
   - unfold with_number, moved. simpl. generalize (F (unit_vector a)) (F at_origin). intros.
     apply (f_equal (fun t => [(number, t)])), f_equal2; by_coordinates.
   - unfold with_number, moved. simpl. generalize (F (unit_vector a)) (F at_origin). intros.
     apply (f_equal (fun t => [(number, t)])), f_equal2; by_coordinates.
-  - rewrite IHp, !map_map. apply map_ext. intros [k [v w]]. unfold with_number, moved, faster. simpl.
+  - rewrite IHp, !map_map. apply map_ext. intros [k [v w]]. unfold with_number, moved, faster.
+    simpl.
     apply (f_equal (fun t => (k, t))), f_equal2; by_coordinates.
 Qed.
 
@@ -463,10 +470,12 @@ Proof.
     - intros c [? ?]. unfold moved, faster. simpl. f_equal. by_coordinates. }
   rewrite total_of_map by exact M.
   replace (total k (map (with_number (to_base l (minus P (through l Q)))) (seen Q l after)))
-    with (moved (minus P (through l Q)) (total k (map (with_number (carried (spins l))) (seen Q l after)))).
+    with (moved (minus P (through l Q))
+      (total k (map (with_number (carried (spins l))) (seen Q l after)))).
   2: { rewrite <- total_of_map by exact M. rewrite map_map. reflexivity. }
   f_equal. rewrite twists_of_both, rev_involutive. unfold seen. rewrite map_app, !total_app.
-  rewrite (inward_seen l (fun u => u) Q (through l) (spins l)) by (try apply through_rigid; reflexivity).
+  rewrite (inward_seen l (fun u => u) Q (through l) (spins l)) by (try apply through_rigid;
+    reflexivity).
   rewrite (twists_carried after (through l) (spins l) (fun u => u)) by apply through_rigid.
   reflexivity.
 Qed.
@@ -582,7 +591,8 @@ Proof.
   unfold matrix_of, view.
   rewrite (nth_indep _ [] (map (fun j => row_of_column 0 (S j) (seen Q l after)) (seq 0 n)))
     by (rewrite map_length; exact I).
-  rewrite (map_nth (fun i => map (fun j => row_of_column i (S j) (seen Q l after)) (seq 0 n)) rows 0%nat i).
+  rewrite (map_nth (fun i => map (fun j => row_of_column i (S j) (seen Q l after)) (seq 0 n))
+    rows 0%nat i).
   rewrite nth_map_seq by exact J. reflexivity.
 Qed.
 
@@ -594,7 +604,8 @@ Proof.
 Qed.
 
 Definition unit_twist (i : nat) : twist :=
-  let d k := if Nat.eqb k i then 1 else 0 in ((d 0%nat, d 1%nat, d 2%nat), (d 3%nat, d 4%nat, d 5%nat)).
+  let d k := if Nat.eqb k i then 1 else 0 in
+  ((d 0%nat, d 1%nat, d 2%nat), (d 3%nat, d 4%nat, d 5%nat)).
 
 Lemma twist_of_units t : sum_of_twists 6 (fun i => faster (coordinate i t) (unit_twist i)) = t.
 Proof.
@@ -613,13 +624,15 @@ Proof.
   assert (O : forall t, of (to t) = sum 6 (fun k => coordinate k t * of (to (unit_twist k)))).
   { intros t. rewrite <- (twist_of_units t) at 1. rewrite (map_of_sum to) by exact L. unfold of.
     symmetry.
-    rewrite (sum_ext 6 _ (fun k => sum 6 (fun i => coordinate k t * (coordinate i (to (unit_twist k)) * x i))))
+    rewrite (sum_ext 6 _ (fun k =>
+      sum 6 (fun i => coordinate k t * (coordinate i (to (unit_twist k)) * x i))))
       by (intros k _; rewrite sum_scale; reflexivity).
     rewrite sum_swap. apply sum_ext. intros k _. rewrite coordinate_sum, Rmult_comm, <- sum_scale.
     apply sum_ext. intros m _. rewrite (map_multiple _ L), coordinate_faster. ring. }
   assert (Z : forall k, (k < 6)%nat -> of (to (unit_twist k)) = 0).
   { apply F. intros j J. rewrite <- (H j J).
-    rewrite (sum_ext 6 _ (fun k => coordinate k (total (S j) (seen Q l after)) * of (to (unit_twist k)))).
+    rewrite (sum_ext 6 _ (fun k =>
+      coordinate k (total (S j) (seen Q l after)) * of (to (unit_twist k)))).
     - rewrite <- O. unfold of, to, arm. rewrite <- (seen_from_base l Q). apply sum_ext. intros m _.
       unfold jacobian. rewrite row_of_total. reflexivity.
     - intros k K. unfold matrix_of, view_by_joints. rewrite nth_map_seq by exact J.
@@ -650,16 +663,19 @@ Proof.
         + (- a (S i) p / a O p) * (a O (skip p k) * y (skip p k)))) by (intros; field; exact N).
       rewrite sum_plus, sum_scale.
       replace (sum n (fun k => a O (skip p k) * y (skip p k))) with (- (a O p * y p)) by lra.
-      replace (sum n (fun k => a (S i) (skip p k) * y (skip p k))) with (- (a (S i) p * y p)) by lra.
+      replace (sum n (fun k => a (S i) (skip p k) * y (skip p k)))
+        with (- (a (S i) p * y p)) by lra.
       field. exact N. }
   assert (Y : y p = 0).
-  { pose proof (H O ltac:(lia)) as H0. rewrite (sum_skip n p), (sum_zero n) in H0; [|intros k K|exact P].
+  { pose proof (H O ltac:(lia)) as H0. rewrite (sum_skip n p), (sum_zero n) in H0;
+    [|intros k K|exact P].
     - apply (Rmult_eq_reg_l (a O p)); [lra|exact N].
     - rewrite C by exact K. ring. }
   destruct (Nat.lt_trichotomy j p) as [L|[->|L]]; [|exact Y|].
   - specialize (C j ltac:(lia)). unfold skip in C. rewrite (proj2 (Nat.ltb_lt j p) L) in C. exact C.
   - specialize (C (pred j) ltac:(lia)). unfold skip in C.
-    rewrite (proj2 (Nat.ltb_ge (pred j) p)) in C by lia. replace (S (pred j)) with j in C by lia. exact C.
+    rewrite (proj2 (Nat.ltb_ge (pred j) p)) in C by lia. replace (S (pred j)) with j in C by lia.
+    exact C.
 Qed.
 
 Lemma kernel_of_determinant n : forall a, determinant n a = 0 ->
@@ -668,7 +684,8 @@ Lemma kernel_of_determinant n : forall a, determinant n a = 0 ->
 Proof.
   induction n as [|n IH]; intros a D; [simpl in D; lra|].
   destruct (some_nonzero (S n) (a O)) as [Z|[p [P N]]].
-  - destruct (underdetermined n (S n) (fun i => a (S i)) ltac:(lia)) as (y & E & Y). exists y. split; [|exact Y].
+  - destruct (underdetermined n (S n) (fun i => a (S i)) ltac:(lia)) as (y & E & Y). exists y.
+    split; [|exact Y].
     intros [|i] I; [|apply (E i); lia]. apply sum_zero. intros j J. rewrite Z by exact J. ring.
   - rewrite (elimination n p a P N) in D.
     destruct (IH (complement p a)) as (y & E & j & J & Y).
@@ -719,7 +736,8 @@ Qed.
 
 Lemma sign_of j : (-1) ^ j = if Nat.even j then 1 else -1.
 Proof.
-  induction j as [|j IH]; [reflexivity|]. rewrite Nat.even_succ, <- Nat.negb_even. simpl pow. rewrite IH.
+  induction j as [|j IH]; [reflexivity|]. rewrite Nat.even_succ, <- Nat.negb_even. simpl pow.
+  rewrite IH.
   destruct (Nat.even j); simpl; ring.
 Qed.
 
@@ -742,7 +760,8 @@ Proof.
   destruct (sparse_determinant n _) as [d|]; simpl; [|ring]. destruct (Nat.even j); ring.
 Qed.
 
-Definition sparse_matrix (m : list (list (option R))) (i j : nat) : option R := nth j (nth i m []) None.
+Definition sparse_matrix (m : list (list (option R))) (i j : nat) : option R :=
+  nth j (nth i m []) None.
 
 Lemma determinant_of_sparse n m :
   determinant n (matrix_of (map (map number) m)) = number (sparse_determinant n (sparse_matrix m)).
@@ -825,7 +844,8 @@ Proof. intros <-. apply inward_ext, located_base. Qed.
 Lemma inward_next f Q p l g t r : twist_in f Q p = t -> next_frame f (reverse p) = g ->
   inward (located g) Q l = r -> inward (located f) Q (p :: l) = t ++ r.
 Proof.
-  intros <- <- <-. simpl. rewrite twist_in_frame. f_equal. apply inward_ext. intros u. apply located_next.
+  intros <- <- <-. simpl. rewrite twist_in_frame. f_equal. apply inward_ext. intros u.
+  apply located_next.
 Qed.
 
 Lemma seen_parts Q l after r s : inward (fun u => u) Q l = r -> twists (fun u => u) Q after = s ->
@@ -860,8 +880,8 @@ Proof.
   apply Rmult_integral_contrapositive_currified; assumption.
 Qed.
 
-(** ** How the proofs of a file go: the sines and cosines of all angles of the arm and of the question
-    become variables, or numbers; then both matrices consist of polynomials. *)
+(** ** How the proofs of a file go: the sines and cosines of all angles of the arm and of the
+    question become variables, or numbers; then both matrices consist of polynomials. *)
 
 Lemma value_of_angle a : exists c s, cos a = c /\ sin a = s /\ s ^ 2 = 1 - c ^ 2.
 Proof. exists (cos a), (sin a). repeat split. apply pythagoras. Qed.
@@ -962,10 +982,14 @@ Ltac know_angle a :=
 
 Ltac know_angles_of_goal :=
   repeat match goal with
-  | |- context [along_x _ ?a] => lazymatch goal with _ : cos a = _ |- _ => fail | _ => know_angle a end
-  | |- context [along_z _ ?a] => lazymatch goal with _ : cos a = _ |- _ => fail | _ => know_angle a end
-  | |- context [turn_by _ ?a] => lazymatch goal with _ : cos a = _ |- _ => fail | _ => know_angle a end
-  | |- context [revolute _ _ ?a] => lazymatch goal with _ : cos a = _ |- _ => fail | _ => know_angle a end
+  | |- context [along_x _ ?a] =>
+      lazymatch goal with _ : cos a = _ |- _ => fail | _ => know_angle a end
+  | |- context [along_z _ ?a] =>
+      lazymatch goal with _ : cos a = _ |- _ => fail | _ => know_angle a end
+  | |- context [turn_by _ ?a] =>
+      lazymatch goal with _ : cos a = _ |- _ => fail | _ => know_angle a end
+  | |- context [revolute _ _ ?a] =>
+      lazymatch goal with _ : cos a = _ |- _ => fail | _ => know_angle a end
   end.
 
 Ltac know_angles_of M :=
@@ -1040,13 +1064,13 @@ Ltac names_of words :=
       [ lazymatch words with ?w :: ?more =>
           eapply (extend_next n d l rest); [| | reflexivity];
           [instantiate (1 := w); computed; linear | cbv [app]; names_of more] end
-      | let v := eval cbv -[Rplus Rminus Rmult Ropp Rinv Rdiv Rle Rlt Rabs IZR PI sin cos atan exp ln
-           R_sqrt.sqrt] in (value n d) in
+      | let v := eval cbv -[Rplus Rminus Rmult Ropp Rinv Rdiv Rle Rlt Rabs IZR PI sin cos atan exp
+           ln R_sqrt.sqrt] in (value n d) in
         apply (extend_next n d l rest v); [reflexivity | cbv [app]; names_of words | reflexivity] ]
     end
   end.
-Ltac arm_computed_in M := cbv -[Rplus Rminus Rmult Ropp Rinv Rdiv Rle Rlt Rabs IZR PI sin cos atan exp ln
-  R_sqrt.sqrt full_column_rank matrix_of] in M.
+Ltac arm_computed_in M := cbv -[Rplus Rminus Rmult Ropp Rinv Rdiv Rle Rlt Rabs IZR PI sin cos atan
+  exp ln R_sqrt.sqrt full_column_rank matrix_of] in M.
 
 (** The facts s^2 = 1 - c^2, as many as [ring] is given below. *)
 Ltac name_square E :=
@@ -1054,7 +1078,8 @@ Ltac name_square E :=
             lazymatch goal with _ : (s ^ 2 = 1 - c ^ 2) /\ True |- _ => fail | _ => idtac end;
             pose proof (conj P Coq.Init.Logic.I) as E; clear P end
         | let P := fresh in
-          destruct (value_of_angle 1) as [? [? [_ [_ P]]]]; pose proof (conj P Coq.Init.Logic.I) as E;
+          destruct (value_of_angle 1) as [? [? [_ [_ P]]]];
+          pose proof (conj P Coq.Init.Logic.I) as E;
           clear P ].
 Ltac same_polynomial :=
   let E1 := fresh in let E2 := fresh in let E3 := fresh in let E4 := fresh in
@@ -1079,17 +1104,17 @@ Lemma wide_arm arm l Q after n t m :
 Proof. intros -> <- <- M. exact (full_row_rank_of_view n l Q after M). Qed.
 
 (** Numbers of a file are real. *)
-Ltac natural k := lazymatch k with IZR ?z => let n := eval cbv in (Z.to_nat z) in n end.
 Ltac naturals l := lazymatch l with
   | ?k :: ?more => let n := natural k in let rest := naturals more in constr:(n :: rest)
   | _ => constr:(@nil nat) end.
 
 Ltac hide_words words := lazymatch words with
-  | ?w :: ?more => first [is_var w | let u := fresh "u" in set (u := w) in *; clearbody u]; hide_words more
+  | ?w :: ?more => first [is_var w | let u := fresh "u" in set (u := w) in *; clearbody u];
+    hide_words more
   | _ => idtac end.
 
-(** The rank of the matrix of the certificate, by the quantities of the robot and the values [words] of
-    its joints. *)
+(** The rank of the matrix of the certificate, by the quantities of the robot and the values
+    [words] of its joints. *)
 Ltac matrix_of_certificate claim x words S M :=
   let I := fresh in let N := fresh in
   lazymatch type of claim with no_singularity ?q =>
@@ -1103,7 +1128,8 @@ Ltac matrix_of_certificate claim x words S M :=
 (** The arm as a list, and its twists as seen from behind its first [k] parts at the point [Q]. *)
 Ltac arm_in_parts k Q A V :=
   let a' := lazymatch goal with |- context [jacobian ?a] =>
-    eval cbv -[Rplus Rminus Rmult Ropp Rinv Rdiv IZR PI sin cos atan exp ln R_sqrt.sqrt Rabs] in a end in
+    eval cbv -[Rplus Rminus Rmult Ropp Rinv Rdiv IZR PI sin cos atan exp ln R_sqrt.sqrt
+      Rabs] in a end in
   lazymatch goal with |- context [jacobian ?a] => change a with a' end;
   know_angles_of_goal;
   let P := fresh in pose proof (eq_refl Q) as P; revert P; hide_inverses; intros P;
@@ -1117,11 +1143,12 @@ Ltac arm_in_parts k Q A V :=
   end end.
 
 Ltac same_jacobian := show_inverses; same_polynomial.
-Ltac other_jacobian := fail 2 "no proof that the matrix of the certificate is that of the arm of the model file".
+Ltac other_jacobian := fail 2
+  "no proof that the matrix of the certificate is that of the arm of the model file".
 
 (** [claim] is about the question of a certificate, at the point [x] of its set; [S] says that the
-    quantities of the arm are in theirs. Rows of the Jacobian, as seen from a link, have [c] times the
-    determinant of the matrix of the certificate. *)
+    quantities of the arm are in theirs. Rows of the Jacobian, as seen from a link, have [c] times
+    the determinant of the matrix of the certificate. *)
 Ltac by_arm claim x words k Q rows c S :=
   let M := fresh "M" in let A := fresh "A" in let V := fresh "V" in let W := fresh "W" in
   matrix_of_certificate claim x words S M;
@@ -1137,8 +1164,8 @@ Ltac by_arm claim x words k Q rows c S :=
     | clear M V W A; first [same_jacobian | other_jacobian] | lra ]
   end.
 
-(** The same where the rows of the certificate are those of the Jacobian, or its columns if there are
-    more joints than six. *)
+(** The same where the rows of the certificate are those of the Jacobian, or its columns if there
+    are more joints than six. *)
 Ltac by_rows_of_arm claim x words k Q rows S :=
   let M := fresh "M" in let A := fresh "A" in let V := fresh "V" in
   matrix_of_certificate claim x words S M;

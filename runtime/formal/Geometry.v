@@ -230,6 +230,12 @@ Qed.
 Lemma degrees_of_degrees a : a * (PI / 180) / (PI / 180) = a.
 Proof. field. exact PI_neq0. Qed.
 
+Lemma inverse_of_root n : 0 < n -> / R_sqrt.sqrt n = R_sqrt.sqrt n * / n.
+Proof.
+  intros P. pose proof (sqrt_lt_R0 n P) as Q. rewrite <- (sqrt_sqrt n) at 3 by lra.
+  field. lra.
+Qed.
+
 (** ** How the proofs of a file go: what the certificate computes and what the geometry says are the
     same polynomials in coordinates, sines and cosines. *)
 
@@ -238,6 +244,9 @@ Proof. intros; subst; reflexivity. Qed.
 
 Lemma same_end {A} : @nil A = [].
 Proof. reflexivity. Qed.
+
+(** Numbers of a file are real. *)
+Ltac natural k := lazymatch k with IZR ?z => let n := eval cbv in (Z.to_nat z) in n end.
 
 (** Computes all that is not an operation on real numbers. *)
 Ltac computed := cbv -[Rplus Rminus Rmult Ropp Rinv Rdiv Rle Rlt Rabs IZR PI sin cos atan exp ln
@@ -273,7 +282,20 @@ Ltac conditions S :=
   repeat match goal with S : _ |- _ => progress computed_in S end.
 Ltac coordinates :=
   repeat match goal with p : point |- _ => destruct p as [[? ?] ?] end.
-Ltac numbers := computed; rewrite ?degrees_of_degrees in *; linear.
+Ltac inverses_of_roots :=
+  repeat match goal with
+  | |- context [/ R_sqrt.sqrt (IZR ?n)] => rewrite (inverse_of_root (IZR n)) by lra
+  | S : context [/ R_sqrt.sqrt (IZR ?n)] |- _ => rewrite (inverse_of_root (IZR n)) in S by lra
+  end.
+Ltac hide_inverses_of_sums :=
+  repeat match goal with
+  | |- context [/ ?a] => lazymatch a with _ + _ => hide_value Rinv a end
+  | S : context [/ ?a] |- _ => lazymatch a with _ + _ => hide_value Rinv a end
+  end.
+Ltac numbers :=
+  computed; rewrite ?degrees_of_degrees in *; unfold Rdiv in *; rewrite ?Rinv_1, ?Rmult_1_r in *;
+  inverses_of_roots;
+  hide_inverses_of_sums; linear.
 
 (** What divides is not 0, as the certificate says. *)
 Ltac quotients D :=

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
-#include <utility>
 
 #include "runtime/formal/coq_real.hpp"
+#include "runtime/formal/rational_in.hpp"
 #include "runtime/verifier/evaluation.hpp"
 #include "runtime/verifier/linear_algebra.hpp"
 #include "runtime/verifier/model/arm_comparison.hpp"
@@ -53,29 +53,6 @@ class ArmFileReader final : public SectionComparer {
 };
 
 bool is_zero(const Ball& x) { return arb_contains_zero(x.get()) != 0; }
-
-/// The rational number of smallest height in a narrow ball, by its continued fraction.
-std::optional<Rational> rational_in(const Ball& ball) {
-  constexpr int kMostTerms = 60;
-  Ball rest = ball;
-  Rational before(0), value(1), denominator_before(1), denominator(0);
-  for (int term = 0; term < kMostTerms; ++term) {
-    if (arf_cmpabs_2exp_si(arb_midref(rest.get()), kBits) > 0) return std::nullopt;
-    fmpz_t nearest;
-    fmpz_init(nearest);
-    arf_get_fmpz(nearest, arb_midref(rest.get()), ARF_RND_NEAR);
-    Rational a;
-    fmpz_set(fmpq_numref(a.get()), nearest);
-    fmpz_clear(nearest);
-    before = std::exchange(value, a * value + before);
-    denominator_before = std::exchange(denominator, a * denominator + denominator_before);
-    const Rational found = value / denominator;
-    if (arb_contains_fmpq(ball.get(), found.get()) != 0) return found;
-    arb_sub_fmpz(rest.get(), rest.get(), fmpq_numref(a.get()), kBits);
-    arb_inv(rest.get(), rest.get(), kBits);
-  }
-  return std::nullopt;
-}
 
 class ViewSearch {
  public:

@@ -2,10 +2,12 @@
 #include "runtime/formal/coq_geometry.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "runtime/formal/arm_view.hpp"
 #include "runtime/formal/coq_expression.hpp"
+#include "runtime/formal/coq_matrix.hpp"
 #include "runtime/formal/coq_real.hpp"
 #include "runtime/verifier/model/section_reading.hpp"
 
@@ -18,29 +20,36 @@ constexpr std::string_view kQuaternion = "quaternion";
 enum class RobotClaim { kRegular, kAbove, kSingular, kSmall };
 
 RobotClaim claim_of(const Question& q) {
-  if (q.is_piecewise) throw Unfinished("there is no theorem about way-points of a model file yet");
+  if (q.is_piecewise)
+    throw Unfinished(
+        "there is no theorem about the robot of a motion in pieces yet, as way-points and the cut "
+        "of "
+        "an atan2 make them");
   if (q.load || q.quantity || q.closure || q.solutions)
     throw Unfinished(
         "the theorem about a model file is for the claims NO SINGULARITY and SINGULARITY");
+  if (q.singular && !q.constraints.empty())
+    throw Unfinished("there is no theorem about SINGULARITY of a motion with constraints yet");
   if (q.singular) return q.has_threshold ? RobotClaim::kSmall : RobotClaim::kSingular;
   return q.has_threshold ? RobotClaim::kAbove : RobotClaim::kRegular;
 }
 
 class GeometryWriter {
  public:
-  GeometryWriter(const Question& question, const CoqModel& model)
+  GeometryWriter(const Question& question, const std::vector<std::string>& lines,
+                 const CoqModel& model)
       : q_(question),
         claim_(claim_of(question)),
         may_differ_(model.may_differ),
         values_(model.values),
         robot_(read_robot(question, model)) {
-    if (robot_.is_arm && claim_ != RobotClaim::kRegular)
+    if (robot_.kind == RobotKind::kArm && claim_ != RobotClaim::kRegular)
       throw Unfinished("there is no theorem about the determinant of an arm yet");
+    if (robot_.kind == RobotKind::kMatrix) matrix_.emplace(question, lines, values_, robot_);
   }
 
   [[nodiscard]] std::string text() const {
-    return std::string("\nFrom Regulus Require Import ") + (robot_.is_arm ? "Arms" : "Geometry") +
-           ".\n\n" + (robot_.is_arm ? arm_text() : legs_text()) +
+    return "\nFrom Regulus Require Import " + library() + ".\n\n" + parts_text() +
            "(** What the theorem is about: " + std::string(may_differ_ ? kOfOptions : kOfFile) +
            " *)\nDefinition the_set" + (robot_.quantities.empty() ? "" : ' ' + binders()) +
            " : Prop :=\n  " +
@@ -49,6 +58,14 @@ class GeometryWriter {
   }
 
  private:
+  [[nodiscard]] bool is_arm() const { return robot_.kind == RobotKind::kArm; }
+  [[nodiscard]] std::string library() const {
+    return matrix_ ? "Matrices" : is_arm() ? "Arms" : "Geometry";
+  }
+  [[nodiscard]] std::string parts_text() const {
+    return matrix_ ? matrix_->definition() : is_arm() ? arm_text() : legs_text();
+  }
+
   [[nodiscard]] std::string names_of(bool are_points, const char* between) const {
     std::vector<std::string> names;
     for (const CoqQuantity& quantity : robot_.quantities)
@@ -203,37 +220,61 @@ class GeometryWriter {
   [[nodiscard]] std::string robot_theorem() const {
     return q_.singular ? singular_theorem() : regular_theorem();
   }
-  [[nodiscard]] std::string size_of_determinant() const {
-    return "Rabs (determinant 6 (" + matrix("inverse_jacobian") + "))";
+  [[nodiscard]] std::string determinant() const {
+    if (matrix_) return "determinant " + matrix_->size() + ' ' + matrix_->matrix();
+    return "determinant 6 (" + matrix(q_.has_threshold ? "inverse_jacobian" : "gough") + ')';
   }
+  [[nodiscard]] std::string size_of_determinant() const { return "Rabs (" + determinant() + ')'; }
 
-  [[nodiscard]] std::string regular_theorem() const {
+  [[nodiscard]] std::string regular_conclusion() const {
+    if (claim_ == RobotClaim::kAbove)
+      return coq_argument(robot_.threshold) + " < " + size_of_determinant();
+    if (matrix_) return "full_column_rank " + matrix_->shape() + ' ' + matrix_->matrix();
+    return is_arm() ? rank_of_arm()
+                    : "full_column_rank " + std::to_string(robot_.legs.size()) + " 6 (" +
+                          matrix("gough") + ')';
+  }
+  [[nodiscard]] std::string regular_proof() const {
     const bool is_above = claim_ == RobotClaim::kAbove;
-    const std::string conclusion =
-        is_above        ? coq_argument(robot_.threshold) + " < " + size_of_determinant()
-        : robot_.is_arm ? rank_of_arm()
-                        : "full_column_rank 6 6 (" + matrix("gough") + ')';
-    const std::string proof = robot_.is_arm
-                                  ? proof_of_arm()
-                                  : std::string(is_above ? "by_threshold" : "by_geometry") +
-                                        " the_claim\n    " + point_of_certificate() +
-                                        (is_above ? "" : ' ' + factor()) + " S";
+    if (matrix_)
+      return "at_point the_claim\n    " + point_of_certificate() + " S.\n" + matrix_->naming() +
+             "  by_" + (is_above ? "large_" : "") + "matrix the_claim\n    " + matrix_->hints() +
+             " S";
+    if (is_arm()) return proof_of_arm();
+    return std::string(is_above ? "by_threshold" : "by_geometry") + " the_claim\n    " +
+           point_of_certificate() + (is_above ? "" : ' ' + factor()) + " S";
+  }
+  [[nodiscard]] std::string regular_theorem() const {
     return "Theorem the_robot :" + (robot_.quantities.empty() ? "" : " forall " + binders() + ',') +
-           "\n  " + set() + " ->\n  " + conclusion + ".\nProof.\n  intros" +
-           set().substr(std::string_view("the_set").size()) + " S.\n  " + proof + ".\nQed.\n";
+           "\n  " + set() + " ->\n  " + regular_conclusion() + ".\nProof.\n  intros" +
+           set().substr(std::string_view("the_set").size()) + " S.\n  " + regular_proof() +
+           ".\nQed.\n";
   }
 
   [[nodiscard]] std::string singular_theorem() const {
     const bool is_small = claim_ == RobotClaim::kSmall;
     const std::string conclusion =
         is_small ? size_of_determinant() + " <= " + coq_argument(robot_.threshold)
-                 : "determinant 6 (" + matrix("gough") + ") = 0";
+                 : determinant() + " = 0";
+    const std::string question =
+        is_small ? "the_question the_scales the_threshold" : "the_question";
     return "Theorem the_robot :" + (robot_.quantities.empty() ? "" : " exists " + binders() + ',') +
-           "\n  " + set() + " /\\\n  " + conclusion + ".\nProof.\n  destruct (" +
-           (is_small ? "small_of_claim the_question the_scales the_threshold"
-                     : "singular_of_claim the_question") +
-           " the_claim) as [v S].\n" + exists(&CoqQuantity::of_pose) +
-           (is_small ? "  by_small_determinant" : "  by_singularity") + " S.\nQed.\n";
+           "\n  " + set() + " /\\\n  " + conclusion + ".\nProof.\n" +
+           (matrix_ ? singular_matrix_proof(question, is_small)
+                    : singular_proof(question, is_small)) +
+           "Qed.\n";
+  }
+  [[nodiscard]] std::string singular_proof(const std::string& question, bool is_small) const {
+    return std::string("  destruct (") + (is_small ? "small_of_claim " : "singular_of_claim ") +
+           question + " the_claim) as [v S].\n" + exists(&CoqQuantity::of_pose) +
+           (is_small ? "  by_small_determinant" : "  by_singularity") + " S.\n";
+  }
+  [[nodiscard]] std::string singular_matrix_proof(const std::string& question,
+                                                  bool is_small) const {
+    return std::string("  destruct (") + (is_small ? "pose_of_small " : "pose_of_singularity ") +
+           question + " the_claim) as [v [F D]].\n" + matrix_->naming_of_quantities() +
+           exists(&CoqQuantity::of_pose) + "  in_ranges F.\n" + matrix_->naming() + "  by_" +
+           (is_small ? "small" : "singular") + "_matrix D\n    " + matrix_->hints() + ".\n";
   }
 
   /// Names a value of each quantity.
@@ -271,13 +312,15 @@ class GeometryWriter {
   const RobotClaim claim_;
   const bool may_differ_;
   const WrittenValues& values_;
-  const RobotOfModel robot_;
+  RobotOfModel robot_;
+  std::optional<MatrixWriter> matrix_;
 };
 
 }  // namespace
 
-std::string coq_geometry(const Question& question, const CoqModel& model) {
-  return GeometryWriter(question, model).text();
+std::string coq_geometry(const Question& question, const std::vector<std::string>& lines,
+                         const CoqModel& model) {
+  return GeometryWriter(question, lines, model).text();
 }
 
 }  // namespace regulus::verifier

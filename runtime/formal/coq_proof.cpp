@@ -172,23 +172,26 @@ std::string force(const Question& bordered, const std::vector<std::string>& line
 }
 
 /// Reads the question, and what its theorem needs of the proof.
-std::string read_and_write(Lines& lines, CoqStatement statement, Question& question) {
+std::string read_and_write(Lines& lines, CoqStatement statement, Question& question,
+                           std::vector<std::string>& kept) {
   lines.keep();
   read_question(lines, question);
   refuse_other_claims(question);
   if (statement == CoqStatement::kForce) return force(question, lines.take_kept());
   if (question.is_piecewise) return trajectory(lines);
   refuse_quantity(question);
-  const CoqQuestion coq = coq_question(lines.take_kept(), question);
+  kept = lines.take_kept();
+  const CoqQuestion coq = coq_question(kept, question);
   if (question.singular) return heading(question) + coq.text + singular_theorem(lines, question);
   return heading(question) + coq.text + method(coq) + regular_theorem(question, false);
 }
 
-/// `question` is complete after this.
-std::string proof_of(std::istream& certificate, CoqStatement statement, Question& question) {
+/// `question` is complete after this, and `kept` has its lines.
+std::string proof_of(std::istream& certificate, CoqStatement statement, Question& question,
+                     std::vector<std::string>& kept) {
   Lines lines(certificate);
   try {
-    return read_and_write(lines, statement, question);
+    return read_and_write(lines, statement, question, kept);
   } catch (const Rejection& why) {
     throw Rejection("line " + std::to_string(lines.number()) + ": " + why.what());
   }
@@ -198,15 +201,17 @@ std::string proof_of(std::istream& certificate, CoqStatement statement, Question
 
 std::string coq_proof(std::istream& certificate, CoqStatement statement) {
   Question question;
-  return proof_of(certificate, statement, question);
+  std::vector<std::string> lines;
+  return proof_of(certificate, statement, question, lines);
 }
 
 std::string coq_proof(std::istream& certificate, CoqStatement statement, const CoqModel& model,
                       CoqRobot& robot) {
   Question question;
-  std::string text = proof_of(certificate, statement, question);
+  std::vector<std::string> lines;
+  std::string text = proof_of(certificate, statement, question, lines);
   try {
-    robot.text = coq_geometry(question, model);
+    robot.text = coq_geometry(question, lines, model);
   } catch (const std::runtime_error& why) {
     robot.reason = why.what();
   }

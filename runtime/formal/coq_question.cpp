@@ -2,6 +2,7 @@
 #include "runtime/formal/coq_question.hpp"
 
 #include <algorithm>
+#include <ranges>
 #include <set>
 
 #include "runtime/formal/coq_expression.hpp"
@@ -30,6 +31,28 @@ std::vector<std::string> lines_of(const std::string& text) {
   std::string_view rest = text;
   while (!rest.empty()) lines.emplace_back(take_until(rest, "\n"));
   return lines;
+}
+
+std::set<std::string, std::less<>> names_used(const std::vector<std::string>& lines,
+                                              bool with_scales) {
+  constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ",
+                             kCharacters =
+                                 "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
+  std::set<std::string, std::less<>> used;
+  const auto add = [&used](std::string_view text) {
+    while (!text.empty()) {
+      text.remove_prefix(std::min(text.find_first_of(kLetters), text.size()));
+      const std::string_view name = text.substr(0, text.find_first_not_of(kCharacters));
+      if (!name.empty()) used.emplace(name);
+      text.remove_prefix(name.size());
+    }
+  };
+  for (const std::string_view line : lines)
+    if (line.starts_with("entry ") || (with_scales && line.starts_with("scale ")))
+      add(line.substr(6));
+  for (std::string_view line : lines | std::views::reverse)
+    if (take_until(line, " ") == "let" && used.contains(take_until(line, " = "))) add(line);
+  return used;
 }
 
 namespace {

@@ -2,6 +2,7 @@
 // The lines of a question as definitions of Coq.
 #pragma once
 
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +24,11 @@ std::string_view take_until(std::string_view& text, std::string_view mark);
 
 /// Returns the lines of a text, without their ends.
 [[nodiscard]] std::vector<std::string> lines_of(const std::string& text);
+
+/// Returns the names that the entries of a question use, and the scales, if `with_scales`, also by what
+/// its lines `let` say.
+[[nodiscard]] std::set<std::string, std::less<>> names_used(const std::vector<std::string>& lines,
+                                                            bool with_scales);
 
 struct CoqQuestion {
   std::string text;  ///< the definitions

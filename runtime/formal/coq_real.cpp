@@ -100,8 +100,7 @@ class RealWriter {
       case Op::kAbs:
         return call(node, "Rabs");
       default:
-        throw Unfinished(
-            "there is no theorem about a model file with asin, acos or atan2 in its motion yet");
+        throw Unfinished("there is no theorem about a model file with asin, acos or atan2 yet");
     }
   }
 
@@ -126,8 +125,9 @@ std::string coq_written_number(std::string_view text, Graph& graph) {
 }
 
 std::string coq_argument(const std::string& text) {
-  const bool is_word = std::ranges::all_of(
-      text, [](char c) { return is_letter(c) || is_digit(c) || c == '_' || c == '.'; });
+  const bool is_word = std::ranges::all_of(text, [](char c) {
+    return is_letter(c) || is_digit(c) || c == '_' || c == '.' || c == '\'';
+  });
   return is_word ? text : '(' + text + ')';
 }
 

@@ -11,6 +11,7 @@
 #include "runtime/formal/coq_expression.hpp"
 #include "runtime/formal/coq_keys.hpp"
 #include "runtime/formal/coq_real.hpp"
+#include "runtime/formal/known_robot.hpp"
 #include "runtime/verifier/evaluation.hpp"
 #include "runtime/verifier/model/file_expressions.hpp"
 #include "runtime/verifier/model/section_reading.hpp"
@@ -31,59 +32,40 @@ class RobotReader : FileKeys {
         may_differ_(model.may_differ),
         motion_("motion." + question.motion + '.'),
         degrees_(poses_in_degrees(model.values)),
-        section_(read_section(model.values)),
+        pose_list_(poses_of_file(model.values)),
         expressions_(own_, values_, degrees_, hidden_,
                      [](std::string_view, const Scope&) { return kNoNode; }) {
+    robot_.kind = kind_of_robot(model.values);
+    table_ = has_below("gough.") ? "gough." : "legs.";
     for (std::size_t i = 0; i < q_.variables.size(); ++i)
       of_pose_[q_.variables[i].name] = "quantity v " + std::to_string(i);
   }
 
   RobotOfModel read() {
-    robot_.is_arm = has_below("serial.");
-    require_robot();
+    require_known_robot(values_, robot_.kind, q_.motion);
     read_threshold();
     read_geometry();
-    if (robot_.is_arm) read_parts();
+    if (robot_.kind == RobotKind::kArm) read_parts();
     read_parameters();
     read_poses();
-    if (!robot_.is_arm) read_anchors();
+    if (robot_.kind == RobotKind::kPlatform) read_anchors();
     read_constraints();
     require_all_read();
-    robot_.orientation = word("gough.orientation", "");
+    robot_.orientation = word(table_ + "orientation", "");
     robot_.is_middle_in_set = is_middle_in_set();
+    robot_.own = std::move(own_);
+    robot_.names = std::move(names_);
     return std::move(robot_);
   }
 
  private:
   // What the file may have.
 
-  void require_robot() const {
-    for (const char* table : {"legs.", "gough.", "serial.", "matrix.", "pose.", "closure."})
-      if (has_below(table) && (robot_.is_arm ? "serial." : "gough.") != std::string_view(table))
-        refuse_model("the table [" + std::string(table, 0, std::string_view(table).size() - 1) +
-                     ']');
-    if (!section_)
-      throw Unfinished(
-          "there is a theorem about model files with the table [gough] or [serial] alone");
-    if (!robot_.is_arm) require_gough();
-    if (!has_below(motion_) || q_.motion.find_first_of(".[") != std::string::npos)
-      throw Unfinished("the model file has no motion '" + q_.motion + '\'');
-    std::set<std::string> known{"alpha", "constraints", "error", "parameters"};
-    for (const SectionPose& pose : section_->pose()) known.insert(pose.name);
-    require_known_keys(motion_, known);
-  }
-
-  void require_gough() const {
-    require_known_keys("gough.", {"orientation", "unit", "angle_unit", "base", "platform",
-                                  "base_tolerance", "platform_tolerance", "tolerance_shape"});
-    for (const char* side : {"gough.base", "gough.platform"})
-      if (has_below(side + index(kLegs))) refuse_model("more than six legs");
-  }
-
   /// What has not been read may change the set or the robot.
   void require_all_read() const {
-    for (const std::string& table : {motion_, std::string("gough.base["),
-                                     std::string("gough.platform["), std::string("serial.")})
+    for (const std::string& table :
+         {motion_, std::string("gough.base["), std::string("gough.platform["),
+          std::string("serial."), std::string("legs.leg[")})
       for (auto place = values_.lower_bound(table);
            place != values_.end() && place->first.starts_with(table); ++place)
         if (!read_.contains(place->first)) refuse_model("the key " + place->first);
@@ -128,7 +110,15 @@ class RobotReader : FileKeys {
   /// What a variable of the certificate is at a pose that it names.
   [[nodiscard]] std::string of_pose(const std::string& variable) const {
     const auto found = of_pose_.find(variable);
-    return found == of_pose_.end() ? "" : found->second;
+    if (found == of_pose_.end()) return "";
+    return robot_.kind == RobotKind::kMatrix ? of_variable(variable) : found->second;
+  }
+  /// The name that a proof gives a variable of the certificate.
+  [[nodiscard]] std::string of_variable(const std::string& variable) const {
+    const std::string name = variable.substr(0, variable.find(' '));
+    if (name != variable) return coq_identifier(name) + "'error";
+    const auto own = robot_.of_certificate.find(name);
+    return own == robot_.of_certificate.end() ? coq_identifier(name) : own->second;
   }
 
   /// A constant, of the certificate if options may have changed it.
@@ -186,6 +176,7 @@ class RobotReader : FileKeys {
       for (const auto& [at, own] : coordinates) {
         scope_[own] = node_at(at);
         robot_.of_certificate[own] = text_at(at);
+        robot_.constants[own] = at;
       }
       return;
     }
@@ -205,6 +196,7 @@ class RobotReader : FileKeys {
                                     names.back());
       robot_.of_certificate[own] = names.back();
       scope_[own] = variable(names.back(), node_at(at), is_ball ? "" : of_pose(own));
+      robot_.uncertain.emplace_back(own, scope_[own]);
     }
     if (is_ball)
       robot_.conditions.push_back("in_ball " + tolerance + " (" + text_of(values, ", ") + ") (" +
@@ -223,17 +215,18 @@ class RobotReader : FileKeys {
 
   /// Values may use the names of ranges.
   void read_poses() {
-    const std::vector<SectionPose> poses = section_->pose();
-    for (const SectionPose& pose : poses) read_range(pose.name);
-    for (const SectionPose& pose : poses) read_value(pose.name);
+    for (const SectionPose& pose : pose_list_) read_range(pose.name);
+    for (const SectionPose& pose : pose_list_) read_value(pose.name);
   }
+
+  [[nodiscard]] bool is_platform() const { return robot_.kind == RobotKind::kPlatform; }
 
   /// The names of a platform's pose mean nothing else in Geometry.v.
   [[nodiscard]] std::string identifier(const std::string& name) const {
-    return robot_.is_arm ? coq_identifier(name) : name;
+    return is_platform() ? name : coq_identifier(name);
   }
   [[nodiscard]] std::string commanded_identifier(const std::string& name) const {
-    return identifier(name) + (robot_.is_arm ? "'commanded" : "_commanded");
+    return identifier(name) + (is_platform() ? "_commanded" : "'commanded");
   }
 
   void read_range(const std::string& name) {
@@ -256,11 +249,12 @@ class RobotReader : FileKeys {
     }
     const std::string& commanded = commanded_[name];
     const std::string error = error_of(name, in_degrees);
+    const auto value = values_of_poses_.find(name);
+    const NodeId node = value == values_of_poses_.end() ? scope_.at(name) : value->second;
+    robot_.poses.push_back({name, node, !error.empty()});
     if (!error.empty()) {
       robot_.conditions.push_back("near " + coq_argument(error) + ' ' + coq_argument(commanded) +
                                   ' ' + identifier(name));
-      const auto value = values_of_poses_.find(name);
-      const NodeId node = value == values_of_poses_.end() ? scope_.at(name) : value->second;
       const std::string of_error = of_pose(name + " error");
       robot_.quantities.push_back(
           {identifier(name), witness_of(node),
@@ -269,7 +263,7 @@ class RobotReader : FileKeys {
     robot_.of_certificate[name + " error"] =
         error.empty() ? "0" : identifier(name) + " - " + coq_argument(commanded);
     const std::string actual = error.empty() ? commanded : identifier(name);
-    robot_.pose.push_back(in_degrees && !robot_.is_arm ? coq_argument(actual) + "*deg" : actual);
+    robot_.pose.push_back(in_degrees && is_platform() ? coq_argument(actual) + "*deg" : actual);
   }
 
   [[nodiscard]] std::string error_of(const std::string& name, bool in_degrees) {
@@ -304,9 +298,11 @@ class RobotReader : FileKeys {
 
   /// Returns the anchor: a point of the theorem if it has a tolerance, or its coordinates.
   std::string read_anchor(const std::string& side, char letter, std::size_t leg) {
-    const SectionQuantity written = section_quantity(
-        values_, "gough." + side + index(leg), {"gough." + side + "_tolerance", ""},
-        word("gough.tolerance_shape", "box") == "ball");
+    const std::string place =
+        has_below("gough.") ? table_ + side + index(leg) : table_ + "leg" + index(leg) + '.' + side;
+    const SectionQuantity written =
+        section_quantity(values_, place, {table_ + side + "_tolerance", ""},
+                         word(table_ + "tolerance_shape", "box") == "ball");
     std::vector<std::string> coordinates, witnesses;
     for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
       coordinates.push_back(text_at(written.value + index(axis)));
@@ -316,6 +312,7 @@ class RobotReader : FileKeys {
     const std::string name = letter + std::to_string(leg + 1);
     const std::string tolerance = tolerance_at(written.tolerance.key, name + "_x");
     const bool is_certain = tolerance == "0";
+    if (!is_certain && leg >= kLegs) refuse_model("a tolerance of a seventh leg");
     for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
       const std::string own = name + '_' + kAxes[axis];
       const std::string actual = is_certain ? coordinates[axis] : kCoordinates[axis] + name;
@@ -338,10 +335,13 @@ class RobotReader : FileKeys {
 
   void read_anchors() {
     std::vector<std::string> base, platform;
-    for (std::size_t leg = 0; leg < kLegs; ++leg) base.push_back(read_anchor("base", 'a', leg));
-    for (std::size_t leg = 0; leg < kLegs; ++leg)
-      platform.push_back(read_anchor("platform", 'b', leg));
-    for (std::size_t leg = 0; leg < kLegs; ++leg)
+    std::size_t legs = has_below("gough.") ? kLegs : 0;
+    for (; has_below("legs.leg" + index(legs)); ++legs)
+      for (const char* key : {".type", ".range[0]", ".range[1]"})
+        read_.insert("legs.leg" + index(legs) + key);
+    for (std::size_t i = 0; i < legs; ++i) base.push_back(read_anchor("base", 'a', i));
+    for (std::size_t i = 0; i < legs; ++i) platform.push_back(read_anchor("platform", 'b', i));
+    for (std::size_t leg = 0; leg < legs; ++leg)
       robot_.legs.push_back({"", '(' + base[leg] + ", " + platform[leg] + ')'});
   }
 
@@ -368,8 +368,9 @@ class RobotReader : FileKeys {
   const Question& q_;
   const bool may_differ_;
   const std::string motion_;  ///< "motion.NAME."
+  std::string table_;         ///< of a platform
   const Names degrees_, hidden_;
-  const std::unique_ptr<SectionReading> section_;
+  const std::vector<SectionPose> pose_list_;
   Question own_;  ///< its graph has the expressions of the file
   FileExpressions expressions_;
   Scope scope_;  ///< constants, parameters, and poses with ranges

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// A robot and its motion as the verifier's reader finds them in a model file with the table [gough] or
-// [serial], in the words of Geometry.v and Arms.v.
+// A robot and its motion as the verifier's reader finds them in a model file with the table [gough],
+// [serial] or [matrix], in the words of Geometry.v, Arms.v and Matrices.v.
 #pragma once
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "runtime/formal/coq_arm.hpp"
 #include "runtime/formal/coq_question.hpp"
+#include "runtime/formal/known_robot.hpp"
 #include "runtime/verifier/model/model_file.hpp"
 #include "runtime/verifier/question.hpp"
 
@@ -27,12 +29,19 @@ struct CoqQuantity {
   bool is_point = false;
 };
 
+/// A pose parameter: its name in the file, and its commanded value as a node of the robot's graph.
+struct CoqPose {
+  std::string name;
+  NodeId commanded = kNoNode;
+  bool has_error = false;
+};
+
 struct RobotOfModel {
+  RobotKind kind = RobotKind::kPlatform;
   std::vector<CoqQuantity> quantities;
   std::vector<std::string> conditions;  ///< what the set is
   std::vector<std::string> pose;  ///< the actual pose: x, y, z, then the orientation; or the joints
   std::vector<CoqItem> legs;
-  bool is_arm = false;
   std::vector<CoqPart> parts;
   bool is_geometry_certain = true;  ///< legs or parts are numbers
   std::string orientation;          ///< as in the file
@@ -40,6 +49,13 @@ struct RobotOfModel {
   bool is_middle_in_set = false;  ///< the witnesses satisfy the constraints
   /// The value of a variable of the certificate, by its name.
   std::map<std::string, std::string> of_certificate;
+
+  // For a matrix, the expressions themselves.
+  Question own;                    ///< its graph has them
+  std::vector<std::string> names;  ///< by the number of a variable of the graph
+  std::vector<CoqPose> poses;
+  std::map<std::string, std::string> constants;           ///< certain ones, and their places
+  std::vector<std::pair<std::string, NodeId>> uncertain;  ///< the other ones
 };
 
 /// Throws Unfinished for what Geometry.v has no word for, and for a key that it does not know.

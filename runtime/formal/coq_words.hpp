@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The words of theorems about a robot. Each has one meaning, that of Geometry.v or Arms.v.
+// The words of theorems about a robot. Each has one meaning, that of Geometry.v,
+// Arms.v or Matrices.v.
 #pragma once
 
 #include <algorithm>
@@ -38,7 +39,24 @@ inline constexpr auto kProofWords = std::to_array<std::string_view>({"intros",
                                                                      "the_question",
                                                                      "the_claim",
                                                                      "by_arm",
-                                                                     "by_rows_of_arm"});
+                                                                     "by_rows_of_arm",
+                                                                     "at_point",
+                                                                     "name_argument",
+                                                                     "name_lets",
+                                                                     "name_quantity",
+                                                                     "in_ranges",
+                                                                     "by_matrix",
+                                                                     "by_large_matrix",
+                                                                     "by_singular_matrix",
+                                                                     "by_small_matrix",
+                                                                     "unnamed",
+                                                                     "no_names",
+                                                                     "F",
+                                                                     "D",
+                                                                     "pose_of_singularity",
+                                                                     "pose_of_small",
+                                                                     "the_matrix",
+                                                                     "the_inverse_jacobian"});
 inline constexpr auto kRealSymbols = std::to_array<std::string_view>(
     {"(", ")", "[", "]", ";", ",", "+", "-", "*", "/", "^", "<=", "/\\"});
 

@@ -72,6 +72,21 @@ expect_robot(arm_path ${models}/puma_560_serial.toml sweep "forall ( _T _q1 _q2 
 expect_robot(scara ${models}/scara.toml right_handed "full_column_rank 6 4 ( jacobian ( arm _q1 _q2 _d3 _q4 ) )")
 expect_robot(parallel ${models}/three_parallel_axes.toml table "full_column_rank 6 6 ( jacobian ( arm")
 expect_robot(wide_arm ${models}/seven_joints.toml table "full_row_rank 6 7 ( jacobian ( arm")
+expect_robot(matrix ${models}/planar_3rpr.toml regular "full_column_rank 3 3 ( the_matrix _x _y _phi )")
+expect_robot(reach ${models}/planar_3rpr.toml reach "full_column_rank 3 3 ( the_matrix _x _y _phi )")
+expect_robot(matrix_path ${models}/planar_3rpr.toml circle "forall ( _T _x _y _phi : R ) , the_set _T _x _y _phi")
+expect_robot(crossing ${models}/planar_3rpr.toml crossing "determinant 3 ( the_matrix _x _y _phi ) = 0")
+expect_robot(large ${models}/planar_3rpr.toml regular "< Rabs ( determinant 3 ( the_inverse_jacobian _x _y _phi ) )"
+             --alpha 0.1)
+expect_robot(little ${models}/planar_3rpr.toml crossing "determinant 3 ( the_inverse_jacobian _x _y _phi ) ) <= " --alpha 0.1)
+expect_robot(sides ${models}/planar_3rpr.toml regular "the_matrix _a1_1 _a1_2 _a2_1 _a2_2 _a3_1 _a3_2 _side_12"
+             --tolerance base,platform=0.01)
+expect_robot(cranks ${models}/planar_3rrr.toml regular "full_column_rank 3 3 ( the_matrix _x _y _phi )")
+expect_robot(delta ${models}/delta.toml work "full_column_rank 6 6 ( the_matrix _x _y _z )")
+expect_robot(wrist ${models}/puma_560.toml wrist "exists ( _q4 _q5 : R ) , the_set _q4 _q5")
+expect_robot(seven_legs ${own}/seven_legs.toml work "full_column_rank 7 6 ( gough legs ( x , y , z )")
+expect_robot(quotient ${own}/quotient.toml work "forall ( _x _phi'commanded _phi : R )")
+expect_robot(words_of_coq ${own}/names.toml all "( the_matrix _check_correct _eq_refl _tree _Forall")
 file(READ ${WORK_DIR}/ring.txt.v text)
 if(NOT text MATCHES "No point of the set is known")
   message(FATAL_ERROR "The middle of the ranges does not satisfy the constraints\n${text}")
@@ -118,6 +133,39 @@ expect_other_arm(longer "along_x 0.225 pi" "along_x 0.226 pi" "no proof that the
 expect_other_arm(skew "prismatic 3 z_axis" "prismatic 3 x_axis" "no proof that|Coq refuses")
 expect_other_arm(joint "5*deg <= _q2" "-5*deg <= _q2" "no proof that a range")
 
+# expect_other_matrix(NAME CHANGED TO REASON): in the model file, the certificate being that of the library.
+file(READ ${models}/planar_3rpr.toml planar)
+function(expect_other_matrix name changed to reason)
+  string(REPLACE "${changed}" "${to}" other "${planar}")
+  if(other STREQUAL planar)
+    message(FATAL_ERROR "the model file has no '${changed}'")
+  endif()
+  file(WRITE ${WORK_DIR}/${name}.toml "${other}")
+  execute_process(COMMAND ${VERIFY} --coq ${WORK_DIR}/${name}.v --model ${WORK_DIR}/${name}.toml matrix.txt
+                  WORKING_DIRECTORY ${WORK_DIR} COMMAND_ERROR_IS_FATAL ANY)
+  expect_answer(REJECTED 1 ${WORK_DIR} --audit ${name}.v)
+  if(NOT why MATCHES "${reason}")
+    message(FATAL_ERROR "${name}: expected '${reason}'\n${why}")
+  endif()
+endfunction()
+expect_other_matrix(side "value = 17.04" "value = 17.05" "no proof that")
+expect_other_matrix(sign "- r2_y*(x - a2_1)" "+ r2_y*(x - a2_1)" "no proof that an entry of the certificate")
+expect_other_matrix(part "\"side_12*c\"" "\"side_12*s\"" "no proof that")
+expect_other_matrix(larger "x = [-2, 4]\ny = [13, 18]\nphi = [\"-15*deg\", \"5*deg\"]\n\n[motion.crossing]"
+                    "x = [-2, 5]\ny = [13, 18]\nphi = [\"-15*deg\", \"5*deg\"]\n\n[motion.crossing]"
+                    "no proof that a range of the model file")
+
+# Another entry of the certificate: its claim is true, and not about this model.
+file(READ ${WORK_DIR}/matrix.txt text)
+string(REPLACE "entry x - a1_1\n" "entry x - a1_1 + 1\n" other "${text}")
+file(WRITE ${WORK_DIR}/entry.txt "${other}")
+execute_process(COMMAND ${VERIFY} --coq ${WORK_DIR}/entry.v --model ${models}/planar_3rpr.toml entry.txt
+                WORKING_DIRECTORY ${WORK_DIR} COMMAND_ERROR_IS_FATAL ANY)
+expect_answer(REJECTED 1 ${WORK_DIR} --audit entry.v)
+if(NOT why MATCHES "no proof that an entry of the certificate is that of the model file")
+  message(FATAL_ERROR "Another entry\n${why}")
+endif()
+
 # A pose of the motion is singular, and none of a smaller range.
 string(REPLACE "psi = [\"-40*deg\", \"40*deg\"]" "psi = [\"-1*deg\", \"1*deg\"]" other "${robot}")
 file(WRITE ${WORK_DIR}/regular.toml "${other}")
@@ -136,15 +184,15 @@ execute_process(COMMAND ${VERIFY} --coq ${WORK_DIR}/smaller.v --model ${WORK_DIR
 expect_answer(PROVED 0 ${WORK_DIR} --audit smaller.v)
 
 # ---- What has no such theorem says why.
-write_certificate(planar ${models}/planar_3rpr.toml regular)
-execute_process(COMMAND ${VERIFY} --coq none.v --model ${models}/planar_3rpr.toml planar.txt
+write_certificate(none ${models}/snu_3upu.toml away)
+execute_process(COMMAND ${VERIFY} --coq none.v --model ${models}/snu_3upu.toml none.txt
                 WORKING_DIRECTORY ${WORK_DIR} RESULT_VARIABLE code ERROR_VARIABLE why)
-if(NOT code EQUAL 2 OR NOT why MATCHES "the table \\[matrix\\]" OR EXISTS ${WORK_DIR}/none.v)
-  message(FATAL_ERROR "A robot of [matrix]: exit ${code}\n${why}")
+if(NOT code EQUAL 2 OR NOT why MATCHES "legs of the type 'UPU'" OR EXISTS ${WORK_DIR}/none.v)
+  message(FATAL_ERROR "A robot of [legs]: exit ${code}\n${why}")
 endif()
-expect_answer(PROVED 0 ${WORK_DIR} --theorem --model ${models}/planar_3rpr.toml planar.txt)
+expect_answer(PROVED 0 ${WORK_DIR} --theorem --model ${models}/snu_3upu.toml none.txt)
 if(NOT why MATCHES "geometry   there is no theorem")
-  message(FATAL_ERROR "A robot of [matrix]\n${why}")
+  message(FATAL_ERROR "A robot of [legs]\n${why}")
 endif()
 
 # ---- regulus-formal proves the claim, and leaves the last theorem as it is.
@@ -154,6 +202,12 @@ if(NOT code EQUAL 0 OR NOT text STREQUAL "PROVED the_claim; the theorem about th
   message(FATAL_ERROR "regulus-formal: ${text}\n${why}")
 endif()
 expect_answer(PROVED 0 ${WORK_DIR} --audit hinted.v)
+
+execute_process(COMMAND ${FORMAL} matrix.txt.v WORKING_DIRECTORY ${WORK_DIR}
+                RESULT_VARIABLE code OUTPUT_VARIABLE text ERROR_VARIABLE why)
+if(NOT code EQUAL 0 OR NOT text STREQUAL "PROVED the_claim; the theorem about the robot is for coqc\n")
+  message(FATAL_ERROR "regulus-formal: ${text}\n${why}")
+endif()
 
 # ---- Files that look like a theorem about a robot. coqc alone accepts them.
 file(READ ${WORK_DIR}/wide.txt.v text)
@@ -174,3 +228,13 @@ string(REPLACE "Qed.\n\nTheorem the_set" "Admitted.\n\nTheorem the_set" other "$
 expect_only_coqc_accepts(admitted.v "${before}${other}")
 string(REPLACE "\nFrom Regulus Require Import Geometry" "\nDefinition _more := Name 0.\nFrom Regulus Require Import Geometry" other "${text}")
 expect_only_coqc_accepts(more.v "${other}")
+
+# A matrix that is not that of the statement.
+file(READ ${WORK_DIR}/matrix.txt.v text)
+string(FIND "${text}" "\n(** The matrix of the model file" at)
+string(SUBSTRING "${text}" 0 ${at} before)
+string(SUBSTRING "${text}" ${at} -1 after)
+string(REGEX REPLACE "\n  intros _x[^S]*S\\.\n.*\nQed\\.\n\nTheorem the_set_is" "\n  intros. exact (fun _ _ _ _ => I).\nQed.\n\nTheorem the_set_is" trivial "${after}")
+expect_only_coqc_accepts(matrix_rank.v "${before}${definition}${trivial}")
+string(REPLACE "Qed.\n\nTheorem the_set" "Admitted.\n\nTheorem the_set" other "${after}")
+expect_only_coqc_accepts(matrix_admitted.v "${before}${other}")

@@ -334,11 +334,11 @@ let nothing =
     threshold = zero; row = O; load = []; limit = zero; statement = ""; proof = "" }
 
 (* The text up to the claim, and what follows if the file is about the robot of a model file: theorems in
-   the words of Geometry.v or Arms.v, which are for Coq alone. In a comment, the first line of these leaves a first
+   the words of Geometry.v, Arms.v or Matrices.v, which are for Coq alone. In a comment, the first line of these leaves a first
    part that is a fault. *)
 let split text =
   let marks =
-    List.map (Printf.sprintf "\nFrom Regulus Require Import %s.\n") [ "Geometry"; "Arms" ]
+    List.map (Printf.sprintf "\nFrom Regulus Require Import %s.\n") [ "Geometry"; "Arms"; "Matrices" ]
   in
   let is_at i mark =
     i + String.length mark <= String.length text && String.sub text i (String.length mark) = mark

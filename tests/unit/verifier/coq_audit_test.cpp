@@ -46,6 +46,19 @@ constexpr const char* kArm =
     "Theorem the_set_is_inhabited : exists (_q1 _q1'commanded : R), the_set _q1 _q1'commanded.\n"
     "Proof.\n  exists 0, 0.\n  by_point.\nQed.\n";
 
+constexpr const char* kMatrix =
+    "\nFrom Regulus Require Import Matrices.\n\n"
+    "Definition the_matrix (_L _x : R) : nat -> nat -> R :=\n"
+    "  let _a := 0.5 in\n  let _e1 := _x - _a in\n"
+    "  matrix_of\n    [[_e1; _L];\n     [sqrt _e1; -1]].\n\n"
+    "Definition the_set (_L _x : R) : Prop :=\n  near 0.1 3 _L /\\ 1 <= _x <= 2.\n\n"
+    "Theorem the_robot : forall (_L _x : R), the_set _L _x ->\n"
+    "  full_column_rank 2 2 (the_matrix _L _x).\nProof.\n  intros _L _x S.\n"
+    "  at_point the_claim [_x; _L] S.\n  name_lets the_matrix.\n"
+    "  by_matrix the_claim [(unnamed, 0); ((-1)*_e1, 1)] [[0; 0]; [1; 0]] S.\nQed.\n\n"
+    "Theorem the_set_is_inhabited : exists (_L _x : R), the_set _L _x.\n"
+    "Proof.\n  exists 3, 1.\n  by_point.\nQed.\n";
+
 /// The message for a text with `to` in the place of `from`; "" if it is found to be plain.
 std::string refusal_of(std::string text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
@@ -231,6 +244,44 @@ TEST(AnAudit, RefusesWhatIsNoArm) {
   EXPECT_NE(refusal_of_arm("jacobian (arm _q1)", "legs (arm _q1)"), "");
   EXPECT_NE(refusal_of_arm("  by_arm", "  admit; by_arm"), "");
   EXPECT_NE(refusal_of_arm("0 <= _q1 <= 1", "arm _q1 <= 1"), "");
+}
+
+TEST(AnAudit, ReadsTheTheoremAboutAMatrix) {
+  const auto theorem = read_plain_theorem(plain_theorem() + kMatrix);
+  ASSERT_EQ(theorem.geometry.size(), 2U);
+  EXPECT_EQ(theorem.geometry_import, "From Regulus Require Import Matrices.\n");
+  EXPECT_THAT(theorem.definitions, HasSubstr("let _a := 0.5 in let _e1 := _x - _a in matrix_of ["));
+  EXPECT_EQ(theorem.geometry[0].statement,
+            "forall ( _L _x : R ) , the_set _L _x -> full_column_rank 2 2 ( the_matrix _L _x )");
+}
+
+TEST(AnAudit, RefusesWhatIsNoMatrix) {
+  const auto refusal_of_matrix = [](const std::string& from, const std::string& to) {
+    return refusal_of(plain_theorem() + kMatrix, from, to);
+  };
+  for (const char* before :
+       {"From Regulus Require Import Matrices.", "Definition the_matrix", "Definition the_set",
+        "Theorem the_robot", "  at_point", "  by_matrix"})
+    for (const char* sentence : kOtherSentences)
+      EXPECT_NE(refusal_of_matrix(before, std::string(sentence) + "\n" + before), "") << sentence;
+  EXPECT_NE(refusal_of_matrix("Import Matrices.", "Import Matrices Evil."), "");
+  EXPECT_NE(refusal_of_matrix("Import Matrices.", "Import Geometry."), "");
+  EXPECT_NE(refusal_of_matrix("nat -> nat -> R :=", "nat -> nat -> nat :="), "");
+  EXPECT_NE(refusal_of_matrix("the_matrix (_L _x : R)", "matrix_of (_L _x : R)"), "");
+  EXPECT_NE(refusal_of_matrix("the_matrix (_L _x : R)", "the_matrix (_L sin : R)"), "");
+  EXPECT_NE(refusal_of_matrix("let _a :=", "let sin :="), "");
+  EXPECT_NE(refusal_of_matrix("let _a :=", "let _ :="), "");
+  EXPECT_NE(refusal_of_matrix("let _e1 :=", "let _a :="), "");
+  EXPECT_NE(refusal_of_matrix("let _e1 :=", "let _x :="), "");
+  EXPECT_NE(refusal_of_matrix("let _e1 := _x", "let _e1 := _e1"), "");
+  EXPECT_NE(refusal_of_matrix("let _a := 0.5 in", "let _a := let _b := 1 in _b in"), "");
+  EXPECT_NE(refusal_of_matrix("let _a := 0.5 in", "let _a : R := 0.5 in"), "");
+  EXPECT_NE(refusal_of_matrix("let _a := 0.5 in", "let _a := the_set in"), "");
+  EXPECT_NE(refusal_of_matrix("[[_e1; _L]", "[[_y; _L]"), "");
+  EXPECT_NE(refusal_of_matrix("matrix_of\n", "full_column_rank\n"), "");
+  EXPECT_NE(refusal_of_matrix("(the_matrix _L _x)", "(the_inverse_jacobian _L _x)"), "");
+  EXPECT_NE(refusal_of_matrix("(the_matrix _L _x)", "(scaled [] (the_matrix _L _x))"), "");
+  EXPECT_NE(refusal_of_matrix("  by_matrix", "  admit; by_matrix"), "");
 }
 
 TEST(AnAudit, RefusesTextThatIsNotReadAsItLooks) {
