@@ -49,6 +49,9 @@ class Answer {
   [[nodiscard]] nlohmann::ordered_json json() const {
     return report_of_facts([this](Facts& facts) { tell(facts); });
   }
+  /// Returns why no file of a proof was written that was wanted; empty if one was, if none was wanted,
+  /// and if the reason is among `lost`.
+  [[nodiscard]] virtual std::string missing_proof() const { return ""; }
   /// Returns lines that people must see with any other output; usually empty.
   [[nodiscard]] virtual std::string warning() const { return ""; }
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is the largest or least value of a quantity? And all of them: a datasheet.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -15,6 +13,7 @@
 #include "codegen/question/bound/bound_run.hpp"
 #include "codegen/question/bound/datasheet.hpp"
 #include "codegen/question/margin/prepared_margin.hpp"
+#include "codegen/question/way/trajectory_report.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus {
@@ -45,8 +44,7 @@ class AnswerOfBound final : public BoundAnswer {
     settings_.certificate = services.certificate;
     settings_.interrupt = services.interrupt;
     services.begin_search();
-    services.tell(fmt::format("model      {}\nmotion     {}\nbound      {}\n", request_.model.name,
-                              request_.motion.name, question.quantity.name));
+    if (services.on_line) services.tell(format_asked(request_, question.quantity, settings_.limit));
     run(std::move(question.quantity), services);
     describe();
   }
@@ -125,8 +123,7 @@ class Sheet final : public DatasheetAnswer {
     set_outputs_aside(asked.model, asked.search, services,
                       datasheet_files(request_, services.certificate));
     services.begin_search();
-    services.tell(
-        fmt::format("model      {}\nmotion     {}\n", request_.model.name, request_.motion.name));
+    if (services.on_line) services.tell(describe_request(request_));
     run(services);
   }
 

@@ -29,8 +29,9 @@ void set_ends(MarginAnswer& answer, const Margin& margin) {
   answer.closed = margin.closed;
 }
 
-std::function<void(const MarginStep&)> steps_of(const Services& services) {
-  return [&services](const MarginStep& step) { services.tell(format_step(step)); };
+std::function<void(const MarginStep&)> steps_of(const MarginQuestion& question,
+                                                const Services& services) {
+  return [&](const MarginStep& step) { services.tell(format_step(question, step)); };
 }
 
 void settle_files(HeldFiles& held, const std::vector<EndProofs*>& ends, Answer& answer) {

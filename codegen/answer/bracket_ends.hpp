@@ -23,8 +23,9 @@ struct MarginStep;
 /// Sets the ends of an answer.
 void set_ends(MarginAnswer& answer, const Margin& margin);
 
-/// Tells each step in a line.
-[[nodiscard]] std::function<void(const MarginStep&)> steps_of(const Services& services);
+/// Tells each step in a line. Both must outlive the function.
+[[nodiscard]] std::function<void(const MarginStep&)> steps_of(const MarginQuestion& question,
+                                                              const Services& services);
 
 /// Puts the files of a run in their places. What is missing is noted in `ends` and in the answer.
 void settle_files(HeldFiles& held, const std::vector<EndProofs*>& ends, Answer& answer);

@@ -180,9 +180,9 @@ class ClosureMargin final : public MarginAnswer {
     const OutputOptions display = display_of(services);
     attempts_.emplace(request_, search_, display, services.interrupt,
                       margin_proofs(services.certificate, {&held, services.shard_size}));
-    found_ = close_bracket(
-        *attempts_, question_,
-        {limits_of(search_, gap_), services.interrupt, steps_of(services), checkpoint.searches()});
+    found_ = close_bracket(*attempts_, question_,
+                           {limits_of(search_, gap_), services.interrupt,
+                            steps_of(question_, services), checkpoint.searches()});
     ends_ = attempts_->proofs();
     settle_files(held, {&ends_}, *this);
     checkpoint_line_ = checkpoint.line();

@@ -29,6 +29,13 @@ void add_lines(std::string& text, const Fact& fact) {
   text += '\n';
 }
 
+/// A result that is 0 has no sign for who reads it.
+void remove_signs_of_zeros(Json& value) {
+  if (value.is_number_float() && value.get<double>() == 0) value = 0.0;
+  if (value.is_structured())
+    for (Json& part : value) remove_signs_of_zeros(part);
+}
+
 }  // namespace
 
 Facts& Facts::tell(std::string key, Json value, std::string label, std::string sentence) {
@@ -37,7 +44,9 @@ Facts& Facts::tell(std::string key, Json value, std::string label, std::string s
 }
 
 Facts& Facts::add(std::string key, Json value) {
-  if (are_for_programs()) facts_.push_back({std::move(key), std::move(value), "", ""});
+  if (!are_for_programs()) return *this;
+  remove_signs_of_zeros(value);
+  facts_.push_back({std::move(key), std::move(value), "", ""});
   return *this;
 }
 

@@ -13,6 +13,7 @@ constexpr Key kQuestion[] = {
     {"ranges", "range{}", "of the motion parameters"},
     {"uncertain", "uncertain_quantity[]"},
     {"groups", "group[]", "how many quantities of each group are uncertain"},
+    {"units", "text{}", "by name: of parameters, pose, uncertain quantities and unknowns"},
     {"alpha", "enclosure"},
     {"where", "text"},
     {"constraints", "count"},
@@ -147,10 +148,12 @@ constexpr Key kFiniteError[] = {
     {"proved", "rounded?", "no errors move it farther"},
     {"at", "enclosure{}", "the parameters and errors of the attained end"},
     {"closed", "flag"},
+    {"reason", "text?", "why it is not closed"},
     {"boxes", "count"},
 };
 constexpr Key kSolution[] = {
     {"values", "enclosure{}", "by unknown"},
+    {"pose?", "enclosure{}", "the same by the model's pose parameters, if the model has angles"},
     {"determinant", "positive|negative|unknown", "its sign"},
     {"condition", "approx?", "in the 2-norm; null: infinite"},
     {"limits", "none|within|beyond|border", "those of the model"},
@@ -220,10 +223,8 @@ constexpr Key kQuantity[] = {
 };
 constexpr Key kVectorSet[] = {{"name", "text"}, {"entries", "vector_entry[]"}};
 constexpr Key kVectorEntry[] = {
-    {"name", "text"},
-    {"value_exact", "exact"},
-    {"tolerance_exact?", "exact"},
-    {"radius_exact?", "exact"},
+    {"name", "text"},           {"value_exact", "exact"}, {"tolerance_exact?", "exact"},
+    {"radius_exact?", "exact"}, {"unit", "text"},
 };
 constexpr Key kComponent[] = {
     {"label", "text"},
@@ -251,9 +252,12 @@ constexpr Key kForceWitness[] = {
     {"parameters", "range{}"},
     {"uncertain", "range{}"},
     {"wrench", "enclosure[]"},
+    {"wrench_units", "text[]", "by component"},
     {"direction", "approx[]"},
+    {"direction_units", "text[]", "by component"},
     {"needed", "enclosure", "along the direction"},
     {"possible", "enclosure"},
+    {"work_unit", "text", "of both"},
 };
 constexpr Key kEndFiles[] = {{"safe", "text?"}, {"singular", "text?"}};
 constexpr Key kEndObstacles[] = {{"safe?", "text"}, {"singular?", "text"}};

@@ -16,6 +16,17 @@
 
 namespace regulus {
 
+/// A proof of an end of a bracket: the file, or the reason why there is none.
+struct ProofOfEnd {
+  std::string component;  ///< "leg 3"; empty: the only one
+  bool is_safe_end = true;
+  std::string file, obstacle;
+};
+
+/// Returns Answer::missing_proof().
+[[nodiscard]] std::string missing_proof(const ProofStatus& proof);
+[[nodiscard]] std::string missing_proof(const std::vector<ProofOfEnd>& proofs);
+
 /// Has the motion a singular pose?
 class CheckAnswer : public Answer {
  public:
@@ -26,6 +37,7 @@ class CheckAnswer : public Answer {
   [[nodiscard]] virtual std::string claim() const = 0;
   [[nodiscard]] Word word() const override;
   [[nodiscard]] std::string headline() const override;
+  [[nodiscard]] std::string missing_proof() const override { return regulus::missing_proof(proof); }
 };
 
 /// A part of a motion along way-points, as PathStretch, with its JSON line.
@@ -52,13 +64,7 @@ class PavingAnswer : public Answer {
   [[nodiscard]] virtual nlohmann::ordered_json header() const = 0;
   [[nodiscard]] Word word() const override;
   [[nodiscard]] std::string headline() const override;
-};
-
-/// A proof of an end of a bracket: the file, or the reason why there is none.
-struct ProofOfEnd {
-  std::string component;  ///< "leg 3"; empty: the only one
-  bool is_safe_end = true;
-  std::string file, obstacle;
+  [[nodiscard]] std::string missing_proof() const override { return regulus::missing_proof(proof); }
 };
 
 /// How far can a tolerance, the threshold or a size grow?
@@ -69,6 +75,10 @@ class MarginAnswer : public Answer {
   bool is_of_limit = false;            ///< of a quantity, not of regularity
   bool closed = false;                 ///< as narrow as wanted
   std::vector<ProofOfEnd> proofs;
+
+  [[nodiscard]] std::string missing_proof() const override {
+    return regulus::missing_proof(proofs);
+  }
 };
 
 /// What is the largest or least value of a quantity?
@@ -82,6 +92,10 @@ class BoundAnswer : public Answer {
   bool closed = false;
   std::string unit;
   std::vector<ProofOfEnd> proofs;
+
+  [[nodiscard]] std::string missing_proof() const override {
+    return regulus::missing_proof(proofs);
+  }
 };
 
 /// Do forces within the limits hold a load?
@@ -95,6 +109,7 @@ class LoadAnswer : public Answer {
 
   [[nodiscard]] Word word() const override;
   [[nodiscard]] std::string headline() const override;
+  [[nodiscard]] std::string missing_proof() const override { return regulus::missing_proof(proof); }
   [[nodiscard]] std::string about_files() const override { return proof.line(); }
 };
 
@@ -115,6 +130,7 @@ class SolveAnswer : public Answer {
 
   [[nodiscard]] Word word() const override;
   [[nodiscard]] std::string headline() const override;
+  [[nodiscard]] std::string missing_proof() const override { return regulus::missing_proof(proof); }
 
  protected:
   bool has_places_ = false;
@@ -123,6 +139,10 @@ class SolveAnswer : public Answer {
 class DatasheetAnswer : public Answer {
  public:
   std::vector<ProofOfEnd> proofs;  ///< of all quantities, in order
+
+  [[nodiscard]] std::string missing_proof() const override {
+    return regulus::missing_proof(proofs);
+  }
 };
 
 /// Returns the word of a verdict.

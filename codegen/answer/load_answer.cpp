@@ -251,7 +251,7 @@ class WayLoadPaving final : public LoadPavingAnswer {
 }  // namespace
 
 std::unique_ptr<LoadAnswer> ask(const AskLoad& asked, const Services& services) {
-  refuse_changed_options(option_refusals_of_loads(), asked.model, asked.search);
+  refuse_changed_options(option_refusals_of_loads(), asked.model, asked.search, services.dashes);
   refuse_services(Kind::kLoad, asked.model, asked.search, services);
   set_outputs_aside(asked.model, asked.search, services);
   Stopwatch watch;
@@ -262,7 +262,7 @@ std::unique_ptr<LoadAnswer> ask(const AskLoad& asked, const Services& services) 
 }
 
 std::unique_ptr<LoadPavingAnswer> ask(const AskLoadPaving& asked, const Services& services) {
-  refuse_changed_options(option_refusals_of_loads(), asked.model, asked.search);
+  refuse_changed_options(option_refusals_of_loads(), asked.model, asked.search, services.dashes);
   refuse_services(Kind::kLoadPaving, asked.model, asked.search, services);
   refuse_paving(asked.resolution, asked.model, asked.search, services);
   set_outputs_aside(asked.model, asked.search, services);

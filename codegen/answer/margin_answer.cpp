@@ -7,9 +7,11 @@
 #include "codegen/answer/closure_answer.hpp"
 #include "codegen/answer/outputs.hpp"
 #include "codegen/answer/refusals.hpp"
+#include "codegen/model/degrees.hpp"
 #include "codegen/question/bound/bound_question.hpp"
 #include "codegen/question/bound/bound_run.hpp"
 #include "codegen/question/bound/limit_margin.hpp"
+#include "codegen/question/bound/quantity_report.hpp"
 #include "codegen/question/margin/margin_report.hpp"
 #include "codegen/question/margin/prepared_margin.hpp"
 #include "codegen/question/margin/variety_attempts.hpp"
@@ -21,6 +23,13 @@ namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// Values of an angle may be meant in degrees.
+void warn_about_values(const MarginQuestion& question, const ModelOptions& model) {
+  const bool is_beyond = question.high && question.high->approx > kOneTurn;
+  if (model.warn && question.unit == "rad" && is_beyond)
+    model.warn("the values are in rad, and " + question.high->text + " is more than a turn");
+}
 
 class VarietyMargin final : public MarginAnswer {
  public:
@@ -40,7 +49,7 @@ class VarietyMargin final : public MarginAnswer {
                              margin_proofs(services.certificate, {&held, services.shard_size}));
     found_ = close_bracket(attempts, question_,
                            {limits_of(margin_.settings, gap_), services.interrupt,
-                            steps_of(services), checkpoint.searches()});
+                            steps_of(question_, services), checkpoint.searches()});
     margin_.prepared.seconds.search = found_.seconds;
     ends_ = attempts.proofs();
     settle_files(held, {&ends_}, *this);
@@ -83,10 +92,10 @@ class WayMargin final : public MarginAnswer {
     const MarginCheckpoint checkpoint(services.checkpoint.path, request_.nominal(), question_,
                                       search_);
     HeldFiles held;
-    found_ =
-        margin_of_trajectory(request_, question_, search_, gap_, display_of(services),
-                             {{}, services.interrupt, steps_of(services), checkpoint.searches()},
-                             margin_proofs(services.certificate, {&held, services.shard_size}));
+    found_ = margin_of_trajectory(
+        request_, question_, search_, gap_, display_of(services),
+        {{}, services.interrupt, steps_of(question_, services), checkpoint.searches()},
+        margin_proofs(services.certificate, {&held, services.shard_size}));
     settle_files(held, {&found_.proofs}, *this);
     checkpoint_line_ = checkpoint.line();
     set_ends(*this, found_.margin);
@@ -130,9 +139,11 @@ class MarginOfLimit final : public MarginAnswer {
         request_(read_asked(model, asked.quantity, watch_of(services, asked.search))) {
     is_of_limit = true;
     question_.unit = unit_of_values(request_, question_);
+    warn_about_values(question_, model);
     Quantity quantity = quantity_of(request_.model, asked.quantity);
     settings_.gap = read_gap(asked.gap);
     settings_.limit = read_limit(asked.limit, quantity);
+    question_.limit = describe_limit(quantity, settings_.limit);
     settings_.search = asked.search;
     settings_.output = display_of(services);
     settings_.certificate = services.certificate;
@@ -163,7 +174,8 @@ class MarginOfLimit final : public MarginAnswer {
     std::optional<BracketCheckpoint> checkpoint;
     if (!services.checkpoint.path.empty())
       settings_.checkpoint = &checkpoint.emplace(services.checkpoint.path, checkpointed);
-    found_ = limit_margin(request_, question_, std::move(quantity), settings_, steps_of(services));
+    found_ = limit_margin(request_, question_, std::move(quantity), settings_,
+                          steps_of(question_, services));
     std::vector<EndProofs*> ends;
     for (ComponentMargin& c : found_.components) ends.push_back(&c.proofs);
     settle_files(held, ends, *this);
@@ -199,6 +211,9 @@ std::unique_ptr<MarginAnswer> ask(const AskMargin& asked, const Services& servic
   const FormingWatch watch = watch_of(services, asked.search);
   Request request = read_request(model, &watch);
   question.unit = unit_of_values(request, question);
+  question.has_threshold =
+      question.quantity == MarginQuantity::kAlpha || !request.motion.alpha.is_zero();
+  warn_about_values(question, asked.model);
   if (request.model.closure) return answer_closure(question, std::move(request), asked, services);
   if (!request.motion.trajectory)
     return std::make_unique<VarietyMargin>(question, std::move(request), asked, services);

@@ -313,7 +313,7 @@ void refuse_services(Kind kind, const ModelOptions& model, const SearchOptions& 
   const FormingWatch watch = watch_of(services, search);
   if (const auto closed = if_readable([&] { return read_closure(model, watch); })) {
     refuse_services_of(of_closure(kind), search, services);
-    refuse_changed_options(kOptionsOfClosures, model, search);
+    refuse_changed_options(kOptionsOfClosures, model, search, services.dashes);
     if (closed->motion.trajectory) throw UsageError(std::string(kNoWayOfClosures));
     return;
   }
@@ -325,10 +325,11 @@ void refuse_services(Kind kind, const ModelOptions& model, const SearchOptions& 
 }
 
 void refuse_changed_options(std::span<const OptionRefusal> refused, const ModelOptions& model,
-                            const SearchOptions& search) {
+                            const SearchOptions& search, const std::string& dashes) {
   for (const std::string_view option : changed_options(model, search))
     for (const OptionRefusal& row : refused)
-      if (row.option == option) throw UsageError(fmt::format("{}: {}", row.option, row.why));
+      if (row.option == option)
+        throw UsageError(fmt::format("{}{}: {}", dashes, row.option, row.why));
 }
 
 std::string what_works() {

@@ -87,9 +87,9 @@ struct OptionRefusal {
 /// `kind`: about a variety, without a closure.
 void refuse_services(Kind kind, const ModelOptions& model, const SearchOptions& search,
                      const Services& services);
-/// Throws    UsageError for an option of `refused` that a program has changed.
+/// Throws    UsageError for an option of `refused` that is changed; its name begins with `dashes`.
 void refuse_changed_options(std::span<const OptionRefusal> refused, const ModelOptions& model,
-                            const SearchOptions& search);
+                            const SearchOptions& search, const std::string& dashes);
 
 /// Returns the page "What works with what" of the manual, in Markdown.
 [[nodiscard]] std::string what_works();

@@ -147,7 +147,8 @@ class SolutionsAtPlaces final : public SolveAnswer {
     place.place = placed_values(request);
     place.solutions = solve(request, run);
     if (places.size() == 1) unknowns_ = place.solutions.unknowns;
-    if (lines_->is_wanted() && !(lines_->stream() << report_text(json_solved(place, noun)) << '\n'))
+    if (lines_->is_wanted() &&
+        !(lines_->stream() << report_text(json_solved(place, request.model, noun)) << '\n'))
       lines_->finish();  // throws, with the reason that the file has
   }
 
@@ -185,7 +186,7 @@ class SolutionsAtPlaces final : public SolveAnswer {
     facts.add("places_left", places_left);
     if (!facts.are_for_programs()) return;
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const SolvedPlace& place : places) list.push_back(json_solved(place, noun));
+    for (const SolvedPlace& place : places) list.push_back(json_solved(place, first_->model, noun));
     facts.add("places", std::move(list));
     facts.add("claim", nullptr);
   }
@@ -260,7 +261,8 @@ std::string SolveAnswer::headline() const {
 
 std::unique_ptr<SolveAnswer> ask(const AskSolve& asked, const Services& services) {
   const bool has_places = !asked.table.empty() || !asked.places.empty();
-  refuse_changed_options(option_refusals_of_solutions(), asked.model, asked.search);
+  refuse_changed_options(option_refusals_of_solutions(), asked.model, asked.search,
+                         services.dashes);
   has_places ? refuse_for_many_places(asked, services) : refuse_for_one_place(services);
   refuse_services(Kind::kSolve, asked.model, asked.search, services);
   if (has_places) return std::make_unique<SolutionsAtPlaces>(asked, services);

@@ -34,8 +34,9 @@ constexpr double kOneTurn = 6.2832;
 /// True for a unit that may be meant as degrees but is not the one that is known: "degrees".
 [[nodiscard]] bool is_like_degrees(std::string_view unit) noexcept;
 
-/// Adds a warning, with the line, if an end of the range is an angle beyond a turn: degrees may be
-/// meant.
+/// Adds a warning, with the line, if an end of the range is an angle beyond a turn, or if the range in
+/// plain numbers of radians is wider than one: degrees may be meant. Of one number both ends are it; of a
+/// tolerance or an error ±e they are −e and e.
 void warn_about_angle(std::vector<std::string>& warnings, const Range& range, std::string_view unit,
                       const Place& place);
 

@@ -159,6 +159,8 @@ void set_tube(const Model& model, Motion& motion, std::string_view tube) {
                        number_unit(model.pose[i].unit));
     append(motion.must_be_defined, term.must_be_defined);
     motion.error[i] = checked_nonnegative(term, place);
+    warn_about_angle(motion.warnings, {-motion.error[i], motion.error[i]}, model.pose[i].unit,
+                     {.file = "", .key = "the error of " + name});
   }
 }
 

@@ -116,6 +116,11 @@ Request request_of(Model model, const ModelOptions& options, std::span<const Giv
                                   "give it once", number.name);
     set_number(request.model, request.motion, number);
   }
+  if (!options.waypoints.empty() && !options.ranges.empty())
+    throw UsageError("--range: the question follows the way-points of " +
+                     in_quotes(options.waypoints) +
+                     ", which have no ranges; leave --range out, and use --tube for errors around "
+                     "the way");
   apply_changes(request, options);
   if (!options.waypoints.empty())
     follow_waypoints(request.model, request.motion, options.waypoints);

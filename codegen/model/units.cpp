@@ -27,7 +27,7 @@ constexpr std::array<Unit, 10> kUnits = {{{"m", UnitKind::kLength, 1, 1},
                                           {"deg", UnitKind::kAngle, 1, 1},
                                           {"°", UnitKind::kAngle, 1, 1}}};
 
-const Unit* find(std::string_view name) {
+const Unit* find(std::string_view name) noexcept {
   for (const Unit& unit : kUnits)
     if (unit.name == name) return &unit;
   return nullptr;
@@ -39,6 +39,8 @@ GiNaC::ex size_of(const Unit& unit) {
 }
 
 }  // namespace
+
+bool is_unit(std::string_view name) noexcept { return find(name) != nullptr; }
 
 std::optional<GiNaC::ex> unit_factor(std::string_view from, std::string_view to) {
   if (from == to) return GiNaC::ex(1);

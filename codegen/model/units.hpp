@@ -12,4 +12,7 @@ namespace regulus {
 /// angle, or one label twice. nullopt if the units are of different kinds, or not known.
 [[nodiscard]] std::optional<GiNaC::ex> unit_factor(std::string_view from, std::string_view to);
 
+/// True for the name of a unit that is known.
+[[nodiscard]] bool is_unit(std::string_view name) noexcept;
+
 }  // namespace regulus

@@ -102,8 +102,8 @@ void TreeReader::leaf(const std::vector<std::string_view>& words) {
   const auto box = find(words[1]);
   const LeafClaim claim = claim_of(question_, words[2]);
   Leaf leaf{std::move(box->second),
-            "leaf " + std::string(words[1]) + " (" + std::string(words[2]) + ")", lines_.number(),
-            claim};
+            "leaf of box " + std::string(words[1]) + " (" + std::string(words[2]) + ")",
+            lines_.number(), claim};
   if (branch_ != nullptr) leaf.tube = branch_->add_leaf(box->first, words, leaf.line);
   open_.boxes.erase(box);
   proofs_.add(lines_, std::move(leaf));
@@ -123,8 +123,9 @@ void TreeReader::require_end(std::uint64_t leaves) {
 
 void TreeReader::require_tiling() const {
   if (!open_.boxes.empty())
-    throw Rejection(std::to_string(open_.boxes.size()) + " boxes have no leaf, for example box " +
-                    std::to_string(open_.boxes.begin()->first));
+    throw Rejection((open_.boxes.size() == 1 ? "1 box has"
+                                             : std::to_string(open_.boxes.size()) + " boxes have") +
+                    " no leaf, for example box " + std::to_string(open_.boxes.begin()->first));
 }
 
 void require_poses(const Question& question, const Shown& shown, Verification& result) {

@@ -134,7 +134,8 @@ std::string describe(const Verification& v) {
                                     : " of a trajectory"));
   if (v.shards > 0) line("shards", std::to_string(v.shards));
   if (v.leaves > 0)
-    line("leaves", std::to_string(v.leaves) + ", in " + std::to_string(v.boxes) + " boxes");
+    line("leaves", std::to_string(v.leaves) + ", in " + std::to_string(v.boxes) +
+                       (v.boxes == 1 ? " box" : " boxes"));
   line("paved", describe_paved(v));
   if (v.roots > 0)
     line("roots", std::to_string(v.roots) + " that differ are proved, " +

@@ -323,13 +323,13 @@ TEST_F(Trajectories, HaveMargins) {
                           const std::string& range) {
     return regulus({"margin", model, motion, option, range, "--quiet"}).output;
   };
-  EXPECT_EQ(margin("way", "--tube", "y=0:"), "SAFE UP TO 0.9925, NOT AT 1 m\n");
+  EXPECT_EQ(margin("way", "--tube", "y=0:"), "SAFE UP TO 0.9925 m, NOT AT 1 m\n");
   EXPECT_EQ(margin("way", "--tube", "x=0:3"), "SAFE UP TO 3 m\n");
   EXPECT_EQ(margin("way", "--tolerance", "base=0:1"), "SAFE UP TO 1\n");
   EXPECT_THAT(margin("way", "--alpha", "0:8"), HasSubstr("SAFE UP TO 3.9"));
   EXPECT_EQ(margin("way", "--tube", "y=2:3"), "NOT SAFE AT 2 m\n");
   // The control error of a motion of another kind grows, too.
-  EXPECT_EQ(margin("hold", "--tube", "y=0:"), "SAFE UP TO 0.9925, NOT AT 1 m\n");
+  EXPECT_EQ(margin("hold", "--tube", "y=0:"), "SAFE UP TO 0.9925 m, NOT AT 1 m\n");
 }
 
 /// The verifier's own reader of tables finds a changed number by itself.

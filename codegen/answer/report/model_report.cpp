@@ -9,6 +9,7 @@
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
+#include "codegen/model/mechanism/twist.hpp"
 #include "codegen/model/overrides.hpp"
 
 namespace regulus {
@@ -95,11 +96,14 @@ std::string describe_entry(const GeometryParameter& e) {
 
 /// Tells the names of loads or twists under `key`; people read their values, too.
 void tell_sets(const char* key, const char* label, const std::vector<VectorSet>& sets,
-               Facts& facts) {
+               const std::vector<std::string>& units, Facts& facts) {
   Json names = Json::array();
   for (const VectorSet& set : sets) {
     std::vector<std::string> values;
-    for (const GeometryParameter& e : set.entries) values.push_back(describe_entry(e));
+    for (const GeometryParameter& e : set.entries) {
+      const std::size_t i = values.size();
+      values.push_back(describe_entry(e) + (i < units.size() ? unit_suffix(units[i]) : ""));
+    }
     names.push_back(set.name);
     facts.say(label, fmt::format("{}: {}", set.name, fmt::join(values, ", ")));
   }
@@ -161,8 +165,8 @@ void tell_contents(const Model& model, Facts& facts) {
       "motions", model.motions,
       [&](const Motion& motion, Facts& told) { tell_motion(model, motion, told); }, facts);
   tell_list("groups", groups_of(model), tell_group, facts);
-  tell_sets("loads", "load", model.loads, facts);
-  tell_sets("twists", "twist", model.twists, facts);
+  tell_sets("loads", "load", model.loads, units_of_wrench(model, twist_of(model)), facts);
+  tell_sets("twists", "twist", model.twists, units_of_rates(twist_of(model)), facts);
 }
 
 Json json_model(const Model& model) {

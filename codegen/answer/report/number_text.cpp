@@ -27,7 +27,12 @@ std::string ends_text(const std::string& lo, const std::string& hi) {
 }
 
 nlohmann::ordered_json json_interval(const Interval& x) {
-  return nlohmann::ordered_json::array({x.lo, x.hi});
+  const auto without_sign = [](double end) { return end == 0 ? 0.0 : end; };  // of −0
+  return nlohmann::ordered_json::array({without_sign(x.lo), without_sign(x.hi)});
+}
+
+std::string counted(std::uint64_t count, const char* one, const char* many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
 std::string in_thousands(std::uint64_t count) {

@@ -10,9 +10,11 @@
 
 namespace regulus {
 
-/// Returns [lo, hi]; an infinite bound becomes null, because JSON has no infinities.
+/// Returns [lo, hi], 0 without a sign; an infinite bound becomes null, because JSON has no infinities.
 [[nodiscard]] nlohmann::ordered_json json_interval(const Interval& x);
 
+/// Returns "1 box", "2 boxes".
+[[nodiscard]] std::string counted(std::uint64_t count, const char* one, const char* many);
 /// Returns "50 000".
 [[nodiscard]] std::string in_thousands(std::uint64_t count);
 /// Returns " cm", for example; nothing for the unit 1.

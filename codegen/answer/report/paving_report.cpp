@@ -105,9 +105,7 @@ std::uint64_t all_boxes(const Volumes& volumes) {
   return boxes;
 }
 
-std::string counted(const Share& share) {
-  return fmt::format("{} {}", share.boxes, share.boxes == 1 ? "box" : "boxes");
-}
+std::string boxes_of(const Share& share) { return counted(share.boxes, "box", "boxes"); }
 
 void tell_share(const Volumes& volumes, Claim claim, bool is_shown, Facts& facts) {
   const Share& share = volumes.of(claim);
@@ -115,7 +113,7 @@ void tell_share(const Volumes& volumes, Claim claim, bool is_shown, Facts& facts
   if (!is_shown) return;
   const bool beyond = claim == Claim::kUnreachable;
   facts.say(beyond ? "outside" : name(claim),
-            fmt::format("{}, {}{}", percentage(volumes, share), counted(share),
+            fmt::format("{}, {}{}", percentage(volumes, share), boxes_of(share),
                         beyond ? ", out of reach" : ""));
 }
 
@@ -156,7 +154,7 @@ void tell_volumes(const SearchSubject& p, const Volumes& volumes, const Result& 
     facts.tell(
         "stopped_by", describe(*result.stopped_by), "stopped",
         fmt::format("{}: {}, {}, not searched, undecided", describe(*result.stopped_by),
-                    counted(volumes.unfinished()), percentage(volumes, volumes.unfinished())));
+                    boxes_of(volumes.unfinished()), percentage(volumes, volumes.unfinished())));
 }
 
 void tell_claims(const SearchSubject& p, Facts& facts) {
@@ -192,7 +190,7 @@ Json json_paving_header(const SearchSubject& p, const PavingOptions& options) {
 void tell_paving(const PreparedSearch& p, const SearchOptions& search, const PavingOptions& options,
                  const Volumes& volumes, const Result& result, Facts& facts) {
   facts.add("verdict", json_name(result.verdict)).add("reason", describe(result.reason));
-  tell_question(p, facts);
+  tell_question(p, p.stages->request(), facts);
   if (facts.are_for_programs()) add_search(search, json_question(p, search), facts);
   tell_method(p, search, result.method, result.statistics.boxes, facts);
   facts.add("resolution", options.resolution).add("unit", volume_unit(p, options.axes));

@@ -9,6 +9,7 @@
 #include "codegen/answer/certificate/certificate_expression_writer.hpp"
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/place_text.hpp"
+#include "codegen/answer/report/set_facts.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/question/engine/choices.hpp"
 #include "codegen/question/engine/settings.hpp"
@@ -146,6 +147,16 @@ Json json_groups(const ReportLabels& labels) {
   return groups;
 }
 
+/// The units of all numbers that a report gives by name.
+Json json_units(const AskedQuestion& asked) {
+  Json units = Json::object();
+  for (const PoseLabel& p : asked.labels.pose) units[p.name] = p.unit;
+  for (const VariableLabel& v : asked.labels.variables) units[v.name] = v.unit;
+  if (asked.request.model.closure)
+    for (const PoseParameter& u : asked.request.model.closure->unknowns) units[u.name] = u.unit;
+  return units;
+}
+
 Json json_asked(const AskedQuestion& asked, const SearchOptions& search) {
   const ReportLabels& labels = asked.labels;
   Json ranges = Json::object(), uncertain = Json::array();
@@ -159,6 +170,7 @@ Json json_asked(const AskedQuestion& asked, const SearchOptions& search) {
                 {"ranges", ranges},
                 {"uncertain", uncertain},
                 {"groups", json_groups(labels)},
+                {"units", json_units(asked)},
                 {"alpha", json_interval(asked.variety.alpha)},
                 {"where", labels.where},
                 {"constraints", labels.constraints}};
@@ -177,16 +189,6 @@ std::string describe_tolerance(const SearchSubject& p, std::size_t index) {
                      variable.in_ball ? " in balls" : "");
 }
 
-/// The question about way-points has the constants and errors of any pose; their file has the poses.
-Motion at_one_pose_if_along_waypoints(Motion motion) {
-  if (!motion.trajectory) return motion;
-  motion.waypoints.reset();
-  motion.trajectory.reset();
-  for (GiNaC::ex& value : motion.pose) value = 0;
-  motion.must_be_defined.clear();
-  return motion;
-}
-
 }  // namespace
 
 Json json_question(const PreparedSearch& p, const SearchOptions& search) {
@@ -197,11 +199,8 @@ Json json_question(const PreparedSearch& p, const SearchOptions& search) {
 }
 
 Json json_question(const Request& request, const SearchOptions& search) {
-  const Motion motion = at_one_pose_if_along_waypoints(request.motion);
-  const Formulation shape = formulate_shape(request.model, motion);
-  const ReportLabels labels = report_labels(request, shape);
-  const Variety variety = enclose_variety(request.model, motion, shape.variables);
-  return json_asked({labels, variety, request, shape.variables}, search);
+  const AskedSet set = set_of(request);
+  return json_asked({set.subject.labels, set.subject.variety, request, set.exact}, search);
 }
 
 Json json_kept_question(const PreparedSearch& p, const SearchOptions& search) {
@@ -216,7 +215,7 @@ Json json_kept_question(const PreparedSearch& p, const SearchOptions& search) {
   return question;
 }
 
-Json json_vector_set(const VectorSet& set) {
+Json json_vector_set(const VectorSet& set, const std::vector<std::string>& units) {
   Json members = Json::array();
   for (const GeometryParameter& entry : set.entries) {
     Json member{{"name", entry.name}, {"value_exact", formula_text(entry.value)}};
@@ -224,6 +223,7 @@ Json json_vector_set(const VectorSet& set) {
       member["radius_exact"] = formula_text(set.balls.at(std::size_t(entry.ball)).radius);
     else
       member["tolerance_exact"] = formula_text(entry.tolerance);
+    member["unit"] = members.size() < units.size() ? units[members.size()] : "1";
     members.push_back(std::move(member));
   }
   return {{"name", set.name}, {"entries", members}};

@@ -30,9 +30,10 @@ namespace regulus {
 [[nodiscard]] nlohmann::ordered_json json_kept_question(const PreparedSearch& preparation,
                                                         const SearchOptions& search);
 
-/// Returns a load or a twist set: {"name", "entries": [{"name", "value_exact", "tolerance_exact"}]};
-/// of a member of a ball "radius_exact".
-[[nodiscard]] nlohmann::ordered_json json_vector_set(const VectorSet& set);
+/// Returns a load or a twist set: {"name", "entries": [{"name", "value_exact", "tolerance_exact", "unit"}]};
+/// of a member of a ball "radius_exact". `units`: of the entries.
+[[nodiscard]] nlohmann::ordered_json json_vector_set(const VectorSet& set,
+                                                     const std::vector<std::string>& units);
 
 /// Returns "18 of base, 6 control errors": how many quantities of each group are uncertain.
 [[nodiscard]] std::string describe_groups(const ReportLabels& labels);

@@ -40,8 +40,8 @@ void tell_filters(const PreparedSearch& p, const Result& result, Facts& facts) {
                        {"name", filter.name()},
                        {"sha256", filter.sha256()},
                        {"boxes", boxes}});
-    facts.say("filter",
-              fmt::format("{} ({}): {} boxes rest on it", filter.name(), filter.path(), boxes));
+    facts.say("filter", fmt::format("{} ({}): {} rest{} on it", filter.name(), filter.path(),
+                                    counted(boxes, "box", "boxes"), boxes == 1 ? "s" : ""));
   }
   facts.add("filters", filters);
 }
@@ -142,7 +142,7 @@ void tell_boxes(const Statistics& statistics, Facts& facts) {
 void tell_report(const PreparedSearch& p, const SearchOptions& search, const Result& result,
                  const std::optional<LeastSingular>& nearest, Facts& facts) {
   facts.add("verdict", json_name(result.verdict)).add("reason", describe(result.reason));
-  tell_question(p, facts);
+  tell_question(p, p.stages->request(), facts);
   if (facts.are_for_programs()) add_search(search, json_question(p, search), facts);
   tell_method(p, search, result.method, result.statistics.boxes, facts);
   tell_text(p, facts);

@@ -5,15 +5,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <limits>
-#include <numbers>
 #include <utility>
 
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/place_text.hpp"
 #include "codegen/answer/report/question_report.hpp"
+#include "codegen/answer/report/set_facts.hpp"
 #include "codegen/model/reduced_note.hpp"
 #include "codegen/question/engine/choices.hpp"
 #include "codegen/question/engine/settings.hpp"
@@ -22,61 +19,6 @@ namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Returns the decimal of at most six digits that is this angle in degrees, if there is one.
-std::optional<double> short_degrees(const Interval& radians) {
-  // Two roundings: of the factor and of the product.
-  const double degree = 180 / std::numbers::pi;
-  const double slack = 4 * std::numeric_limits<double>::epsilon() * std::fabs(radians.lo);
-  const double lo = (radians.lo - slack) * degree, hi = (radians.hi + slack) * degree;
-  double shown = 0;
-  const std::string text = fmt::format("{:.6g}", lo / 2 + hi / 2);
-  std::from_chars(text.data(), text.data() + text.size(), shown);
-  return lo <= shown && shown <= hi ? std::optional(shown) : std::nullopt;
-}
-
-/// Returns " ([-15, 15] deg)" for angles in radians whose ends are short numbers of degrees.
-std::string describe_degrees(const SearchSubject& p, std::size_t k) {
-  const Interval& outer = p.variety.outer[k];
-  const std::optional<Interval>& inner = p.variety.inner[k];
-  if (p.labels.variables[k].unit != "rad" || (outer.lo == 0 && outer.hi == 0)) return "";
-  const auto lo = short_degrees(inner ? end_of_range(outer.lo, inner->lo) : outer);
-  const auto hi = short_degrees(inner ? end_of_range(outer.hi, inner->hi) : outer);
-  return lo && hi ? fmt::format(" ({} deg)", ends_text(shortest_text(*lo), shortest_text(*hi)))
-                  : "";
-}
-
-void say_variables(const SearchSubject& p, bool motion, Facts& facts) {
-  const auto& variables = p.labels.variables;
-  for (std::size_t i = 0; i < variables.size(); ++i) {
-    if (is_motion(variables[i]) != motion) continue;
-    const std::string range = range_text(p, i, p.variety.outer[i]);
-    facts.say("", fmt::format("{} {} {}{}{}", variables[i].name, range.front() == '[' ? "in" : "=",
-                              range, unit_suffix(variables[i].unit), describe_degrees(p, i)));
-  }
-}
-
-void say_uncertain(const SearchSubject& p, Facts& facts) {
-  const std::size_t count = uncertain_count(p);
-  if (count == 0) {
-    facts.say("uncertain", "nothing: geometry and control are taken as exact");
-    return;
-  }
-  facts.say("uncertain",
-            fmt::format("{} {}: {}", count, count == 1 ? "quantity" : "quantities",
-                        // Searches at several tolerances have one report.
-                        count <= kMostListed || p.is_replanned ? describe_groups(p.labels)
-                                                               : describe_tolerances(p)));
-  if (count <= kMostListed) say_variables(p, false, facts);
-}
-
-void tell_where(const SearchSubject& p, Facts& facts) {
-  facts.add("where", p.labels.where);
-  if (p.labels.where.empty()) return;
-  const bool ranges = p.labels.where == name(Where::kWithinRanges);
-  facts.say("where", fmt::format("{}: poses out of reach{} are no part of the claim",
-                                 p.labels.where, ranges ? " and joints out of range" : ""));
-}
 
 void tell_matrix(const SearchSubject& p, Facts& facts) {
   facts.add("matrix", name(p.labels.matrix_kind)).add("matrix_notes", p.labels.matrix_notes);
@@ -186,11 +128,12 @@ void tell_threshold(const SearchSubject& p, Facts& facts) {
   facts.add("alpha", mid(p.variety.alpha)).add("alpha_enclosure", json_interval(p.variety.alpha));
 }
 
-void tell_question(const SearchSubject& p, Facts& facts) {
+void tell_question(const SearchSubject& p, const Request& request, Facts& facts) {
   tell_model(p, facts);
   facts.add("notes", p.labels.notes);
-  say_variables(p, true, facts);
-  tell_where(p, facts);
+  say_poses(p, request, facts);
+  facts.add("where", p.labels.where);
+  say_where(p, facts);
   tell_matrix(p, facts);
   say_uncertain(p, facts);
   tell_threshold(p, facts);
@@ -237,11 +180,15 @@ void tell_time(const StageSeconds& seconds, Facts& facts) {
 }
 
 std::string describe_time(const StageSeconds& s) {
-  std::string text = fmt::format("model {:.1f} ms, symbolic {:.1f} ms, program {:.1f} ms",
-                                 1e3 * s.model, 1e3 * s.symbolic, 1e3 * s.program);
-  if (s.emit > 0) text += fmt::format(", emit {:.1f} ms", 1e3 * s.emit);
-  if (s.compile > 0) text += fmt::format(", compile {:.1f} ms", 1e3 * s.compile);
-  return text + fmt::format(", search {:.3f} ms", 1e3 * s.search);
+  constexpr double kShown = 0.05e-3;  // less is shown as 0.0 ms
+  std::string text;
+  for (const auto& [stage, seconds] : {std::pair{"model", s.model},
+                                       {"symbolic", s.symbolic},
+                                       {"program", s.program},
+                                       {"emit", s.emit},
+                                       {"compile", s.compile}})
+    if (seconds >= kShown) text += fmt::format("{} {:.1f} ms, ", stage, 1e3 * seconds);
+  return text + fmt::format("search {:.3f} ms", 1e3 * s.search);
 }
 
 Json json_occupancy(const Result& result) {

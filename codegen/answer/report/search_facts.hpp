@@ -19,8 +19,8 @@ void add_model(const SearchSubject& preparation, Facts& facts);
 void add_model(const Request& request, Facts& facts);
 /// Tells the question as json_question() returns it, its options and version, engine and threads.
 void add_search(const SearchOptions& search, nlohmann::ordered_json question, Facts& facts);
-/// Tells model, motion, matrix, threshold and uncertain quantities.
-void tell_question(const SearchSubject& preparation, Facts& facts);
+/// Tells model, motion, matrix, threshold and uncertain quantities: all that the claim is about.
+void tell_question(const SearchSubject& preparation, const Request& request, Facts& facts);
 /// Tells α: approximately, and its enclosure.
 void tell_threshold(const SearchSubject& preparation, Facts& facts);
 /// Tells method and engine, after a search of `boxes`.

@@ -109,10 +109,11 @@ void say_proof(const SearchSubject& p, const Witness& witness, const std::option
               fmt::format("its rank is less than {} there, by exact algebra", p.labels.columns));
     return;
   }
-  facts.say("", fmt::format(
-                    "{} {} there{}", has_row_scales(p, witness) ? "det J⁻¹" : "determinant",
-                    describe_value(closest(witness).determinant),
-                    scale ? fmt::format("; rows of these lengths could have one of {:.2g}", *scale)
+  facts.say(
+      "", fmt::format("{} {} there{}", has_row_scales(p, witness) ? "det J⁻¹" : "determinant",
+                      describe_value(closest(witness).determinant),
+                      scale && *scale > 0
+                          ? fmt::format("; rows of these lengths could have one of {:.2g}", *scale)
                           : ""));
   if (witness.points.size() == 2)
     facts.say("",

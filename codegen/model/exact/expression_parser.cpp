@@ -11,6 +11,7 @@
 #include "codegen/model/exact/real_functions.hpp"
 #include "codegen/model/exact/sign.hpp"
 #include "codegen/model/names.hpp"
+#include "codegen/model/units.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus {
@@ -113,9 +114,24 @@ class Parser {
     if (!value) refuse(token_, kNumberLimits);
     const Token start = token_;
     advance();
-    if (token_.text != "deg" && token_.text != "°") return number(*value);
+    if (token_.text != "deg" && token_.text != "°") {
+      refuse_unit_behind(start);
+      return number(*value);
+    }
     advance();
     return guarded(start, [&] { return product({{number(*value)}, {degree()}}); });
+  }
+
+  /// "5mm": the place of a number says its unit, and only degrees may be written.
+  void refuse_unit_behind(const Token& before) const {
+    if (token_.kind != Kind::kName) return;
+    const std::string digits(before.text), unit(token_.text);
+    if (is_like_degrees(unit)) reject(token_, "degrees are written deg; write " + digits + "deg");
+    if (is_unit(unit) && names_.find(unit, depth_) == nullptr)
+      reject(token_,
+             "numbers are in the unit that the model gives, and only deg is written behind "
+             "one; write " +
+                 digits + " if that is its unit");
   }
 
   /// True where a number that stands alone is a number of degrees.

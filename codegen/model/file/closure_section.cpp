@@ -130,8 +130,10 @@ class ClosureReader {
     if (ends.size() != 2)
       toml_.refuse(entry, std::to_string(ends.size()) + " numbers in " + entry.path,
                    "a range [lower, upper]");
-    const ParsedExpression lo = constant(ends[0], unit), hi = constant(ends[1], unit);
-    return checked_range(lo, hi, toml_.place(entry));
+    const ParsedExpression lo = plain_constant(ends[0], unit), hi = plain_constant(ends[1], unit);
+    const Range range = checked_range(lo, hi, toml_.place(entry));
+    warn_about_angle(reading_.model.warnings, range, unit, toml_.place(entry));
+    return range;
   }
 
   void require_within(const TomlEntry& given, std::size_t i) const {
@@ -175,9 +177,14 @@ class ClosureReader {
     return table.node ? toml_.optional(table, key) : table;
   }
 
-  ParsedExpression constant(const TomlEntry& entry, const std::string& unit) {
+  ParsedExpression plain_constant(const TomlEntry& entry, const std::string& unit) {
     ParsedExpression term = toml_.constant(entry, number_unit(unit));
     append(reading_.model.must_be_defined, term.must_be_defined);
+    return term;
+  }
+
+  ParsedExpression constant(const TomlEntry& entry, const std::string& unit) {
+    ParsedExpression term = plain_constant(entry, unit);
     warn_about_angle(reading_.model.warnings, {term.value, term.value}, unit, toml_.place(entry));
     return term;
   }

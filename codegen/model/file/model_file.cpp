@@ -10,6 +10,7 @@
 #include "codegen/model/constants.hpp"
 #include "codegen/model/file/read_file.hpp"
 #include "codegen/model/file/sections.hpp"
+#include "codegen/model/file/source_lines.hpp"
 #include "codegen/model/file/toml_limits.hpp"
 #include "codegen/model/mechanism/joint_limits.hpp"
 #include "codegen/model/names.hpp"
@@ -45,6 +46,27 @@ bool is_about_a_large_number(std::string_view description) {
   return false;
 }
 
+constexpr std::string_view kNumerals = "0123456789", kOperators = "+-*/^._()";
+constexpr std::string_view kLatinLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+
+bool is_in_expression(char c) {
+  return std::ranges::any_of(std::array{kNumerals, kOperators, kLatinLetters},
+                             [c](std::string_view some) { return some.find(c) != some.npos; });
+}
+
+/// Returns what stands where TOML stopped, if it seems to be an expression: 30deg, -pi/12.
+std::string expression_at(std::string_view text, const toml::source_position& at) {
+  const std::size_t stop = std::min(SourceLines(text).offset(at.line, at.column), text.size());
+  std::size_t begin = stop, end = stop;
+  while (begin > 0 && is_in_expression(text[begin - 1])) --begin;
+  while (end < text.size() && is_in_expression(text[end])) ++end;
+  const std::string word(text.substr(begin, end - begin));
+  const bool begins_so = word.starts_with("pi") || word.find_first_of("0123456789.+-(") == 0;
+  const bool goes_on_so =
+      word.find_first_of(kLatinLetters) != word.npos || word.find_first_of("*/^(") != word.npos;
+  return begins_so && goes_on_so ? word : "";
+}
+
 toml::table parse_toml(std::string_view text, const std::string& file) try {
   require_toml_limits(text, file);
   return toml::parse(text);
@@ -54,8 +76,10 @@ toml::table parse_toml(std::string_view text, const std::string& file) try {
     throw InputError(file, line,
                      "a number that TOML cannot hold (" + visible(error.description()) + ")",
                      "the number in a string, \"1e400\", where it may have 1000 digits");
-  throw InputError(file, line, "text that is not TOML (" + visible(error.description()) + ")",
-                   "TOML 1.0");
+  const std::string expression = expression_at(text, error.source().begin);
+  throw InputError(
+      file, line, "text that is not TOML (" + visible(error.description()) + ")",
+      expression.empty() ? "TOML 1.0" : "an expression as text, in quotes: \"" + expression + '"');
 }
 
 void check_version(const TomlReader& toml, const TomlEntry& root) {

@@ -286,7 +286,7 @@ class MotionReader {
       const std::size_t i = static_cast<std::size_t>(at);
       const std::string& unit = reading_.model.pose[i].unit;
       motion_.error[i] = nonnegative(given, number_unit(unit));
-      warn_about_angle(motion_.warnings, {motion_.error[i], motion_.error[i]}, unit,
+      warn_about_angle(motion_.warnings, {-motion_.error[i], motion_.error[i]}, unit,
                        toml_.place(given));
     }
   }

@@ -86,7 +86,7 @@ class SerialReader {
   void read_tolerances() {
     length_ = tolerance("length_tolerance", "lengths", NumberUnit::kPlain);
     angle_ = tolerance("angle_tolerance", "angles", angles());
-    warn_about_angle(reading_.model.warnings, {angle_.value, angle_.value}, angle_unit(),
+    warn_about_angle(reading_.model.warnings, {-angle_.value, angle_.value}, angle_unit(),
                      toml_.place(angle_.given));
     if (in_degrees_) angle_.value *= one_degree();
   }

@@ -33,7 +33,10 @@ GiNaC::matrix in_radians(const Model& model) {
 
 std::vector<SingularFactor> singular_factors(const Model& model) {
   if (model.matrix_kind != MatrixKind::kForward) return {};
-  const auto blocks = determinant_blocks(in_radians(model), model.pose);
+  std::vector<PoseParameter> pose = model.pose;
+  for (PoseParameter& p : pose)
+    if (is_in_degrees(p.unit)) p.unit = "rad";
+  const auto blocks = determinant_blocks(in_radians(model), pose);
   std::vector<SingularFactor> result;
   for (const DeterminantBlock& block : blocks) {
     if (!block.is_factored) return {};

@@ -180,7 +180,7 @@ class WaypointReader {
     }
   }
 
-  /// Warns of the first angle of a column that is beyond a turn.
+  /// Warns of the first angle of a column that is beyond a turn, or of a column wider than one.
   void warn_about_turns(const PoseParameter& p, const Course& course, double half_turn) {
     const std::size_t before = result_.warnings.size();
     for (std::size_t k = 0; k < course.values.size() && result_.warnings.size() == before; ++k) {
@@ -189,6 +189,10 @@ class WaypointReader {
       warn_about_angle(result_.warnings, {value, value}, p.unit,
                        {result_.file, table_.rows[k].line, p.name});
     }
+    if (result_.warnings.size() != before) return;
+    const auto [least, most] = std::minmax_element(course.values.begin(), course.values.end());
+    warn_about_angle(result_.warnings, {*least * course.factor, *most * course.factor}, p.unit,
+                     {result_.file, table_.heading_line, p.name});
   }
 
   void note_others() {

@@ -87,9 +87,7 @@ bool is_empty(const Bound& bound) {
 std::string subject_of(const Bound& bound, const Component& c) {
   const std::string words =
       c.label.empty() ? bound.quantity.name : fmt::format("{} of {}", bound.quantity.name, c.label);
-  const bool has_bars =
-      c.is_absolute && c.part == PosePart::kColumn && !traits_of(c.kind).is_never_negative;
-  return has_bars ? "|" + words + "|" : words;
+  return in_bars(words, c);
 }
 
 std::string claim_words(const Request& request, const Component& c) {
@@ -174,7 +172,7 @@ void tell_limit(const Request& request, const Bound& bound, const BoundSettings&
   facts.add("verdict", word_of_verdict(bound.verdict())).add("claim", nullptr);
   if (const ComponentBound* c = exceeded(bound)) say_place("exceeded", *c, facts);
   if (bound.verdict() != LimitVerdict::kWithin) return;
-  const std::string claim = fmt::format("{} is within the limit, {}", bound.quantity.name,
+  const std::string claim = fmt::format("{}, {}", describe_limit(bound.quantity, *settings.limit),
                                         claim_words(request, bound.components.front().component));
   facts.tell("claim", claim, "proved", claim);
 }
@@ -253,13 +251,22 @@ EndTexts end_texts(const ComponentBound& c) {
   return {attained, proved};
 }
 
+std::string format_asked(const Request& request, const Quantity& quantity,
+                         const std::optional<GiNaC::ex>& limit) {
+  Facts bound(Readers::kPeople);
+  bound.say("bound", quantity.name);
+  if (limit) bound.say("limit", describe_limit(quantity, *limit));
+  return describe_request(request) + bound.text();
+}
+
 std::string format_component(const ComponentBound& c, bool has_limit) {
   std::string words = has_limit        ? word_of_verdict(c.verdict)
                       : c.is_unbounded ? "unbounded"
                                        : describe_ends(c.attained ? &c : nullptr,
                                                        c.proved ? &c : nullptr, gap_of(c), false);
   if (!c.reason.empty()) words += "; " + c.reason;
-  return fmt::format("{:<10} {:<44} {:>7} boxes {:>7.2f} s\n", c.component.label, words, c.boxes,
+  return fmt::format("{:<10} {:<44} {:>7} {:<5} {:>7.2f} s\n", c.component.label, words, c.boxes,
+                     c.boxes == 1 ? "box" : "boxes",
                      c.seconds.before_search() - c.seconds.model + c.seconds.search);
 }
 

@@ -20,6 +20,10 @@ struct EndTexts {
 };
 [[nodiscard]] EndTexts end_texts(const ComponentBound& component);
 
+/// Returns the lines about the question: model, motion, the set of the claim, the quantity, its limit.
+[[nodiscard]] std::string format_asked(const Request& request, const Quantity& quantity,
+                                       const std::optional<GiNaC::ex>& limit);
+
 /// Returns one line about a component.
 [[nodiscard]] std::string format_component(const ComponentBound& component, bool has_limit);
 
@@ -32,7 +36,7 @@ struct EndTexts {
 void tell_bracket(const Request& request, const Bound& bound, const BoundSettings& settings,
                   Facts& facts);
 
-/// Tells all but the lines of format_component(), which people read before.
+/// Tells all but the lines of format_asked() and format_component(), which people read before.
 void tell_bound(const Request& request, const Bound& bound, const BoundSettings& settings,
                 Facts& facts);
 

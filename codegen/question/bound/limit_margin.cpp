@@ -8,6 +8,7 @@
 #include "codegen/model/way/trajectory.hpp"
 #include "codegen/question/bound/bound_run.hpp"
 #include "codegen/question/bound/bracket_question.hpp"
+#include "codegen/question/bound/quantity_report.hpp"
 #include "codegen/question/bound/way_place.hpp"
 #include "codegen/question/margin/variety_attempts.hpp"
 #include "codegen/question/way/path_attempts.hpp"

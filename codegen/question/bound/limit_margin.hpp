@@ -53,10 +53,7 @@ struct LimitMargin {
                                        Quantity quantity, const LimitMarginSettings& settings,
                                        const StepListener& listener);
 
-/// Returns "sigma-max < 2", for example.
-[[nodiscard]] std::string describe_limit(const Quantity& quantity, const GiNaC::ex& limit);
-
-/// Returns "WITHIN UP TO 0.643, EXCEEDED AT 0.645", for example.
+/// Returns "WITHIN UP TO 0.643 rad, EXCEEDED AT 0.645 rad", for example.
 [[nodiscard]] std::string describe_limit_bracket(const MarginQuestion& question,
                                                  const LimitMargin& margin);
 

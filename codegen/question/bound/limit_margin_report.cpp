@@ -63,18 +63,13 @@ void tell_components(const LimitMargin& margin, Facts& facts) {
 
 }  // namespace
 
-std::string describe_limit(const Quantity& quantity, const GiNaC::ex& limit) {
-  return fmt::format("{} {} {}{}", quantity.name, quantity.is_least ? ">" : "<",
-                     formula_text(limit), quantity.unit == "1" ? "" : " " + quantity.unit);
-}
-
 std::string describe_limit_bracket(const MarginQuestion& question, const LimitMargin& margin) {
   const auto &within = margin.whole.certified, &exceeded = margin.whole.refuted;
   const ComponentMargin* c = exceeding(margin);
   const std::string unit = unit_suffix(question.unit);
   const std::string name = c ? in_brackets(c->component.label) : "";
   if (within && exceeded)
-    return fmt::format("WITHIN UP TO {}, EXCEEDED AT {}{}{}", within->value.text,
+    return fmt::format("WITHIN UP TO {0}{2}, EXCEEDED AT {1}{2}{3}", within->value.text,
                        exceeded->value.text, unit, name);
   if (exceeded) return fmt::format("EXCEEDED AT {}{}{}", exceeded->value.text, unit, name);
   if (!within && margin.whole.empty)
@@ -89,7 +84,13 @@ void tell_limit_margin(const Request& request, const MarginQuestion& question,
                        const LimitMargin& margin, const LimitMarginSettings& settings,
                        Facts& facts) {
   const std::string limit = describe_limit(margin.quantity, settings.limit);
-  tell_model(request, facts);
+  if (request.motion.trajectory) {
+    add_model(request, facts);
+    if (facts.are_for_people()) facts.say_lines(describe_request(before_growth(request, question)));
+  } else {
+    tell_model(request, facts);
+    say_set(request, question, facts);
+  }
   facts.say("margin", describe_range(question)).tell("limit", limit, "limit", limit);
   facts.add("limit_exact", formula_text(settings.limit));
   facts.add("quantity", json_quantity(request.model, margin.quantity));

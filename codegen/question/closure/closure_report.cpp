@@ -330,7 +330,7 @@ void tell_closure(const PreparedClosure& prepared, const SearchOptions& search,
   facts.add("verdict", json_name(check.verdict));
   const bool is_decided = check.verdict != Verdict::kPossibleProblem;
   facts.add("reason", is_decided ? describe(check.reason) : reason_of(found));
-  tell_question(p, facts);
+  tell_question(p, prepared.request, facts);
   tell_branch(prepared, found, facts);
   if (facts.are_for_programs()) add_search(search, json_question(prepared.request, search), facts);
   tell_method(p, search, check.method, check.statistics.boxes, facts);

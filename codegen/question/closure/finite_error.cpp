@@ -151,6 +151,7 @@ class ErrorGoal {
                          ? kInfinity
                          : std::fmax(settled_, open_.empty() ? 0 : open_.top().upper);
     result_.is_closed = is_low(result_.proved);
+    if (!result_.is_closed) result_.stopped_by = course_.stopped_by();
     result_.boxes = course_.boxes();
   }
 

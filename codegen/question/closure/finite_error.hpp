@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct FiniteError {
   double attained = 0, proved = std::numeric_limits<double>::infinity();  ///< rounded outward
   std::vector<Interval> place{};  ///< where `attained` is: parameters and errors
   bool is_closed = false;
+  std::optional<Reason> stopped_by{};  ///< what ended the search before it was closed
   std::uint64_t boxes = 0;
 };
 

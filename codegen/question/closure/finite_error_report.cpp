@@ -9,6 +9,7 @@
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/question_report.hpp"
 #include "codegen/answer/report/search_facts.hpp"
+#include "codegen/answer/report/set_facts.hpp"
 #include "codegen/model/exact/exact_double.hpp"
 #include "codegen/question/bound/bound_number.hpp"
 
@@ -17,13 +18,24 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string end_text(double x, RoundTo side) {
-  return std::isfinite(x) ? rounded_text(end_at(exact_number(x)), side) : "infinity";
+/// Returns "between 0.1 and 0.2 rad"; "at least 0.1 rad" if nothing is proved.
+std::string bracket_text(const FiniteError& error, bool in_capitals = false) {
+  const auto text = [](double x, RoundTo side) {
+    return rounded_text(end_at(exact_number(x)), side);
+  };
+  const std::string attained = text(error.attained, RoundTo::kBelow);
+  const std::string unit = unit_suffix(error.unit);
+  if (!std::isfinite(error.proved))
+    return fmt::format("{} {}{}", in_capitals ? "AT LEAST" : "at least", attained, unit);
+  return fmt::format("{} {} {} {}{}", in_capitals ? "BETWEEN" : "between", attained,
+                     in_capitals ? "AND" : "and", text(error.proved, RoundTo::kAbove), unit);
 }
 
-std::string bracket_text(const FiniteError& error, const char* conjunction) {
-  return fmt::format("{} {} {}{}", end_text(error.attained, RoundTo::kBelow), conjunction,
-                     end_text(error.proved, RoundTo::kAbove), unit_suffix(error.unit));
+/// Returns why a bracket is wider than wanted; empty: it is not.
+std::string why_open(const FiniteError& error) {
+  if (error.is_closed) return "";
+  return error.stopped_by ? describe(*error.stopped_by)
+                          : "boxes at the least width are too wide for a narrower bracket";
 }
 
 Json json_error(const FiniteErrors& found, const FiniteError& error) {
@@ -36,6 +48,7 @@ Json json_error(const FiniteErrors& found, const FiniteError& error) {
           {"proved", std::isfinite(error.proved) ? Json(error.proved) : Json(nullptr)},
           {"at", std::move(at)},
           {"closed", error.is_closed},
+          {"reason", error.is_closed ? Json(nullptr) : Json(why_open(error))},
           {"boxes", error.boxes}};
 }
 
@@ -47,11 +60,15 @@ std::string place_text(const FiniteErrors& found, const FiniteError& error) {
   return text;
 }
 
+/// Empty: nothing is proved of any unknown.
 std::string describe_claim(const FiniteErrors& found) {
   std::string claim;
   for (const FiniteError& error : found.unknowns)
-    claim += fmt::format("{}|error of {}| <= {}{}", claim.empty() ? "" : ", ", error.name,
-                         end_text(error.proved, RoundTo::kAbove), unit_suffix(error.unit));
+    if (std::isfinite(error.proved))
+      claim += fmt::format("{}|error of {}| <= {}{}", claim.empty() ? "" : ", ", error.name,
+                           rounded_text(end_at(exact_number(error.proved)), RoundTo::kAbove),
+                           unit_suffix(error.unit));
+  if (claim.empty()) return "";
   return claim + " on the branch, at every pose and for all errors within their spreads";
 }
 
@@ -61,8 +78,8 @@ std::string describe_result(const FiniteErrors& found) {
   if (!found.obstacle.empty()) return "NOT BOUNDED";
   std::string text;
   for (const FiniteError& error : found.unknowns)
-    text += fmt::format("{}{} ({})", text.empty() ? "BETWEEN " : ", ", bracket_text(error, "AND"),
-                        error.name);
+    text +=
+        (text.empty() ? "" : ", ") + fmt::format("{} ({})", bracket_text(error, true), error.name);
   return text;
 }
 
@@ -70,6 +87,7 @@ void tell_finite_errors(const Request& request, const SearchOptions& search,
                         const FiniteErrors& found, double gap, bool is_closed, Facts& facts) {
   facts.add("verdict", is_closed ? "closed" : found.folds.empty() ? "open" : "refuted");
   tell_model(request, facts);
+  say_set(request, facts);
   facts.say("bound", "error of each unknown, finite: |p(x, e) - p(x, 0)| for all errors e");
   std::uint64_t boxes = found.boxes;
   Json errors = Json::array();
@@ -77,8 +95,9 @@ void tell_finite_errors(const Request& request, const SearchOptions& search,
     boxes += error.boxes;
     errors.push_back(json_error(found, error));
     facts.say(error.name,
-              fmt::format("between {}, {} boxes", bracket_text(error, "and"), error.boxes));
+              fmt::format("{}, {}", bracket_text(error), counted(error.boxes, "box", "boxes")));
     facts.say("", place_text(found, error));
+    facts.say("", why_open(error));
   }
   facts.add("errors", std::move(errors)).add("gap_wanted", gap);
   facts.tell("boxes", boxes, "boxes", fmt::format("{} evaluated", boxes));
@@ -87,8 +106,7 @@ void tell_finite_errors(const Request& request, const SearchOptions& search,
   facts.add("obstacle", nullptr).add("claim", nullptr);
   if (!found.obstacle.empty()) {
     facts.tell("obstacle", found.obstacle, "none", found.obstacle);
-  } else {
-    const std::string claim = describe_claim(found);
+  } else if (const std::string claim = describe_claim(found); !claim.empty()) {
     facts.tell("claim", claim, "claim", claim);
   }
   if (facts.are_for_programs()) add_search(search, json_question(request, search), facts);

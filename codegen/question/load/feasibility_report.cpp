@@ -21,6 +21,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kFormatVersion = 1;
+
+std::vector<std::string> units_of_twist(const Model& model) {
+  std::vector<std::string> units;
+  for (const TwistComponent& c : twist_of(model)) units.push_back(c.unit);
+  return units;
+}
+
 /// Returns the direction with a largest component of ±1, and the two numbers for it. It is that of a twist:
 /// the numbers are of work.
 std::string format_direction(const Model& model, const Shortage& s) {
@@ -29,8 +36,7 @@ std::string format_direction(const Model& model, const Shortage& s) {
   for (const double y : s.direction) most = std::fmax(most, std::fabs(y));
   std::vector<double> shown;
   for (const double y : s.direction) shown.push_back(std::fabs(y) > kNoise * most ? y / most : 0.0);
-  std::vector<std::string> units;
-  for (const TwistComponent& c : twist_of(model)) units.push_back(c.unit);
+  const std::vector<std::string> units = units_of_twist(model);
   const std::string unit = unit_suffix(unit_of_work(model));
   return fmt::format("along {}, approximately, it needs {:.5g}{}, the forces give at most {:.5g}{}",
                      vector_text(shown, units), s.needed.lo / most, unit, s.possible.hi / most,
@@ -87,7 +93,8 @@ void tell_volumes(const PreparedForces& prepared, const ForceVolumes& volumes, F
     const std::uint64_t boxes = volumes.of(claim).boxes;
     kinds[name(claim)] = {{"boxes", boxes}, {"fraction", json_interval(volumes.fraction(claim))}};
     if (claim != ForceClaim::kOutside || prepared.preparation.labels.constraints > 0)
-      facts.say(name(claim), fmt::format("{} in {} boxes", volumes.percentage(claim), boxes));
+      facts.say(name(claim),
+                fmt::format("{} in {}", volumes.percentage(claim), counted(boxes, "box", "boxes")));
   }
   facts.add("boxes_by_claim", std::move(kinds));
 }
@@ -157,14 +164,18 @@ std::string describe_reason(const PreparedForces& prepared, const FeasibilityRes
 Json json_witness_of(const PreparedForces& prepared, const ForceWitness& witness) {
   const PreparedSearch& p = prepared.preparation;
   const Shortage& s = witness.shortage;
+  const Model& model = prepared.request.model;
   Json corner = Json::array();
   for (const Interval& w : prepared.forces.corners[s.corner]) corner.push_back(json_interval(w));
   return {{"parameters", json_parameters(p, witness.variables)},
           {"uncertain", json_uncertain(p, witness.variables)},
           {"wrench", corner},
+          {"wrench_units", units_of_wrench(model, twist_of(model))},
           {"direction", s.direction},
+          {"direction_units", units_of_twist(model)},
           {"needed", json_interval(s.needed)},
-          {"possible", json_interval(s.possible)}};
+          {"possible", json_interval(s.possible)},
+          {"work_unit", unit_of_work(model)}};
 }
 
 const char* json_word(FeasibilityVerdict verdict) noexcept {
@@ -230,7 +241,7 @@ void tell_forces(const PreparedForces& prepared, const FeasibilityResult& result
                  const ForceVolumes* volumes, Facts& facts) {
   const PreparedSearch& p = prepared.preparation;
   facts.add("verdict", json_word(result.verdict));
-  tell_question(p, facts);
+  tell_question(p, prepared.request, facts);
   tell_load(prepared, facts);
   if (volumes != nullptr) tell_volumes(prepared, *volumes, facts);
   facts.tell("boxes", result.boxes, "boxes", fmt::format("{} evaluated", result.boxes));

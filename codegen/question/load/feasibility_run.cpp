@@ -2,6 +2,7 @@
 #include "codegen/question/load/feasibility_run.hpp"
 
 #include "codegen/answer/report/question_report.hpp"
+#include "codegen/model/mechanism/twist.hpp"
 #include "codegen/question/bound/bound_run.hpp"
 #include "codegen/question/engine/search_run.hpp"
 #include "codegen/support/errors.hpp"
@@ -27,7 +28,8 @@ nlohmann::ordered_json checkpointed_question(const PreparedForces& prepared,
   question.erase("options");  // they change how long it takes
   question.erase("pose_exact");
   question.erase("constraints_exact");
-  question["load"] = json_vector_set(prepared.set());
+  question["load"] = json_vector_set(
+      prepared.set(), units_of_wrench(prepared.request.model, twist_of(prepared.request.model)));
   for (const Interval& limit : prepared.forces.certain)
     question["forces"].push_back({limit.lo, limit.hi});
   question["paves"] = settings.paves;

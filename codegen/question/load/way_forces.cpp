@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "codegen/answer/report/question_report.hpp"
+#include "codegen/model/mechanism/twist.hpp"
 #include "codegen/model/way/trajectory.hpp"
 #include "codegen/question/load/way_force_stage.hpp"
 #include "codegen/question/way/margin_checkpoint.hpp"
@@ -78,7 +79,8 @@ WayForces check_forces_along_way(Request request, double model_seconds, const st
 nlohmann::ordered_json checkpointed_question(const Request& request, const SearchOptions& search,
                                              const std::string& load) {
   nlohmann::ordered_json question = checkpointed_question(request, search);
-  question["load"] = json_vector_set(choose_load(request.model, load));
+  question["load"] = json_vector_set(choose_load(request.model, load),
+                                     units_of_wrench(request.model, twist_of(request.model)));
   return question;
 }
 

@@ -92,7 +92,8 @@ std::string describe_reason(const WayForces& found) {
 void tell_way_forces(const WayForces& found, Facts& facts) {
   const PreparedForces& hull = found.hull;
   facts.add("verdict", json_word(found.verdict));
-  tell_way(found.request, uncertain_count(hull.preparation), "", facts);
+  tell_way(found.request, facts);
+  say_uncertain_geometry(hull.preparation, facts);
   tell_load(hull, facts);
   facts.add("boxes", found.boxes);
   facts.tell("searched_alone", found.searched_alone, "boxes",

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "codegen/answer/certificate/piece_question.hpp"
+#include "codegen/answer/report/number_text.hpp"
 #include "codegen/kernel/formulation/variable_ranges.hpp"
 #include "codegen/model/constants.hpp"
 #include "codegen/model/drawing.hpp"
@@ -27,6 +28,10 @@ MarginValue read_value(const std::string& text, const char* option) {
   from_option(option, [&] {
     const Place place{.file = "", .key = option};
     const ParsedExpression term = parse_constant(text, place);
+    if (std::string_view(option) == "--grow" && certain_sign(term.value) == CertainSign::kNegative)
+      throw UsageError("--grow: '" + text +
+                       "' is below 0, and the values of a margin begin at 0 or above; they are the "
+                       "upper end of the range, whose lower end stays as in the motion");
     value.exact = checked_nonnegative(term, place);
     value.must_be_defined = term.must_be_defined;
     value.approx = approx_value(value.exact).value_or(0);
@@ -291,12 +296,12 @@ std::set<std::string> MarginRequest::with_control_errors() const {
   return names;
 }
 
-Request MarginRequest::grown_to(const MarginValue& value) const {
-  Request request = nominal_;
-  switch (question_.quantity) {
+Request grown(const Request& nominal, const MarginQuestion& question, const MarginValue& value) {
+  Request request = nominal;
+  switch (question.quantity) {
     case MarginQuantity::kTolerance:
       from_option("--tolerance",
-                  [&] { set_tolerance(request.model, question_.groups, value.exact); });
+                  [&] { set_tolerance(request.model, question.groups, value.exact); });
       break;
     case MarginQuantity::kAlpha:
       from_option("--alpha", [&] { set_alpha(request.motion, value.exact); });
@@ -305,14 +310,20 @@ Request MarginRequest::grown_to(const MarginValue& value) const {
       scale_ranges(request.motion, value.exact);
       break;
     case MarginQuantity::kParameter:
-      set_parameter(request.motion, question_, value.exact);
+      set_parameter(request.motion, question, value.exact);
       break;
     case MarginQuantity::kTube:
       from_option("--tube",
-                  [&] { set_tube(request.model, request.motion, question_.groups + value.text); });
+                  [&] { set_tube(request.model, request.motion, question.groups + value.text); });
       break;
   }
   return request;
+}
+
+Request before_growth(const Request& nominal, const MarginQuestion& question) {
+  const bool grows_from_0 =
+      question.quantity == MarginQuantity::kTolerance || question.quantity == MarginQuantity::kTube;
+  return grows_from_0 ? grown(nominal, question, decimal_value(0)) : nominal;
 }
 
 void MarginRequest::replan(PreparedSearch& p, const MarginValue& value) const {
@@ -345,6 +356,17 @@ std::string unit_of_values(const Request& request, const MarginQuestion& questio
     for (const MotionParameter& p : request.motion.parameters)
       if (is_named(p.name)) units.insert(p.unit);
   return units.size() == 1 && *units.begin() != "1" ? *units.begin() : "";
+}
+
+std::string describe_growing_range(const Request& nominal, const MarginQuestion& question) {
+  Motion motion = nominal.motion;
+  const MotionParameter& p = *find_parameter(motion, question.groups);
+  const std::string low =
+      question.is_two_sided ? "-v" : shortest_text_in(enclose_constant(p.range.lo, p.name));
+  return fmt::format(
+      "{} {}{}, v grows", p.name,
+      !question.is_two_sided && is_size(motion, p) ? "= v" : fmt::format("in [{}, v]", low),
+      unit_suffix(p.unit));
 }
 
 std::string describe_quantity(const MarginQuestion& question) {

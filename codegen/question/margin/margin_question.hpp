@@ -41,9 +41,10 @@ struct MarginQuestion {
   bool beyond_limits = false;  ///< the ranges may leave the limits of the joints
   MarginValue low;
   std::optional<MarginValue> high;
-  std::string unit{};     ///< of the values, a label; empty: none, or not known
-  std::string limit{};    ///< "force in leg 3 < 20", what must hold; empty: no singularity
-  QuestionAbout about{};  ///< that the limit holds; empty: the request itself
+  std::string unit{};          ///< of the values, a label; empty: none, or not known
+  std::string limit{};         ///< "force in leg 3 < 20", what must hold; empty: no singularity
+  bool has_threshold = false;  ///< |det J⁻¹| is compared with more than 0
+  QuestionAbout about{};       ///< that the limit holds; empty: the request itself
   /// What a certificate is about, at a request that has grown; empty: that this is regular.
   std::function<CertifiedMotion(const Request& grown)> certified{};
 };
@@ -61,6 +62,10 @@ struct MarginQuestion {
 
 /// Returns the label of the unit in which the values are; empty if they have none, or not one.
 [[nodiscard]] std::string unit_of_values(const Request& request, const MarginQuestion& question);
+
+/// Returns the request with the quantity at a value.
+[[nodiscard]] Request grown(const Request& nominal, const MarginQuestion& question,
+                            const MarginValue& value);
 
 /// The ranges of a request as read; scales refer to them.
 class MarginRequest {
@@ -84,7 +89,9 @@ class MarginRequest {
   void replan(PreparedSearch& p, const MarginValue& value) const;
 
  private:
-  [[nodiscard]] Request grown_to(const MarginValue& value) const;
+  [[nodiscard]] Request grown_to(const MarginValue& value) const {
+    return grown(nominal_, question_, value);
+  }
   void require_growth() const;
   void require_plain_tube() const;
   void require_limits() const;
@@ -92,6 +99,13 @@ class MarginRequest {
   Request nominal_;
   MarginQuestion question_;
 };
+
+/// Returns the request with the tolerance or the control error that grows at 0. Ranges and threshold are
+/// those of the request.
+[[nodiscard]] Request before_growth(const Request& nominal, const MarginQuestion& question);
+/// Returns "psi in [-1, v] deg, v grows": the range of a parameter that grows.
+[[nodiscard]] std::string describe_growing_range(const Request& nominal,
+                                                 const MarginQuestion& question);
 
 /// Returns "tolerance of base,platform", for example.
 [[nodiscard]] std::string describe_quantity(const MarginQuestion& question);

@@ -3,11 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "codegen/answer/report/number_text.hpp"
+#include "codegen/answer/report/place_text.hpp"
 #include "codegen/answer/report/question_report.hpp"
 #include "codegen/answer/report/search_facts.hpp"
+#include "codegen/answer/report/set_facts.hpp"
 #include "codegen/answer/report/witness_report.hpp"
 #include "codegen/model/exact/decimal.hpp"
 
@@ -57,17 +60,49 @@ Json json_question(const MarginQuestion& question) {
   return object;
 }
 
-Json json_steps(const Margin& margin) {
+/// A limit, or a threshold, is exceeded where the matrix need not be singular.
+const char* word_of_step(const MarginQuestion& question, Verdict verdict) {
+  if (verdict == Verdict::kPossibleProblem) return name(verdict);
+  const bool holds = verdict == Verdict::kNoSingularity;
+  if (!question.limit.empty()) return holds ? "WITHIN" : "EXCEEDED";
+  if (question.has_threshold) return holds ? "SAFE" : "NOT SAFE";
+  return name(verdict);
+}
+
+const char* json_word_of_step(const MarginQuestion& question, Verdict verdict) {
+  if (question.limit.empty() || verdict == Verdict::kPossibleProblem) return json_name(verdict);
+  return verdict == Verdict::kNoSingularity ? "within" : "exceeded";
+}
+
+/// What a limit's search says of its own matrix means nothing to who asked for the limit.
+const char* reason_of_step(const MarginQuestion& question, const Result& result) {
+  if (!question.limit.empty() && result.verdict == Verdict::kSingularity)
+    return "a pose where the limit is reached";
+  return describe(result.reason);
+}
+
+Json json_steps(const MarginQuestion& question, const Margin& margin) {
   Json steps = Json::array();
   for (const MarginStep& step : margin.steps)
     steps.push_back({{"value", step.value.approx},
                      {"exact", step.value.text},
-                     {"verdict", json_name(step.result.verdict)},
-                     {"reason", describe(step.result.reason)},
+                     {"verdict", json_word_of_step(question, step.result.verdict)},
+                     {"reason", reason_of_step(question, step.result)},
                      {"nonempty", json_occupancy(step.result)},
                      {"boxes", step.result.statistics.boxes},
                      {"seconds", step.result.statistics.seconds}});
   return steps;
+}
+
+/// Removes a variable of the motion.
+void leave_out(SearchSubject& set, const std::string& name) {
+  auto& variables = set.labels.variables;
+  const auto at = std::ranges::find(variables, name, &VariableLabel::name);
+  if (at == variables.end()) return;
+  const auto index = at - variables.begin();
+  variables.erase(at);
+  set.variety.outer.erase(set.variety.outer.begin() + index);
+  set.variety.inner.erase(set.variety.inner.begin() + index);
 }
 
 std::string reason_to_end(const Margin& margin) {
@@ -83,8 +118,8 @@ std::string describe_bracket(const MarginQuestion& question, const Margin& margi
   const std::optional<MarginStep>& refuted = margin.refuted;
   const std::string unit = unit_suffix(question.unit);
   if (certified && refuted)
-    return fmt::format("SAFE UP TO {}, NOT AT {}{}", certified->value.text, refuted->value.text,
-                       unit);
+    return fmt::format("SAFE UP TO {0}{2}, NOT AT {1}{2}", certified->value.text,
+                       refuted->value.text, unit);
   if (refuted) return fmt::format("NOT SAFE AT {}{}", refuted->value.text, unit);
   if (!certified && margin.empty)
     return fmt::format("NO POSE REMAINS UP TO {}{}", margin.empty->value.text, unit);
@@ -94,11 +129,12 @@ std::string describe_bracket(const MarginQuestion& question, const Margin& margi
                      all ? "" : ", NOTHING KNOWN ABOVE");
 }
 
-std::string format_step(const MarginStep& step) {
+std::string format_step(const MarginQuestion& question, const MarginStep& step) {
   const Result& result = step.result;
   std::string line =
-      fmt::format("{:<10} {:<16} {:>9} boxes {:>8.2f} s", step.value.text, name(result.verdict),
-                  result.statistics.boxes, result.statistics.seconds);
+      fmt::format("{:<10} {:<16} {:>9} {:<5} {:>8.2f} s", step.value.text,
+                  word_of_step(question, result.verdict), result.statistics.boxes,
+                  result.statistics.boxes == 1 ? "box" : "boxes", result.statistics.seconds);
   if (result.verdict == Verdict::kPossibleProblem)
     line += fmt::format("   {}", describe(result.reason));
   if (result.verdict == Verdict::kSingularity && result.statistics.boxes == 0)
@@ -117,8 +153,24 @@ std::string describe_range(const MarginQuestion& question) {
                      question.unit.empty() ? "" : ", in " + question.unit);
 }
 
-void say_end(const std::optional<MarginStep>& step, Facts& facts) {
-  if (step) facts.say(fmt::format("at {}:", step->value.text), step->claim);
+void say_set(const Request& nominal, const MarginQuestion& question, Facts& facts) {
+  if (!facts.are_for_people()) return;
+  SearchSubject set = set_of(before_growth(nominal, question)).subject;
+  if (question.quantity == MarginQuantity::kParameter) {
+    facts.say("", describe_growing_range(nominal, question));
+    leave_out(set, question.groups);
+  }
+  say_poses(set, nominal, facts);
+  say_where(set, facts);
+  // The quantity that grows is uncertain, too.
+  if (uncertain_count(set) > 0 || (question.quantity != MarginQuantity::kTolerance &&
+                                   question.quantity != MarginQuantity::kTube))
+    say_uncertain(set, facts);
+}
+
+void say_end(const MarginQuestion& question, const std::optional<MarginStep>& step, Facts& facts) {
+  if (step)
+    facts.say(fmt::format("at {}{}:", step->value.text, unit_suffix(question.unit)), step->claim);
 }
 
 void tell_gap(const Margin& margin, double gap_wanted, Facts& facts) {
@@ -130,8 +182,8 @@ void add_bracket(const MarginQuestion& question, const Margin& margin, Facts& fa
   std::string claim;
   for (const auto* step : {&margin.certified, &margin.refuted})
     if (*step)
-      claim += fmt::format("{}at {}: {}", claim.empty() ? "" : "; ", (*step)->value.text,
-                           (*step)->claim);
+      claim += fmt::format("{}at {}{}: {}", claim.empty() ? "" : "; ", (*step)->value.text,
+                           unit_suffix(question.unit), (*step)->claim);
   facts.add("claim", claim.empty() ? Json(nullptr) : Json(claim));
   facts.add("verdict", verdict_of(question, margin)).add("reason", reason_to_end(margin));
   facts.add("margin", json_question(question)).add("bracket", describe_bracket(question, margin));
@@ -145,22 +197,26 @@ void add_bracket(const MarginQuestion& question, const Margin& margin, Facts& fa
   facts.add("refuted", json_value(margin.refuted, true));
   facts.add("refuted_exact", json_text(margin.refuted));
   facts.add("refuted_claim", margin.refuted ? Json(margin.refuted->claim) : Json(nullptr));
-  facts.add("closed", margin.closed).add("boxes", margin.boxes).add("steps", json_steps(margin));
+  facts.add("closed", margin.closed)
+      .add("boxes", margin.boxes)
+      .add("steps", json_steps(question, margin));
 }
 
 void tell_margin(const PreparedSearch& p, const SearchOptions& search, const Request& nominal,
                  const MarginQuestion& question, const Margin& margin, double gap_wanted,
                  Facts& facts) {
   tell_model(p, facts);
+  say_set(nominal, question, facts);
   facts.say("margin", describe_range(question));
   tell_method(p, search, search.method, margin.boxes, facts);
-  facts.say("boxes", fmt::format("{} evaluated at {} values", margin.boxes, margin.steps.size()));
+  facts.say("boxes", fmt::format("{} evaluated at {}", margin.boxes,
+                                 counted(margin.steps.size(), "value", "values")));
   tell_time(p.seconds_spent(), facts);
-  say_end(margin.empty, facts);
-  say_end(margin.certified, facts);
+  say_end(question, margin.empty, facts);
+  say_end(question, margin.certified, facts);
   if (margin.certified) tell_occupancy(margin.certified->result, facts);
   add_bracket(question, margin, facts);
-  say_end(margin.refuted, facts);
+  say_end(question, margin.refuted, facts);
   tell_witness(p, margin.refuted ? margin.refuted->result : Result{}, facts);
   tell_gap(margin, gap_wanted, facts);
   facts.say("ended", reason_to_end(margin));

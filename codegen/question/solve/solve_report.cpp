@@ -14,6 +14,7 @@
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/model/place.hpp"
+#include "codegen/question/solve/own_pose.hpp"
 
 namespace regulus {
 namespace {
@@ -83,21 +84,48 @@ std::string heading_of(const SolvedUnknown& unknown) {
   return unknown.unit == "1" ? unknown.name : fmt::format("{} [{}]", unknown.name, unknown.unit);
 }
 
-void say_table(const Solutions& solutions, const SolvedNoun& noun, Facts& facts) {
+/// The numbers of a solution as people read them, and their names.
+std::vector<SolvedUnknown> shown_unknowns(const Solutions& solutions, const OwnPose& own) {
+  return own.has_angles() ? own.parameters() : solutions.unknowns;
+}
+
+std::vector<Interval> shown_values(const std::vector<Interval>& values, const OwnPose& own) {
+  return own.has_angles() ? own.at(values) : values;
+}
+
+/// Where angles are not determined, the quaternion is.
+void say_quaternions(const Solutions& solutions, const OwnPose& own, const SolvedNoun& noun,
+                     Facts& facts) {
+  if (!own.has_angles()) return;
+  for (std::size_t i = 0; i < solutions.found.size(); ++i) {
+    const std::vector<Interval>& values = solutions.found[i].values;
+    if (!own.is_ambiguous(values)) continue;
+    std::string quaternion;
+    for (std::size_t k = 3; k < values.size(); ++k)
+      quaternion += fmt::format("{}{} = {}", k == 3 ? "" : ", ", solutions.unknowns[k].name,
+                                certain_text(values[k]));
+    facts.say("", fmt::format("{} {}: several angles mean its rotation, the quaternion {}",
+                              noun.one, i + 1, quaternion));
+  }
+}
+
+void say_table(const Solutions& solutions, const OwnPose& own, const SolvedNoun& noun,
+               Facts& facts) {
   if (solutions.found.empty()) return;
   const bool has_limits = std::ranges::any_of(solutions.found, [](const CertainSolution& s) {
     return s.limits != WithinLimits::kNoLimits;
   });
   Table table;
   std::vector<std::string> row = {"#"};
-  for (const SolvedUnknown& unknown : solutions.unknowns) row.push_back(heading_of(unknown));
+  for (const SolvedUnknown& unknown : shown_unknowns(solutions, own))
+    row.push_back(heading_of(unknown));
   row.insert(row.end(), {"det", "condition"});
   if (has_limits) row.emplace_back("limits");
   table.add(row);
   for (std::size_t i = 0; i < solutions.found.size(); ++i) {
     const CertainSolution& s = solutions.found[i];
     row = {std::to_string(i + 1)};
-    for (const Interval& value : s.values) row.push_back(certain_text(value));
+    for (const Interval& value : shown_values(s.values, own)) row.push_back(certain_text(value));
     row.insert(row.end(), {sign_text(s.sign), fmt::format("{:.3g}", s.condition)});
     if (has_limits) row.emplace_back(limits_text(s.limits));
     table.add(row);
@@ -107,28 +135,31 @@ void say_table(const Solutions& solutions, const SolvedNoun& noun, Facts& facts)
   for (std::size_t i = 0; i < solutions.found.size(); ++i)
     if (!solutions.found[i].beyond.empty())
       facts.say("", fmt::format("{} {}: {}", noun.one, i + 1, solutions.found[i].beyond));
+  say_quaternions(solutions, own, noun, facts);
   facts.say("", fmt::format("det: the sign of the determinant of {}; condition: its condition "
                             "number in the 2-norm, approximately",
                             noun.matrix));
 }
 
-Json json_values(const Solutions& solutions, const std::vector<Interval>& values) {
+Json json_values(const std::vector<SolvedUnknown>& unknowns, const std::vector<Interval>& values) {
   Json result = Json::object();
   for (std::size_t i = 0; i < values.size(); ++i)
-    result[solutions.unknowns[i].name] = json_interval(values[i]);
+    result[unknowns[i].name] = json_interval(values[i]);
   return result;
 }
 
-Json json_solution(const Solutions& solutions, const CertainSolution& s) {
-  return {{"values", json_values(solutions, s.values)},
-          {"determinant", s.sign > 0   ? "positive"
-                          : s.sign < 0 ? "negative"
-                                       : "unknown"},
-          {"condition", std::isfinite(s.condition) ? Json(s.condition) : Json(nullptr)},
-          {"limits", s.limits == WithinLimits::kUnknown    ? "border"
-                     : s.limits == WithinLimits::kNoLimits ? "none"
-                                                           : limits_text(s.limits)},
-          {"beyond", s.beyond.empty() ? Json(nullptr) : Json(s.beyond)}};
+Json json_solution(const Solutions& solutions, const OwnPose& own, const CertainSolution& s) {
+  Json result = {{"values", json_values(solutions.unknowns, s.values)}};
+  if (own.has_angles()) result["pose"] = json_values(own.parameters(), own.at(s.values));
+  result.update(Json{{"determinant", s.sign > 0   ? "positive"
+                                     : s.sign < 0 ? "negative"
+                                                  : "unknown"},
+                     {"condition", std::isfinite(s.condition) ? Json(s.condition) : Json(nullptr)},
+                     {"limits", s.limits == WithinLimits::kUnknown    ? "border"
+                                : s.limits == WithinLimits::kNoLimits ? "none"
+                                                                      : limits_text(s.limits)},
+                     {"beyond", s.beyond.empty() ? Json(nullptr) : Json(s.beyond)}});
+  return result;
 }
 
 Json json_units(const std::vector<SolvedUnknown>& unknowns) {
@@ -137,11 +168,11 @@ Json json_units(const std::vector<SolvedUnknown>& unknowns) {
   return units;
 }
 
-void add_solutions(const Solutions& solutions, Facts& facts) {
+void add_solutions(const Solutions& solutions, const OwnPose& own, Facts& facts) {
   const bool is_whole = solutions.completeness == Completeness::kComplete;
   Json list = Json::array(), open = Json::array();
-  for (const CertainSolution& s : solutions.found) list.push_back(json_solution(solutions, s));
-  for (const auto& box : solutions.open) open.push_back(json_values(solutions, box));
+  for (const CertainSolution& s : solutions.found) list.push_back(json_solution(solutions, own, s));
+  for (const auto& box : solutions.open) open.push_back(json_values(solutions.unknowns, box));
   facts.add("solutions", std::move(list)).add("open_boxes", std::move(open));
   facts.add("complex_solutions", or_null(solutions.complex_found));
   facts.add("how", is_whole ? Json(solutions.how) : Json(nullptr));
@@ -150,21 +181,22 @@ void add_solutions(const Solutions& solutions, Facts& facts) {
             solutions.stopped_by ? Json(describe(*solutions.stopped_by)) : Json(nullptr));
 }
 
-void say_open_boxes(const Solutions& solutions, Facts& facts) {
+void say_open_boxes(const Solutions& solutions, const OwnPose& own, Facts& facts) {
+  const std::vector<SolvedUnknown> unknowns = shown_unknowns(solutions, own);
   const std::size_t shown = std::min(kMostOpenBoxes, solutions.open.size());
   for (std::size_t b = 0; b < shown; ++b) {
     std::string box;
-    for (std::size_t i = 0; i < solutions.unknowns.size(); ++i)
-      box += fmt::format("{}{} in {}{}", box.empty() ? "" : ", ", solutions.unknowns[i].name,
-                         short_interval(solutions.open[b][i]),
-                         unit_suffix(solutions.unknowns[i].unit));
+    const std::vector<Interval> values = shown_values(solutions.open[b], own);
+    for (std::size_t i = 0; i < unknowns.size(); ++i)
+      box += fmt::format("{}{} in {}{}", box.empty() ? "" : ", ", unknowns[i].name,
+                         short_interval(values[i]), unit_suffix(unknowns[i].unit));
     facts.say(b == 0 ? "open" : "", box);
   }
   if (shown < solutions.open.size())
-    facts.say("", fmt::format("and {} more boxes", solutions.open.size() - shown));
+    facts.say("", "and " + counted(solutions.open.size() - shown, "more box", "more boxes"));
 }
 
-std::string counted(std::size_t count, const SolvedNoun& noun) {
+std::string number_of(std::size_t count, const SolvedNoun& noun) {
   return fmt::format("{} {}", count, count == 1 ? noun.one : noun.many);
 }
 
@@ -173,8 +205,8 @@ std::string counted(std::size_t count, const SolvedNoun& noun) {
 std::string describe_result(const Solutions& solutions, const SolvedNoun& noun) {
   const std::size_t count = solutions.found.size();
   if (solutions.completeness == Completeness::kIncomplete)
-    return fmt::format("INCOMPLETE: at least {}", counted(count, noun));
-  return count == 0 ? "NONE" : fmt::format("COMPLETE: {}", counted(count, noun));
+    return fmt::format("INCOMPLETE: at least {}", number_of(count, noun));
+  return count == 0 ? "NONE" : fmt::format("COMPLETE: {}", number_of(count, noun));
 }
 
 std::string describe_claim(const Solutions& solutions, const SolvedNoun& noun) {
@@ -254,12 +286,13 @@ void tell_solutions(const SolveAsked& asked, const Solutions& solutions, const S
   say_held(asked, facts);
   for (const std::string& note : asked.request.notes) facts.say("note", note);
   facts.add("notes", asked.request.notes);
-  say_table(solutions, noun, facts);
+  const OwnPose own(asked.request.model);
+  say_table(solutions, own, noun, facts);
   if (facts.are_for_programs()) {
     facts.add("solution_units", json_units(solutions.unknowns));
-    add_solutions(solutions, facts);
+    add_solutions(solutions, own, facts);
   }
-  if (solutions.completeness != Completeness::kComplete) say_open_boxes(solutions, facts);
+  if (solutions.completeness != Completeness::kComplete) say_open_boxes(solutions, own, facts);
   facts.tell("boxes", solutions.boxes, "boxes",
              fmt::format("{} evaluated", in_thousands(solutions.boxes)));
   facts.add("seconds", Json{{"search", solutions.seconds}});
@@ -270,12 +303,12 @@ void tell_solutions(const SolveAsked& asked, const Solutions& solutions, const S
     add_search(asked.search, json_asked(asked, json_place(placed_values(asked.request))), facts);
 }
 
-Json json_solved(const SolvedPlace& place, const SolvedNoun& noun) {
+Json json_solved(const SolvedPlace& place, const Model& model, const SolvedNoun& noun) {
   Facts facts(Readers::kPrograms);
   facts.add("line", place.line);
   if (place.time) facts.add("time", *place.time);
   facts.add("place", json_place(place.place)).add("verdict", word_of(place.solutions));
-  add_solutions(place.solutions, facts);
+  add_solutions(place.solutions, OwnPose(model), facts);
   facts.add("boxes", place.solutions.boxes);
   facts.add("claim", describe_claim(place.solutions, noun));
   return facts.object();

@@ -35,7 +35,8 @@ void tell_solutions(const SolveAsked& asked, const Solutions& solutions, const S
 /// Returns the numbers of the place that is asked about.
 [[nodiscard]] std::vector<PlacedValue> placed_values(const Request& request);
 
-[[nodiscard]] nlohmann::ordered_json json_solved(const SolvedPlace& place, const SolvedNoun& noun);
+[[nodiscard]] nlohmann::ordered_json json_solved(const SolvedPlace& place, const Model& model,
+                                                 const SolvedNoun& noun);
 /// Returns ", t = 0.2 s"; nothing for a place without a time.
 [[nodiscard]] std::string describe_time(const SolvedPlace& place, const std::string& unit);
 

@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "codegen/answer/report/number_text.hpp"
+#include "codegen/answer/report/place_text.hpp"
 #include "codegen/question/margin/margin_report.hpp"
 #include "codegen/question/way/path_attempts.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
@@ -29,12 +31,20 @@ TrajectoryMargin margin_of_trajectory(const MarginRequest& request, const Margin
 void tell_trajectory_margin(const TrajectoryMargin& found, const MarginQuestion& question,
                             const SearchOptions& search, double gap, Facts& facts) {
   const Margin& margin = found.margin;
-  tell_trajectory_question(found.refuted ? *found.refuted : found.last, search, facts);
-  facts.say("margin", fmt::format("{}: {} boxes at {} values", describe_range(question),
-                                  margin.boxes, margin.steps.size()));
+  const TrajectoryCheck& shown = found.refuted ? *found.refuted : found.last;
+  const Request before = before_growth(shown.request, question);
+  tell_way(before, facts);
+  const SearchSubject geometry = geometry_along_way(before);
+  // A tolerance that grows is uncertain, too.
+  if (question.quantity != MarginQuantity::kTolerance || uncertain_count(geometry) > 0)
+    say_uncertain_geometry(geometry, facts);
+  tell_trajectory_work(shown, search, facts);
+  facts.say("margin", fmt::format("{}: {} at {}", describe_range(question),
+                                  counted(margin.boxes, "box", "boxes"),
+                                  counted(margin.steps.size(), "value", "values")));
   add_bracket(question, margin, facts);
   for (const auto* step : {&margin.empty, &margin.certified, &margin.refuted})
-    say_end(*step, facts);
+    say_end(question, *step, facts);
   facts.add("segment", nullptr).add("witness", nullptr);
   if (found.refuted) tell_deciding_piece(*found.refuted, facts);
   tell_gap(margin, gap, facts);

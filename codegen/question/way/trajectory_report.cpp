@@ -11,6 +11,7 @@
 #include "codegen/answer/report/question_report.hpp"
 #include "codegen/answer/report/report.hpp"
 #include "codegen/answer/report/search_facts.hpp"
+#include "codegen/answer/report/set_facts.hpp"
 #include "codegen/answer/report/undefined_report.hpp"
 #include "codegen/answer/report/witness_report.hpp"
 #include "codegen/model/way/trajectory.hpp"
@@ -86,6 +87,21 @@ std::string describe_tube(const Model& model, const Motion& motion) {
   return words;
 }
 
+/// The pose parameters that keep one value all along the way.
+void say_fixed(const Model& model, const Trajectory& t, Facts& facts) {
+  if (!facts.are_for_people()) return;
+  const auto is_zero = [](const GiNaC::ex& e) { return e.is_zero(); };
+  for (std::size_t i = 0; i < model.pose.size(); ++i) {
+    const GiNaC::ex& value = t.pieces.front().pose[i].power.front();
+    const bool is_fixed = std::ranges::all_of(t.pieces, [&](const TrajectoryPiece& piece) {
+      const PieceOfPose& p = piece.pose[i];
+      return p.power.front().is_equal(value) && p.cosine.is_zero() && p.sine.is_zero() &&
+             std::all_of(p.power.begin() + 1, p.power.end(), is_zero);
+    });
+    if (is_fixed) facts.say("", fixed_text(model.pose[i], value));
+  }
+}
+
 std::string describe_path(const Trajectory& t) {
   const std::string count = fmt::format("{} segment{}, {}", t.pieces.size(),
                                         t.pieces.size() == 1 ? "" : "s", t.interpolation);
@@ -103,17 +119,39 @@ std::string describe_poses_on_way(const TrajectoryCheck& check) {
          (motion.constraints.empty() ? "" : " that the constraints allow");
 }
 
-void tell_way(const Request& request, std::size_t uncertain, const std::string& groups,
-              Facts& facts) {
+void tell_way(const Request& request, Facts& facts) {
   const Trajectory& t = *request.motion.trajectory;
   tell_model(request, facts);
   facts.tell("waypoints", json_waypoints(t), "path", describe_path(t)).add("notes", t.notes);
+  say_fixed(request.model, t, facts);
+  say_constraints(request.motion, facts);
   for (const std::string& note : t.notes) facts.say("note", note);
   facts.say("tube", describe_tube(request.model, request.motion));
-  facts.say("uncertain", uncertain == 0
-                             ? "nothing: geometry is taken as exact"
-                             : fmt::format("{} {} of the geometry{}", uncertain,
-                                           uncertain == 1 ? "quantity" : "quantities", groups));
+}
+
+void say_uncertain_geometry(const SearchSubject& subject, Facts& facts) {
+  if (uncertain_count(subject) > 0)
+    say_uncertain(subject, facts);
+  else
+    facts.say("uncertain", "nothing: geometry is taken as exact");
+}
+
+SearchSubject geometry_along_way(const Request& request) {
+  Request without_tube = request;
+  for (GiNaC::ex& error : without_tube.motion.error) error = 0;
+  return set_of(without_tube).subject;
+}
+
+std::string describe_request(const Request& request) {
+  return text_of_facts([&](Facts& facts) {
+    if (request.motion.trajectory) {
+      tell_way(request, facts);
+      say_uncertain_geometry(geometry_along_way(request), facts);
+    } else {
+      tell_model(request, facts);
+      say_set(request, facts);
+    }
+  });
 }
 
 Json json_waypoints(const Trajectory& t) {
@@ -179,9 +217,14 @@ std::string describe_trajectory_claim(const TrajectoryCheck& check) {
 
 void tell_trajectory_question(const TrajectoryCheck& check, const SearchOptions& search,
                               Facts& facts) {
+  tell_way(check.request, facts);
+  say_uncertain_geometry(check.hull, facts);
+  tell_trajectory_work(check, search, facts);
+}
+
+void tell_trajectory_work(const TrajectoryCheck& check, const SearchOptions& search, Facts& facts) {
   const PreparedSearch& p = check.hull;
   const Statistics& statistics = check.path.statistics;
-  tell_way(check.request, uncertain_count(p), ": " + describe_groups(p.labels), facts);
   facts.add("matrix", name(p.labels.matrix_kind));
   tell_threshold(p, facts);
   SearchOptions used = search;

@@ -10,10 +10,14 @@
 
 namespace regulus {
 
-/// Tells model, motion, file, control errors, and how many quantities are uncertain, with a description of
-/// their groups.
-void tell_way(const Request& request, std::size_t uncertain, const std::string& groups,
-              Facts& facts);
+/// Tells model, motion, file, what keeps its value, constraints and control errors.
+void tell_way(const Request& request, Facts& facts);
+/// Tells people which quantities of the geometry are uncertain.
+void say_uncertain_geometry(const SearchSubject& subject, Facts& facts);
+/// Returns the uncertain quantities of a request along way-points, without control errors.
+[[nodiscard]] SearchSubject geometry_along_way(const Request& request);
+/// Returns lines about model, motion and the set that a claim is about, along way-points or not.
+[[nodiscard]] std::string describe_request(const Request& request);
 /// Returns the file for programs.
 [[nodiscard]] nlohmann::ordered_json json_waypoints(const Trajectory& trajectory);
 /// Returns "segment 417, t = 3.21 s (way.csv, lines 418 and 419)". `s`: of the place on the piece,
@@ -27,6 +31,8 @@ void tell_way(const Request& request, std::size_t uncertain, const std::string& 
 /// Tells the question and the work.
 void tell_trajectory_question(const TrajectoryCheck& check, const SearchOptions& search,
                               Facts& facts);
+/// Tells programs the whole question, and how it was searched.
+void tell_trajectory_work(const TrajectoryCheck& check, const SearchOptions& search, Facts& facts);
 /// Tells of the piece that decides: `segment`, `witness`; null if there is none.
 void tell_deciding_piece(const TrajectoryCheck& check, Facts& facts);
 /// Tells all of it.

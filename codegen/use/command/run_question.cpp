@@ -59,6 +59,9 @@ void print(const Answer& answer, const CommandQuestion& question) {
   else if (!output.quiet)
     std::cerr << answer.headline() << '\n';
   std::cout.flush();
+  // Without a report nothing else says so.
+  if (const std::string why = answer.missing_proof(); output.quiet && !output.json && !why.empty())
+    std::cerr << "regulus: no certificate was written: " << why << '\n';
   print_lost(answer);
 }
 

@@ -26,7 +26,10 @@ Row margin_row(const char* model, const char* motion, const char* range, double 
   options.search.time_limit = kSeconds;
   const MarginFinding finding = margin(question, options);
   double safe = 0.0, singular = 0.0;
-  if (std::sscanf(finding.bracket.c_str(), "SAFE UP TO %lf, NOT AT %lf", &safe, &singular) != 2) {
+  const std::size_t second = finding.bracket.find("NOT AT ");
+  if (second == std::string::npos ||
+      std::sscanf(finding.bracket.c_str(), "SAFE UP TO %lf", &safe) != 1 ||
+      std::sscanf(finding.bracket.c_str() + second, "NOT AT %lf", &singular) != 1) {
     row.skipped = finding.bracket;
     return row;
   }

@@ -126,7 +126,7 @@ TEST_F(Shards, WithAWrongLeafNameShardAndLine) {
                    {"next 3\nopen 2 0 0x4p+0 -\n", "l 2 mean-value\n", 1}};
   const Verification v = verify();
   EXPECT_EQ(v.outcome, Outcome::kRejected);
-  EXPECT_THAT(v.reason, HasSubstr("shard 2: line 7: leaf 2 (mean-value): "));
+  EXPECT_THAT(v.reason, HasSubstr("shard 2: line 7: leaf of box 2 (mean-value): "));
 }
 
 TEST_F(Shards, OfAnotherSignAreRejectedTogether) {
@@ -272,7 +272,7 @@ constexpr Forgery kForgeries[] = {
      [](auto& s) {
        s[1] = {s[1].open, "tree\nl 0 mean-value\n", 1};
      },
-     "1 boxes have no leaf, for example box 2"},
+     "1 box has no leaf, for example box 2"},
     {"BeginTheNextTreeWithABoxOfThis",
      [](auto& s) {
        s[1] = {"piece 1\nnext 3\n", "tree\nl 0 mean-value\n", 1};
@@ -286,7 +286,7 @@ constexpr Forgery kForgeries[] = {
     {"HaveThePiece4", [](auto& s) { s[0].open = "piece 4\nnext 1\nopen 0\n"; },
      "expected a number up to 3"},
     {"BeginWithATreeTooMany", [](auto& s) { s[0].lines = "tree\n" + s[0].lines; },
-     "1 boxes have no leaf, for example box 0"},
+     "1 box has no leaf, for example box 0"},
 };
 
 TEST_F(Shards, OfTreesThatAreForgedAreRejected) {

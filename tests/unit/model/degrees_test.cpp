@@ -149,6 +149,11 @@ TEST(Degrees, AnAngleBeyondATurnGetsAWarningWithItsLine) {
   EXPECT_THAT(motion_of(model_text("rad", "phi", "0", "error = { phi = 7 }")).warnings,
               ElementsAre(HasSubstr("m:11: motion.a.error.phi is 7 rad")));
   EXPECT_THAT(motion_of(model_text("rad", "phi", "[-6.2832, 6.28]")).warnings, IsEmpty());
+  EXPECT_THAT(motion_of(model_text("rad", "phi", "[-5, 5]")).warnings,
+              ElementsAre("m:10: motion.a.phi is [-5, 5] rad, wider than a turn; if degrees are "
+                          "meant, write \"-5deg\" and \"5deg\""));
+  for (const char* meant : {"[-4.71, 4.71]", "[-3.5001, 3.5]", "[-3.1, 3.1]", "[\"-5*deg\", 5]"})
+    EXPECT_THAT(motion_of(model_text("rad", "phi", meant)).warnings, IsEmpty()) << meant;
   EXPECT_THAT(motion_of(model_text("rad", "phi", "[\"-720*deg\", 0]")).warnings,
               ElementsAre(testing::EndsWith("rad, more than a turn")));
   EXPECT_THAT(motion_of(model_text("deg", "cos(phi)", "[-15, 361]")).warnings,

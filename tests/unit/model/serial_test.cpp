@@ -379,12 +379,14 @@ TEST(SingularFactors, NameWristElbowAndShoulder) {
 }
 
 TEST(SingularFactors, NameTheElbowOfAScara) {
-  const Model scara = parsed(
-      "convention = \"standard-dh\"\njoints = [{ name = \"q1\", a = 0.3 }, { name = \"q2\", a = "
-      "0.2, "
-      "alpha = \"pi\" }, { name = \"q3\", type = \"prismatic\" }, { name = \"q4\" }]\n",
-      4);
-  EXPECT_THAT(factor_texts(scara), testing::ElementsAre("elbow: sin(q2)"));
+  const std::string joints =
+      "joints = [{ name = \"q1\", a = 0.3 }, { name = \"q2\", a = 0.2, alpha = \"180*deg\" }, "
+      "{ name = \"q3\", type = \"prismatic\" }, { name = \"q4\" }]\n";
+  for (const char* unit : {"rad", "deg"}) {
+    const std::string angles = std::string("angle_unit = \"") + unit + "\"\n";
+    const Model scara = parsed("convention = \"standard-dh\"\n" + angles + joints, 4);
+    EXPECT_THAT(factor_texts(scara), testing::ElementsAre("elbow: sin(q2)")) << unit;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/answer/report/set_facts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "codegen/answer/report/number_text.hpp"
+#include "codegen/answer/report/place_text.hpp"
+#include "codegen/answer/report/question_report.hpp"
+#include "codegen/model/exact/ginac_text.hpp"
+
+namespace regulus {
+namespace {
+
+/// Longer constraints are counted for people, not shown.
+constexpr std::size_t kLongestConstraint = 80;
+constexpr std::size_t kMostConstraints = 6;
+
+/// Returns the decimal of at most six digits that is this angle in degrees, if there is one.
+std::optional<double> short_degrees(const Interval& radians) {
+  // Two roundings: of the factor and of the product.
+  const double degree = 180 / std::numbers::pi;
+  const double slack = 4 * std::numeric_limits<double>::epsilon() * std::fabs(radians.lo);
+  const double lo = (radians.lo - slack) * degree, hi = (radians.hi + slack) * degree;
+  double shown = 0;
+  const std::string text = fmt::format("{:.6g}", lo / 2 + hi / 2);
+  std::from_chars(text.data(), text.data() + text.size(), shown);
+  return lo <= shown && shown <= hi ? std::optional(shown) : std::nullopt;
+}
+
+/// Returns " ([-15, 15] deg)" for angles in radians whose ends are short numbers of degrees.
+std::string degrees_text(const std::string& unit, const Interval& lower, const Interval& upper) {
+  if (unit != "rad" || (lower == Interval(0.0) && upper == Interval(0.0))) return "";
+  const auto lo = short_degrees(lower), hi = short_degrees(upper);
+  return lo && hi ? fmt::format(" ({} deg)", ends_text(shortest_text(*lo), shortest_text(*hi)))
+                  : "";
+}
+
+std::string describe_degrees(const SearchSubject& p, std::size_t k) {
+  const Interval& outer = p.variety.outer[k];
+  const std::optional<Interval>& inner = p.variety.inner[k];
+  return degrees_text(p.labels.variables[k].unit, inner ? end_of_range(outer.lo, inner->lo) : outer,
+                      inner ? end_of_range(outer.hi, inner->hi) : outer);
+}
+
+void say_variables(const SearchSubject& p, bool motion, Facts& facts) {
+  const auto& variables = p.labels.variables;
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    if (is_motion(variables[i]) != motion) continue;
+    const std::string range = range_text(p, i, p.variety.outer[i]);
+    facts.say("", fmt::format("{} {} {}{}{}", variables[i].name, range.front() == '[' ? "in" : "=",
+                              range, unit_suffix(variables[i].unit), describe_degrees(p, i)));
+  }
+}
+
+/// The pose parameters that are no parameters of the motion themselves.
+void say_given(const Request& request, Facts& facts) {
+  const Motion& motion = request.motion;
+  for (std::size_t i = 0; i < motion.pose.size(); ++i) {
+    const PoseParameter& p = request.model.pose[i];
+    if (motion.pose[i].is_equal(p.symbol)) continue;
+    facts.say("", symbols_of(motion.pose[i]).empty()
+                      ? fixed_text(p, motion.pose[i])
+                      : fmt::format("{} = {}{}", p.name, formula_text(motion.pose[i]),
+                                    unit_suffix(p.unit)));
+  }
+}
+
+/// The question about way-points has the constants and errors of any pose; their file has the poses.
+Motion at_one_pose_if_along_waypoints(Motion motion) {
+  if (!motion.trajectory) return motion;
+  motion.waypoints.reset();
+  motion.trajectory.reset();
+  for (GiNaC::ex& value : motion.pose) value = 0;
+  motion.must_be_defined.clear();
+  return motion;
+}
+
+}  // namespace
+
+AskedSet set_of(const Request& request) {
+  const Motion motion = at_one_pose_if_along_waypoints(request.motion);
+  const Formulation shape = formulate_shape(request.model, motion);
+  return {{report_labels(request, shape), request.model.path,
+           enclose_variety(request.model, motion, shape.variables), false},
+          shape.variables};
+}
+
+void say_poses(const SearchSubject& subject, const Request& request, Facts& facts) {
+  if (!facts.are_for_people()) return;
+  say_variables(subject, true, facts);
+  say_given(request, facts);
+  say_constraints(request.motion, facts);
+}
+
+void say_constraints(const Motion& motion, Facts& facts) {
+  std::size_t left = 0, shown = 0;
+  for (const GiNaC::ex& constraint : motion.constraints) {
+    const std::string text = formula_text(constraint);
+    if (text.size() > kLongestConstraint || shown == kMostConstraints)
+      ++left;
+    else
+      ++shown, facts.say("", text + " <= 0");
+  }
+  if (left > 0)
+    facts.say("", fmt::format("{}{} constraint{} that --json lists", left, shown > 0 ? " more" : "",
+                              left == 1 ? "" : "s"));
+}
+
+void say_where(const SearchSubject& p, Facts& facts) {
+  if (p.labels.where.empty()) return;
+  const bool ranges = p.labels.where == name(Where::kWithinRanges);
+  facts.say("where", fmt::format("{}: poses out of reach{} are no part of the claim",
+                                 p.labels.where, ranges ? " and joints out of range" : ""));
+}
+
+void say_uncertain(const SearchSubject& p, Facts& facts) {
+  const std::size_t count = uncertain_count(p);
+  if (count == 0) {
+    facts.say("uncertain", "nothing: geometry and control are taken as exact");
+    return;
+  }
+  facts.say("uncertain",
+            fmt::format("{} {}: {}", count, count == 1 ? "quantity" : "quantities",
+                        // Searches at several tolerances have one report.
+                        count <= kMostListed || p.is_replanned ? describe_groups(p.labels)
+                                                               : describe_tolerances(p)));
+  if (count <= kMostListed) say_variables(p, false, facts);
+}
+
+void say_set(const Request& request, Facts& facts) {
+  if (!facts.are_for_people()) return;
+  const SearchSubject subject = set_of(request).subject;
+  say_poses(subject, request, facts);
+  say_where(subject, facts);
+  say_uncertain(subject, facts);
+}
+
+std::string fixed_text(const PoseParameter& parameter, const GiNaC::ex& value) {
+  const Interval x = enclose_constant(value, parameter.name);
+  return fmt::format("{} = {}{}{}", parameter.name, shortest_text_in(x),
+                     unit_suffix(parameter.unit), degrees_text(parameter.unit, x, x));
+}
+
+}  // namespace regulus
