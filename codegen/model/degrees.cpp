@@ -45,7 +45,7 @@ bool is_like_degrees(std::string_view unit) noexcept {
 }
 
 void warn_about_angle(std::vector<std::string>& warnings, const Range& range, std::string_view unit,
-                      const Place& place) {
+                      const Place& place, bool is_of_joint) {
   if (unit != "rad" && !is_in_degrees(unit)) return;
   const bool in_degrees = is_in_degrees(unit);
   const std::string label = in_degrees ? " deg" : " rad";
@@ -62,7 +62,7 @@ void warn_about_angle(std::vector<std::string>& warnings, const Range& range, st
     return warn(shown + label + ", more than a turn" +
                 (has_hint ? "; if degrees are meant, write \"" + shown + "deg\"" : ""));
   }
-  if (in_degrees || !may_be_degrees(range.lo) || !may_be_degrees(range.hi) ||
+  if (in_degrees || is_of_joint || !may_be_degrees(range.lo) || !may_be_degrees(range.hi) ||
       GiNaC::ex_to<GiNaC::numeric>(range.hi - range.lo).to_double() <= kOneTurn)
     return;
   const std::string lo = decimal_text(range.lo), hi = decimal_text(range.hi);

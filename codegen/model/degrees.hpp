@@ -36,8 +36,8 @@ constexpr double kOneTurn = 6.2832;
 
 /// Adds a warning, with the line, if an end of the range is an angle beyond a turn, or if the range in
 /// plain numbers of radians is wider than one: degrees may be meant. Of one number both ends are it; of a
-/// tolerance or an error ±e they are −e and e.
+/// tolerance or an error ±e they are −e and e. Joints of an arm often turn more than once.
 void warn_about_angle(std::vector<std::string>& warnings, const Range& range, std::string_view unit,
-                      const Place& place);
+                      const Place& place, bool is_of_joint = false);
 
 }  // namespace regulus

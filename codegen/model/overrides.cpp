@@ -126,7 +126,7 @@ void set_range(const Model& model, Motion& motion, const std::string& parameter,
     return warning.find("." + parameter + " is ") != std::string::npos;
   });
   warn_about_angle(motion.warnings, range, unit_of(model, motion, parameter),
-                   {.file = "", .key = parameter});
+                   {.file = "", .key = parameter}, model.arm != nullptr);
   if (at != motion.parameters.end())
     at->range = range;
   else if (!free_constant(model, motion, parameter, range))

@@ -334,7 +334,8 @@ class MotionReader {
     append(motion_.must_be_defined, lo.must_be_defined);
     append(motion_.must_be_defined, hi.must_be_defined);
     const Range result = checked_range(lo, hi, toml_.place(entry));
-    warn_about_angle(motion_.warnings, result, unit, toml_.place(entry));
+    warn_about_angle(motion_.warnings, result, unit, toml_.place(entry),
+                     reading_.model.arm != nullptr);
     return result;
   }
 

@@ -294,7 +294,8 @@ class SerialReader {
     append(limits_.must_be_defined, hi.must_be_defined);
     ranges_.push_back(checked_range(lo, hi, toml_.place(range)));
     if (turns)
-      warn_about_angle(reading_.model.warnings, ranges_.back(), angle_unit(), toml_.place(range));
+      warn_about_angle(reading_.model.warnings, ranges_.back(), angle_unit(), toml_.place(range),
+                       true);
   }
 
   /// The tool does not change the rank; a mistake in it is a mistake in the file.

@@ -192,7 +192,7 @@ class WaypointReader {
     if (result_.warnings.size() != before) return;
     const auto [least, most] = std::minmax_element(course.values.begin(), course.values.end());
     warn_about_angle(result_.warnings, {*least * course.factor, *most * course.factor}, p.unit,
-                     {result_.file, table_.heading_line, p.name});
+                     {result_.file, table_.heading_line, p.name}, model_.arm != nullptr);
   }
 
   void note_others() {

@@ -53,8 +53,8 @@ struct MarginFinding {
   std::optional<std::string> safe, singular, exceeded;
   bool closed = false;  ///< as narrow as requested, or the whole range is safe
   std::string bracket;  ///< "SAFE UP TO 0.119 cm, NOT AT 0.134 cm", "WITHIN UP TO …, EXCEEDED AT …"
-  std::string report;   ///< the lines that precede the bracket on a terminal
-  std::string json;     ///< the report that --json prints
+  std::string report;                      ///< the lines that precede the bracket on a terminal
+  std::string json;                        ///< the report that --json prints
   std::vector<CertifiedEnd> certificates;  ///< two for each component, if they were wanted
 };
 
