@@ -70,7 +70,8 @@ class HintSearch {
     values_of_names_[number_of(variable)] = value;
     order_.push_back(number_of(variable));
   }
-  /// Of rational numbers and roots of natural numbers, as name_lets of Matrices.v sees it.
+  /// True if the value is made of rational numbers and roots of natural numbers, as name_lets of Matrices.v
+  /// sees it.
   [[nodiscard]] bool is_radical(NodeId value) const {
     return std::ranges::all_of(ingredients(graph_, {value}), [this](NodeId id) {
       const Node& node = graph_.nodes()[std::size_t(id)];

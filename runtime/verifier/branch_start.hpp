@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a branch of a closure starts: the place, and the one configuration there. FORMAT.md,
+// Encloses where a branch of a closure starts: the place, and the one configuration there. FORMAT.md,
 // "Closures".
 #pragma once
 

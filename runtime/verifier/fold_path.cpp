@@ -126,7 +126,7 @@ class FoldPath {
     return *found;
   }
 
-  /// Where on the line an arc is: its range, or the first unknown.
+  /// Encloses the part of the line over which an arc is: its range, or its first unknown.
   static Interval part_of(const Arc& arc) {
     if (arc.system.is_along_line()) return arc.range;
     BranchTest& test = arc.system.test();

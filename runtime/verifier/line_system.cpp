@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/verifier/line_system.hpp"
 
-#include <algorithm>
+#include <map>
 
 #include "runtime/verifier/derivative.hpp"
 #include "runtime/verifier/slopes.hpp"

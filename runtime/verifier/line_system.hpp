@@ -2,7 +2,7 @@
 // The equations of a closure along a line of places. PROOF.md, "SINGULARITY of a closure".
 #pragma once
 
-#include <map>
+#include <span>
 
 #include "runtime/verifier/branch_test.hpp"
 

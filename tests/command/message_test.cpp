@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What messages and reports say to who does not know the program: words, units, reasons and remedies.
+// Messages and reports tell words, units, reasons and remedies that a newcomer understands.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -176,7 +176,7 @@ TEST(PictureOfARobot, IsThatOfAPlatformOnSixLegsFromAboveAndBefore) {
   EXPECT_THAT(commands_for(before), HasSubstr("-9 0\n-3 47.5\nEOD"));
 }
 
-/// What a message says to do helps.
+/// The remedies of the messages help.
 TEST(PictureOfARobot, IsRefusedWhereTheMapIsNotItsPlaceAndSaysWhatHelps) {
   using Words = std::vector<std::string>;
   const auto refused = [](const Words& words) {

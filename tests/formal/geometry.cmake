@@ -93,26 +93,26 @@ if(NOT text MATCHES "No point of the set is known")
 endif()
 
 # ---- The model file is another one than that of the certificate.
-# expect_difference(NAME CHANGED TO REASON): of a line of the model file robot_1.
-file(READ ${models}/robot_1.toml robot)
-function(expect_difference name changed to reason)
-  string(REPLACE "${changed}" "${to}" other "${robot}")
-  if(other STREQUAL robot)
+# expect_difference(MODEL CERTIFICATE NAME CHANGED TO REASON): of a line of a model file of the library.
+function(expect_difference model certificate name changed to reason)
+  file(READ ${models}/${model}.toml text)
+  string(REPLACE "${changed}" "${to}" other "${text}")
+  if(other STREQUAL text)
     message(FATAL_ERROR "the model file has no '${changed}'")
   endif()
   file(WRITE ${WORK_DIR}/${name}.toml "${other}")
-  execute_process(COMMAND ${VERIFY} --coq ${WORK_DIR}/${name}.v --model ${WORK_DIR}/${name}.toml wide.txt
+  execute_process(COMMAND ${VERIFY} --coq ${WORK_DIR}/${name}.v --model ${WORK_DIR}/${name}.toml ${certificate}
                   WORKING_DIRECTORY ${WORK_DIR} COMMAND_ERROR_IS_FATAL ANY)
   expect_answer(REJECTED 1 ${WORK_DIR} --audit ${name}.v)
   if(NOT why MATCHES "${reason}")
     message(FATAL_ERROR "${name}: expected '${reason}'\n${why}")
   endif()
 endfunction()
-expect_difference(anchor "[-3, 7, 0], [3, 7, 0]" "[-3, 7.001, 0], [3, 7, 0]"
+expect_difference(robot_1 wide.txt anchor "[-3, 7, 0], [3, 7, 0]" "[-3, 7.001, 0], [3, 7, 0]"
                   "no proof that an entry of the certificate is that of the model file")
-expect_difference(order "[-9, 9, 0], [9, 9, 0]" "[9, 9, 0], [-9, 9, 0]"
+expect_difference(robot_1 wide.txt order "[-9, 9, 0], [9, 9, 0]" "[9, 9, 0], [-9, 9, 0]"
                   "no proof that an entry of the certificate is that of the model file")
-expect_difference(range "[motion.wide_15]  # §V-C1a\nx = [-15, 15]" "[motion.wide_15]\nx = [-15, 16]"
+expect_difference(robot_1 wide.txt range "[motion.wide_15]  # §V-C1a\nx = [-15, 15]" "[motion.wide_15]\nx = [-15, 16]"
                   "no proof that a range of the model file is in that of the certificate")
 
 # Another arm, and a larger range of a joint.
@@ -133,25 +133,10 @@ expect_other_arm(longer "along_x 0.225 pi" "along_x 0.226 pi" "no proof that the
 expect_other_arm(skew "prismatic 3 z_axis" "prismatic 3 x_axis" "no proof that|Coq refuses")
 expect_other_arm(joint "5*deg <= _q2" "-5*deg <= _q2" "no proof that a range")
 
-# expect_other_matrix(NAME CHANGED TO REASON): in the model file, the certificate being that of the library.
-file(READ ${models}/planar_3rpr.toml planar)
-function(expect_other_matrix name changed to reason)
-  string(REPLACE "${changed}" "${to}" other "${planar}")
-  if(other STREQUAL planar)
-    message(FATAL_ERROR "the model file has no '${changed}'")
-  endif()
-  file(WRITE ${WORK_DIR}/${name}.toml "${other}")
-  execute_process(COMMAND ${VERIFY} --coq ${WORK_DIR}/${name}.v --model ${WORK_DIR}/${name}.toml matrix.txt
-                  WORKING_DIRECTORY ${WORK_DIR} COMMAND_ERROR_IS_FATAL ANY)
-  expect_answer(REJECTED 1 ${WORK_DIR} --audit ${name}.v)
-  if(NOT why MATCHES "${reason}")
-    message(FATAL_ERROR "${name}: expected '${reason}'\n${why}")
-  endif()
-endfunction()
-expect_other_matrix(side "value = 17.04" "value = 17.05" "no proof that")
-expect_other_matrix(sign "- r2_y*(x - a2_1)" "+ r2_y*(x - a2_1)" "no proof that an entry of the certificate")
-expect_other_matrix(part "\"side_12*c\"" "\"side_12*s\"" "no proof that")
-expect_other_matrix(larger "x = [-2, 4]\ny = [13, 18]\nphi = [\"-15*deg\", \"5*deg\"]\n\n[motion.crossing]"
+expect_difference(planar_3rpr matrix.txt side "value = 17.04" "value = 17.05" "no proof that")
+expect_difference(planar_3rpr matrix.txt sign "- r2_y*(x - a2_1)" "+ r2_y*(x - a2_1)" "no proof that an entry of the certificate")
+expect_difference(planar_3rpr matrix.txt part "\"side_12*c\"" "\"side_12*s\"" "no proof that")
+expect_difference(planar_3rpr matrix.txt larger "x = [-2, 4]\ny = [13, 18]\nphi = [\"-15*deg\", \"5*deg\"]\n\n[motion.crossing]"
                     "x = [-2, 5]\ny = [13, 18]\nphi = [\"-15*deg\", \"5*deg\"]\n\n[motion.crossing]"
                     "no proof that a range of the model file")
 

@@ -175,7 +175,7 @@ RobotInMap::RobotInMap(const PreparedSearch& p, const PictureOptions& options)
   include_paths();
 }
 
-/// What goes beyond the map keeps a distance from the border.
+/// Widens the map by the paths of the robot that go beyond it, and by a margin.
 void RobotInMap::include_paths() {
   constexpr double kDistance = 0.05;
   std::vector<std::optional<Slice>> slices(options_.slices.begin(), options_.slices.end());

@@ -15,7 +15,7 @@ struct AskedSet {
   std::vector<Variable> exact;  ///< in the order of the labels
 };
 
-/// Of a motion along way-points: everything but the poses.
+/// The set of a motion along way-points lacks the poses: the file has them.
 ///
 /// Throws    InputError if a range has no certain value.
 [[nodiscard]] AskedSet set_of(const Request& request);

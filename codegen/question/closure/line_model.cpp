@@ -33,6 +33,11 @@ LineModel::LineModel(const PreparedClosure& prepared, const std::vector<double>&
   for (const ex& equation : closure_.equations) equations_.push_back(equation.subs(values));
   for (const ex& condition : given_.model.must_be_defined)
     conditions_.push_back(condition.subs(values));
+  // The commanded pose has no errors.
+  for (std::size_t i = 0; i < given_.model.pose.size(); ++i)
+    values[given_.model.pose[i].symbol] = given_.motion.pose[i].subs(place);
+  for (const ex& condition : given_.motion.must_be_defined)
+    conditions_.push_back(condition.subs(values).subs(place));
 }
 
 Request LineModel::system(const std::optional<PoseParameter>& moves, const Range& range,

@@ -9,8 +9,8 @@
 
 namespace regulus {
 
-/// The equations along a line from the start, without uncertain quantities; its part, from 0 to 1, is
-/// in the place of the motion parameters.
+/// The equations along a line from the start, and what must have a value there, without uncertain
+/// quantities; its part, from 0 to 1, is in the place of the motion parameters.
 class LineModel {
  public:
   /// Shape     towards: by motion parameter. uncertain: by the other variables, which begin at their

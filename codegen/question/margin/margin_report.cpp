@@ -74,7 +74,7 @@ const char* json_word_of_step(const MarginQuestion& question, Verdict verdict) {
   return verdict == Verdict::kNoSingularity ? "within" : "exceeded";
 }
 
-/// What a limit's search says of its own matrix means nothing to who asked for the limit.
+/// Returns the reason in the words of the question: the search for a limit speaks of another matrix.
 const char* reason_of_step(const MarginQuestion& question, const Result& result) {
   if (!question.limit.empty() && result.verdict == Verdict::kSingularity)
     return "a pose where the limit is reached";

@@ -93,7 +93,7 @@ std::vector<Interval> shown_values(const std::vector<Interval>& values, const Ow
   return own.has_angles() ? own.at(values) : values;
 }
 
-/// Where angles are not determined, the quaternion is.
+/// Says the quaternion of each pose whose angles are not determined.
 void say_quaternions(const Solutions& solutions, const OwnPose& own, const SolvedNoun& noun,
                      Facts& facts) {
   if (!own.has_angles()) return;

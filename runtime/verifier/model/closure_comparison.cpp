@@ -260,12 +260,10 @@ class ClosureComparison {
       const std::string place = "closure.start." + name;
       if (q_.stated.contains("unknown " + name)) continue;
       const std::string parameter = parameter_of(name);
-      if (!parameter.empty() && parameter != name && poses_in_degrees(values_).contains(name))
-        comparer_.leave_out(comparer_.place_of(place), "this reader knows no start in degrees");
-      else if (!parameter.empty())
+      if (parameter == name)
         require(place, "start " + parameter, none);
       else if (q_.stated.contains("pose " + name))
-        compare_pose_at_start(name, place);
+        compare_pose_at_start(name, place, parameter);
       else
         comparer_.leave_out(comparer_.place_of(place),
                             "the certificate has no such pose parameter");
@@ -284,14 +282,17 @@ class ClosureComparison {
     }
   }
 
-  /// The comparison of the motion has compared the formula with the file.
-  void compare_pose_at_start(const std::string& name, const std::string& place) {
+  /// The comparison of the motion has compared the formula with the file. `parameter`: that the pose
+  /// parameter is; empty: none.
+  void compare_pose_at_start(const std::string& name, const std::string& place,
+                             const std::string& parameter) {
     std::map<NodeId, NodeId> start;
     for (std::size_t k = 0; k < closure_.start.size(); ++k)
       start.emplace(q_.graph.add(Op::kVariable, int(k)), closure_.start[k]);
     const NodeId value = replaced(q_.graph, q_.stated.at("pose " + name).node, start);
     if (equality(q_, value, comparer_.number_at(place, name)) != Equality::kEqual)
       comparer_.refuse(comparer_.place_of(place), "another value of " + name + " at the start");
+    if (!parameter.empty()) comparer_.note_compared("start " + parameter);
   }
 
   /// True if a pose parameter is this parameter of the motion.

@@ -101,5 +101,37 @@ TEST(ACertificateOfAToggle, IsVerifiedAndComparedWithItsModel) {
   EXPECT_GE(proved, 8);
 }
 
+/// The way to the toggle must have a value all along, also where the equations do not need it.
+TEST(ACertificateOfAToggle, LeadsThroughNoPoseThatTheMotionLeavesUndefined) {
+  const FourBar linkage{0.2, 0.35355, 0.25, 0.45};  // toggle at 132.6 degrees
+  const std::string model = linkage.text(0, -0.1, 0.1);
+  const auto verdict = [&](const std::string& theta) {
+    const std::string text = model.substr(0, model.find("theta = [")) +
+                             "parameters = { T = [0, 3] }\ntheta = \"" + theta + "\"\n";
+    return test::check_closure_text(text, test::usual_options()).verdict();
+  };
+  EXPECT_EQ(verdict("T"), Verdict::kSingularity);
+  for (const char* hole : {"0/(T - 1)", "0*sqrt((T - 1)^2 - 1/100)", "0*log(abs(T - 2))"})
+    EXPECT_EQ(verdict("T + " + std::string(hole)), Verdict::kPossibleProblem) << hole;
+  EXPECT_EQ(verdict("T + 0/(T + 1)"), Verdict::kSingularity);
+}
+
+/// A driver in degrees, by its own name, by a parameter, or by a formula.
+TEST(ACertificateOfABranch, MayBeOfADriverInDegrees) {
+  const auto model = [](const std::string& start, const std::string& motion) {
+    return "regulus = 1\nname = \"slider\"\n[pose]\ntheta = \"deg\"\n[closure]\nunknowns = { p = "
+           "\"m\" }\nequations = [\"p - 2 - sin(theta)/2\"]\nstart = { theta = " +
+           start + ", p = 2.25 }\n[motion.m]\n" + motion;
+  };
+  for (const char* motion : {"theta = [20, 40]\n", "parameters = { T = [20, 40] }\ntheta = \"T\"\n",
+                             "parameters = { T = [0, 1] }\ntheta = \"30 + 20*T\"\n"}) {
+    const std::string text = model("30", motion), certificate = certified(text);
+    const verifier::Verification v = verified(certificate, text);
+    EXPECT_EQ(v.outcome, verifier::Outcome::kVerified) << motion << describe(v);
+    EXPECT_EQ(verified(certificate, model("31", motion)).outcome, verifier::Outcome::kRejected)
+        << motion;
+  }
+}
+
 }  // namespace
 }  // namespace regulus

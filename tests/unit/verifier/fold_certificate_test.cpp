@@ -123,7 +123,7 @@ TEST(AForgedFold, OfAnotherFormatIsRefused) {
   }
 }
 
-/// Of the one claim that the numbers of a proof are about, only a true one is ever verified.
+/// No damage to a proof makes it one of a false claim.
 TEST(AForgedFold, OfAFalseClaimIsNotVerifiedAfterDamage) {
   const std::string regular = with_proof(question("-2 : 1", "p^3 + p - x - 2"));
   ASSERT_FALSE(is(Outcome::kVerified, verify_text(regular), ""));
