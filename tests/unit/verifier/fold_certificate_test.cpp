@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Certificates about singular configurations of closures: genuine ones, and forged ones.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/support/closure_cases.hpp"
@@ -100,6 +101,23 @@ TEST(AForgedFold, WithAGapIsNotVerified) {
   EXPECT_FALSE(is(Outcome::kVerified,
                   verify_text(with_proof(question(), std::string(kAlong) + kAcross, kEnd, "-0.99")),
                   ""));
+}
+
+/// x = p³/3 − 3p²/2 + 2p has its first fold at x = 5/6, and the next one, beyond it, at x = 2/3. A motion
+/// up to 0.7 reaches neither: the way to the second one leaves the motion.
+TEST(AForgedFold, OnAWayThatLeavesTheMotionIsNotVerified) {
+  const auto up_to = [](double end) {
+    const std::string range = fmt::format("0 : {}", end);
+    const std::string arcs =
+        fmt::format("arc 0 0 : {} {} 0.1146 {} 0.06\narc 1 0.25 : 2.1 1 {} 0 {}\n", 0.42 / end,
+                    0.21 / end, 0.5986 * end, 0.623 / end, 0.224 / end);
+    return verify_text(
+        with_proof(question(range, "x - p^3/3 + 3/2*p^2 - 2*p", "0 +- 1/10"), arcs,
+                   fmt::format("fold {} 2 1 0.001 0.001 0.001 1\nend\n", 2 / (3 * end)),
+                   fmt::format("{}", end)));
+  };
+  EXPECT_TRUE(is(Outcome::kVerified, up_to(1), ""));
+  EXPECT_TRUE(is(Outcome::kUnfinished, up_to(0.7), "may leave the line"));
 }
 
 TEST(AForgedFold, OfAnotherFormatIsRefused) {
