@@ -2,7 +2,6 @@
 #include "runtime/formal/coq_question.hpp"
 
 #include <algorithm>
-#include <ranges>
 #include <set>
 
 #include "runtime/formal/coq_expression.hpp"
@@ -35,9 +34,9 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 std::set<std::string, std::less<>> names_used(const std::vector<std::string>& lines,
                                               bool with_scales) {
-  constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ",
-                             kCharacters =
-                                 "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
+  static constexpr std::string_view
+      kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ",
+      kCharacters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
   std::set<std::string, std::less<>> used;
   const auto add = [&used](std::string_view text) {
     while (!text.empty()) {
@@ -50,8 +49,10 @@ std::set<std::string, std::less<>> names_used(const std::vector<std::string>& li
   for (const std::string_view line : lines)
     if (line.starts_with("entry ") || (with_scales && line.starts_with("scale ")))
       add(line.substr(6));
-  for (std::string_view line : lines | std::views::reverse)
-    if (take_until(line, " ") == "let" && used.contains(take_until(line, " = "))) add(line);
+  for (auto at = lines.rbegin(); at != lines.rend(); ++at)
+    if (std::string_view line = *at;
+        take_until(line, " ") == "let" && used.contains(take_until(line, " = ")))
+      add(line);
   return used;
 }
 

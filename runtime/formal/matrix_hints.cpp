@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <ranges>
 #include <set>
 #include <utility>
 
@@ -352,8 +351,8 @@ class HintSearch {
       if (node.op == Op::kVariable && values_of_names_[std::size_t(node.a)] != kNoNode)
         used.insert(std::size_t(node.a));
     }
-    const auto newest = std::ranges::find_if(order_ | std::views::reverse,
-                                             [&](std::size_t i) { return used.contains(i); });
+    const auto newest = std::find_if(order_.rbegin(), order_.rend(),
+                                     [&](std::size_t i) { return used.contains(i); });
     if (newest == order_.rend()) return std::nullopt;
     return *newest;
   }

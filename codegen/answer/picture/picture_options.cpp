@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "codegen/answer/report/place_text.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus {

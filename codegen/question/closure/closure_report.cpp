@@ -6,7 +6,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <ranges>
 
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/place_text.hpp"
@@ -162,7 +161,7 @@ std::vector<double> beyond_the_branch(const PreparedClosure& prepared,
   const auto go = [&](double end) {
     places.push_back(std::clamp(end + kPartBeyond * (end - start), range.lo, range.hi));
   };
-  const auto below = std::ranges::find_if(std::views::reverse(boxes), [&](const auto& box) {
+  const auto below = std::find_if(boxes.rbegin(), boxes.rend(), [&](const auto& box) {
     return !box.second && box.first.lo < start;
   });
   if (below != boxes.rend()) go(below->first.lo);
