@@ -6,19 +6,18 @@
 #include <utility>
 #include <vector>
 
+#include "codegen/model/exact/point_values.hpp"
+
 namespace regulus {
 namespace {
 
 using DoubleRows = std::vector<std::vector<double>>;
 
 DoubleRows approx_values(const GiNaC::matrix& J, const GiNaC::exmap& values) {
+  PointValues at(values);
   DoubleRows rows(J.rows());
   for (unsigned i = 0; i < J.rows(); ++i)
-    for (unsigned j = 0; j < J.cols(); ++j) {
-      const GiNaC::ex value = J(i, j).subs(values, GiNaC::subs_options::no_pattern).evalf();
-      const bool known = GiNaC::is_a<GiNaC::numeric>(value);
-      rows[i].push_back(known ? GiNaC::ex_to<GiNaC::numeric>(value).to_double() : NAN);
-    }
+    for (unsigned j = 0; j < J.cols(); ++j) rows[i].push_back(at.of(J(i, j)));
   return rows;
 }
 

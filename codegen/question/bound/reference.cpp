@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/bound/reference.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cmath>
+#include <string>
 
 #include "codegen/model/exact/decimal.hpp"
 #include "codegen/question/bound/bracket_question.hpp"
@@ -14,6 +16,9 @@ namespace {
 
 constexpr double kBeyond = 1.01;  ///< an end of the bracket that is certainly singular
 
+/// To three digits: the last ones of a sample are not the same with every C library.
+double rounded(double x) { return std::stod(fmt::format("{:.2e}", x)); }
+
 }  // namespace
 
 GiNaC::ex Reference::value() const { return shortest_decimal(approx); }
@@ -24,7 +29,7 @@ Reference choose_reference(const Component& component, const std::vector<double>
   const bool direct = traits_of(component.kind).is_always_least;
   double extreme = direct ? std::ranges::min(values) : std::ranges::max(values);
   if (!component.is_absolute && extreme <= 0) {
-    result.approx = extreme == 0 ? -1 : 2 * extreme;
+    result.approx = extreme == 0 ? -1 : rounded(2 * extreme);
     extreme = extreme == 0 ? 1 : -extreme;
   }
   if (extreme > 0) result.sampled = direct ? extreme : 1 / extreme;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/quantity/approx_values.hpp"
 
-#include <Eigen/SVD>
-#include <algorithm>
+#include <Eigen/Dense>
 #include <cmath>
 
 #include "codegen/question/quantity/sample_point.hpp"
@@ -10,6 +9,8 @@
 namespace regulus {
 namespace {
 
+using Eigen::Index;
+using Eigen::MatrixXd;
 using GiNaC::ex;
 using GiNaC::exmap;
 
@@ -29,69 +30,51 @@ class Sampler {
 
  private:
   double value_at(bool in_the_middle) try {
-    const Motion& motion = bordered_.request.motion;
     exmap point = in_the_middle ? points_.middle() : points_.next();
     points_.add_uncertain(point, in_the_middle);
-    for (const ex& constraint : motion.constraints)
-      if (!(approx_number(constraint.subs(point)) <= 0)) return std::nan("");
-    if (bordered_.parameter.empty()) return determinant(point);
-    if (bordered_.scaled) return determinant_of_scaled(point);
+    PointValues at(point);
+    for (const ex& constraint : bordered_.request.motion.constraints)
+      if (!(at.of(constraint) <= 0)) return std::nan("");
+    if (bordered_.parameter.empty()) return determinant(at);
+    if (bordered_.scaled) return determinant_of_scaled(at);
     return bordered_.rows_of_inverse == 0 ? by_determinants(point) : by_norm(point);
   } catch (const std::exception&) {
     return std::nan("");  // GiNaC throws at a pole
   }
 
-  static GiNaC::matrix values_at(const GiNaC::matrix& A, const exmap& point) {
-    GiNaC::matrix values(A.rows(), A.cols());
-    for (unsigned i = 0; i < A.rows(); ++i)
-      for (unsigned j = 0; j < A.cols(); ++j) values(i, j) = approx_number(A(i, j).subs(point));
-    return values;
-  }
-
-  [[nodiscard]] double determinant(const exmap& point) const {
+  [[nodiscard]] double determinant(PointValues& at) const {
     const Model& model = bordered_.request.model;
-    double value = approx_number(values_at(model.matrix, point).determinant());
-    for (const ex& scale : model.row_scale) value *= approx_number(scale.subs(point));
+    double value = values_of(model.matrix, at).determinant();
+    for (const ex& scale : model.row_scale) value *= at.of(scale);
     return std::abs(value);
   }
 
-  GiNaC::matrix matrix_at(exmap point, double r) const {
+  [[nodiscard]] MatrixXd matrix_at(exmap point, double r) const {
     for (const MotionParameter& p : bordered_.request.motion.parameters)
       if (p.name == bordered_.parameter) point[p.symbol] = r;
-    return values_at(bordered_.plain, point);
+    PointValues at(point);
+    return values_of(bordered_.plain, at);
   }
 
   /// det B is affine in r, so (det B(0) − det B(1))/det B(0) = q − y.
   [[nodiscard]] double by_determinants(const exmap& point) const {
-    const double at_0 = approx_number(matrix_at(point, 0).determinant());
-    const double at_1 = approx_number(matrix_at(point, 1).determinant());
-    const double value = 1 - at_1 / at_0;
+    const double value = 1 - matrix_at(point, 1).determinant() / matrix_at(point, 0).determinant();
     return bordered_.is_absolute ? std::abs(value) : value;
   }
 
-  [[nodiscard]] double determinant_of_scaled(const exmap& point) const {
-    const double value = approx_number(values_at(*bordered_.scaled, point).determinant());
+  [[nodiscard]] double determinant_of_scaled(PointValues& at) const {
+    const double value = values_of(*bordered_.scaled, at).determinant();
     return bordered_.is_absolute ? std::abs(value) : value - approx_number(bordered_.reference);
   }
 
   [[nodiscard]] double by_norm(const exmap& point) const {
-    const GiNaC::matrix B = matrix_at(point, 1);
-    const unsigned rows = bordered_.rows_of_inverse, columns = B.cols() - rows;
-    if (by_decomposition_) return by_decomposition(B, rows, columns);
-    double sum = 0;
-    for (unsigned i = 0; i < rows; ++i)
-      for (unsigned j = 0; j < columns; ++j)
-        sum += std::pow(approx_number(B(i, rows + j)), 2) / approx_number(B(i, i));
-    return std::sqrt(sum / columns);
-  }
-
-  [[nodiscard]] double by_decomposition(const GiNaC::matrix& B, unsigned rows,
-                                        unsigned columns) const {
-    Eigen::MatrixXd A(rows, columns);
-    for (unsigned i = 0; i < rows; ++i)
-      for (unsigned j = 0; j < columns; ++j)
-        A(i, j) = approx_number(B(i, rows + j)) / std::sqrt(approx_number(B(i, i)));
-    const Eigen::VectorXd sigma = Eigen::JacobiSVD<Eigen::MatrixXd>(A).singularValues();
+    const MatrixXd B = matrix_at(point, 1);
+    const Index rows = bordered_.rows_of_inverse, columns = B.cols() - rows;
+    const MatrixXd A =
+        B.topLeftCorner(rows, rows).diagonal().cwiseSqrt().cwiseInverse().asDiagonal() *
+        B.block(0, rows, rows, columns);
+    if (!by_decomposition_) return std::sqrt(A.squaredNorm() / double(columns));
+    const Eigen::VectorXd sigma = Eigen::JacobiSVD<MatrixXd>(A).singularValues();
     return bordered_.is_reciprocal ? sigma(0) : sigma(sigma.size() - 1);
   }
 

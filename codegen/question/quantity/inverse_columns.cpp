@@ -22,12 +22,10 @@ constexpr int kBits = 10;
 constexpr double kLeastRatio = 1e-9;
 
 /// Returns A with its uncertain quantities at their nominal values; empty if it has no value.
-MatrixXd values_of(const GiNaC::matrix& A, const Request& request, GiNaC::exmap point) try {
+MatrixXd nominal_values(const GiNaC::matrix& A, const Request& request, GiNaC::exmap point) try {
   for (const GeometryParameter& g : request.model.geometry) point[g.symbol] = g.value.evalf();
-  MatrixXd values(Index(A.rows()), Index(A.cols()));
-  for (unsigned i = 0; i < A.rows(); ++i)
-    for (unsigned j = 0; j < A.cols(); ++j)
-      values(Index(i), Index(j)) = approx_number(A(i, j).subs(point));
+  PointValues at(point);
+  MatrixXd values = values_of(A, at);
   return values.allFinite() ? values : MatrixXd();
 } catch (const std::exception&) {
   return {};  // GiNaC throws at a pole
@@ -69,7 +67,8 @@ std::optional<GiNaC::matrix> columns_at(const MatrixXd& A) {
 std::optional<GiNaC::matrix> inverse_columns(const Request& request, const GiNaC::matrix& A) {
   SamplePoints points(request);
   for (int place = 0; place < kPlaces; ++place) {
-    const MatrixXd values = values_of(A, request, place == 0 ? points.middle() : points.next());
+    const MatrixXd values =
+        nominal_values(A, request, place == 0 ? points.middle() : points.next());
     if (values.size() == 0) continue;
     if (auto columns = columns_at(values)) return columns;
   }

@@ -10,11 +10,12 @@ namespace regulus {
 
 using GiNaC::ex;
 
-double approx_number(const ex& e) {
-  const ex value = e.evalf();
-  if (!GiNaC::is_a<GiNaC::numeric>(value) || !GiNaC::ex_to<GiNaC::numeric>(value).is_real())
-    return std::nan("");
-  return GiNaC::ex_to<GiNaC::numeric>(value).to_double();
+Eigen::MatrixXd values_of(const GiNaC::matrix& A, PointValues& at) {
+  Eigen::MatrixXd values(Eigen::Index(A.rows()), Eigen::Index(A.cols()));
+  for (unsigned i = 0; i < A.rows(); ++i)
+    for (unsigned j = 0; j < A.cols(); ++j)
+      values(Eigen::Index(i), Eigen::Index(j)) = at.of(A(i, j));
+  return values;
 }
 
 GiNaC::exmap SamplePoints::pose_at(bool in_the_middle) {

@@ -2,14 +2,15 @@
 // Values of a model's expressions at poses of a motion, to nearest, for planning only.
 #pragma once
 
+#include <Eigen/Core>
 #include <random>
 
+#include "codegen/model/exact/point_values.hpp"
 #include "codegen/model/request.hpp"
 
 namespace regulus {
 
-/// Returns a real number, NaN for anything else.
-[[nodiscard]] double approx_number(const GiNaC::ex& e);
+[[nodiscard]] Eigen::MatrixXd values_of(const GiNaC::matrix& A, PointValues& at);
 
 /// Places of a motion, the same ones in every run.
 class SamplePoints {
