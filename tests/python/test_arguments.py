@@ -10,6 +10,7 @@ import numpy
 import pytest
 
 import regulus as rg
+from regulus.options import Options
 import typed_use
 
 PLANAR = rg.load("planar_3rpr")
@@ -184,6 +185,11 @@ def test_what_types_accept_runs(tmp_path):
     typed_use.solutions(rg.load("rpr_6"))
     typed_use.models()
     assert (tmp_path / "proof.txt").exists()
+
+
+def test_the_type_of_options_has_each_option():
+    options = {name for name in dir(rg._regulus.SearchOptions()) if not name.startswith("_")}
+    assert set(Options.__annotations__) == options | {"beyond_limits"}
 
 
 def test_the_stub_says_what_the_module_has():

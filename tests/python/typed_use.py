@@ -49,3 +49,11 @@ def models() -> None:
     rg.gough(anchors, [tuple(0.5 * p) for p in anchors], motions={"m": pose})
     rg.gough(anchors.tolist(), list(anchors), motions={"m": pose})
     rg.serial(np.array([[0, 0, 1.0, 0], [1, 0, 0, 0]]), motions={"m": {"q1": np.array([0, 1]), "q2": 0}})
+
+
+def wrong_names(robot: rg.Robot) -> None:
+    """Not called: mypy refuses each of these."""
+    robot.check("regular", rnge={"x": (0, 1)})  # type: ignore[call-arg]
+    robot.bound("regular", "determinant", max_boxs=8)  # type: ignore[call-arg]
+    robot.solve(at={"rho_1": 14.5}, time_limit="1 s")  # type: ignore[arg-type]
+    robot.prepare("regular", thread=1)  # type: ignore[call-arg]

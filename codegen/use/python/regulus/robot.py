@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import json
 import os
-from typing import Any, Mapping, Optional, Sequence, Union
+from typing import TYPE_CHECKING, Any, Mapping, Optional, Sequence, Union
 
 from . import _regulus
 from .arguments import (
@@ -24,9 +24,13 @@ from .arguments import (
 )
 from .errors import ArgumentTypeError, FileError, UsageError, require_package
 from .numbers import Number, Numbers, Range, Texts
+from .options import Options
 from .paving import LoadPaving, Paving
 from .results import Bound, Check, LoadCheck, Margin, Path, PreparedCheck, Verification
 from .solutions import Solved, SolvedPlaces
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
 
 _LARGEST_MODEL = 4 << 20  # bytes
 
@@ -210,7 +214,7 @@ class Robot:
         waypoints: Optional[Path] = None,
         certificate: Optional[Path] = None,
         shard_size: int = 0,
-        **options: Any,
+        **options: Unpack[Options],
     ) -> Check:
         """Proves that a motion has no singular pose, or shows one.
 
@@ -257,7 +261,7 @@ class Robot:
         waypoints: Optional[Path] = None,
         certificate: Optional[Path] = None,
         shard_size: int = 0,
-        **options: Any,
+        **options: Unpack[Options],
     ) -> Paving:
         """Paves a motion with boxes that are proved free, proved singular, or undecided.
 
@@ -295,7 +299,7 @@ class Robot:
         waypoints: Optional[Path] = None,
         certificate: Optional[Path] = None,
         shard_size: int = 0,
-        **options: Any,
+        **options: Unpack[Options],
     ) -> LoadCheck:
         """Proves that at every pose forces within the limits of the model hold a load.
 
@@ -332,7 +336,7 @@ class Robot:
         tolerance: Optional[Mapping[str, Number]] = None,
         certificate: Optional[Path] = None,
         shard_size: int = 0,
-        **options: Any,
+        **options: Unpack[Options],
     ) -> LoadPaving:
         """Paves a motion with boxes in which a load is held everywhere, nowhere, or undecided.
 
@@ -379,7 +383,7 @@ class Robot:
         waypoints: Optional[Path] = None,
         certificate: Optional[Path] = None,
         shard_size: int = 0,
-        **options: Any,
+        **options: Unpack[Options],
     ) -> Margin:
         """Brackets the largest safe tolerance, threshold or size of a motion.
 
@@ -481,7 +485,7 @@ class Robot:
         waypoints: Optional[Path] = None,
         certificate: Optional[Path] = None,
         shard_size: int = 0,
-        **options: Any,
+        **options: Unpack[Options],
     ) -> Bound:
         """Brackets the largest value of a quantity over a motion, or compares it with a limit.
 
@@ -534,7 +538,7 @@ class Robot:
         hold: Sequence[str] = (),
         tolerance: Optional[Mapping[str, Number]] = None,
         certificate: Optional[Path] = None,
-        **options: Any,
+        **options: Unpack[Options],
     ) -> Solved:
         """Finds all configurations, poses or postures at one place, and proves that these are all.
 
@@ -577,7 +581,7 @@ class Robot:
         waypoints: Optional[Path] = None,
         hold: Sequence[str] = (),
         tolerance: Optional[Mapping[str, Number]] = None,
-        **options: Any,
+        **options: Unpack[Options],
     ) -> SolvedPlaces:
         """Solves many places, each for itself.
 
@@ -625,7 +629,7 @@ class Robot:
         range: Optional[Mapping[str, Range]] = None,
         tolerance: Optional[Mapping[str, Number]] = None,
         alpha: Optional[Number] = None,
-        **options: Any,
+        **options: Unpack[Options],
     ) -> Prepared:
         """Forms and compiles the functions of a motion once, for many checks.
 
