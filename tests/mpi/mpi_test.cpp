@@ -4,6 +4,7 @@
 
 #include "codegen/use/mpi/agreement.hpp"
 #include "tests/mpi/ranks.hpp"
+#include "tests/support/trials.hpp"
 
 namespace regulus::test {
 namespace {
@@ -51,13 +52,13 @@ TEST_F(Ranks, WithSeveralThreadsGiveThePavingOfOneThread) {
 /// Where the robot reaches is a constraint that only a paving without a proof has.
 TEST_F(Ranks, PaveWhatTheRobotReachesAsOneThreadDoes) {
   const Words locate = {"locate",  model("delta"),  "far",         "--resolution", "1/800",
-                        "--range", "y=-1300:-1000", "--max-boxes", "30000",        "--output"};
+                        "--range", "y=-1300:-1000", "--max-boxes", "18000",        "--output"};
   const auto boxes_of = [this](const std::string& name) {
     const std::string text = text_of(file(name));
     return text.substr(0, text.rfind("{\"summary\""));
   };
   static_cast<void>(run_command(one_thread(joined(locate, {file("one")}))));
-  EXPECT_GT(boxes_of("one").size(), 1'000'000U);
+  EXPECT_GT(boxes_of("one").size(), 500'000U);
   static_cast<void>(run_command(ranks(2, joined(locate, {file("many")}))));
   EXPECT_TRUE(boxes_of("many") == boxes_of("one"));
 }
@@ -96,7 +97,8 @@ TEST_F(Ranks, VerifyTheShardsOfAnIndex) {
   const CommandResult one =
       run_command({REGULUS_BINARY_DIR "/bin/regulus", "verify", file("proof"), "--threads", "2"});
   EXPECT_EQ(one.output, "VERIFIED\n") << one.errors;
-  for (const int count : {1, 3, 12}) {
+  const std::vector<int> counts = trials(0, 1) == 0 ? std::vector{3} : std::vector{1, 3, 12};
+  for (const int count : counts) {
     const CommandResult many = run_command(ranks(count, {"verify", file("proof")}));
     EXPECT_EQ(many.output, one.output) << many.errors;
     EXPECT_THAT(many.errors, HasSubstr(one.errors));

@@ -14,6 +14,7 @@
 #include "tests/support/certificates.hpp"
 #include "tests/support/random_source.hpp"
 #include "tests/support/temporary_directory.hpp"
+#include "tests/support/trials.hpp"
 
 namespace regulus::test {
 namespace {
@@ -103,28 +104,28 @@ void expect_decided(const std::string& model, bool is_singular) {
 TEST(AJumpOfAtan2, IsDecidedAsTheClosedFormSays) {
   RandomSource random(7);
   int singular = 0, regular = 0;
-  for (int trial = 0; trial < 150; ++trial) {
+  for (int trial = 0; trial < trials(40, 150); ++trial) {
     const Entry entry(random);
     if (entry.is_unclear()) continue;
     expect_decided(model_of(entry, "1"), entry.vanishes());
     ++(entry.vanishes() ? singular : regular);
   }
-  EXPECT_GT(singular, 20);
-  EXPECT_GT(regular, 20);
+  EXPECT_GT(singular, trials(5, 20));
+  EXPECT_GT(regular, trials(5, 20));
 }
 
 TEST(JumpsOfTwoAngles, AreDecidedAsTheClosedFormSays) {
   RandomSource random(8);
   int singular = 0, regular = 0;
-  for (int trial = 0; trial < 60; ++trial) {
+  for (int trial = 0; trial < trials(20, 60); ++trial) {
     const Entry first(random), second(random);
     if (first.is_unclear() || second.is_unclear()) continue;
     const bool is_singular = first.vanishes() || second.vanishes();
     expect_decided(model_of(first, second.text()), is_singular);
     ++(is_singular ? singular : regular);
   }
-  EXPECT_GT(singular, 10);
-  EXPECT_GT(regular, 10);
+  EXPECT_GT(singular, trials(2, 10));
+  EXPECT_GT(regular, trials(2, 10));
 }
 
 constexpr const char* kModel =

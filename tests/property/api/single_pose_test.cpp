@@ -7,6 +7,7 @@
 #include "codegen/use/api/regulus.hpp"
 #include "tests/support/random_hexapod.hpp"
 #include "tests/support/temporary_directory.hpp"
+#include "tests/support/trials.hpp"
 
 namespace regulus::test {
 namespace {
@@ -27,7 +28,7 @@ class SinglePose : public testing::TestWithParam<const char*> {
 
 TEST_P(SinglePose, IsNeverDecidedWorseThanABoxAroundIt) {
   RandomSource random(16);
-  for (int trial = 0; trial < 12; ++trial) {
+  for (int trial = 0; trial < trials(4, 12); ++trial) {
     const RandomHexapod robot(random);
     const std::string model = robot.model(std::exp(random.between(0.0, 3.3)), GetParam());
     const Finding box = ask(model, "box"), pose = ask(model, "pose");

@@ -12,11 +12,11 @@
 #include "codegen/model/way/trajectory.hpp"
 #include "codegen/question/bound/bound_run.hpp"
 #include "tests/support/temporary_directory.hpp"
+#include "tests/support/trials.hpp"
 
 namespace regulus::test::random_models {
 namespace {
 
-constexpr int kModels = 10;
 constexpr int kSamples = 2000;
 
 /// A random model with the matrix diag(1/ρ)·M, M affine in x, y and an uncertain a, and its data.
@@ -224,7 +224,7 @@ class RandomModels : public testing::TestWithParam<QuantityOptions> {};
 
 TEST_P(RandomModels, HaveNoValueBeyondABracket) {
   int closed = 0, all = 0;
-  for (unsigned seed = 1; seed <= kModels; ++seed) {
+  for (unsigned seed = 1; seed <= unsigned(trials(3, 10)); ++seed) {
     RandomModel model(seed);
     SCOPED_TRACE(model.text());
     Request request;
@@ -244,7 +244,7 @@ TEST_P(RandomModels, HaveNoValueBeyondABracketAlongWayPoints) {
   const TemporaryDirectory folder;
   const std::string file = folder.path() / "way.csv";
   int closed = 0, all = 0;
-  for (unsigned seed = 1; seed <= kModels / 2; ++seed) {
+  for (unsigned seed = 1; seed <= unsigned(trials(2, 5)); ++seed) {
     RandomModel model(seed);
     std::ofstream(file) << model.choose_way();
     SCOPED_TRACE(model.text());

@@ -3,6 +3,7 @@
 // not square, poles and roots.
 #include "tests/property/engine/random_models.hpp"
 #include "tests/support/certificates.hpp"
+#include "tests/support/trials.hpp"
 
 namespace regulus::test {
 namespace {
@@ -39,21 +40,21 @@ void judge_certificate(const ModelText& text, const SearchVariant& variant, Coun
 TEST(CertificatesOfRandomModels, AreVerifiedAlmostAlways) {
   RandomSource random(20261124);
   Count count;
-  for (int model = 0; model < 150; ++model)
+  for (int model = 0; model < trials(50, 150); ++model)
     judge_certificate(RandomModel(random).text(),
                       random_variant(random, kMethods[model % std::size(kMethods)]), count);
   RecordProperty("verified", count.verified);
-  EXPECT_GE(count.verified, 20);
+  EXPECT_GE(count.verified, trials(6, 20));
   EXPECT_GE(count.verified, 9 * count.unfinished);
 }
 
 TEST(CertificatesOfAdversarialModels, AreNeverRejected) {
   RandomSource random(20261125);
   Count count;
-  for (int model = 0; model < 150; ++model)
+  for (int model = 0; model < trials(50, 150); ++model)
     judge_certificate(AdversarialModel(random).text(),
                       random_variant(random, kMethods[model % std::size(kMethods)]), count);
-  EXPECT_GE(count.verified, 20);
+  EXPECT_GE(count.verified, trials(6, 20));
   EXPECT_GE(count.verified, 2 * count.unfinished);
 }
 

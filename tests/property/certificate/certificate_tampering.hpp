@@ -8,13 +8,14 @@
 
 #include "tests/support/certificates.hpp"
 #include "tests/support/claim_refutation.hpp"
+#include "tests/support/trials.hpp"
 
 namespace regulus::test {
 
 inline verifier::Options little_effort() {
   verifier::Options options;
-  options.max_boxes = 1000;
-  options.max_boxes_per_leaf = 500;
+  options.max_boxes = std::uint64_t(trials(200, 1000));
+  options.max_boxes_per_leaf = std::uint64_t(trials(100, 500));
   options.max_bits = 256;
   return options;
 }

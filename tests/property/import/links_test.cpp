@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/property/import/links.hpp"
 
+#include "tests/support/trials.hpp"
+
 namespace regulus::test {
 namespace {
 
 TEST(RandomClosures, AreTheKinematicsOfTheirFiles) {
   Compared result;
-  expect_closures(1, 100, 3, result);
-  EXPECT_GT(result.robots, 70);
-  EXPECT_GT(result.drives, 180);
+  expect_closures(1, trials(25, 100), 3, result);
+  EXPECT_GT(result.robots, trials(16, 70));
+  EXPECT_GT(result.drives, trials(40, 180));
 }
 
 /// The oracle's screws against its own differences.

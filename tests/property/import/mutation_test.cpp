@@ -9,6 +9,7 @@
 #include "codegen/support/errors.hpp"
 #include "tests/property/import/damage.hpp"
 #include "tests/support/robots/robot_file.hpp"
+#include "tests/support/trials.hpp"
 
 namespace regulus::test {
 namespace {
@@ -28,23 +29,23 @@ Answer answer(const std::string& text) try {
   return Answer::kUsage;
 }
 
-void expect_answers(const std::string& text, unsigned trials) {
+void expect_answers(const std::string& text, unsigned files) {
   ASSERT_EQ(answer(text), Answer::kModel);
   unsigned models = 0, refused = 0;
-  for (unsigned seed = 0; seed < trials; ++seed) {
+  for (unsigned seed = 0; seed < files; ++seed) {
     const Answer given = answer(damaged_robot(seed, text));
     models += given == Answer::kModel;
     refused += given == Answer::kBadFile;
   }
-  EXPECT_GT(models, trials / 20);
-  EXPECT_GT(refused, trials / 20);
+  EXPECT_GT(models, files / 20);
+  EXPECT_GT(refused, files / 20);
 }
 
-TEST(DamagedUrdf, IsReadOrRefused) { expect_answers(robot_text("mh5.urdf"), 3000); }
+TEST(DamagedUrdf, IsReadOrRefused) { expect_answers(robot_text("mh5.urdf"), trials(1000, 3000)); }
 
-TEST(DamagedMjcf, IsReadOrRefused) { expect_answers(robot_text("arm.mjcf"), 100); }
+TEST(DamagedMjcf, IsReadOrRefused) { expect_answers(robot_text("arm.mjcf"), trials(60, 100)); }
 
-TEST(DamagedSdf, IsReadOrRefused) { expect_answers(robot_text("arm.sdf"), 3000); }
+TEST(DamagedSdf, IsReadOrRefused) { expect_answers(robot_text("arm.sdf"), trials(1000, 3000)); }
 
 TEST(DamagedHexapod, IsReadOrRefused) { expect_answers(robot_text("hexapod.mjcf"), 1000); }
 

@@ -9,6 +9,7 @@
 #include "runtime/regularity/orthants.hpp"
 #include "tests/support/exact.hpp"
 #include "tests/support/lane_arrays.hpp"
+#include "tests/support/trials.hpp"
 
 namespace regulus {
 namespace {
@@ -149,7 +150,7 @@ TEST_P(CoupledTerms, ComeCloseToTheTruthAndNeverPassIt) {
   constexpr unsigned kHalvings = 2000;
   Random random(33);
   int close = 0, rounds = 0, passed = 0;
-  for (; rounds < 16; ++rounds) {
+  for (; rounds < test::trials(5, 16); ++rounds) {
     const CoupledRows rows(random, GetParam(), std::ldexp(1.0, -static_cast<int>(random.below(4))));
     OrthantCell hint{};
     double range = 0.05;
@@ -161,7 +162,7 @@ TEST_P(CoupledTerms, ComeCloseToTheTruthAndNeverPassIt) {
     close += find_singular(rows, 1.04 * range, random);
   }
   std::printf("%d claims; %d of %d limits within 7 %% of the truth\n", passed, close, rounds);
-  EXPECT_GT(passed, 500);
+  EXPECT_GT(passed, test::trials(150, 500));
   EXPECT_GE(close, GetParam() == Kind::kRanges ? rounds - 1 : rounds - 2);
 }
 

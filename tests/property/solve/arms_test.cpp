@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "tests/property/solve/solved.hpp"
+#include "tests/support/trials.hpp"
 
 namespace regulus {
 namespace {
@@ -91,7 +92,7 @@ TEST(AllPosturesOfGeneralArms, ContainThePlantedOne) {
   std::uniform_real_distribution<double> length(-1, 1), angle(-1.5, 1.5);
   int complete = 0;
   std::size_t most = 0;
-  for (int trial = 0; trial < 12; ++trial) {
+  for (int trial = 0; trial < test::trials(6, 12); ++trial) {
     Arm arm{};
     for (DhJoint& joint : arm) joint = {length(random), angle(random), length(random)};
     arm[5].a = arm[5].alpha = 0;
@@ -103,7 +104,7 @@ TEST(AllPosturesOfGeneralArms, ContainThePlantedOne) {
     EXPECT_EQ(solutions.found.size() % 2, 0U);  // complex ones come in pairs, of 16
     EXPECT_LE(solutions.found.size(), 16U);
   }
-  EXPECT_GE(complete, 11);
+  EXPECT_GE(complete, test::trials(5, 11));
   EXPECT_GE(most, 4U);
 }
 

@@ -4,6 +4,7 @@
 
 #include "codegen/question/solve/pose_search.hpp"
 #include "tests/support/hostile_platforms.hpp"
+#include "tests/support/trials.hpp"
 
 namespace regulus::test {
 namespace {
@@ -236,7 +237,7 @@ bool is_within(const Pose<double>& pose, const GoughPose& tube) {
 TEST(TubesOfPoses, HoldThePosesOfAllLegs) {
   RandomSource random(29);
   int complete = 0;
-  for (int round = 0; round < 6; ++round) {
+  for (int round = 0; round < 6; round += trials(3, 1)) {
     const Platform robot = round % 2 == 0 ? mirrored(random) : threefold(random);
     const GoughLegs at = robot.at(random_pose(random, 1));
     GoughLegs legs = at;
@@ -267,7 +268,7 @@ TEST(TubesOfPoses, HoldThePosesOfAllLegs) {
         }));
     }
   }
-  EXPECT_GE(complete, 2);
+  EXPECT_GE(complete, trials(1, 2));
 }
 
 /// Legs as at a singular pose: the two poses that meet there have no tubes, and nothing is claimed of all.

@@ -5,6 +5,7 @@
 
 #include "tests/property/solve/certified_lists.hpp"
 #include "tests/support/random_source.hpp"
+#include "tests/support/trials.hpp"
 
 namespace regulus::test {
 namespace {
@@ -268,7 +269,7 @@ DhArm usual_arm(RandomSource& random, int kind, double right) {
 TEST(PosturesOfUsualArms, AreVerifiedWithTheirFiles) {
   RandomSource random(3);
   int with_proof = 0;
-  for (int round = 0; round < 18; ++round) {
+  for (int round = 0; round < trials(6, 18); ++round) {
     const bool is_degrees = round % 2 == 1, has_tool = round % 3 == 0;
     DhArm arm = usual_arm(random, round % 3, is_degrees ? 90 : 1.5707963267948966);
     if (has_tool) arm.tail = "tool = { xyz = [0.1, 0, 0.2], rpy = [0.1, 0.2, 0.3] }\n";
@@ -288,7 +289,7 @@ TEST(PosturesOfUsualArms, AreVerifiedWithTheirFiles) {
     if (round % 6 == 5 && !made.solutions.found.empty())
       expect_forgeries_of_postures_fail(made.text);
   }
-  EXPECT_GE(with_proof, 15);
+  EXPECT_GE(with_proof, trials(5, 15));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "codegen/question/engine/settings.hpp"
 #include "runtime/search/solver.hpp"
 #include "tests/support/search_events.hpp"
+#include "tests/support/trials.hpp"
 
 namespace regulus::kept_search {
 namespace {
@@ -94,7 +95,7 @@ TEST(KeptSearch, FollowsAllRangesToTheBit) {
         const Problem whole = preparation.problem();
         Solver kept;
         std::set<std::string> different;
-        for (int step = 0; step < 6; ++step) {
+        for (int step = 0; step < test::trials(3, 6); ++step) {
           Problem problem = whole;
           if (step % 3 != 0) shrink(problem, random);
           Solver fresh;
