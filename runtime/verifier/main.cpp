@@ -181,9 +181,11 @@ int verify(Usage& usage) {
   return static_cast<int>(v.outcome);
 }
 
-void write_file(const std::string& name, const std::string& text) try {
+/// Without a text, throws what would be thrown after a long proof: there is no such folder.
+void write_file(const std::string& name, const std::string* text) try {
   regulus::AtomicFile output(name);
-  output.write(text);
+  if (text == nullptr) return;
+  output.write(*text);
   output.put_in_place();
 } catch (const std::system_error& error) {
   throw std::runtime_error("the file '" + name + "' cannot " + error.what());
@@ -227,7 +229,8 @@ int write_coq(const Usage& usage) {
     regulus::verifier::CoqRobot robot;
     const std::string text = theorem_of(usage, robot);
     if (!robot.reason.empty()) throw regulus::verifier::Unfinished(robot.reason);
-    write_file(usage.coq, text + robot.text);
+    const std::string all = text + robot.text;
+    write_file(usage.coq, &all);
   });
 }
 
@@ -250,7 +253,7 @@ int audit(const Usage& usage) {
 
 /// Writes the file, and lets Coq prove it.
 void write_and_prove(const Usage& usage, const std::string& file, const std::string& text) {
-  write_file(file, text);
+  write_file(file, &text);
   if (!usage.quiet) std::cerr << "file       " << file << '\n';
   prove(usage, text);
 }
@@ -269,6 +272,8 @@ void prove_with_robot(const Usage& usage, const std::string& file) {
 }
 
 int prove_theorem(Usage& usage) {
+  const std::string file = usage.coq.empty() ? usage.certificate + ".v" : usage.coq;
+  write_file(file, nullptr);
   if (!usage.model.empty()) {
     const Verification v = verify_and_describe(usage);
     if (v.outcome != Outcome::kVerified) {
@@ -276,7 +281,6 @@ int prove_theorem(Usage& usage) {
       return static_cast<int>(v.outcome);
     }
   }
-  const std::string file = usage.coq.empty() ? usage.certificate + ".v" : usage.coq;
   return unless_refused(usage, [&] { prove_with_robot(usage, file); });
 }
 

@@ -72,9 +72,13 @@ class ClosureReader {
         toml_.elements(list, "a list of expressions, each 0 on the branch");
     if (equations.size() != unknowns_.size())
       toml_.refuse(list,
-                   std::to_string(equations.size()) + " equations for " +
-                       std::to_string(unknowns_.size()) + " unknowns in " + entry_.path,
-                   "as many equations as unknowns; leave out those that follow from others");
+                   std::to_string(equations.size()) +
+                       (equations.size() == 1 ? " equation for " : " equations for ") +
+                       std::to_string(unknowns_.size()) +
+                       (unknowns_.size() == 1 ? " unknown in " : " unknowns in ") + entry_.path,
+                   equations.size() > unknowns_.size()
+                       ? "as many; leave out those that follow from others"
+                       : "as many; add what else holds the unknowns");
     for (const TomlEntry& equation : equations) read_equation(equation);
     for (const PoseParameter& u : closure_.unknowns)
       if (std::ranges::none_of(closure_.equations,

@@ -41,8 +41,10 @@ std::string in_bars(const std::string& words, const Component& c) {
 }
 
 std::string describe_limit(const Quantity& quantity, const GiNaC::ex& limit) {
-  return fmt::format("{} {} {}{}", in_bars(quantity.name, quantity.components.front()),
-                     quantity.is_least ? ">" : "<", number_text(limit), unit_suffix(quantity.unit));
+  const Component& first = quantity.components.front();
+  const std::string& unit = quantity.components.size() == 1 ? first.unit : quantity.unit;
+  return fmt::format("{} {} {}{}", in_bars(quantity.name, first), quantity.is_least ? ">" : "<",
+                     number_text(limit), unit_suffix(unit));
 }
 
 Json json_quantity(const Model& model, const Quantity& quantity) {

@@ -81,7 +81,10 @@ class Linker {
   bool begin() {
     const std::vector<Interval>& place = start_.place;
     if (!has_one_start(place)) {
-      links_.obstacle = "the values of 'start' are not shown to be near exactly one configuration";
+      links_.obstacle =
+          "the values of 'start' are not shown to be near exactly one configuration; give them "
+          "more "
+          "digits, or values nearer to the one that is meant";
       return false;
     }
     const std::vector<std::size_t> leaves = tree_.leaves_at(start_.place);

@@ -13,6 +13,7 @@
 #include "codegen/answer/report/question_report.hpp"
 #include "codegen/answer/report/report.hpp"
 #include "codegen/answer/report/search_facts.hpp"
+#include "codegen/model/degrees.hpp"
 
 namespace regulus {
 namespace {
@@ -25,7 +26,7 @@ bool is_narrowed(const Closure& closure, std::size_t i) {
     return GiNaC::ex_to<GiNaC::numeric>(e.evalf()).to_double();
   };
   const std::string& unit = closure.unknowns[i].unit;
-  const double usual = unit == "rad" ? 2 * std::numbers::pi : unit == "deg" ? 360 : 1000;
+  const double usual = unit == "rad" ? 2 * std::numbers::pi : is_in_degrees(unit) ? 360 : 1000;
   const Range& range = closure.ranges[i];
   return std::fmin(approx(range.hi - closure.start[i]), approx(closure.start[i] - range.lo)) <
          usual * (1 - 1e-9);

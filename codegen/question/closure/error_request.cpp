@@ -28,9 +28,9 @@ class ErrorRequestBuilder {
       const PoseParameter& q = given.model.pose[i];
       actual[q.symbol] = commanded[q.symbol] = given.motion.pose[i];
       if (given.motion.error.empty() || given.motion.error[i].is_zero()) continue;
-      const GiNaC::realsymbol error("error_" + q.name);
+      const GiNaC::realsymbol error(q.name + "_error");
       actual[q.symbol] = given.motion.pose[i] + error;
-      add({error, "error_" + q.name, q.unit}, {-given.motion.error[i], given.motion.error[i]}, 0,
+      add({error, q.name + "_error", q.unit}, {-given.motion.error[i], given.motion.error[i]}, 0,
           pose, start);
     }
     for (const GeometryParameter& g : given.model.geometry) {

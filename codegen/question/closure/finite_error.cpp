@@ -291,8 +291,10 @@ FiniteErrors bound_finite_errors(const Request& request, const std::vector<std::
   const ErrorRequest errors = with_errors_as_parameters(request);
   PreparedClosure prepared = prepare_closure(errors.request, 0, search, watch);
   FiniteErrors found;
-  for (const MotionParameter& p : errors.request.motion.parameters)
+  for (const MotionParameter& p : errors.request.motion.parameters) {
     found.parameters.push_back(p.name);
+    found.units.push_back(p.unit);
+  }
   const ClosureFinding checked = check_closure(prepared, search, watch, progress);
   const ClosureResult& branch = checked.searched;
   found.boxes = branch.branch.boxes;

@@ -26,6 +26,7 @@ struct FiniteError {
 struct FiniteErrors {
   std::vector<FiniteError> unknowns;
   std::vector<std::string> parameters;  ///< the names of FiniteError::place
+  std::vector<std::string> units;       ///< of these; "1": none
   std::vector<Fold> folds{};            ///< that the errors reach
   std::string obstacle{};               ///< why there is no bound; empty: there is one
   std::uint64_t boxes = 0;              ///< of the search for the branch

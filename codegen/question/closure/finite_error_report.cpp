@@ -55,8 +55,8 @@ Json json_error(const FiniteErrors& found, const FiniteError& error) {
 std::string place_text(const FiniteErrors& found, const FiniteError& error) {
   std::string text;
   for (std::size_t k = 0; k < error.place.size(); ++k)
-    text += fmt::format("{}{} = {:.6g}", text.empty() ? "at " : ", ", found.parameters[k],
-                        mid(error.place[k]));
+    text += fmt::format("{}{} = {:.6g}{}", text.empty() ? "at " : ", ", found.parameters[k],
+                        mid(error.place[k]), unit_suffix(found.units[k]));
   return text;
 }
 

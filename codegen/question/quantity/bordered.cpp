@@ -341,11 +341,13 @@ class Border {
 
   std::vector<ex> errors() {
     std::vector<ex> delta;
-    const std::vector<ex>& error = model().actuators.error;
-    for (std::size_t i = 0; i < error.size(); ++i)
-      delta.push_back(error[i].is_zero()
+    const Actuators motors = model().actuators;
+    const std::string length = length_unit(model());
+    for (std::size_t i = 0; i < motors.error.size(); ++i)
+      delta.push_back(motors.error[i].is_zero()
                           ? ex(0)
-                          : add_uncertain("error_" + std::to_string(i + 1), 0, error[i], -1));
+                          : add_uncertain("error_" + std::to_string(i + 1), 0, motors.error[i], -1,
+                                          motors.units.empty() ? length : motors.units[i]));
     return delta;
   }
 

@@ -79,7 +79,7 @@ TEST(ClosureRefusal, NamesThatAreTaken) {
 
 TEST(ClosureRefusal, EquationsThatAreNotAsManyAsUnknowns) {
   expect_refused_closure("  \"crank*sin(theta) + 0.35355*sin(phi) - 0.25*sin(psi)\",\n", "", 11,
-                         "1 equations for 2 unknowns", "as many equations as unknowns");
+                         "1 equation for 2 unknowns", "add what else holds the unknowns");
   expect_refused_closure("\",\n]", "\", \"phi\",\n]", 11, "3 equations for 2 unknowns",
                          "leave out those that follow from others");
   expect_refused_closure("equations = [", "equation = [", 11, "unknown key 'closure.equation'",

@@ -154,7 +154,7 @@ function summary(verdict: keyof typeof WORDS, { proved, total, undecided, outsid
   if (outside === total) say("NOT RE-PROVED: every box is outside the constraints, so that no pose remains.", "partly");
   else if (undecided === 0) {
     colour(verdict);
-    say(`RE-PROVED IN THIS BROWSER: ${proved} of ${total} boxes`, "proved");
+    say(`RE-PROVED IN THIS BROWSER: ${proved} of ${total} ${total === 1 ? "box" : "boxes"}`, "proved");
   } else if (proved === 0) say("NOT RE-PROVED: the simpler test of this page decides no box; regulus verify has more tests.", "partly");
   else
     say(`RE-PROVED IN THIS BROWSER: ${proved} of ${total} boxes. The simpler test of this page does not decide the other ${undecided}; regulus verify has more tests.`, "partly");
