@@ -247,7 +247,7 @@ int main(int argc, char** argv) {
     print(series, bounds.back(), kBoundLimit * limit);
     std::cout.flush();
   }
-  regulus::Gnuplot(argv[1]).draw(picture(panels));
+  regulus::Gnuplot(argv[1]).draw(picture(panels), "Boxes and seconds by tolerance, range and gap");
   std::cout << "\n![boxes and seconds of a bound by the gap](bound_growth.svg)\n";
-  regulus::Gnuplot(argv[2]).draw(bound_picture(bounds));
+  regulus::Gnuplot(argv[2]).draw(bound_picture(bounds), "Boxes and seconds of a bound by the gap");
 }
