@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/analysis/least_singular.hpp"
 
-#include <Eigen/LU>
 #include <cmath>
 
 #include "codegen/question/engine/balanced_matrix.hpp"
 #include "codegen/question/engine/point_values.hpp"
 #include "codegen/question/engine/singular_descent.hpp"
+#include "codegen/support/decomposition.hpp"
 
 namespace regulus {
 namespace {
@@ -34,7 +34,7 @@ std::optional<double> approx_share(const InverseJacobian& jacobian,
   const std::size_t n = jacobian.rows();
   const auto entries = jacobian.approx_at(point);
   if (!entries || n != jacobian.columns()) return std::nullopt;
-  const double share = std::fabs(balance(*entries, n, n).entries.determinant());
+  const double share = std::fabs(determinant(balance(*entries, n, n).entries));
   return std::isfinite(share) ? std::optional(share) : std::nullopt;
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/analysis/null_vectors.hpp"
 
-#include <Eigen/SVD>
 #include <cmath>
 
 #include "codegen/question/engine/balanced_matrix.hpp"
+#include "codegen/support/decomposition.hpp"
 
 namespace regulus {
 namespace {
@@ -22,17 +22,15 @@ std::vector<double> unbalanced(Eigen::VectorXd v, const Eigen::VectorXd& scale) 
 
 NullVectors approx_null_vectors(std::span<const double> A, std::size_t rows, std::size_t columns) {
   const BalancedMatrix balanced = balance(A, rows, columns);
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(balanced.entries,
-                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Eigen::VectorXd& sigma = svd.singularValues();
+  const SingularVectors svd = decompose(balanced.entries);
+  const Eigen::VectorXd& sigma = svd.sigma;
   NullVectors result;
   for (Eigen::Index k = 0; k < sigma.size(); ++k) {
     const double relative = sigma(0) > 0 ? sigma(k) / sigma(0) : 0;
     result.singular_values.push_back(relative);
     if (relative > kNegligible) continue;
-    result.right.push_back(unbalanced(svd.matrixV().col(k), balanced.column_scale));
-    if (rows == columns)
-      result.left.push_back(unbalanced(svd.matrixU().col(k), balanced.row_scale));
+    result.right.push_back(unbalanced(svd.v.col(k), balanced.column_scale));
+    if (rows == columns) result.left.push_back(unbalanced(svd.u.col(k), balanced.row_scale));
   }
   return result;
 }

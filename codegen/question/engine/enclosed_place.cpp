@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/engine/enclosed_place.hpp"
 
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -12,6 +10,7 @@
 #include "codegen/kernel/program/interpreter.hpp"
 #include "codegen/kernel/symbolic/derivative.hpp"
 #include "codegen/question/engine/singular_descent.hpp"
+#include "codegen/support/decomposition.hpp"
 #include "runtime/existence/null_vector.hpp"
 #include "runtime/interval/arithmetic.hpp"
 
@@ -110,8 +109,6 @@ class PlaceEnclosure {
   }
 
  private:
-  using Svd = Eigen::JacobiSVD<MatrixXd>;
-
   /// No columns mean all of them, with all rows.
   [[nodiscard]] Minor minor_of(const std::vector<std::size_t>& columns) const {
     Minor minor{{}, columns};
@@ -148,7 +145,7 @@ class PlaceEnclosure {
     const RowMajor A = approx_part(minor, at_->entries, 0);
     const BalancedMatrix balanced =
         balance({A.data(), std::size_t(A.size())}, minor.rows.size(), minor.columns.size());
-    return Svd(balanced.entries, Eigen::ComputeFullV).matrixV().rightCols<1>();
+    return decompose(balanced.entries).v.rightCols<1>();
   }
 
   [[nodiscard]] std::optional<EnclosedPlace> enclose_in(const Minor& minor) const {
@@ -209,20 +206,20 @@ class PlaceEnclosure {
     const RowMajor A = approx_part(minor, at_->entries, 0);
     const BalancedMatrix balanced =
         balance({A.data(), std::size_t(A.size())}, minor.rows.size(), minor.columns.size());
-    const Svd svd(balanced.entries, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const VectorXd v = balanced.column_scale.asDiagonal() * svd.matrixV().rightCols<1>();
+    const SingularVectors svd = decompose(balanced.entries);
+    const VectorXd v = balanced.column_scale.asDiagonal() * svd.v.rightCols<1>();
     MatrixXd moved(m, Index(variables));
     for (std::size_t place = 0; place < variables; ++place)
       moved.col(Index(place)) =
           freedom(place) * (balanced.row_scale.asDiagonal() *
                             (approx_part(minor, at_->slopes, place * at_->entries.size()) * v));
-    const MatrixXd out = svd.matrixU().rightCols(d).transpose() * moved;
+    const MatrixXd out = svd.u.rightCols(d).transpose() * moved;
     if (!out.allFinite() || out.cols() < d) return {};
-    const Eigen::ColPivHouseholderQR<MatrixXd> qr(out);
+    const PivotedColumns pivoted = pivot(out);
     std::vector<std::size_t> chosen;
     for (Index i = 0; i < d; ++i) {
-      chosen.push_back(std::size_t(qr.colsPermutation().indices()(i)));
-      if (qr.matrixR()(i, i) == 0 || freedom(chosen.back()) == 0) return {};
+      chosen.push_back(std::size_t(pivoted.order[std::size_t(i)]));
+      if (pivoted.beyond(i) == 0 || freedom(chosen.back()) == 0) return {};
     }
     std::ranges::sort(chosen);
     v_of.assign(v.data(), v.data() + v.size());

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/engine/singular_descent.hpp"
 
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
 #include "codegen/question/engine/point_values.hpp"
+#include "codegen/support/decomposition.hpp"
 
 namespace regulus {
 namespace {
@@ -87,7 +86,7 @@ std::optional<SingularDescent::Place> SingularDescent::look_at(const std::vector
     return std::nullopt;
   auto matrix = matrix_.at(point);
   if (!matrix) return std::nullopt;
-  const double sigma = Eigen::JacobiSVD<MatrixXd>(scaled(*matrix)).singularValues().minCoeff();
+  const double sigma = singular_values(scaled(*matrix)).minCoeff();
   return Place{point, std::move(*matrix), sigma};
 }
 
@@ -125,8 +124,7 @@ std::optional<SingularDescent::Place> SingularDescent::improved(const Place& pla
 /// singular vector of the least singular value.
 VectorXd SingularDescent::newton_step(const Place& place) {
   const MatrixXd A = scaled(place.matrix);
-  const Eigen::JacobiSVD<MatrixXd> svd(A, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const VectorXd v = svd.matrixV().rightCols<1>();
+  const VectorXd v = decompose(A).v.rightCols<1>();
   const Index m = A.rows(), n = A.cols(), d = Index(place.point.size());
   MatrixXd system = MatrixXd::Zero(m + 1, d + n);
   for (Index k = 0; k < d; ++k) system.col(k).head(m) = slope(place, A, v, std::size_t(k));
@@ -134,7 +132,7 @@ VectorXd SingularDescent::newton_step(const Place& place) {
   system.block(m, d, 1, n) = v.transpose();
   VectorXd aim = VectorXd::Zero(m + 1);
   aim.head(m) = -(A * v);
-  VectorXd step = system.completeOrthogonalDecomposition().solve(aim).head(d);
+  VectorXd step = solve_least_squares(system, aim).head(d);
   for (Index k = 0; k < d; ++k) step(k) *= width(std::size_t(k));
   return step;
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/quantity/approx_values.hpp"
 
-#include <Eigen/Dense>
 #include <cmath>
 
 #include "codegen/question/quantity/sample_point.hpp"
+#include "codegen/support/decomposition.hpp"
 
 namespace regulus {
 namespace {
@@ -44,7 +44,7 @@ class Sampler {
 
   [[nodiscard]] double determinant(PointValues& at) const {
     const Model& model = bordered_.request.model;
-    double value = values_of(model.matrix, at).determinant();
+    double value = regulus::determinant(values_of(model.matrix, at));
     for (const ex& scale : model.row_scale) value *= at.of(scale);
     return std::abs(value);
   }
@@ -58,12 +58,13 @@ class Sampler {
 
   /// det B is affine in r, so (det B(0) − det B(1))/det B(0) = q − y.
   [[nodiscard]] double by_determinants(const exmap& point) const {
-    const double value = 1 - matrix_at(point, 1).determinant() / matrix_at(point, 0).determinant();
+    const double value =
+        1 - regulus::determinant(matrix_at(point, 1)) / regulus::determinant(matrix_at(point, 0));
     return bordered_.is_absolute ? std::abs(value) : value;
   }
 
   [[nodiscard]] double determinant_of_scaled(PointValues& at) const {
-    const double value = values_of(*bordered_.scaled, at).determinant();
+    const double value = regulus::determinant(values_of(*bordered_.scaled, at));
     return bordered_.is_absolute ? std::abs(value) : value - approx_number(bordered_.reference);
   }
 
@@ -74,7 +75,7 @@ class Sampler {
         B.topLeftCorner(rows, rows).diagonal().cwiseSqrt().cwiseInverse().asDiagonal() *
         B.block(0, rows, rows, columns);
     if (!by_decomposition_) return std::sqrt(A.squaredNorm() / double(columns));
-    const Eigen::VectorXd sigma = Eigen::JacobiSVD<MatrixXd>(A).singularValues();
+    const Eigen::VectorXd sigma = singular_values(A);
     return bordered_.is_reciprocal ? sigma(0) : sigma(sigma.size() - 1);
   }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/quantity/inverse_columns.hpp"
 
-#include <Eigen/SVD>
 #include <cmath>
 
 #include "codegen/question/quantity/sample_point.hpp"
+#include "codegen/support/decomposition.hpp"
 
 namespace regulus {
 namespace {
@@ -44,12 +44,12 @@ std::optional<GiNaC::matrix> columns_at(const MatrixXd& A) {
   const Eigen::VectorXd scale = A.colwise().norm();
   if (!(scale.minCoeff() > 0)) return std::nullopt;
   const MatrixXd balanced = A * scale.cwiseInverse().asDiagonal();
-  const Eigen::JacobiSVD<MatrixXd> svd(balanced, Eigen::ComputeFullU | Eigen::ComputeThinV);
-  const Eigen::VectorXd& sigma = svd.singularValues();
+  const SingularVectors svd = decompose(balanced);
+  const Eigen::VectorXd& sigma = svd.sigma;
   if (!(sigma(sigma.size() - 1) > kLeastRatio * sigma(0))) return std::nullopt;
   const Index m = A.rows(), n = A.cols();
-  MatrixXd C = svd.matrixU();
-  C.leftCols(n) *= sigma.cwiseInverse().asDiagonal() * svd.matrixV().transpose();
+  MatrixXd C = svd.u;
+  C.leftCols(n) *= sigma.cwiseInverse().asDiagonal() * svd.v.transpose();
   GiNaC::matrix columns(static_cast<unsigned>(m), static_cast<unsigned>(m));
   for (Index k = 0; k < m; ++k) {
     const double least = std::ldexp(C.col(k).cwiseAbs().maxCoeff(), -kBits);
