@@ -32,6 +32,7 @@ constexpr Key kOptions[] = {
     {"determinant", "text"},
     {"entries", "text"},
     {"bisect", "text"},
+    {"weights?", "text[]", "NAME=W of each weight that was given"},
     {"uncertainty", "text"},
     {"engine", "text"},
     {"threads", "count"},

@@ -139,6 +139,7 @@ constexpr OptionRefusal kOptionsOfLoads[] = {
     {"determinant", kOneMethod},
     {"entries", kOneMethod},
     {"bisect", kOneMethod},
+    {"weight", kOneMethod},
     {"uncertainty", kOneMethod},
     {"precision", kOneMethod},
     {"symbolic-budget", kOneMethod},
@@ -152,6 +153,7 @@ constexpr OptionRefusal kOptionsOfClosures[] = {
     {"determinant", kOneMethodOfClosures},
     {"entries", kOneMethodOfClosures},
     {"bisect", kOneMethodOfClosures},
+    {"weight", kOneMethodOfClosures},
     {"uncertainty", kOneMethodOfClosures},
     {"precision", kOneMethodOfClosures},
     {"symbolic-budget", kOneMethodOfClosures},
@@ -165,6 +167,7 @@ constexpr OptionRefusal kOptionsOfSolutions[] = {
     {"determinant", kOneMethodOfSolutions},
     {"entries", kOneMethodOfSolutions},
     {"bisect", kOneMethodOfSolutions},
+    {"weight", kOneMethodOfSolutions},
     {"uncertainty", kOneMethodOfSolutions},
     {"precision", kOneMethodOfSolutions},
     {"symbolic-budget", kOneMethodOfSolutions},
@@ -191,6 +194,7 @@ std::vector<std::string_view> changed_options(const ModelOptions& model,
   add("determinant", search.determinant != usual.determinant);
   add("entries", search.entries != usual.entries);
   add("bisect", search.bisection != usual.bisection);
+  add("weight", search.weights != usual.weights);
   add("uncertainty", search.uncertainty != usual.uncertainty);
   add("precision", search.precision != usual.precision);
   add("symbolic-budget", search.symbolic_budget != usual.symbolic_budget);

@@ -89,6 +89,7 @@ std::string write_search(const Problem& problem, const Settings& settings, const
   ByteWriter bytes;
   put(bytes, problem);
   for_each_setting(settings, [&bytes](const auto& setting) { bytes.put(setting); });
+  bytes.put_list(std::span<const double>(settings.weights));
   put(bytes, learned);
   return bytes.take();
 }
@@ -100,6 +101,7 @@ SearchDescription read_search(std::string_view text) {
   for_each_setting(search.settings, [&reader](auto& setting) {
     setting = reader.take<std::remove_reference_t<decltype(setting)>>();
   });
+  search.settings.weights = reader.take_list<double>();
   search.learned = take_learned(reader);
   if (!reader.at_end()) throw MalformedMessage();
   return search;

@@ -7,6 +7,7 @@ namespace regulus {
 
 Bisector::Bisector(const Problem& problem, const Settings& settings)
     : bisection_(settings.bisection),
+      weights_(settings.weights),
       splittable_(settings.uncertainty == Uncertainty::kVariables
                       ? problem.kernel->variables
                       : problem.kernel->motion_variables) {
@@ -34,7 +35,7 @@ double Bisector::approx_score(Batch& batch, std::size_t variable, std::size_t la
     case Bisection::kWidest:
       return x.hi - x.lo;
     case Bisection::kWeighted:
-      return (x.hi - x.lo) / range_[variable];
+      return (x.hi - x.lo) / range_[variable] * (weights_.empty() ? 1.0 : weights_[variable]);
     case Bisection::kImpact:
       return batch.approx_impact().at(variable, lane);
   }

@@ -34,8 +34,9 @@ class Bisector {
                                     std::size_t lane) const noexcept;
 
   Bisection bisection_;
-  std::size_t splittable_;     ///< the variables 0 … splittable_ − 1 may be split
-  std::vector<double> range_;  ///< 0 for idle variables, which are not split
+  std::vector<double> weights_;  ///< of Settings
+  std::size_t splittable_;       ///< the variables 0 … splittable_ − 1 may be split
+  std::vector<double> range_;    ///< 0 for idle variables, which are not split
   std::vector<double> least_width_;
 };
 

@@ -100,7 +100,7 @@ enum class Entries : std::uint8_t { kNatural, kDerivatives };
 /// uncertain quantities are split.
 [[nodiscard]] Entries fitting_entries(Method method, Uncertainty uncertainty) noexcept;
 
-/// kWidest: largest width. kWeighted: largest width relative to the range of the variable. kImpact:
+/// kWidest: largest width. kWeighted: largest width relative to the range of the variable, times its weight. kImpact:
 /// largest contribution, roughly, to the failure of the test on the method's matrix.
 enum class Bisection : std::uint8_t { kWidest, kWeighted, kImpact };
 
@@ -234,6 +234,7 @@ struct Settings {
   Determinant determinant = Determinant::kBoth;
   Entries entries = Entries::kNatural;
   Bisection bisection = Bisection::kImpact;
+  std::vector<double> weights;  ///< of the variables, above 0; empty: 1 each
   Uncertainty uncertainty = Uncertainty::kElements;
   std::uint64_t max_boxes = std::numeric_limits<std::uint64_t>::max();
   double time_limit = std::numeric_limits<double>::infinity();  ///< seconds

@@ -30,18 +30,21 @@ const char* word_of_kind(const VariableLabel& variable) {
 /// Returns the options that may change the answer or its time, by their names on the command line.
 Json json_options(const SearchOptions& search) {
   const auto limit = [](auto value) { return value == 0 ? Json(nullptr) : Json(value); };
-  return {{"method", name(search.method)},
-          {"determinant", word_of(search.determinant)},
-          {"entries", word_of(search.entries)},
-          {"bisect", word_of(search.bisection)},
-          {"uncertainty", word_of(search.uncertainty)},
-          {"engine", word_of(search.engine)},
-          {"threads", settings_from(search).threads},
-          {"max_boxes", limit(search.max_boxes)},
-          {"time_limit", limit(search.time_limit)},
-          {"precision", search.precision},
-          {"symbolic_budget", search.symbolic_budget},
-          {"without", search.without}};
+  Json weights = search.weights.empty() ? Json::object() : Json{{"weights", search.weights}};
+  Json options{{"method", name(search.method)},
+               {"determinant", word_of(search.determinant)},
+               {"entries", word_of(search.entries)},
+               {"bisect", word_of(search.bisection)},
+               {"uncertainty", word_of(search.uncertainty)},
+               {"engine", word_of(search.engine)},
+               {"threads", settings_from(search).threads},
+               {"max_boxes", limit(search.max_boxes)},
+               {"time_limit", limit(search.time_limit)},
+               {"precision", search.precision},
+               {"symbolic_budget", search.symbolic_budget},
+               {"without", search.without}};
+  options.update(weights);
+  return options;
 }
 
 /// The labels, the ranges as doubles, and the exact question if it has the same ranges.

@@ -32,6 +32,7 @@ struct SearchOptions {
   Determinant determinant = Determinant::kBoth;
   std::optional<Entries> entries;  ///< nullopt: as the method needs
   Bisection bisection = Bisection::kImpact;
+  std::vector<std::string> weights;  ///< NAME=W, of ranges, for Bisection::kWeighted
   Uncertainty uncertainty = Uncertainty::kElements;
   Engine engine = Engine::kJit;
   std::optional<Isa> isa;  ///< nullopt: the best of this processor

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/engine/settings.hpp"
 
+#include <fmt/format.h>
 #include <sched.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <system_error>
 #include <thread>
 
 #include "codegen/question/engine/choices.hpp"
@@ -40,10 +44,30 @@ Settings settings_from(const SearchOptions& options) {
   return settings;
 }
 
+std::vector<double> weights_of(const ReportLabels& labels, const SearchOptions& options) {
+  if (options.weights.empty()) return {};
+  if (options.bisection != Bisection::kWeighted)
+    throw UsageError("--weight goes with --bisect weighted");
+  std::vector<double> weights(labels.variables.size(), 1.0);
+  for (const std::string& text : options.weights) {
+    const std::size_t at = text.find('=');
+    const auto of = std::ranges::find(labels.variables, text.substr(0, at), &VariableLabel::name);
+    if (at == std::string::npos || of == labels.variables.end())
+      throw UsageError(fmt::format("--weight: '{}' is no NAME=W with the name of a range", text));
+    const char* const end = text.data() + text.size();
+    double& weight = weights[std::size_t(of - labels.variables.begin())];
+    const auto [read, error] = std::from_chars(text.data() + at + 1, end, weight);
+    if (error != std::errc() || read != end || !(weight > 0) || !std::isfinite(weight))
+      throw UsageError(fmt::format("--weight: '{}' has no number above 0", text));
+  }
+  return weights;
+}
+
 Settings settings_of(const PreparedSearch& prepared, const SearchOptions& options,
                      const std::atomic<bool>* interrupt) {
   Settings settings = settings_from(options);
   settings.interrupt = interrupt;
+  settings.weights = weights_of(prepared.labels, options);
   settings.time_limit = seconds_left(prepared, settings.time_limit);
   for (const FilterFile& filter : prepared.filters) settings.filters.push_back(&filter.interface());
   return settings;

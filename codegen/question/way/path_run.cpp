@@ -112,6 +112,8 @@ std::string place_of_piece(std::size_t piece) { return "segment " + std::to_stri
 void settle_options(SearchOptions& search) {
   if (!search.filters.empty())
     throw UsageError("--filter: a motion along way-points is searched without filters");
+  if (!search.weights.empty())
+    throw UsageError("--weight: a motion along way-points has no ranges to weigh");
   if (!search.kernel.empty())
     throw UsageError(
         "--kernel: a motion along way-points has a kernel for each segment; leave the option out");

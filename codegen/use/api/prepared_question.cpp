@@ -229,6 +229,7 @@ Settings PreparedQuestion::Parts::settings_for(const PreparedSearch& found,
   if (limits.max_boxes != 0) settings.max_boxes = limits.max_boxes;
   if (limits.time_limit != 0) settings.time_limit = limits.time_limit;
   settings.interrupt = interrupt;
+  settings.weights = weights_of(found.labels, search);
   for (const FilterFile& filter : found.filters) settings.filters.push_back(&filter.interface());
   return settings;
 }

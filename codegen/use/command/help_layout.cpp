@@ -32,8 +32,8 @@ const OptionNames& names_in(const std::string& group) {
        {"json", "quiet", "certificate", "shard-size", "checkpoint", "checkpoint-every", "output",
         "page", "picture", "axes", "slices", "shade", "robot", "markdown", "depfile", "object"}},
       {kResearch,
-       {"method", "determinant", "entries", "bisect", "uncertainty", "without", "engine", "isa",
-        "filter", "kernel", "no-cache"}}};
+       {"method", "determinant", "entries", "bisect", "weight", "uncertainty", "without", "engine",
+        "isa", "filter", "kernel", "no-cache"}}};
   static const OptionNames kNone;
   const auto at = kNames.find(group);
   return at == kNames.end() ? kNone : at->second;

@@ -111,6 +111,13 @@ void add_search_options(CLI::App& app, SearchOptions& options) {
              "(natural), or also narrowed by their derivatives; auto: with derivatives for K·J^-1 "
              "and if uncertain quantities are split");
   add_choice(app, "--bisect", options.bisection, "Which range is split");
+  app.add_option(
+         "--weight", options.weights,
+         "With --bisect weighted: a factor for the width of a range relative to the whole of "
+         "it; the widest is split. Not named: 1")
+      ->take_all()
+      ->expected(1)
+      ->type_name("NAME=W");
   add_choice(app, "--uncertainty", options.uncertainty,
              "Uncertain quantities: kept whole in the matrix elements, or split like variables");
   app.add_option("--without", options.without,

@@ -150,6 +150,7 @@ void bind_options(py::module_& module) {
       .def_readwrite("filters", &SearchOptions::filters)
       .def_readwrite("kernel", &SearchOptions::kernel)
       .def_readwrite("without", &SearchOptions::without)
+      .def_readwrite("weights", &SearchOptions::weights)
       .def_readwrite("max_boxes", &SearchOptions::max_boxes)
       .def_readwrite("threads", &SearchOptions::threads)
       .def_readwrite("time_limit", &SearchOptions::time_limit)

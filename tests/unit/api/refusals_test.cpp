@@ -75,6 +75,7 @@ INSTANTIATE_TEST_SUITE_P(
                [](SearchOptions& o) { o.determinant = regulus::Determinant::kExpansion; }},
         Change{"entries", [](SearchOptions& o) { o.entries = regulus::Entries::kNatural; }},
         Change{"bisect", [](SearchOptions& o) { o.bisection = regulus::Bisection::kWidest; }},
+        Change{"weight", [](SearchOptions& o) { o.weights = {"x=2"}; }},
         Change{"uncertainty",
                [](SearchOptions& o) { o.uncertainty = regulus::Uncertainty::kVariables; }},
         Change{"precision", [](SearchOptions& o) { o.precision = 64; }},

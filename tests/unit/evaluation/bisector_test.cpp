@@ -64,6 +64,14 @@ TEST_P(BisectorTest, WeightedTakesTheLargestPartOfTheRange) {
   EXPECT_EQ(choose(settings, {{0, 12}, {0, 2}, {-32, 32}}), 0U);
 }
 
+TEST_P(BisectorTest, WeightedMultipliesByTheWeights) {
+  Settings settings;
+  settings.bisection = Bisection::kWeighted;
+  settings.weights = {4, 1, 1};
+  EXPECT_EQ(choose(settings, {{0, 4}, {0, 2}, {-32, 32}}), 0U);
+  EXPECT_EQ(choose(settings, {{0, 1}, {0, 2}, {-32, 32}}), 1U);
+}
+
 TEST_P(BisectorTest, ImpactTakesWhatMattersMost) {
   Settings settings;
   EXPECT_EQ(choose(settings, {{0, 16}, {0, 4}, {-32, 32}}), 1U);

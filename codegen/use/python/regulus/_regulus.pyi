@@ -23,6 +23,7 @@ class SearchOptions:
     filters: list[str]
     kernel: str
     without: list[str]
+    weights: list[str]
     max_boxes: int
     threads: int
     time_limit: float

@@ -139,6 +139,8 @@ def option_of(name: str, value: Any) -> Union[str, int, float, bool, list[str]]:
         if not isinstance(value, bool):
             raise ArgumentTypeError(f"{name}: found {value!r}; give True or False")
         return value
+    if name == "weights":
+        return assignments_of(name, value, Texts())
     if name in ("filters", "without"):
         return words_of(name, value)
     return text_of(name, value)

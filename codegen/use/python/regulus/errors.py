@@ -7,7 +7,7 @@ import re
 from importlib.util import find_spec
 from typing import Any
 
-_ARGUMENTS = {"filter": "filters", "no-cache": "use_cache=False"}
+_ARGUMENTS = {"filter": "filters", "weight": "weights", "no-cache": "use_cache=False"}
 
 
 def _argument(option: re.Match[str]) -> str:

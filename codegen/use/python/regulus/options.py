@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
-from typing import Iterable, Optional, SupportsFloat, SupportsIndex, TypedDict
+from typing import Iterable, Mapping, Optional, SupportsFloat, SupportsIndex, TypedDict
+
+from .numbers import Number
 
 
 class Options(TypedDict, total=False):
@@ -25,4 +27,5 @@ class Options(TypedDict, total=False):
     time_limit: Optional[SupportsFloat]
     uncertainty: Optional[str]
     use_cache: Optional[bool]
+    weights: Optional[Mapping[str, Number]]
     without: Optional[Iterable[str]]

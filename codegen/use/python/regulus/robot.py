@@ -228,9 +228,9 @@ class Robot:
             certificate: a file for the proof.
             shard_size: a larger proof is cut into files of about so many bytes; 0: it is one file.
             options: those of the command: threads, time_limit (seconds), max_boxes, method, engine,
-                determinant, bisect, uncertainty, entries, isa, precision, use_cache, filters,
-                without, symbolic_budget, beyond_limits (the joints may leave their limits), kernel
-                (a C++ text of the kernel that you have edited).
+                determinant, bisect, weights ({"psi": 2}), uncertainty, entries, isa, precision,
+                use_cache, filters, without, symbolic_budget, beyond_limits (the joints may leave
+                their limits), kernel (a C++ text of the kernel that you have edited).
 
         Raises:
             InputError: for the model; UsageError: for the arguments; FileError.
