@@ -12,6 +12,7 @@
 #include "codegen/question/bound/bound_report.hpp"
 #include "codegen/question/bound/bound_run.hpp"
 #include "codegen/question/bound/datasheet.hpp"
+#include "codegen/question/closure/branch_bound.hpp"
 #include "codegen/question/margin/prepared_margin.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 #include "codegen/support/errors.hpp"
@@ -43,6 +44,7 @@ class AnswerOfBound final : public BoundAnswer {
     settings_.output = display_of(services);
     settings_.certificate = services.certificate;
     settings_.interrupt = services.interrupt;
+    if (request_.model.closure) settings_.over_branch = bounds_over_branch();
     services.begin_search();
     if (services.on_line) services.tell(format_asked(request_, question.quantity, settings_.limit));
     run(std::move(question.quantity), services);
@@ -120,6 +122,7 @@ class Sheet final : public DatasheetAnswer {
     settings_.output = display_of(services);
     settings_.certificate = services.certificate;
     settings_.interrupt = services.interrupt;
+    if (request_.model.closure) settings_.over_branch = bounds_over_branch();
     set_outputs_aside(asked.model, asked.search, services,
                       datasheet_files(request_, services.certificate));
     services.begin_search();

@@ -103,6 +103,7 @@ constexpr Key kPlaceOfValue[] = {
     {"exact?", "exact{}", "coordinates that are known exactly and need not be doubles"},
     {"segment?", "segment"},
     {"twist?", "approx[]", "with which the speed is attained"},
+    {"unknowns?", "enclosure{}", "the configuration of a closure"},
 };
 constexpr Key kWitnessPoints[] = {
     {"points", "point[]", "two of opposite signs, or one"},

@@ -12,6 +12,7 @@
 #include "codegen/question/bound/bound_run.hpp"
 #include "codegen/question/bound/limit_margin.hpp"
 #include "codegen/question/bound/quantity_report.hpp"
+#include "codegen/question/closure/branch_margin.hpp"
 #include "codegen/question/margin/margin_report.hpp"
 #include "codegen/question/margin/prepared_margin.hpp"
 #include "codegen/question/margin/variety_attempts.hpp"
@@ -148,6 +149,7 @@ class MarginOfLimit final : public MarginAnswer {
     settings_.output = display_of(services);
     settings_.certificate = services.certificate;
     settings_.interrupt = services.interrupt;
+    if (request_.model.closure) settings_.over_branch = margin_over_branch;
     set_outputs_aside(model, asked.search, services,
                       certificate_files(quantity, services.certificate));
     services.begin_search();

@@ -29,9 +29,17 @@ constexpr std::string_view kNoPageOfTexts =
     "out";
 constexpr std::string_view kNoTheorem =
     "Coq has theorems about the rank of a matrix, and none about this; regulus-verify proves it";
-constexpr std::string_view kNoClosure =
-    "this question has no answer for a model with [closure]; ask check, locate, margin, or for "
-    "finite errors, or give the robot by its legs or its matrix";
+constexpr std::string_view kNoLoadOfClosures =
+    "forces within limits are not checked over a branch; bound force says what the motors of a "
+    "[closure] need";
+constexpr std::string_view kNoCondition2OfClosures =
+    "singular values of a matrix over a branch are not bounded; leave the norm out, for the "
+    "maximum "
+    "norm";
+constexpr std::string_view kNoCheckpointOfClosures =
+    "bounds over a branch keep no checkpoint; leave it out";
+constexpr std::string_view kNoRanksOfClosures =
+    "bounds over a branch are searched in one process only; use regulus";
 constexpr std::string_view kNoWayOfClosures =
     "a model with [closure] has no motions along way-points; give the motion by ranges";
 constexpr std::string_view kNoTheoremOfClosures =
@@ -87,12 +95,20 @@ constexpr Refusal kRefusals[] = {
     {kClosurePaving, kTheorem, kNoProofOfPavings, false},
     {kClosureMargin, kShards, kNoShardsOfClosures},
     {kClosureMargin, kTheorem, kNoTheoremOfClosures},
-    {kClosureLimitMargin, kAnswer, kNoClosure},
-    {kClosureBound, kAnswer, kNoClosure},
-    {kClosureCondition2, kAnswer, kNoClosure},
-    {kClosureLoad, kAnswer, kNoClosure},
-    {kClosureLoadPaving, kAnswer, kNoClosure},
-    {kClosureDatasheet, kAnswer, kNoClosure},
+    {kClosureLimitMargin, kShards, kNoShardsOfClosures},
+    {kClosureLimitMargin, kTheorem, kNoTheoremOfClosures},
+    {kClosureLimitMargin, kRanks, kNoRanksOfClosures},
+    {kClosureBound, kShards, kNoShardsOfClosures},
+    {kClosureBound, kTheorem, kNoTheoremOfClosures},
+    {kClosureBound, kCheckpoint, kNoCheckpointOfClosures},
+    {kClosureBound, kRanks, kNoRanksOfClosures},
+    {kClosureCondition2, kAnswer, kNoCondition2OfClosures},
+    {kClosureLoad, kAnswer, kNoLoadOfClosures},
+    {kClosureLoadPaving, kAnswer, kNoLoadOfClosures},
+    {kClosureDatasheet, kShards, kNoShardsOfClosures},
+    {kClosureDatasheet, kTheorem, kNoTheoremOfClosures},
+    {kClosureDatasheet, kCheckpoint, kNoCheckpointOfClosures},
+    {kClosureDatasheet, kRanks, kNoRanksOfClosures},
     {kFiniteErrors, kAnswer, kNoFiniteErrors},
     {kWayFiniteErrors, kAnswer, kNoFiniteErrors},
     {kClosureFiniteErrors, kProof, kNoProofOfFiniteErrors},
@@ -129,6 +145,9 @@ constexpr Refusal kRefusals[] = {
     {kClosureCheck, kPicture, kNoBoxes, false},
     {kClosureMargin, kPicture, kNoBoxes, false},
     {kClosureFiniteErrors, kPicture, kNoBoxes, false},
+    {kClosureBound, kPicture, kNoBoxes, false},
+    {kClosureLimitMargin, kPicture, kNoBoxes, false},
+    {kClosureDatasheet, kPicture, kNoBoxes, false},
 };
 
 constexpr OptionRefusal kOptionsOfLoads[] = {

@@ -353,6 +353,7 @@ class ClaimedForceReader {
 }  // namespace
 
 ForceQuestion split_force(const Question& question, const std::vector<std::string>& lines) {
+  if (question.closure) throw Unfinished("a claim about a closure cannot be written as a theorem");
   if (question.quantity) return ClaimedForceReader(question, lines).take();
   return ForceReader(question, lines).take();
 }

@@ -43,6 +43,9 @@ inline constexpr const char* kFold = "fold";  ///< and the reason
 inline constexpr const char* kTowards = "towards";
 inline constexpr const char* kArc = "arc";
 inline constexpr const char* kStays = "start";
+// The place of an attained end of a bound over a branch, and a coordinate there that is no double.
+inline constexpr const char* kValue = "value";
+inline constexpr const char* kOnlyValue = "-";
 inline constexpr const char* kLowerEnd = "lower";  ///< a coordinate that is the end of its range
 inline constexpr const char* kUpperEnd = "upper";
 inline constexpr const char* kEndOfRoot = "-";  ///< in a shard: the end of a range of box 0
@@ -137,7 +140,23 @@ struct ClaimedBound {
   std::string set;       ///< the name of the load or the twist; empty if it has none
   std::string expression;
   std::string bound;  ///< empty: the quantity has no bound
+  bool is_of_closure = false;
 };
+
+/// Returns "force of motor 1 under the load payload", for example: a quantity over a branch.
+[[nodiscard]] inline std::string describe_quantity_over_branch(const ClaimedBound& b) {
+  if (b.quantity == kForce) return "force of motor " + b.row + " under the load " + b.set;
+  if (b.quantity == kError)
+    return "error to first order of unknown " + b.columns + " by the errors of the motors";
+  if (b.quantity == kSpeed)
+    return "speed of unknown " + b.columns + " for the speeds of the motors";
+  if (b.quantity == kDeflection)
+    return "deflection of unknown " + b.columns + " under the load " + b.set;
+  const std::string matrix = "the equations' derivatives by the unknowns";
+  if (b.quantity == kCondition)
+    return "condition number in the maximum norm of " + matrix + " with the factors of its columns";
+  return b.quantity == kDeterminant ? "|det of " + matrix + '|' : "det of " + matrix;
+}
 
 /// Returns "force in row 3 under the load payload", for example.
 [[nodiscard]] inline std::string describe_quantity(const ClaimedBound& b) {
@@ -162,7 +181,9 @@ struct ClaimedBound {
 /// Returns a claim about a bound in words; `set`: of the matrix of the model.
 [[nodiscard]] inline std::string describe_bound_claim(const ClaimedSet& set, const ClaimedBound& b,
                                                       bool is_attained) {
-  const std::string name = describe_quantity(b);
+  const std::string name =
+      b.is_of_closure ? describe_quantity_over_branch(b) : describe_quantity(b);
+  const std::string branch = b.is_of_closure ? "on the branch through the start, " : "";
   const std::string value = b.side == kAbsolute ? '|' + name + '|' : name;
   const std::string vectors =
       b.set.empty() ? "" : std::string(is_attained ? " and some" : " and every") + " vector of it";
@@ -170,7 +191,7 @@ struct ClaimedBound {
   if (b.bound.empty()) return value + " has no bound: the matrix of the model is singular" + place;
   const char* const beyond =
       is_attained ? (b.side == kLeast ? " <= " : " >= ") : (b.side == kLeast ? " > " : " < ");
-  return value + beyond + b.bound + place;
+  return branch + value + beyond + b.bound + place;
 }
 
 /// Returns the claim about a closure of as many equations as the set has rows in words.

@@ -10,8 +10,10 @@ BoxAnswer BranchProver::decide(const Box& box, LeafClaim claim) {
   if (claim == LeafClaim::kOutside)
     return outside_.covers(box) ? BoxAnswer::kOutside : BoxAnswer::kOpen;
   if (!motion_.run(box)) return BoxAnswer::kOpen;
-  if (test_.has_one_solution(box, *tube_)) return BoxAnswer::kProved;
+  const bool has_tube = test_.has_one_solution(box, *tube_);
+  if (has_tube && (!quantity_ || quantity_->keeps_bound(test_))) return BoxAnswer::kProved;
   if (!test_.impact().empty()) impact_ = test_.impact();
+  if (has_tube) return BoxAnswer::kOpen;
   Box middle;
   for (const Interval x : box) middle.push_back(point(mid(x)));
   is_hopeless_ = !test_.has_one_solution(middle, *tube_);
@@ -25,7 +27,10 @@ std::optional<std::size_t> BranchProver::variable_to_split(const Box& box) const
 
 std::string BranchProver::contradiction(const Box& point, LeafClaim claim) {
   if (claim == LeafClaim::kOutside) return "there is a pose of the variety";
-  return test_.has_no_solution(point, *tube_) ? "the tube has no configuration" : "";
+  if (test_.has_no_solution(point, *tube_)) return "the tube has no configuration";
+  const bool is_beyond =
+      quantity_ && test_.has_one_solution(point, *tube_) && quantity_->attains_bound(test_);
+  return is_beyond ? "the quantity is beyond the bound" : "";
 }
 
 }  // namespace regulus::verifier

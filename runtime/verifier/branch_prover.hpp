@@ -2,7 +2,7 @@
 // Proves leaves of a claim about a closure: each by the tube that it states.
 #pragma once
 
-#include "runtime/verifier/branch_test.hpp"
+#include "runtime/verifier/branch_quantity.hpp"
 #include "runtime/verifier/splitting_prover.hpp"
 
 namespace regulus::verifier {
@@ -14,7 +14,9 @@ class BranchProver final : public SplittingProver {
         variety_(variety),
         test_(question),
         outside_(question, variety),
-        motion_(question, question.motion_defined) {}
+        motion_(question, question.motion_defined) {
+    if (question.quantity && !question.singular) quantity_.emplace(question);
+  }
 
   void prove(const Leaf& leaf) override {
     tube_ = leaf.tube;
@@ -30,9 +32,10 @@ class BranchProver final : public SplittingProver {
   BranchTest test_;
   Outside outside_;
   Evaluation motion_;
-  const TubeNumbers* tube_ = nullptr;  ///< of the leaf
-  std::vector<double> impact_;         ///< for the last box
-  bool is_hopeless_ = false;           ///< the tube does not hold even at its middle
+  std::optional<BranchQuantity> quantity_;  ///< that must keep its bound
+  const TubeNumbers* tube_ = nullptr;       ///< of the leaf
+  std::vector<double> impact_;              ///< for the last box
+  bool is_hopeless_ = false;                ///< the tube does not hold even at its middle
 };
 
 }  // namespace regulus::verifier

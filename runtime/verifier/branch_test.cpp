@@ -57,7 +57,8 @@ bool narrow_to_quotients(Interval S, Interval A, Interval& t) {
   return t.lo <= t.hi;
 }
 
-/// |a| has no derivative at a = 0, though its slopes are bounded: 1/a must have a value, too.
+}  // namespace
+
 std::vector<NodeId> kinks_of(Graph& graph, const std::vector<NodeId>& derivatives) {
   const NodeId one = graph.number("1");
   std::vector<NodeId> result;
@@ -67,8 +68,6 @@ std::vector<NodeId> kinks_of(Graph& graph, const std::vector<NodeId>& derivative
   }
   return result;
 }
-
-}  // namespace
 
 BranchTest::BranchTest(Question& q)
     : q_(q),
@@ -236,11 +235,11 @@ bool BranchTest::has_one_solution(const Box& box, const TubeNumbers& tube) {
     for (std::size_t k = 0; k < m_; ++k) p = p + slope(tube, i, k) * step[k];
     unknowns.push_back(p);
   }
-  const Box all = joined(box, unknowns);
-  if (!bound_center(joined(middle, center)) || !take(*over_, first_, all, first_values_))
+  whole_ = joined(box, unknowns);
+  if (!bound_center(joined(middle, center)) || !take(*over_, first_, whole_, first_values_))
     return false;
   if (is_in(tube, reach, false)) return true;
-  return rates_ && take(*rates_, second_, all, second_values_) && is_in(tube, reach, true);
+  return rates_ && take(*rates_, second_, whole_, second_values_) && is_in(tube, reach, true);
 }
 
 bool BranchTest::has_no_solution(const Box& place, const TubeNumbers& tube) {
@@ -335,8 +334,9 @@ bool BranchTest::narrow_to_solutions(const Box& places, Box& unknowns) {
 bool BranchTest::has_one_solution(const Box& place, const std::vector<double>& middle,
                                   const std::vector<double>& outer,
                                   const std::vector<double>& inner) {
+  whole_ = joined(place, about(middle, outer));
   if (!is_moderate(outer) || !bound_center(joined(place, points_of(middle))) ||
-      !take(*over_, first_, joined(place, about(middle, outer)), first_values_))
+      !take(*over_, first_, whole_, first_values_))
     return false;
   for (std::size_t i = 0; i < n_; ++i) {
     Interval sum = point(mag(value_[i]));

@@ -18,6 +18,10 @@ struct SolutionBox {
   std::vector<double> middle, radius;
 };
 
+/// Returns 1/a for each |a| whose sign the derivatives have: |a| has no derivative at a = 0, though its
+/// slopes are bounded.
+[[nodiscard]] std::vector<NodeId> kinks_of(Graph& graph, const std::vector<NodeId>& derivatives);
+
 enum class Place { kInside, kOutside, kUnknown };
 
 class BranchTest {
@@ -31,6 +35,16 @@ class BranchTest {
   [[nodiscard]] bool has_one_solution(const Box& box, const TubeNumbers& tube);
   /// After it was false: how much each variable adds to the left side; empty if nothing is known.
   [[nodiscard]] const std::vector<double>& impact() const noexcept { return impact_; }
+
+  // After has_one_solution() or solution_near(): the places and unknowns over which the test was last
+  // tried, the derivatives of the equations by the unknowns there, and K.
+  [[nodiscard]] const Box& whole() const noexcept { return whole_; }
+  [[nodiscard]] Interval derivative(std::size_t equation, std::size_t unknown) const {
+    return first_values_[equation * all_ + m_ + unknown];
+  }
+  [[nodiscard]] double inverse(std::size_t row, std::size_t column) const {
+    return K_[column * n_ + row];
+  }
 
   /// Returns true only if the equations have no solution in the tube at any place of a small box.
   [[nodiscard]] bool has_no_solution(const Box& place, const TubeNumbers& tube);
@@ -94,6 +108,7 @@ class BranchTest {
   std::optional<Evaluation> equations_, derivatives_, over_, rates_;
 
   // For one box.
+  Box whole_;
   Matrix K_;      ///< column by column
   Values value_;  ///< K Φ at the centre, by unknown
   Values at_center_, center_, first_values_, second_values_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "runtime/verifier/branch_quantity.hpp"
 #include "runtime/verifier/branch_start.hpp"
 #include "runtime/verifier/proof.hpp"
 
@@ -57,6 +58,7 @@ void BranchTree::check(Lines& lines, Verification& result) {
   check_start();
   link(0, box);
   require_connection();
+  if (q_.quantity && q_.singular) check_value();
   lines.name_line(0);
   result.links = links_;
 }
@@ -152,6 +154,21 @@ void BranchTree::check_start() {
   for (const std::size_t tube : tubes) require_start(tube, place, solution);
 }
 
+/// The configuration at the place of the value attains the bound.
+void BranchTree::check_value() {
+  const Box& place = q_.quantity->attained;
+  std::vector<std::size_t> tubes;
+  find_tubes(0, place, tubes);
+  const TubeNumbers& tube = tubes_[tubes.front()];
+  std::vector<double> start;
+  for (const Interval p : test_->middle_of(tube, place)) start.push_back(mid(p));
+  const auto solution = test_->solution_near(place, start, test_->radius_of(tube));
+  if (!solution || test_->place_of(*solution, tube, place) != Place::kInside)
+    give_up(tubes.front(), false, "the configuration at the place of the value was not found");
+  if (!BranchQuantity(q_).attains_bound(*test_))
+    throw Unfinished("it was not shown that the value is attained at its place");
+}
+
 /// Finds the tubes of the leaves in which a place may lie.
 void BranchTree::find_tubes(std::size_t number, const Box& place,
                             std::vector<std::size_t>& tubes) const {
@@ -162,7 +179,7 @@ void BranchTree::find_tubes(std::size_t number, const Box& place,
     if (x.hi >= node.at) find_tubes(node.next + 1, place, tubes);
     return;
   }
-  if (node.next == 0) throw Rejection("the start is in a leaf without a tube");
+  if (node.next == 0) throw Rejection("the place is in a leaf without a tube");
   tubes.push_back(node.next - 1);
 }
 

@@ -24,7 +24,8 @@ class BranchTree {
 
   /// Requires  the leaves tile box 0, and the claim of each is proved.
   /// Ensures   returns only if the tubes hold one continuous configuration, which is at the start the
-  ///           only one within the radius of the start; throws Rejection or Unfinished otherwise.
+  ///           only one within the radius of the start, and if the question has a value that is
+  ///           attained, attains it at its place; throws Rejection or Unfinished otherwise.
   void check(Lines& lines, Verification& result);
 
  private:
@@ -42,6 +43,7 @@ class BranchTree {
   void descend(std::size_t node, std::size_t other, bool is_lower, std::size_t cut, Box& common);
   void require_link(std::size_t a, std::size_t b, const Box& face);
   void check_start();
+  void check_value();
   void find_tubes(std::size_t node, const Box& place, std::vector<std::size_t>& tubes) const;
   void require_start(std::size_t tube, const Box& place, const SolutionBox& solution);
   [[nodiscard]] std::uint32_t root_of(std::uint32_t tube);

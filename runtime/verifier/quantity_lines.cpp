@@ -19,15 +19,6 @@ bool is_word_of(std::string_view word, std::initializer_list<const char*> words)
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-bool is_label(std::string_view text) {
-  const auto is_part = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-           c == '-';
-  };
-  return !text.empty() && text.size() <= format::kLongestName &&
-         std::all_of(text.begin(), text.end(), is_part);
-}
-
 /// Returns det ≠ 0 of a square matrix.
 bool is_regular(const std::vector<Rational>& matrix, std::size_t order) {
   fmpq_mat_t entries;
@@ -221,6 +212,15 @@ class QuantityReader {
 
 void read_quantity_lines(Lines& lines, Question& question) {
   QuantityReader(lines, question).read();
+}
+
+bool is_label(std::string_view text) {
+  const auto is_part = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-';
+  };
+  return !text.empty() && text.size() <= format::kLongestName &&
+         std::all_of(text.begin(), text.end(), is_part);
 }
 
 void describe_bound(const Question& q, Verification& result) {

@@ -13,6 +13,9 @@ namespace regulus::verifier {
 /// Requires  the lines of the model and the motion have been read.
 void read_quantity_lines(Lines& lines, Question& question);
 
+/// Returns true for a name of letters, digits, '_' and '-'.
+[[nodiscard]] bool is_label(std::string_view text);
+
 /// Sets Verification::bound: the number of the bound as a decimal. Of a matrix with one parameter
 /// more than the poses have, as that of a bound, it says that the claim has no number.
 void describe_bound(const Question& question, Verification& result);

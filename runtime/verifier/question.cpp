@@ -6,6 +6,7 @@
 #include <set>
 
 #include "runtime/verifier/algebra.hpp"
+#include "runtime/verifier/branch_quantity.hpp"
 #include "runtime/verifier/closure_lines.hpp"
 #include "runtime/verifier/load_lines.hpp"
 #include "runtime/verifier/quantity_lines.hpp"
@@ -48,11 +49,15 @@ class QuestionReader {
     }
     read_poses();
     keep_names();
-    if (is("unknown")) read_unknown_lines(lines_, q_, commanded_, actual_);
+    if (is("unknown")) {
+      read_unknown_lines(lines_, q_, commanded_, actual_);
+      q_.closure->poses = poses_;
+    }
     read_model();
     read_motion();
     if (q_.load) read_load_lines(lines_, q_);
-    if (!q_.load && !q_.closure && is("quantity")) read_quantity_lines(lines_, q_);
+    if (!q_.load && is("quantity"))
+      q_.closure ? read_branch_quantity_lines(lines_, q_) : read_quantity_lines(lines_, q_);
     read_end(claim, "the claim is not about this matrix and set");
   }
 
@@ -241,6 +246,7 @@ class QuestionReader {
   }
 
   void read_pose(const std::string& name, NodeId commanded, NodeId error) {
+    poses_.push_back(name);
     // A commanded pose must have a value: the motion means nothing where it has none.
     q_.motion_defined.push_back(commanded);
     NodeId actual = commanded;
@@ -267,6 +273,7 @@ class QuestionReader {
     for (; is("let"); advance()) {
       if (!cut(rest_of("let"), " = ", name, value)) throw Rejection("expected 'let NAME = …'");
       declare(actual_, name, parse(value, actual_, q_.graph));
+      if (q_.closure) q_.closure->lets.emplace_back(name, value);
     }
     if (q_.closure)
       read_equation_lines(lines_, q_, actual_);
@@ -333,6 +340,7 @@ class QuestionReader {
   Scope parameters_, geometry_, commanded_, actual_;
   std::vector<NodeId> middles_, spreads_;  ///< of each variable that is an uncertain quantity
   std::set<int> in_ball_;
+  std::vector<std::string> poses_;
 };
 
 }  // namespace

@@ -93,6 +93,7 @@ struct QuantityLines {
   std::optional<VectorSetLines> set;
   bool has_norms = false;          ///< of a speed: the balls of the set enter as norms
   std::vector<NodeId> errors;      ///< of the motors, by row
+  std::vector<NodeId> speeds;      ///< the same
   std::vector<NodeId> stiffness;   ///< by row
   std::vector<NodeId> factors;     ///< by column: C of J⁻¹C
   std::vector<Rational> combined;  ///< a regular matrix, row-major; empty: none
@@ -101,6 +102,11 @@ struct QuantityLines {
   NodeId reference = kNoNode;  ///< y
   NodeId bound = kNoNode;      ///< kNoNode: there is none, as the matrix of the model is singular
   std::string claim;           ///< in words
+
+  /// Over a branch: the derivatives of the equations by the pose parameters, row by row of the
+  /// equations; and the place where the bound is attained.
+  std::vector<NodeId> by_motor;
+  std::vector<Interval> attained;
 
   /// After border(): the matrix of the model, and its shape.
   std::vector<NodeId> model_matrix;
@@ -116,6 +122,8 @@ struct ClosureLines {
   std::vector<NodeId> middle, radius;  ///< by unknown; constant expressions
   std::vector<NodeId> start;           ///< by motion parameter; constant expressions
   std::vector<NodeId> equations;
+  std::vector<std::string> poses;                         ///< the names of the pose parameters
+  std::vector<std::pair<std::string, std::string>> lets;  ///< names and texts of the lines `let`
 };
 
 /// A telescopic leg of a platform: its anchors and its squared length, which are constant expressions.

@@ -117,6 +117,7 @@ void put_in_single_values(Question& q) {
     rewriting.rewrite(*roots);
   if (q.closure) rewriting.rewrite(q.closure->equations);
   if (q.quantity) {
+    rewriting.rewrite(q.quantity->by_motor);
     rewriting.rewrite(q.quantity->model_matrix);
     rewriting.rewrite(q.quantity->row_scales);
     rewriting.rewrite(q.quantity->unscaled);

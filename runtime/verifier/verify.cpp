@@ -3,6 +3,7 @@
 
 #include "runtime/files/sha256.hpp"
 #include "runtime/verifier/bordered_matrix.hpp"
+#include "runtime/verifier/branch_quantity.hpp"
 #include "runtime/verifier/fold_path.hpp"
 #include "runtime/verifier/model/closure_comparison.hpp"
 #include "runtime/verifier/model/model_comparison.hpp"
@@ -62,7 +63,7 @@ void check(Lines& lines, Question& question, const Options& options, Verificatio
   if (!options.model_text.empty()) compare(question, options, result);
   if (question.solutions) return check_solutions(lines, question, options, result);
   describe_bound(question, result);
-  if (question.quantity) border(question);
+  if (question.quantity && !question.closure) border(question);
   const Variety variety = enclose_variety(question);
   put_in_single_values(question);
   if (question.is_index)
@@ -73,12 +74,14 @@ void check(Lines& lines, Question& question, const Options& options, Verificatio
                         return TreeQuestion{question, variety};
                       }},
                  options, result);
-  else if (question.singular && question.closure)
+  else if (question.singular && question.closure && !question.quantity)
     check_fold(lines, question, variety, options, result);
-  else if (question.singular)
+  else if (question.singular && !question.closure)
     check_witness(lines, question, variety, options, result);
-  else
+  else {
+    if (question.singular) read_value_line(lines, question, variety);
     check_tree(lines, question, variety, options, result);
+  }
 }
 
 std::string at_line(const Lines& lines, const std::string& why) {

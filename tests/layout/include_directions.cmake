@@ -53,6 +53,7 @@ set(lent
     bound/bound_certificate.hpp
     bound/bound_number.hpp
     bound/bound_run.hpp
+    bound/limit_margin.hpp
     bound/way_place.hpp
     condition/condition_run.hpp)
 

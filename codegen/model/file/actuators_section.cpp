@@ -22,19 +22,29 @@ GiNaC::ex positive(ModelReading& reading, const TomlEntry& entry) {
   return value;
 }
 
-/// Reads one number for every row, or a list with one for each.
+/// The motors of a closure are its pose parameters, those of other robots the rows of the matrix.
+struct Motors {
+  explicit Motors(const Model& model)
+      : count(model.closure ? model.pose.size() : model.matrix.rows()),
+        one(model.closure ? "pose parameter" : "row") {}
+  std::size_t count;
+  std::string one;
+};
+
+/// Reads one number for every motor, or a list with one for each.
 template <class Read>
-auto by_row(ModelReading& reading, const TomlEntry& entry, bool is_list, Read read) {
-  const std::size_t rows = reading.model.matrix.rows();
+auto by_motor(ModelReading& reading, const TomlEntry& entry, bool is_list, Read read) {
+  const Motors motors(reading.model);
   std::vector<decltype(read(entry))> values;
   if (!is_list) {
-    values.assign(rows, read(entry));
+    values.assign(motors.count, read(entry));
     return values;
   }
-  const auto given = reading.toml.elements(entry, "a list with a value for each row");
-  if (given.size() != rows)
-    reading.toml.refuse(entry, std::to_string(given.size()) + " values in " + entry.path,
-                        "one value, or " + std::to_string(rows) + ", one for each row");
+  const auto given = reading.toml.elements(entry, "a list with a value for each " + motors.one);
+  if (given.size() != motors.count)
+    reading.toml.refuse(
+        entry, std::to_string(given.size()) + " values in " + entry.path,
+        "one value, or " + std::to_string(motors.count) + ", one for each " + motors.one);
   for (const TomlEntry& e : given) values.push_back(read(e));
   return values;
 }
@@ -63,15 +73,15 @@ void read_actuators(ModelReading& reading, const TomlEntry& actuators) {
   Actuators& read = reading.model.actuators;
   const auto values = [&](const char* key, auto& list, auto one) {
     if (const TomlEntry e = toml.optional(actuators, key); e.node)
-      list = by_row(reading, e, e.node->is_array(), one);
+      list = by_motor(reading, e, e.node->is_array(), one);
   };
   const auto limit = [&](const TomlEntry& e) { return positive(reading, e); };
   values("unit", read.units, [&](const TomlEntry& e) { return toml.label(e); });
   if (const TomlEntry e = toml.optional(actuators, "force_unit"); e.node)
     read.force_unit = toml.label(e);
   if (const TomlEntry e = toml.optional(actuators, "force"); e.node)
-    read.force = by_row(reading, e, is_list_of_ranges(e),
-                        [&](const TomlEntry& one) { return range(reading, one); });
+    read.force = by_motor(reading, e, is_list_of_ranges(e),
+                          [&](const TomlEntry& one) { return range(reading, one); });
   values("speed", read.speed, limit);
   values("error", read.error, [&](const TomlEntry& e) {
     return checked_nonnegative(constant(reading, e), toml.place(e));

@@ -132,8 +132,7 @@ void read_robot(ModelReading& reading, const TomlEntry& root) {
     return read_legs(reading, legs);
   }
   if (const TomlEntry closure = toml.optional(root, "closure"); closure.node) {
-    refuse_beside(toml, root, "closure",
-                  {"matrix", "drawing", "load", "twist", "actuators", "characteristic_length"});
+    refuse_beside(toml, root, "closure", {"matrix", "drawing", "twist"});
     read_pose(reading, toml.required(root, "pose"));
     read_unknowns(reading, closure);
     read_constants(reading, root);

@@ -25,12 +25,21 @@ bool is_angle(const PoseParameter& p) { return p.unit == "rad" || is_in_degrees(
 }  // namespace
 
 std::string length_unit(const Model& model) {
-  for (const PoseParameter& p : model.pose)
-    if (!is_angle(p)) return p.unit;
+  for (const auto& list :
+       {model.pose, model.closure ? model.closure->unknowns : std::vector<PoseParameter>()})
+    for (const PoseParameter& p : list)
+      if (!is_angle(p)) return p.unit;
   return "1";
 }
 
 std::vector<TwistComponent> twist_of(const Model& model) {
+  if (model.closure) {
+    std::vector<TwistComponent> rates;
+    for (const PoseParameter& p : model.closure->unknowns)
+      rates.push_back({is_angle(p) ? TwistComponent::Kind::kAngular : TwistComponent::Kind::kLinear,
+                       p.name, p.unit});
+    return rates;
+  }
   if (!model.twist.empty() || model.matrix.cols() != model.pose.size()) return model.twist;
   std::vector<TwistComponent> twist;
   for (const PoseParameter& p : model.pose)

@@ -9,11 +9,12 @@
 
 namespace regulus {
 
-/// Returns the unit of the first pose parameter that is no angle; "1" if there is none.
+/// Returns the unit of the first pose parameter, or else unknown of a closure, that is no angle; "1" if
+/// there is none.
 [[nodiscard]] std::string length_unit(const Model& model);
 
 /// Returns the components of the twist by column: those that the model names; otherwise the pose
-/// parameters, if the matrix has a column for each; otherwise nothing.
+/// parameters, if the matrix has a column for each; otherwise nothing. Of a closure: its unknowns.
 [[nodiscard]] std::vector<TwistComponent> twist_of(const Model& model);
 
 /// Returns the units of a twist in time, by component: "cm/s".

@@ -28,6 +28,7 @@ std::string certificate_of(const Component& c, const std::string& certificate) {
 
 ComponentBound bound_component(const Request& request, const Component& component,
                                const BoundSettings& settings, const TimeBudget& budget) {
+  if (request.model.closure) return settings.over_branch(request, component, settings, budget);
   if (component.kind == QuantityKind::kCondition2) {
     const auto other = [&](const Component& c, const BoundSettings& of, double seconds) {
       return bound_component(request, c, of, TimeBudget(seconds));
@@ -108,7 +109,7 @@ Bound bound_quantity(const Request& request, Quantity quantity, const BoundSetti
     const TimeBudget budget = all.share(components.size() - i);
     bound.components.push_back(bound_component(request, components[i], settings, budget));
     // A certificate is of the end that the component's own search found.
-    if (!settings.limit && settings.certificate.empty())
+    if (!settings.limit && settings.certificate.empty() && !request.model.closure)
       use_freedoms(bound.components.back(), bound, request.model, settings.gap);
     listener(bound.components.back());
     if (settings.interrupt != nullptr && *settings.interrupt) break;

@@ -15,6 +15,7 @@
 #include "codegen/question/bound/bound_number.hpp"
 #include "codegen/question/quantity/bordered.hpp"
 #include "codegen/support/held_files.hpp"
+#include "codegen/support/time_budget.hpp"
 
 namespace regulus {
 
@@ -36,6 +37,11 @@ struct ComponentBound {
   EndProofs proofs;
 };
 
+struct BoundSettings;
+/// Bounds a component; as bound_quantity().
+using BoundComponent = std::function<ComponentBound(const Request&, const Component&,
+                                                    const BoundSettings&, const TimeBudget&)>;
+
 struct BoundSettings {
   double gap = 0.01;               ///< relative to the larger end
   std::optional<GiNaC::ex> limit;  ///< compare with it; no bracket
@@ -46,6 +52,7 @@ struct BoundSettings {
   std::string certificate;  ///< files, without their endings; empty: none
   ProofPlacing placing{};
   BracketCheckpoint* checkpoint = nullptr;
+  BoundComponent over_branch{};  ///< of a model with a closure
   std::string part;  ///< of the checkpoint, if it has several quantities; otherwise empty
   const std::atomic<bool>* interrupt = nullptr;
 };

@@ -46,6 +46,7 @@ class Questions {
     for (const VectorSet& load : model_.loads)
       if (!model_.actuators.stiffness.empty()) add("deflection").load = load.name;
     for (const VectorSet& twist : model_.twists) add("speed").twist = twist.name;
+    if (model_.closure && !model_.actuators.speed.empty()) add("speed");
     if (!model_.actuators.error.empty()) add("error");
     add("sigma-min");
     add("sigma-max");
@@ -81,7 +82,7 @@ class Questions {
 std::optional<Range> limits_of(const Model& model, const Component& c) {
   const Actuators& a = model.actuators;
   if (c.kind == QuantityKind::kForce && !a.force.empty()) return a.force[c.row];
-  if (c.kind == QuantityKind::kSpeed && !a.speed.empty())
+  if (c.kind == QuantityKind::kSpeed && !a.speed.empty() && !model.closure)
     return Range{-a.speed[c.row], a.speed[c.row]};
   return std::nullopt;
 }

@@ -55,14 +55,18 @@ class LimitMarginRun {
   }
 
   ComponentMargin bracket(const Component& component, const TimeBudget& budget) {
-    const MarginQuestion question = question_within_limit(question_, component, settings_.limit);
+    const bool has_branch = request_.model.closure.has_value();
+    const MarginQuestion question =
+        has_branch ? question_ : question_within_limit(question_, component, settings_.limit);
     std::unique_ptr<EarlierSearches> earlier;
     if (settings_.checkpoint != nullptr)
       earlier = settings_.checkpoint->searches_of(question, component.label, "0");
     const BracketSettings bracket{{}, settings_.interrupt, listener_, earlier.get()};
-    ComponentMargin result = request_.motion.trajectory
-                                 ? bracket_way(component, question, bracket, budget)
-                                 : bracket_variety(component, question, bracket, budget);
+    ComponentMargin result =
+        has_branch
+            ? settings_.over_branch(request_, component, question, settings_, bracket, budget)
+        : request_.motion.trajectory ? bracket_way(component, question, bracket, budget)
+                                     : bracket_variety(component, question, bracket, budget);
     if (result.margin.refuted) question_.high = result.margin.refuted->value;
     keep_lower(found_.whole.refuted, result.margin.refuted);
     return result;

@@ -2,6 +2,7 @@
 // The largest size of a motion, or tolerance, at which a quantity keeps a limit.
 #pragma once
 
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -14,8 +15,16 @@
 #include "codegen/question/margin/margin_run.hpp"
 #include "codegen/question/quantity/bordered.hpp"
 #include "codegen/support/held_files.hpp"
+#include "codegen/support/time_budget.hpp"
 
 namespace regulus {
+
+struct ComponentMargin;
+struct LimitMarginSettings;
+/// Brackets the value at which a component exceeds the limit. Its question has no `about`.
+using ComponentMarginOf = std::function<ComponentMargin(
+    const Request&, const Component&, const MarginQuestion&, const LimitMarginSettings&,
+    const BracketSettings&, const TimeBudget&)>;
 
 struct LimitMarginSettings {
   double gap = 0.01;
@@ -25,6 +34,7 @@ struct LimitMarginSettings {
   std::string certificate;  ///< files, without their endings; empty: none
   ProofPlacing placing{};
   BracketCheckpoint* checkpoint = nullptr;
+  ComponentMarginOf over_branch{};  ///< of a model with a closure
   const std::atomic<bool>* interrupt = nullptr;
 };
 

@@ -162,18 +162,6 @@ class BranchGoal {
   BranchResult result_;
 };
 
-/// Keeps the splits, also those of an earlier run.
-class SplitRecorder final : public Observer {
- public:
-  explicit SplitRecorder(BranchTree& tree) : tree_(tree) {}
-  void on_split(const OpenBox&, const Split& split) noexcept override {
-    tree_.split(split.parent, split.variable, split.at, split.lower);
-  }
-
- private:
-  BranchTree& tree_;
-};
-
 /// Pairs of leaves on both sides of a cut.
 class Neighbours {
  public:

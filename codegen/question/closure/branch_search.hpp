@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "codegen/question/closure/tube_judge.hpp"
+#include "runtime/problem/observer.hpp"
 #include "runtime/search/box_search.hpp"
 
 namespace regulus {
@@ -60,6 +61,18 @@ class BranchTree {
  private:
   std::vector<Node> nodes_ = std::vector<Node>(1);
   std::vector<BranchLeaf> leaves_;
+};
+
+/// Keeps the splits, also those of an earlier run.
+class SplitRecorder final : public Observer {
+ public:
+  explicit SplitRecorder(BranchTree& tree) : tree_(tree) {}
+  void on_split(const OpenBox&, const Split& split) noexcept override {
+    tree_.split(split.parent, split.variable, split.at, split.lower);
+  }
+
+ private:
+  BranchTree& tree_;
 };
 
 struct BranchResult {

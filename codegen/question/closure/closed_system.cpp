@@ -12,8 +12,8 @@ using GiNaC::ex;
 
 class SystemBuilder {
  public:
-  SystemBuilder(const Request& request, bool by_variables)
-      : given_(request), uncertain_(uncertain_names(request)), by_variables_(by_variables) {}
+  SystemBuilder(const Request& request, DerivativesBy by)
+      : given_(request), uncertain_(uncertain_names(request)), by_(by) {}
 
   ClosedSystem build() {
     const Closure& closure = *given_.model.closure;
@@ -29,7 +29,8 @@ class SystemBuilder {
     add_pose();
     system_.shape.variables = model.pose.size();
     system_.shape.unknowns = closure.unknowns.size();
-    if (by_variables_) system_.shape.differentiated = system_.shape.variables;
+    if (by_ != DerivativesBy::kUnknowns) system_.shape.differentiated = system_.shape.variables;
+    if (by_ == DerivativesBy::kVariablesAndPose) system_.shape.driven = given_.model.pose.size();
     for (std::size_t i = 0; i < closure.unknowns.size(); ++i)
       add_variable(closure.unknowns[i], typical_range(closure.start[i]));
     write_matrix(closure);
@@ -91,13 +92,17 @@ class SystemBuilder {
   void write_matrix(const Closure& closure) {
     Model& model = system_.request.model;
     const std::size_t n = system_.shape.unknowns, m = system_.shape.variables;
-    const std::size_t derivatives = n + system_.shape.differentiated;
-    model.matrix = GiNaC::matrix(unsigned(1 + derivatives), unsigned(n));
+    const std::size_t derivatives = n + system_.shape.differentiated, d = system_.shape.driven;
+    model.matrix = GiNaC::matrix(unsigned(1 + derivatives + d), unsigned(n));
     for (unsigned j = 0; j < n; ++j) {
       const ex equation = differentiable(closure.equations[j].subs(actual_));
       model.matrix(0, j) = equation;
       for (std::size_t k = 0; k < derivatives; ++k)
         model.matrix(unsigned(1 + k), j) = equation.diff(model.pose[k < n ? m + k : k - n].symbol);
+      const ex as_written = differentiable(closure.equations[j]);
+      for (std::size_t k = 0; k < d; ++k)
+        model.matrix(unsigned(1 + derivatives + k), j) =
+            as_written.diff(given_.model.pose[k].symbol).subs(actual_);
     }
   }
 
@@ -113,7 +118,7 @@ class SystemBuilder {
 
   const Request& given_;
   const std::set<std::string> uncertain_;
-  const bool by_variables_;
+  const DerivativesBy by_;
   GiNaC::exmap commanded_, actual_;
   ClosedSystem system_;
 };
@@ -128,12 +133,12 @@ bool has_atan2(const ex& expression) {
 
 }  // namespace
 
-ClosedSystem close(const Request& request, bool by_variables) {
+ClosedSystem close(const Request& request, DerivativesBy by) {
   for (const ex& equation : request.model.closure->equations)
     if (has_atan2(equation))
       throw UsageError(
           "an equation of [closure] has atan2, which jumps; write the equation with sin and cos");
-  return SystemBuilder(request, by_variables).build();
+  return SystemBuilder(request, by).build();
 }
 
 /// Appends the derivatives by unknowns and by variables.
@@ -153,6 +158,10 @@ std::optional<SystemBoxes::System> SystemBoxes::at(std::size_t lane) const {
   System system;
   system.value.assign(entries.begin(), entries.begin() + std::ptrdiff_t(n));
   take(entries, system.by_unknown, system.by_variable);
+  const std::size_t first = (1 + n + shape_.differentiated) * n;
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t k = 0; k < shape_.driven; ++k)
+      system.by_pose.push_back(entries[first + k * n + j]);
   for (std::size_t by = m - shape_.differentiated; has_rates_ && by < m + n; ++by)
     take(boxes_.slope(lane, by), system.rates_by_unknown, system.rates_by_variable);
   return system;

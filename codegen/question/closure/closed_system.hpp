@@ -19,19 +19,25 @@ struct ClosedShape {
   std::size_t variables = 0;   ///< with the uncertain ones
   std::size_t unknowns = 0;
   std::size_t differentiated = 0;  ///< variables with derivatives in the matrix: all or none
+  std::size_t driven = 0;          ///< pose parameters with derivatives in it: all or none
 };
+
+/// What a system has derivatives by, beside the unknowns.
+enum class DerivativesBy { kUnknowns, kVariables, kVariablesAndPose };
 
 struct ClosedSystem {
   ClosedShape shape;
   /// A motion in a box of all variables. Its matrix has the equations in its first row, and in the
-  /// row of each unknown, and then of each variable if it has them, their derivatives by it.
+  /// row of each unknown, and then of each variable and of each pose parameter if it has them, their
+  /// derivatives by it.
   Request request;
   std::vector<VariableLabel> labels;  ///< of the variables
 };
 
 /// Requires  request.model.closure; no motion along way-points.
 /// Throws    UsageError if an equation has atan2: it may jump, and its derivatives do not show it.
-[[nodiscard]] ClosedSystem close(const Request& request, bool by_variables = true);
+[[nodiscard]] ClosedSystem close(const Request& request,
+                                 DerivativesBy by = DerivativesBy::kVariables);
 
 /// Evaluates a system over eight boxes at once. Each thread has its own.
 class SystemBoxes {
@@ -45,6 +51,7 @@ class SystemBoxes {
     /// Their derivatives by each variable and then by each unknown, as in TubeSystem; by each
     /// unknown alone of a system without derivatives by variables.
     std::vector<Interval> rates_by_unknown{}, rates_by_variable{};
+    std::vector<Interval> by_pose{};  ///< n×d, row-major; empty of a system without them
   };
 
   /// The objects must outlive this one.
@@ -64,6 +71,11 @@ class SystemBoxes {
 
   /// Returns for each of 1…8 boxes if some constraint excludes it. Forgets the boxes.
   [[nodiscard]] std::vector<char> are_outside(std::span<const Box> boxes);
+  /// Returns if a point certainly meets the constraints, and the system is defined there. Forgets the
+  /// boxes.
+  [[nodiscard]] bool is_certain(const Box& point) {
+    return boxes_.at({&point, 1}).front().has_value();
+  }
 
  private:
   void take(std::span<const Interval> entries, std::vector<Interval>& by_unknown,

@@ -9,7 +9,7 @@ namespace regulus {
 namespace {
 
 /// A reader with other roundings finds the configuration within so many of its radii.
-constexpr double kRoom = 0x1p10;
+constexpr double kRoomOfReader = 0x1p10;
 
 std::string numbers(const std::vector<double>& list) {
   std::string words;
@@ -19,13 +19,6 @@ std::string numbers(const std::vector<double>& list) {
 
 std::string tube_numbers(const BranchTube& tube) {
   return numbers(tube.at) + numbers(tube.center) + numbers(tube.slopes) + numbers(tube.radius);
-}
-
-void write_tree(ProofFile& file, const BranchTree& tree) {
-  for (const Split& split : tree.splits()) file.split(split);
-  for (const BranchLeaf& leaf : tree.leaves())
-    file.leaf(leaf.at.id, leaf.tube ? (format::kTubeLeaf + tube_numbers(*leaf.tube)).c_str()
-                                    : format::kOutsideLeaf);
 }
 
 /// Returns the lines of the proof that a branch reaches a singular configuration.
@@ -42,12 +35,19 @@ std::string fold_lines(const PreparedClosure& prepared, const FoldPath& path) {
     text += fmt::format("{} {} {:a} : {:a}{}\n", format::kArc, arc.coordinate, arc.range.lo,
                         arc.range.hi, tube_numbers(arc.tube));
   std::vector<double> radius = path.end.radius;
-  for (double& r : radius) r *= kRoom;
+  for (double& r : radius) r *= kRoomOfReader;
   return text + format::kFold + numbers(path.end.center) + numbers(radius) + numbers(path.normal) +
          "\nend\n";
 }
 
 }  // namespace
+
+void write_tree(ProofFile& file, const BranchTree& tree) {
+  for (const Split& split : tree.splits()) file.split(split);
+  for (const BranchLeaf& leaf : tree.leaves())
+    file.leaf(leaf.at.id, leaf.tube ? (format::kTubeLeaf + tube_numbers(*leaf.tube)).c_str()
+                                    : format::kOutsideLeaf);
+}
 
 ProofStatus certify_fold(const std::string& path, const PreparedClosure& prepared, const Fold& fold,
                          const ProofPlacing& placing) {

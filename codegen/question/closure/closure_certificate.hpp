@@ -7,6 +7,9 @@
 
 namespace regulus {
 
+/// Writes the splits of a tree, and its leaves.
+void write_tree(ProofFile& file, const BranchTree& tree);
+
 /// Writes the proof of a branch, if it is proved. An empty `path` means no certificate.
 [[nodiscard]] ProofStatus certify_branch(const std::string& path, const PreparedClosure& prepared,
                                          const ClosureResult& result, const ProofPlacing& placing);

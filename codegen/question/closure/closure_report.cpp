@@ -144,7 +144,7 @@ std::vector<double> at_the_border(const PreparedClosure& prepared, std::vector<d
 }
 
 /// The ends of the branch are looked for so much further than the first box without it.
-constexpr double kPartBeyond = 0x1p-6;
+constexpr double kPartBeyondBoxes = 0x1p-6;
 
 /// Returns places a little beyond the boxes that are on the branch, to either side of the start, of a
 /// motion of one parameter.
@@ -160,7 +160,7 @@ std::vector<double> beyond_the_branch(const PreparedClosure& prepared,
   const Interval& range = prepared.problem.outer[0];
   std::vector<double> places;
   const auto go = [&](double end) {
-    places.push_back(std::clamp(end + kPartBeyond * (end - start), range.lo, range.hi));
+    places.push_back(std::clamp(end + kPartBeyondBoxes * (end - start), range.lo, range.hi));
   };
   const auto below = std::find_if(boxes.rbegin(), boxes.rend(), [&](const auto& box) {
     return !box.second && box.first.lo < start;

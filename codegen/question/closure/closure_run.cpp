@@ -99,11 +99,11 @@ std::vector<Interval> enclose_ranges(const Closure& closure) {
 }
 
 PreparedSystem prepare_system(Request request, double model_seconds, const SearchOptions& search,
-                              const FormingWatch& watch, bool by_variables) {
+                              const FormingWatch& watch, DerivativesBy by) {
   if (!request.motion.alpha.is_zero())
     throw UsageError("a [closure] has no threshold; leave alpha out");
   PreparedSystem prepared;
-  ClosedSystem system = close(request, by_variables);
+  ClosedSystem system = close(request, by);
   prepared.shape = system.shape;
   prepared.preparation = prepare(system.request, model_seconds, options_of_kernel(search), watch);
   prepared.preparation.kernel = std::make_unique<KernelOfClosure>(
@@ -117,9 +117,9 @@ PreparedSystem prepare_system(Request request, double model_seconds, const Searc
 }
 
 PreparedClosure prepare_closure(Request request, double model_seconds, const SearchOptions& search,
-                                const FormingWatch& watch) {
+                                const FormingWatch& watch, DerivativesBy by) {
   PreparedClosure prepared{
-      prepare_system(std::move(request), model_seconds, search, watch), {}, {}, {}};
+      prepare_system(std::move(request), model_seconds, search, watch, by), {}, {}, {}};
   fill_start(prepared);
   return prepared;
 }

@@ -29,13 +29,13 @@ struct PreparedSystem {
   Problem problem;
 };
 
-/// Forms the kernel; `by_variables` as of close().
+/// Forms the kernel.
 ///
 /// Requires  request.model.closure.
 /// Throws    UsageError for a threshold; the exceptions of prepare().
 [[nodiscard]] PreparedSystem prepare_system(Request request, double model_seconds,
                                             const SearchOptions& search, const FormingWatch& watch,
-                                            bool by_variables = true);
+                                            DerivativesBy by = DerivativesBy::kVariables);
 
 /// Encloses where the values of each unknown may be.
 [[nodiscard]] std::vector<Interval> enclose_ranges(const Closure& closure);
@@ -57,7 +57,8 @@ struct PreparedClosure : PreparedSystem {
 ///           exceptions of prepare().
 [[nodiscard]] PreparedClosure prepare_closure(Request request, double model_seconds,
                                               const SearchOptions& search,
-                                              const FormingWatch& watch);
+                                              const FormingWatch& watch,
+                                              DerivativesBy by = DerivativesBy::kVariables);
 
 struct ClosureResult {
   BranchResult branch;

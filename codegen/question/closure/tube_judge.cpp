@@ -118,6 +118,31 @@ void TubeFinder::find(std::span<const TubeTrial> trials, std::span<TubeFinding> 
   }
 }
 
+std::vector<std::optional<TubeFinder::Measured>> TubeFinder::measure(
+    std::span<const TubeTrial> tubes) {
+  const auto centers = centers_of(tubes);
+  std::vector<SystemBoxes::Box> boxes;
+  for (const TubeTrial& trial : tubes) boxes.push_back(reach_of(trial, trial.tube.radius));
+  system_.evaluate(boxes, true);
+  std::vector<std::optional<Measured>> measured(tubes.size());
+  for (std::size_t lane = 0; lane < tubes.size(); ++lane) {
+    auto over = system_.at(lane);
+    if (!over || !centers[lane]) continue;
+    const SystemBoxes::System& center = *centers[lane];
+    std::vector<double> middle;
+    for (const Interval& entry : center.by_unknown) middle.push_back(mid(entry));
+    auto inverse = approx_inverse_of(middle, shape_.unknowns);
+    if (!inverse) continue;
+    TubeImage image =
+        image_of(tubes[lane].tube, tubes[lane].box, *inverse,
+                 {center.value, over->by_unknown, over->by_variable, center.by_unknown,
+                  center.by_variable, over->rates_by_unknown, over->rates_by_variable});
+    if (!has_one_solution(tubes[lane].tube, image)) continue;
+    measured[lane] = {std::move(*inverse), std::move(image), std::move(*over)};
+  }
+  return measured;
+}
+
 void TubeJudge::judge(std::span<const Box> boxes, std::span<TubeFinding> findings, double) {
   const ClosedShape& shape = question_.shape;
   const std::vector<char> outside = system_.are_outside(boxes);

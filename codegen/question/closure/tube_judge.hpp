@@ -53,6 +53,16 @@ class TubeFinder {
   /// Ensures   a finding has a tube only if the test holds for it over its box.
   void find(std::span<const TubeTrial> trials, std::span<TubeFinding> findings);
 
+  /// A system over a tube for which the test holds.
+  struct Measured {
+    std::vector<double> inverse;  ///< K of the test
+    TubeImage image;
+    SystemBoxes::System over;
+  };
+  /// Evaluates at most kLanes tubes over their boxes, with other inverses than the trials'; nullopt:
+  /// the test does not hold with them.
+  [[nodiscard]] std::vector<std::optional<Measured>> measure(std::span<const TubeTrial> tubes);
+
  private:
   [[nodiscard]] std::vector<std::optional<SystemBoxes::System>> centers_of(
       std::span<const TubeTrial> trials);

@@ -53,7 +53,7 @@ bool are_possible(const PreparedClosure& prepared, const std::vector<double>& un
   }
   const auto members = members_of_balls(prepared.request);
   for (std::size_t ball = 0; !uncertain.empty() && ball < members.size(); ++ball) {
-    const ex& radius = prepared.request.model.balls[ball].radius;
+    const GiNaC::ex& radius = prepared.request.model.balls[ball].radius;
     Interval squares(0.0);
     for (const std::size_t i : members[ball])
       squares += sqr(Interval(uncertain[i]) - prepared.start.place[from + i]);

@@ -46,11 +46,13 @@ class Components {
 
   Quantity of(QuantityKind kind) {
     begin(kind);
-    require_inverse();
-    require_few_rows();
+    if (!model_.closure) {
+      require_inverse();
+      require_few_rows();
+    }
     const VectorSet* const set = choose_data();
     if (traits_->compares_units) require_one_unit();
-    switch (traits_->components) {
+    switch (components_) {
       case ComponentsOf::kWhole:
         add_whole();
         break;
@@ -82,42 +84,52 @@ class Components {
  private:
   void begin(QuantityKind kind) {
     traits_ = &traits_of(kind);
+    components_ = traits_->components, data_ = traits_->data, has_signs_ = traits_->has_signs;
     quantity_.kind = kind;
     quantity_.name = traits_->description;
+    if (model_.closure) take_traits_of_closure(closure_traits_of(kind));
     quantity_.is_least = options_.least || traits_->is_always_least;
     refuse_foreign_options();
   }
 
+  void take_traits_of_closure(const ClosureTraits& traits) {
+    if (*traits.description == '\0')
+      throw UsageError(fmt::format("{}: {}", options_.quantity, traits.why));
+    components_ = traits.components, data_ = traits.data, has_signs_ = traits.has_signs;
+    quantity_.name = traits.description;
+  }
+
   [[nodiscard]] bool has_freedoms() const {
-    return traits_->components == ComponentsOf::kFreedoms ||
-           traits_->components == ComponentsOf::kNorms;
+    return components_ == ComponentsOf::kFreedoms || components_ == ComponentsOf::kNorms;
   }
 
   /// An option that does not belong to the quantity would be ignored.
   void refuse_foreign_options() const {
-    const bool has_load =
-        traits_->data == NeededData::kLoad || traits_->data == NeededData::kLoadAndStiffness;
+    const bool has_load = data_ == NeededData::kLoad || data_ == NeededData::kLoadAndStiffness;
     const auto refuse = [&](bool given, bool has_meaning, const char* option) {
       if (given && !has_meaning)
         throw UsageError(fmt::format("--{}: has no meaning for {}", option, options_.quantity));
     };
-    refuse(!options_.row.empty(), traits_->components == ComponentsOf::kRows, "leg");
+    refuse(!options_.row.empty(), components_ == ComponentsOf::kRows, "leg");
     refuse(!options_.freedom.empty(), has_freedoms(), "freedom");
     refuse(!options_.load.empty(), has_load, "load");
-    refuse(!options_.twist.empty(), traits_->data == NeededData::kTwist, "twist");
-    refuse(options_.is_signed, traits_->has_signs, "signed");
+    refuse(!options_.twist.empty(), data_ == NeededData::kTwist, "twist");
+    refuse(options_.is_signed, has_signs_, "signed");
     refuse(!options_.norm.empty(), *traits_->norm != '\0', "norm");
-    refuse(options_.least, traits_->has_signs || traits_->may_be_least, "min");
+    refuse(options_.least, has_signs_ || traits_->may_be_least, "min");
   }
 
   /// Returns the load or the twist; nullptr if the quantity has none.
   [[nodiscard]] const VectorSet* choose_data() const {
     const Actuators& motors = model_.actuators;
-    switch (traits_->data) {
+    switch (data_) {
       case NeededData::kNone:
         break;
       case NeededData::kMotorErrors:
         require(motors.error, "error", "the error of each motor");
+        break;
+      case NeededData::kMotorSpeeds:
+        require(motors.speed, "speed", "the largest speed of each motor");
         break;
       case NeededData::kLoadAndStiffness:
         require(motors.stiffness, "stiffness", "the stiffness of each motor");
@@ -180,8 +192,8 @@ class Components {
   }
 
   void add_rows(const VectorSet& set) {
-    quantity_.name += (traits_->data == NeededData::kTwist ? " for " : " under ") + set.name;
-    const std::size_t rows = model_.matrix.rows();
+    quantity_.name += (data_ == NeededData::kTwist ? " for " : " under ") + set.name;
+    const std::size_t rows = model_.closure ? model_.pose.size() : model_.matrix.rows();
     std::size_t first = 0, last = rows;
     if (!options_.row.empty()) {
       first = row_number(rows);
@@ -189,7 +201,7 @@ class Components {
     }
     for (std::size_t i = first; i < last; ++i) {
       Component c = component();
-      c.label = fmt::format("leg {}", i + 1);
+      c.label = model_.closure ? model_.pose[i].name : fmt::format("leg {}", i + 1);
       c.row = i;
       c.unit = unit_of_motor(i);
       c.set = &set;
@@ -224,9 +236,10 @@ class Components {
       Component c = component();
       c.column = k;
       if (k < twist.size()) c.unit = twist[k].unit;
+      if (data_ == NeededData::kMotorSpeeds) c.unit += "/s";
       offer(k < twist.size() ? twist[k].name : fmt::format("column {}", k + 1), std::move(c));
     }
-    if (traits_->components == ComponentsOf::kNorms && !twist.empty()) {
+    if (components_ == ComponentsOf::kNorms && !twist.empty()) {
       offer_part(twist, Kind::kLinear, "position", offer);
       offer_part(twist, Kind::kAngular, "rotation", offer);
     }
@@ -282,6 +295,9 @@ class Components {
   const Model& model_;
   const QuantityOptions& options_;
   const QuantityTraits* traits_ = nullptr;
+  ComponentsOf components_ = ComponentsOf::kWhole;
+  NeededData data_ = NeededData::kNone;
+  bool has_signs_ = false;
   Quantity quantity_;
 };
 

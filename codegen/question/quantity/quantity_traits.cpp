@@ -123,7 +123,32 @@ constexpr bool are_in_order() {
 }
 static_assert(are_in_order());
 
+constexpr const char* kOneNorm =
+    "singular values of a matrix over a branch are not bounded; ask for condition, in the maximum "
+    "norm, or determinant";
+
+/// In the order of QuantityKind.
+constexpr std::array<ClosureTraits, kTraits.size()> kOfClosures{{
+    {"force of the motors", "", kRows, kLoad, true},
+    {"error of the unknowns, to first order", "", kFreedoms, kMotorErrors},
+    {"speed of the unknowns for the speeds of the motors", "", kFreedoms, kMotorSpeeds},
+    {"", kOneNorm},
+    {"", kOneNorm},
+    {"condition number of the equations' derivatives in the maximum norm", ""},
+    {"", kOneNorm},
+    {"deflection of the unknowns", "", kFreedoms, kLoadAndStiffness, true},
+    {"least |det| of the equations' derivatives", ""},
+    {"det of the equations' derivatives", "", kWhole, kNone, true},
+    {"",
+     "an expression has the pose parameters alone, and not the unknowns, so that the branch "
+     "changes nothing; ask for one of the quantities of a [closure]"},
+}};
+
 }  // namespace
+
+const ClosureTraits& closure_traits_of(QuantityKind kind) noexcept {
+  return kOfClosures[std::size_t(kind)];
+}
 
 std::span<const QuantityTraits> quantity_traits() noexcept { return kTraits; }
 

@@ -20,7 +20,14 @@ enum class ComponentsOf : std::uint8_t {
 };
 
 /// What the model must give beside its matrix.
-enum class NeededData : std::uint8_t { kNone, kLoad, kTwist, kMotorErrors, kLoadAndStiffness };
+enum class NeededData : std::uint8_t {
+  kNone,
+  kLoad,
+  kTwist,
+  kMotorErrors,
+  kMotorSpeeds,
+  kLoadAndStiffness
+};
 
 struct QuantityTraits {
   QuantityKind kind;
@@ -38,6 +45,17 @@ struct QuantityTraits {
   bool needs_inverse = true;       ///< the matrix must be J⁻¹
   bool needs_square = true;        ///< and have an inverse
 };
+
+/// A quantity of a mechanism with a closure: its rows are the motors, which are the pose parameters,
+/// its freedoms the unknowns, and J is their derivative by the motors.
+struct ClosureTraits {
+  const char* description;  ///< as QuantityTraits::description; empty: it has no bound
+  const char* why;          ///< it has none; and what to do
+  ComponentsOf components = ComponentsOf::kWhole;
+  NeededData data = NeededData::kNone;
+  bool has_signs = false;
+};
+[[nodiscard]] const ClosureTraits& closure_traits_of(QuantityKind kind) noexcept;
 
 /// All kinds, in the order of QuantityKind.
 [[nodiscard]] std::span<const QuantityTraits> quantity_traits() noexcept;

@@ -224,7 +224,7 @@ Request planar_request(const Request& request) {
 Solutions solve_platform(const Request& request, const SolveRun& run) {
   if (request.model.legs.size() != 3) return poses_in_space(request, run);
   PreparedSystem prepared =
-      prepare_system(planar_request(request), 0, run.search, run.watch, false);
+      prepare_system(planar_request(request), 0, run.search, run.watch, DerivativesBy::kUnknowns);
   run.begin();
   return solve_system(prepared, settings_of(prepared, run.search, run.interrupt), run.progress);
 }

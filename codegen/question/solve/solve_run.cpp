@@ -81,7 +81,8 @@ Solutions solve(const Request& request, const SolveRun& run) {
         "the solutions of this model cannot be asked for: give its equations in [closure], or legs "
         "of "
         "variable length in [gough] or [legs], or an arm in [serial]");
-  PreparedSystem prepared = prepare_system(request, 0, run.search, run.watch, false);
+  PreparedSystem prepared =
+      prepare_system(request, 0, run.search, run.watch, DerivativesBy::kUnknowns);
   run.begin();
   return solve_system(prepared, settings_of(prepared, run.search, run.interrupt), run.progress);
 }

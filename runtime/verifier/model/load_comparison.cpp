@@ -32,6 +32,7 @@ class LoadComparison {
   bool compare_quantity() {
     const QuantityLines& quantity = *q_.quantity;
     compare_of_motors("error", "motor-error ", quantity.errors.size());
+    compare_of_motors("speed", "motor-speed ", quantity.speeds.size());
     compare_of_motors("stiffness", "stiffness ", quantity.stiffness.size());
     compare_factors(quantity.factors);
     return !quantity.set ||
@@ -140,9 +141,15 @@ class LoadComparison {
     return unit == "rad" || unit == "deg" || unit == "°" ? 'w' : 'v';
   }
 
-  /// Returns the units of the pose parameters, in their order.
+  /// Returns the units of the pose parameters, or of the unknowns of a closure, in their order.
   [[nodiscard]] std::vector<std::string> units_of_pose() const {
     std::vector<std::string> units;
+    if (q_.closure) {
+      for (const std::string& name : q_.closure->names)
+        if (const auto unit = values_.find("closure.unknowns." + name); unit != values_.end())
+          units.push_back(unit->second.text);
+      return units;
+    }
     if (comparer_.section != nullptr) {
       for (const SectionPose& pose : comparer_.section->pose()) units.push_back(pose.unit);
       return units;

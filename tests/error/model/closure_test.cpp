@@ -37,7 +37,7 @@ void expect_refused_closure(const std::string& from, const std::string& to, int 
 
 TEST(ClosureRefusal, BesideAnotherRobotOrWhatNeedsOne) {
   EXPECT_NO_THROW((void)parse_model(kClosure, "m.toml"));
-  for (const char* other : {"matrix", "drawing", "load", "twist", "actuators"})
+  for (const char* other : {"matrix", "drawing", "twist"})
     expect_refused(kClosure + "[" + other + "]\n", 22,
                    "[" + std::string(other) + "] cannot be used together with [closure]",
                    "remove one of them");
@@ -45,10 +45,19 @@ TEST(ClosureRefusal, BesideAnotherRobotOrWhatNeedsOne) {
     expect_refused(kClosure + "[" + other + "]\n", 9,
                    "[closure] cannot be used together with [" + std::string(other) + "]",
                    "remove one of them");
-  expect_refused(changed(kClosure, "[pose]", "characteristic_length = 1\n[pose]"), 3,
-                 "[characteristic_length] cannot be used together with [closure]",
-                 "remove one of them");
+  EXPECT_NO_THROW(
+      (void)parse_model(changed(kClosure, "[pose]", "characteristic_length = 1\n[pose]") +
+                            "[actuators]\nerror = [1]\n[load.one]\nwrench = [1, 2]\n",
+                        "m.toml"));
   expect_refused(kClosure + "[matrix]\nrow_scale = [1, 1]\n", 22, "[matrix]", "remove");
+}
+
+/// The motors are the pose parameters, and a load is on the unknowns.
+TEST(ClosureRefusal, DataOfOtherSizes) {
+  expect_refused(kClosure + "[actuators]\nerror = [1, 2]\n", 23, "2 values in actuators.error",
+                 "one value, or 1, one for each pose parameter");
+  expect_refused(kClosure + "[load.one]\nwrench = [1]\n", 23, "1 values in load.one.wrench",
+                 "2, as many as the matrix has such columns");
 }
 
 TEST(ClosureRefusal, NoUnknowns) {

@@ -120,20 +120,6 @@ struct AskOfClosure {
 TEST(Refusals, OfAClosureAreThoseOfTheTable) {
   using regulus::Kind;
   const AskOfClosure all[] = {
-      {Kind::kClosureLimitMargin,
-       [](const Question& q) {
-         regulus::MarginOptions options;
-         options.parameter = "x=0:1";
-         options.quantity.quantity = "x";
-         options.limit = "2";
-         static_cast<void>(regulus::margin(q, options));
-       }},
-      {Kind::kClosureBound,
-       [](const Question& q) {
-         regulus::BoundOptions options;
-         options.quantity.quantity = "x";
-         static_cast<void>(regulus::bound(q, options));
-       }},
       {Kind::kClosureLoad,
        [](const Question& q) { static_cast<void>(regulus::check_load(q, "")); }},
       {Kind::kClosureLoadPaving,
@@ -144,6 +130,23 @@ TEST(Refusals, OfAClosureAreThoseOfTheTable) {
     ASSERT_TRUE(why) << name(one.kind);
     EXPECT_EQ(message_of([&] { one.ask(crank()); }), *why) << name(one.kind);
   }
+}
+
+TEST(Refusals, OfQuantitiesOfAClosureSayWhy) {
+  const auto why = [](const char* quantity) {
+    return message_of([quantity] {
+      regulus::BoundOptions options;
+      options.quantity.quantity = quantity;
+      static_cast<void>(regulus::bound(crank(), options));
+    });
+  };
+  EXPECT_THAT(why("x"), HasSubstr("the branch changes nothing"));
+  EXPECT_THAT(why("phi"), HasSubstr("depends on the unknowns of [closure]"));
+  EXPECT_THAT(why("sigma-min"), HasSubstr("singular values of a matrix over a branch"));
+  EXPECT_THAT(why("error"), HasSubstr("the error of each motor"));
+  EXPECT_THAT(why("speed"), HasSubstr("the largest speed of each motor"));
+  EXPECT_THAT(why("force"), HasSubstr("the model has no [load.NAME]"));
+  EXPECT_EQ(why("determinant"), "no error");
 }
 
 TEST(Refusals, OfAClosureNameTheOption) {

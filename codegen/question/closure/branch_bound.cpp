@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/question/closure/branch_bound.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "codegen/answer/facts.hpp"
+#include "codegen/answer/report/number_text.hpp"
+#include "codegen/answer/report/place_text.hpp"
+#include "codegen/answer/report/progress.hpp"
+#include "codegen/kernel/formulation/variety.hpp"
+#include "codegen/model/exact/exact_double.hpp"
+#include "codegen/model/exact/expression_parser.hpp"
+#include "codegen/question/closure/closure_certificate.hpp"
+#include "codegen/question/closure/uncertain_values.hpp"
+#include "codegen/question/closure/value_certificate.hpp"
+#include "codegen/question/closure/value_search.hpp"
+#include "runtime/interval/floating_point_scope.hpp"
+
+namespace regulus {
+namespace {
+
+/// The search ends with this part of the gap; the rest is room for the roundings of the verifier.
+constexpr double kPartOfGap = 0.75, kRoomForVerifier = 0.1;
+constexpr int kDigits = 8;  ///< of an end
+
+AttainedPlace place_at(const PreparedClosure& prepared, std::span<const Interval> place,
+                       std::span<const Interval> unknowns) {
+  const PreparedSearch& p = prepared.preparation;
+  const Closure& closure = *prepared.request.model.closure;
+  AttainedPlace result;
+  result.pose = describe_place(p, place);
+  std::string configuration;
+  nlohmann::ordered_json values = nlohmann::ordered_json::object();
+  for (std::size_t i = 0; i < closure.unknowns.size(); ++i) {
+    const PoseParameter& unknown = closure.unknowns[i];
+    configuration += fmt::format("{}{} = {:.9g}{}", configuration.empty() ? "where " : ", ",
+                                 unknown.name, mid(unknowns[i]), unit_suffix(unknown.unit));
+    values[unknown.name] = json_interval(unknowns[i]);
+  }
+  result.values = Facts(Readers::kPeople)
+                      .say("", configuration)
+                      .say("", describe_uncertain_values(p, place))
+                      .text();
+  result.json = {{"parameters", json_parameters(p, place)},
+                 {"pose", nlohmann::ordered_json::object()},
+                 {"uncertain", json_uncertain(p, place)},
+                 {"unknowns", std::move(values)}};
+  return result;
+}
+
+SearchOptions limited(SearchOptions search, double seconds) {
+  if (seconds < kInfinity) search.time_limit = TimeBudget::option(seconds);
+  return search;
+}
+
+/// One component over a branch that is proved.
+class ComponentOverBranch {
+ public:
+  ComponentOverBranch(PreparedClosure& prepared, const ClosureFinding& branch,
+                      const Component& component, const BoundSettings& settings)
+      : prepared_(prepared),
+        branch_(branch),
+        settings_(settings),
+        value_(prepared.request.model, component) {
+    result_.component = component;
+    result_.proofs = proofs_of(component, settings);
+  }
+
+  static EndProofs proofs_of(const Component& component, const BoundSettings& settings) {
+    const bool has_limit = settings.limit.has_value();
+    return EndProofs(
+        settings.certificate.empty() ? "" : settings.certificate + certificate_suffix(component),
+        settings.placing, has_limit ? "the limit is exceeded" : kNoSafeProof,
+        has_limit ? "no pose exceeds the limit" : kNoSingularProof);
+  }
+
+  ComponentBound run(const TimeBudget& budget) {
+    search(budget);
+    settings_.limit ? compare() : bracket();
+    return std::move(result_);
+  }
+
+ private:
+  void search(const TimeBudget& budget) {
+    const ValueQuestion question{prepared_.problem, prepared_.question(), value_};
+    BoxSearchSettings limits =
+        settings_of(prepared_, limited(settings_.search, budget.left()), settings_.interrupt);
+    SearchDisplay display(settings_.output);
+    SystemBoxes system(prepared_.problem, prepared_.scaling, prepared_.shape);
+    const IsPossible is_possible = [&](const std::vector<Interval>& point) {
+      return is_in_motion(system, point);
+    };
+    found_ = search_value(question, branch_.searched.branch.tree, aim(), limits, is_possible,
+                          display.observer());
+    result_.boxes = found_.boxes;
+    result_.seconds.search = found_.seconds;
+    if (!found_.place) return;
+    result_.place = place_at(prepared_, found_.at, enclose(*found_.place, found_.at));
+  }
+
+  [[nodiscard]] ValueAim aim() const {
+    ValueAim aim{kPartOfGap * settings_.gap, {}, {}};
+    if (!settings_.limit) return aim;
+    const Interval limit = enclose_constant(*settings_.limit, "the limit");
+    aim.below = value_.is_least() ? -limit.hi : limit.lo;
+    aim.from = value_.is_least() ? -limit.lo : limit.hi;
+    return aim;
+  }
+
+  /// Constraints are met for certain, and the uncertain quantities have such values.
+  [[nodiscard]] bool is_in_motion(SystemBoxes& system, const std::vector<Interval>& point) const {
+    std::vector<double> uncertain;
+    for (std::size_t k = prepared_.shape.parameters; k < prepared_.shape.variables; ++k) {
+      if (!is_thin(point[k])) return false;
+      uncertain.push_back(point[k].lo);
+    }
+    if (!are_possible(prepared_, uncertain)) return false;
+    if (prepared_.request.motion.constraints.empty() && prepared_.request.motion.reach.empty())
+      return true;
+    const FloatingPointScope nearest(FloatingPointRounding::kNearest);
+    return system.is_certain(point);
+  }
+
+  void bracket() {
+    const double room = kRoomForVerifier * settings_.gap;
+    if (std::isfinite(found_.attained)) {
+      const double f = found_.attained - room * std::fabs(found_.attained);
+      result_.attained = end_beyond(f, value_.is_least() ? RoundTo::kAbove : RoundTo::kBelow);
+    }
+    if (std::isfinite(found_.upper)) {
+      const double f = found_.upper + room * std::fabs(found_.upper);
+      result_.proved = end_beyond(f, value_.is_least() ? RoundTo::kBelow : RoundTo::kAbove);
+    }
+    result_.is_closed = found_.is_closed;
+    if (!found_.is_closed)
+      result_.reason = found_.stopped_by
+                           ? describe(*found_.stopped_by)
+                           : "boxes at the least width are too wide for a narrower bracket";
+    if (result_.proved) certify_safe(result_.proved->exact);
+    if (result_.attained) certify_attained(result_.attained->exact);
+  }
+
+  /// A short decimal that claims no more.
+  [[nodiscard]] BoundEnd end_beyond(double f, RoundTo side) const {
+    const BoundEnd end = end_at(exact_number(value_.value_of(f)));
+    return end_at(parse_constant(rounded_text(end, side, kDigits), {.file = "", .key = ""}).value);
+  }
+
+  void compare() {
+    const ValueAim limit = aim();
+    if (found_.attained >= *limit.from) {
+      result_.verdict = LimitVerdict::kExceeded;
+      certify_attained(*settings_.limit);
+    } else if (found_.upper < *limit.below) {
+      result_.verdict = LimitVerdict::kWithin;
+      certify_safe(*settings_.limit);
+    } else {
+      result_.reason = found_.stopped_by ? describe(*found_.stopped_by)
+                                         : "boxes at the least width are too wide to decide";
+      result_.proofs.set_no_safe(kNothingClaimed);
+      result_.proofs.set_no_singular(kNothingClaimed);
+    }
+  }
+
+  void certify_safe(const GiNaC::ex& bound) {
+    certify_value(result_.proofs, prepared_, result_.component, bound, found_.tree, {});
+  }
+  void certify_attained(const GiNaC::ex& bound) {
+    certify_value(result_.proofs, prepared_, result_.component, bound, branch_.searched.branch.tree,
+                  found_.at);
+  }
+
+  PreparedClosure& prepared_;
+  const ClosureFinding& branch_;
+  const BoundSettings& settings_;
+  const BranchValue value_;
+  ValueBracket found_;
+  ComponentBound result_;
+};
+
+/// Without a proof of the branch no value has a bound.
+ComponentBound without_branch(const PreparedClosure& prepared, const ClosureFinding& found,
+                              const Component& component, const BoundSettings& settings) {
+  ComponentBound result;
+  result.component = component;
+  result.proofs = ComponentOverBranch::proofs_of(component, settings);
+  result.is_empty = found.searched.branch.is_empty;
+  if (!found.is_refuted()) {
+    result.reason = result.is_empty ? "" : reason_of(found);
+    return result;
+  }
+  const Fold& fold = *found.reached();
+  result.reason = "the branch ends in the motion";
+  // Where it ends A is singular: its determinant is 0, and its inverse has no bound.
+  const bool is_determinant = component.kind == QuantityKind::kDeterminant;
+  if (is_determinant) result.attained = end_at(0);
+  const bool has_bound = is_determinant || component.kind == QuantityKind::kDeterminantMax;
+  result.is_unbounded = !settings.limit && !has_bound;
+  if (settings.limit && (is_determinant || !has_bound)) result.verdict = LimitVerdict::kExceeded;
+  if (has_bound && !is_determinant) return result;
+  result.place = place_at(prepared, fold.place, fold.unknowns);
+  if (!result.proofs.are_wanted()) return result;
+  const ProofStatus written =
+      certify_fold(result.proofs.singular_file(), prepared, fold, settings.placing);
+  if (written.is_lost())
+    result.proofs.lose_singular(written.obstacle());
+  else if (written.is_written())
+    result.proofs.set_singular("the branch ends");
+  else
+    result.proofs.set_no_singular(written.obstacle());
+  return result;
+}
+
+}  // namespace
+
+std::shared_ptr<BranchBounds::Branch> BranchBounds::branch(const Request& request, DerivativesBy by,
+                                                           const BoundSettings& settings,
+                                                           const TimeBudget& budget) {
+  if (const auto known = branches_.find(by); known != branches_.end()) return known->second;
+  FormingWatch watch;
+  watch.interrupt = settings.interrupt;
+  const SearchOptions search = limited(settings.search, std::fmax(budget.left(), budget.all() / 2));
+  auto made = std::make_shared<Branch>(Branch{prepare_closure(request, 0, search, watch, by), {}});
+  SearchDisplay display(settings.output);
+  made->found = check_closure(made->prepared, search, watch, display.observer());
+  if (!made->found.searched.branch.stopped_by) branches_.emplace(by, made);
+  return made;
+}
+
+ComponentBound BranchBounds::bound(const Request& request, const Component& component,
+                                   const BoundSettings& settings, const TimeBudget& budget) {
+  const DerivativesBy by = BranchValue::needed(component.kind);
+  const bool is_first = !branches_.contains(by);
+  const auto branch = this->branch(request, by, settings, budget);
+  PreparedClosure& prepared = branch->prepared;
+  ComponentBound result =
+      branch->found.searched.is_proved()
+          ? ComponentOverBranch(prepared, branch->found, component, settings).run(budget)
+          : without_branch(prepared, branch->found, component, settings);
+  if (is_first) {
+    result.boxes += branch->found.searched.branch.boxes;
+    result.seconds += prepared.preparation.seconds_spent();
+  }
+  return result;
+}
+
+BoundComponent bounds_over_branch() {
+  return
+      [bounds = std::make_shared<BranchBounds>()](
+          const Request& request, const Component& component, const BoundSettings& settings,
+          const TimeBudget& budget) { return bounds->bound(request, component, settings, budget); };
+}
+
+}  // namespace regulus

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bounds of quantities over one branch of a closure. The branch is first shown to be one; its boxes are
+// then divided where the quantity may be largest, and each part has a tube of its own, which holds the
+// configuration of the box that it is a part of.
+#pragma once
+
+#include <map>
+
+#include "codegen/question/bound/bound_run.hpp"
+#include "codegen/question/closure/branch_value.hpp"
+#include "codegen/question/closure/closure_report.hpp"
+
+namespace regulus {
+
+/// The searches of one request, whose components share the branch.
+class BranchBounds {
+ public:
+  /// Brackets the component, or compares it with the limit of the settings.
+  ///
+  /// Requires  request.model.closure; the same request each time.
+  /// Throws    as prepare_closure().
+  [[nodiscard]] ComponentBound bound(const Request& request, const Component& component,
+                                     const BoundSettings& settings, const TimeBudget& budget);
+
+ private:
+  struct Branch {
+    PreparedClosure prepared;
+    ClosureFinding found;
+  };
+  [[nodiscard]] std::shared_ptr<Branch> branch(const Request& request, DerivativesBy by,
+                                               const BoundSettings& settings,
+                                               const TimeBudget& budget);
+
+  std::map<DerivativesBy, std::shared_ptr<Branch>> branches_;
+};
+
+/// For BoundSettings::over_branch.
+[[nodiscard]] BoundComponent bounds_over_branch();
+
+}  // namespace regulus

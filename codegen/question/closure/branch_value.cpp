@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/question/closure/branch_value.hpp"
+
+#include <algorithm>
+
+#include "codegen/kernel/formulation/variety.hpp"
+#include "codegen/question/quantity/inverse_in_one_unit.hpp"
+#include "codegen/question/quantity/quantity_traits.hpp"
+
+namespace regulus {
+namespace {
+
+std::vector<Interval> enclosed(const std::vector<GiNaC::ex>& values) {
+  std::vector<Interval> result;
+  for (const GiNaC::ex& value : values) result.push_back(enclose_constant(value, "a constant"));
+  return result;
+}
+
+const std::vector<GiNaC::ex>& data_of_motors(const Actuators& motors, QuantityKind kind) {
+  static const std::vector<GiNaC::ex> kNone;
+  switch (closure_traits_of(kind).data) {
+    case NeededData::kMotorErrors:
+      return motors.error;
+    case NeededData::kMotorSpeeds:
+      return motors.speed;
+    case NeededData::kLoadAndStiffness:
+      return motors.stiffness;
+    default:
+      return kNone;
+  }
+}
+
+/// Encloses the largest sum of magnitudes of a row of A·diag(after), divided by its factor.
+Interval largest_row(std::span<const Interval> A, std::size_t n, const std::vector<Interval>& after,
+                     const std::vector<Interval>& before) {
+  Interval most(0.0);
+  for (std::size_t i = 0; i < n; ++i) {
+    Interval sum(0.0);
+    for (std::size_t j = 0; j < n; ++j)
+      sum += after.empty() ? abs(A[i * n + j]) : abs(A[i * n + j] * after[j]);
+    if (!before.empty()) sum /= before[i];
+    if (!(sum.hi < kInfinity)) return {0, kInfinity};
+    most = {std::max(most.lo, sum.lo), std::max(most.hi, sum.hi)};
+  }
+  return most;
+}
+
+}  // namespace
+
+BranchValue::BranchValue(const Model& model, const Component& c)
+    : kind_(c.kind),
+      row_(c.row),
+      column_(c.column),
+      unknowns_(model.closure->unknowns.size()),
+      motors_(model.pose.size()),
+      sign_(c.sign),
+      is_absolute_(c.is_absolute),
+      is_negative_(c.sign < 0 || traits_of(c.kind).is_always_least),
+      by_motor_(enclosed(data_of_motors(model.actuators, c.kind))) {
+  if (kind_ == QuantityKind::kCondition) factors_ = enclosed(column_scales(model));
+  if (c.set == nullptr) return;
+  for (const GeometryParameter& entry : c.set->entries) {
+    middle_.push_back(enclose_constant(entry.value, entry.name));
+    spread_.push_back(entry.ball < 0 ? enclose_constant(entry.tolerance, entry.name)
+                                     : Interval(0.0));
+  }
+  for (const ToleranceBall& ball : c.set->balls)
+    balls_.push_back({enclose_constant(ball.radius, "a radius"), ball.members});
+}
+
+DerivativesBy BranchValue::needed(QuantityKind kind) {
+  const bool is_of_matrix = kind == QuantityKind::kCondition ||
+                            kind == QuantityKind::kDeterminant ||
+                            kind == QuantityKind::kDeterminantMax;
+  return is_of_matrix ? DerivativesBy::kVariables : DerivativesBy::kVariablesAndPose;
+}
+
+Interval BranchValue::largest(const BranchRates& rates, const SystemBoxes::System& over) const {
+  if (kind_ == QuantityKind::kCondition) return condition(rates, over);
+  if (kind_ == QuantityKind::kDeterminant) return -abs(rates.determinant());
+  if (kind_ == QuantityKind::kDeterminantMax) {
+    const Interval det = rates.determinant();
+    return is_absolute_ ? abs(det) : Interval(sign_) * det;
+  }
+  const std::vector<Interval> J = rates.derivatives(over.by_pose, motors_);
+  std::vector<Interval> along(unknowns_);
+  switch (kind_) {
+    case QuantityKind::kForce:
+      for (std::size_t i = 0; i < unknowns_; ++i) along[i] = J[i * motors_ + row_];
+      return of_load(along);
+    case QuantityKind::kDeflection:
+      return of_load(compliance(J));
+    default:
+      return of_motors(J);
+  }
+}
+
+/// The largest value of along·w over the load, with the sign, or of its magnitude.
+Interval BranchValue::of_load(std::span<const Interval> along) const {
+  Interval middle(0.0), spread(0.0);
+  for (std::size_t i = 0; i < along.size(); ++i) {
+    middle += along[i] * middle_[i];
+    spread += abs(along[i]) * spread_[i];
+  }
+  for (const Ball& ball : balls_) {
+    Interval squares(0.0);
+    for (const std::size_t i : ball.members) squares += sqr(along[i]);
+    spread += ball.radius * sqrt(squares);
+  }
+  return (is_absolute_ ? abs(middle) : Interval(sign_) * middle) + spread;
+}
+
+Interval BranchValue::of_motors(const std::vector<Interval>& J) const {
+  Interval sum(0.0);
+  for (std::size_t k = 0; k < motors_; ++k) sum += abs(J[column_ * motors_ + k]) * by_motor_[k];
+  return sum;
+}
+
+/// Row `column_` of G.
+std::vector<Interval> BranchValue::compliance(const std::vector<Interval>& J) const {
+  std::vector<Interval> row(unknowns_, Interval(0.0));
+  for (std::size_t j = 0; j < unknowns_; ++j)
+    for (std::size_t k = 0; k < motors_; ++k) {
+      const Interval& own = J[column_ * motors_ + k];
+      row[j] += (j == column_ ? sqr(own) : own * J[j * motors_ + k]) / by_motor_[k];
+    }
+  return row;
+}
+
+Interval BranchValue::condition(const BranchRates& rates, const SystemBoxes::System& over) const {
+  return largest_row(over.by_unknown, unknowns_, factors_, {}) *
+         largest_row(rates.inverse(), unknowns_, {}, factors_);
+}
+
+}  // namespace regulus

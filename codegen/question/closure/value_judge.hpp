@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One box of a bound over a branch: its tube, the value of the quantity there, and at its middle.
+#pragma once
+
+#include "codegen/question/closure/branch_value.hpp"
+#include "codegen/question/closure/tube_judge.hpp"
+
+namespace regulus {
+
+struct ValueQuestion {
+  const Problem& problem;
+  ClosureQuestion closure;
+  const BranchValue& value;
+};
+
+struct ValueFinding {
+  TubeFinding tube;
+  double upper = kInfinity;      ///< f is at most that over the tube
+  std::vector<double> impact{};  ///< by variable: what a split makes smaller
+  /// A tube over the middle of the box alone, and what f is at least in it.
+  std::optional<BranchTube> middle{};
+  double attained = -kInfinity;
+};
+
+/// A judge of boxes (runtime/search/box_judges.hpp). Each thread has its own.
+class ValueJudge {
+ public:
+  using Box = SystemBoxes::Box;
+  using Question = ValueQuestion;
+  using Finding = ValueFinding;
+
+  /// The parts of the question must outlive this object.
+  explicit ValueJudge(const ValueQuestion& question)
+      : question_(question),
+        tubes_(question.closure),
+        system_(question.problem, question.closure.scaling, question.closure.shape),
+        finder_(system_, question.closure.shape, question.closure.ranges) {}
+
+  void judge(std::span<const Box> boxes, std::span<ValueFinding> findings, double horizon);
+
+  static void put(cluster::ByteWriter& to, const ValueFinding& finding);
+  /// Throws    MalformedMessage.
+  [[nodiscard]] static ValueFinding take(cluster::ByteReader& from, const ValueQuestion& question);
+
+ private:
+  [[nodiscard]] std::vector<Interval> values_of(std::span<const TubeTrial> tubes,
+                                                std::vector<std::vector<double>>* impact);
+
+  void judge_middles(std::span<const TubeTrial> tubes, std::span<ValueFinding* const> findings);
+  [[nodiscard]] Box middle_of(const Box& box, const std::vector<double>& at) const;
+
+  const ValueQuestion question_;
+  TubeJudge tubes_;
+  SystemBoxes system_;
+  TubeFinder finder_;
+};
+
+}  // namespace regulus

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/question/closure/value_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <utility>
+
+#include "runtime/problem/observers.hpp"
+
+namespace regulus {
+namespace {
+
+constexpr std::size_t kMostSplit = 32;
+constexpr double kLeastPart = 0x1p-30;  ///< of a range: boxes are not split further
+constexpr std::size_t kMostSides = 6;   ///< of each so many ranges the corners are looked at before
+
+/// A box that is not split yet, with the leaf of the branch that it is a part of.
+struct ValueBox {
+  TreeBox at;
+  std::size_t leaf = 0;
+  double upper = kInfinity;
+  std::optional<BranchTube> tube{};
+  std::vector<double> impact{};
+  bool is_judged = false;
+
+  friend bool operator<(const ValueBox& a, const ValueBox& b) noexcept {
+    return a.upper < b.upper || (a.upper == b.upper && a.at.id > b.at.id);
+  }
+};
+
+/// The goal of the search: box_search.hpp. The box with the largest bound is split first.
+class ValueGoal {
+ public:
+  static constexpr bool kJudgesWhenMade = false;
+
+  ValueGoal(BoxCourse& course, const ValueQuestion& question, const BranchTree& branch,
+            const ValueAim& aim, const IsPossible& is_possible, ValueBracket& result)
+      : course_(course),
+        question_(question),
+        branch_(branch),
+        aim_(aim),
+        is_possible_(is_possible),
+        result_(result) {
+    for (std::size_t k = 0; k < question.closure.shape.variables; ++k)
+      ranges_.push_back(width_ru(question.problem.outer[k]));
+  }
+
+  /// The splits of the branch are made again.
+  void start(TreeBox root) {
+    add_corners(root);
+    std::vector<std::pair<TreeBox, BoxId>> waiting;
+    waiting.emplace_back(std::move(root), 0);
+    while (!waiting.empty()) {
+      auto [box, id] = std::move(waiting.back());
+      waiting.pop_back();
+      const BranchTree::Node& node = branch_.node(id);
+      if (node.variable != BranchTree::kNone) {
+        auto [lower, upper] = course_.split(std::move(box), node.variable);
+        waiting.emplace_back(std::move(upper), node.lower + 1);
+        waiting.emplace_back(std::move(lower), node.lower);
+      } else if (branch_.leaves().at(node.leaf).tube) {
+        open_.push({std::move(box), node.leaf, kInfinity, branch_.leaves()[node.leaf].tube});
+      } else {
+        course_.leaf(box, Rule::kOutside);
+        leaves_.push_back({std::move(box), {}, true});
+      }
+    }
+  }
+
+  [[nodiscard]] bool has_ended() const {
+    return corners_.empty() && (open_.empty() || is_enough(open_.top().upper));
+  }
+
+  void fill(std::vector<std::vector<Interval>>& boxes, std::uint64_t left) {
+    round_.clear();
+    const std::size_t most = std::min<std::uint64_t>(2 * kMostSplit, left);
+    while (!corners_.empty() && boxes.size() < most) {
+      boxes.push_back(std::move(corners_.back()));
+      corners_.pop_back();
+    }
+    are_corners_ = !boxes.empty();
+    while (!are_corners_ && round_.size() + 1 < most && !open_.empty() &&
+           !is_enough(open_.top().upper))
+      take(boxes);
+  }
+
+  [[nodiscard]] double horizon() const { return 0; }
+  [[nodiscard]] std::size_t open() const { return open_.size(); }
+
+  void conclude(std::span<ValueFinding> findings) {
+    if (are_corners_) {
+      for (const ValueFinding& finding : findings) note_value(finding);
+      return;
+    }
+    for (std::size_t i = 0; i < round_.size(); ++i) {
+      ValueBox& box = round_[i];
+      const ValueFinding& finding = findings[i];
+      box.is_judged = true;
+      if (finding.tube.tube && is_on_branch(*finding.tube.tube, box.leaf)) {
+        box.tube = finding.tube.tube;
+        box.upper = std::fmin(box.upper, finding.upper);
+        box.impact = finding.impact;
+        note_value(finding);
+      }
+      open_.push(std::move(box));
+    }
+  }
+
+  /// Returns the leaves of the tree.
+  std::vector<BranchLeaf> finish() {
+    double upper = settled_;
+    if (!open_.empty()) upper = std::fmax(upper, open_.top().upper);
+    result_.upper = course_.lacks_memory() ? kInfinity : upper;
+    result_.is_closed = is_enough(result_.upper);
+    if (!result_.is_closed) result_.stopped_by = course_.stopped_by();
+    for (; !open_.empty(); open_.pop()) leave(open_.top());
+    result_.boxes = course_.boxes();
+    result_.seconds = course_.seconds();
+    course_.tell_end();
+    return std::move(leaves_);
+  }
+
+ private:
+  [[nodiscard]] bool is_enough(double upper) const {
+    if (aim_.from) return result_.attained >= *aim_.from || upper < *aim_.below;
+    return std::isfinite(upper) &&
+           upper - result_.attained <=
+               aim_.gap * std::fmax(std::fabs(upper), std::fabs(result_.attained));
+  }
+
+  void take(std::vector<std::vector<Interval>>& boxes) {
+    ValueBox box = open_.top();
+    open_.pop();
+    if (!box.is_judged) return add(std::move(box), boxes);
+    const auto variable = choose_variable(box.at.box, ranges_, box.impact, kLeastPart);
+    if (!variable) {
+      settled_ = std::fmax(settled_, box.upper);
+      return leave(box);
+    }
+    auto [lower, upper] = course_.split(std::move(box.at), *variable);
+    add({std::move(lower), box.leaf, box.upper, box.tube}, boxes);
+    add({std::move(upper), box.leaf, box.upper, box.tube}, boxes);
+  }
+
+  void add(ValueBox box, std::vector<std::vector<Interval>>& boxes) {
+    boxes.push_back(box.at.box);
+    round_.push_back(std::move(box));
+  }
+
+  void leave(const ValueBox& box) {
+    course_.leave_open(box.at, Rule::kSecondOrder);
+    leaves_.push_back({box.at, box.tube});
+  }
+
+  /// Many quantities are largest at a corner of the ranges.
+  void add_corners(const TreeBox& root) {
+    std::vector<std::size_t> wide;
+    for (std::size_t k = 0; k < ranges_.size(); ++k)
+      if (ranges_[k] > 0 && question_.problem.inner[k]) wide.push_back(k);
+    const std::size_t sides = std::min(wide.size(), kMostSides);
+    for (std::size_t corner = 0; corner < std::size_t{1} << sides; ++corner) {
+      std::vector<Interval> box = root.box;
+      for (std::size_t i = 0; i < wide.size(); ++i) {
+        const Interval& range = *question_.problem.inner[wide[i]];
+        box[wide[i]] = Interval((corner >> (i % kMostSides) & 1) != 0 ? range.hi : range.lo);
+      }
+      corners_.push_back(std::move(box));
+    }
+  }
+
+  void note_value(const ValueFinding& finding) {
+    if (!finding.middle || !(finding.attained > result_.attained)) return;
+    const BranchTube& tube = *finding.middle;
+    std::vector<Interval> place;
+    for (std::size_t k = 0; k < ranges_.size(); ++k) {
+      const std::optional<Interval>& inner = question_.problem.inner[k];
+      place.push_back(inner ? Interval(tube.at[k]) : question_.problem.outer[k]);
+      if (inner && !certain_subset(place[k], *inner)) return;
+    }
+    std::vector<Interval> point = place;
+    for (const Interval& p : enclose(tube, place)) point.push_back(p);
+    if (!is_possible_(point)) return;
+    const std::vector<std::size_t> leaves = branch_.leaves_at(place);
+    const bool is_of_branch = !leaves.empty() && std::ranges::all_of(leaves, [&](std::size_t leaf) {
+      return branch_.leaves()[leaf].tube && is_on_branch(tube, leaf);
+    });
+    if (!is_of_branch) return;
+    result_.attained = finding.attained;
+    result_.place = tube;
+    result_.at = std::move(place);
+  }
+
+  /// The tube's solution over its own centre is that of the branch, so it is over all of its box.
+  [[nodiscard]] bool is_on_branch(const BranchTube& tube, std::size_t leaf) const {
+    std::vector<Interval> place;
+    for (const double x : tube.at) place.emplace_back(x);
+    return certain_holds(*branch_.leaves()[leaf].tube, place, enclose(tube, place));
+  }
+
+  BoxCourse& course_;
+  const ValueQuestion& question_;
+  const BranchTree& branch_;
+  const ValueAim& aim_;
+  const IsPossible& is_possible_;
+  ValueBracket& result_;
+  std::vector<double> ranges_;
+  std::vector<std::vector<Interval>> corners_;
+  bool are_corners_ = false;
+  std::priority_queue<ValueBox> open_;
+  std::vector<ValueBox> round_;
+  std::vector<BranchLeaf> leaves_;
+  double settled_ = -kInfinity;
+};
+
+}  // namespace
+
+ValueBracket search_value(const ValueQuestion& question, const BranchTree& branch,
+                          const ValueAim& aim, const BoxSearchSettings& settings,
+                          const IsPossible& is_possible, Observer* progress) {
+  ValueBracket result;
+  BranchTree tree;
+  SplitRecorder recorder(tree);
+  std::vector<Observer*> observing{&recorder};
+  if (progress != nullptr) observing.push_back(progress);
+  Observers observers(std::move(observing));
+  BoxCourse course(question.problem, settings, &observers);
+  ValueGoal goal(course, question, branch, aim, is_possible, result);
+  BoxSearch<ValueJudge, ValueGoal>(question, 2 * kMostSplit, course, goal).run();
+  for (BranchLeaf& leaf : goal.finish()) tree.leave(std::move(leaf));
+  result.tree = std::move(tree);
+  return result;
+}
+
+}  // namespace regulus

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// The value of a quantity over a tube of a closure. PROOF.md, "Bounds over a branch", derives it.
+#pragma once
+
+#include "runtime/verifier/branch_test.hpp"
+#include "runtime/verifier/domination.hpp"
+
+namespace regulus::verifier {
+
+/// Returns true for the quantities that have the derivatives of the branch by the motors.
+[[nodiscard]] bool has_branch_rates(const std::string& kind);
+
+/// Reads from the line `quantity KIND` up to the line after `bound`, and forms the derivatives of the
+/// equations by the pose parameters. Throws Rejection.
+///
+/// Requires  question.closure; the lines of the model and the motion have been read.
+void read_branch_quantity_lines(Lines& lines, Question& question);
+
+/// Reads the line `value` after `proof`, the place of an attained bound. Throws Rejection, or Unfinished
+/// if the place is not certainly in the set.
+void read_value_line(Lines& lines, Question& question, const Variety& variety);
+
+class BranchQuantity {
+ public:
+  /// Requires  question.closure, question.quantity. Throws Unfinished.
+  explicit BranchQuantity(Question& question);
+
+  /// Ensures   true only if the bound holds at all configurations of the set over which the test was
+  ///           last true, for all loads and errors.
+  [[nodiscard]] bool keeps_bound(const BranchTest& test);
+  /// Ensures   true only if at each of these configurations some load and errors attain the bound.
+  [[nodiscard]] bool attains_bound(const BranchTest& test);
+
+ private:
+  struct Ball {
+    Interval radius;
+    std::vector<std::size_t> members;
+  };
+
+  [[nodiscard]] Interval largest(const BranchTest& test);
+  [[nodiscard]] std::optional<Domination> dominate(const BranchTest& test);
+  [[nodiscard]] std::vector<Interval> derivatives(const BranchTest& test,
+                                                  const Domination& domination,
+                                                  const std::vector<Interval>& B,
+                                                  std::size_t columns) const;
+  [[nodiscard]] Interval determinant(const BranchTest& test, const Domination& domination) const;
+  [[nodiscard]] Interval condition(const BranchTest& test, const Domination& domination) const;
+  [[nodiscard]] Interval of_load(const std::vector<Interval>& along) const;
+  [[nodiscard]] std::vector<Interval> compliance(const std::vector<Interval>& J) const;
+
+  const QuantityLines& quantity_;
+  const std::size_t n_, motors_;
+  Evaluation by_motor_;
+  Interval bound_;
+  std::vector<Interval> of_motors_, factors_, middle_, spread_;
+  std::vector<Ball> balls_;
+  Matrix P_;  ///< |KΦ_p − I| ≤ P, column by column
+};
+
+}  // namespace regulus::verifier
