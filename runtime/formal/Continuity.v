@@ -36,7 +36,8 @@ Proof.
   - destruct D. apply (continuity_pt_mult (fun t => value (names t) e1)); auto.
   - destruct D as (? & ? & ?). apply (continuity_pt_div (fun t => value (names t) e1)); auto.
   - apply continuous_power. auto.
-  - destruct D. apply (continuous_composition _ sqrt); [auto|]. apply continuity_pt_sqrt. assumption.
+  - destruct D. apply (continuous_composition _ sqrt); [auto|]. apply continuity_pt_sqrt.
+    assumption.
   - apply (continuous_composition _ sin); [auto|]. apply continuity_sin.
   - apply (continuous_composition _ cos); [auto|]. apply continuity_cos.
   - apply (continuous_composition _ atan); [auto|].
@@ -68,7 +69,8 @@ Proof.
 Qed.
 
 Lemma sum_continuous n (f : nat -> R -> R) s :
-  (forall i, (i < n)%nat -> continuity_pt (f i) s) -> continuity_pt (fun t => sum n (fun i => f i t)) s.
+  (forall i, (i < n)%nat -> continuity_pt (f i) s) ->
+  continuity_pt (fun t => sum n (fun i => f i t)) s.
 Proof.
   induction n; intros H; simpl; [apply continuous_constant|].
   apply (continuity_pt_plus (fun t => sum n (fun i => f i t))); [apply IHn; auto|apply H; lia].

@@ -73,12 +73,14 @@ Lemma adjacent_columns_equal n : forall p a, (S p < n)%nat ->
   (forall i, (i < n)%nat -> a i p = a i (S p)) -> determinant n a = 0.
 Proof.
   induction n as [|n IH]; intros p a P E; [lia|]. simpl determinant.
-  change (sum (S n) (fun j => (-1) ^ j * (a O j * determinant n (fun i k => a (S i) (skip j k)))) = 0).
+  change (sum (S n) (fun j => (-1) ^ j * (a O j * determinant n (fun i k => a (S i) (skip j k))))
+    = 0).
   rewrite (sum_pair _ p); [|exact P|].
   - rewrite (E O) by lia.
     rewrite (determinant_ext n (fun i k => a (S i) (skip p k)) (fun i k => a (S i) (skip (S p) k))).
     + simpl. generalize ((-1) ^ p). intros. ring.
-    + intros i k I K. unfold skip. destruct (Nat.ltb_spec k p), (Nat.ltb_spec k (S p)); try reflexivity; try lia.
+    + intros i k I K. unfold skip. destruct (Nat.ltb_spec k p), (Nat.ltb_spec k (S p));
+        try reflexivity; try lia.
       replace k with p by lia. symmetry. apply E. lia.
   - intros j J D1 D2. rewrite (IH (place j p)); [ring| |].
     + unfold place. destruct (Nat.ltb_spec p j); lia.
@@ -104,10 +106,12 @@ Proof.
     rewrite !Nat.eqb_refl. destruct (Nat.eqb_spec (S q) q); [lia|reflexivity]. }
   set (u := fun i => a i q). set (w := fun i => a i (S q)).
   assert (L : forall v x y,
-    determinant n (m (fun i => x i + 1 * y i) v) = determinant n (m x v) + 1 * determinant n (m y v)).
+    determinant n (m (fun i => x i + 1 * y i) v)
+    = determinant n (m x v) + 1 * determinant n (m y v)).
   { intros v x y. apply determinant_linear. lia. }
   assert (R : forall v x y,
-    determinant n (m v (fun i => x i + 1 * y i)) = determinant n (m v x) + 1 * determinant n (m v y)).
+    determinant n (m v (fun i => x i + 1 * y i))
+    = determinant n (m v x) + 1 * determinant n (m v y)).
   { intros v x y.
     assert (C : forall z, determinant n (m v z) =
                           determinant n (with_column (S q) z (with_column q v a))).

@@ -289,9 +289,11 @@ Proof.
   { intros f g a v. unfold lift1, demand. destruct (evaluate vs a) as [x|]; try discriminate.
     destruct (g (range x)) eqn:G; try discriminate. intros [= <-]. eauto. }
   induction e; simpl; intros v E.
-  - injection E as <-. split; [exact Logic.I|]. apply enclose_constant_represents, rational_encloses.
+  - injection E as <-. split; [exact Logic.I|]. apply enclose_constant_represents,
+      rational_encloses.
   - injection E as <-. split; [exact Logic.I|]. apply enclose_constant_represents, pi_encloses.
-  - split; [|apply H, E]. rewrite <- L. destruct (Nat.lt_ge_cases k (length vs)) as [|G]; [assumption|].
+  - split; [|apply H, E]. rewrite <- L. destruct (Nat.lt_ge_cases k (length vs)) as [|G];
+      [assumption|].
     rewrite nth_overflow in E by exact G. discriminate.
   - apply one in E as (x & X & ->). destruct (IHe x X). split; [assumption|].
     apply negate_represents. assumption.

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(** The largest force of a row, as a question of regularity. Let M be the matrix and v the load. Row p
-    of M is replaced by m_p - r v. Where this matrix is regular for each r in a range, no force F of
-    row p has r F = 1 with r in the range. *)
+(** The largest force of a row, as a question of regularity. Let M be the matrix and v the load.
+    Row p of M is replaced by m_p - r v. Where this matrix is regular for each r in a range, no
+    force F of row p has r F = 1 with r in the range. *)
 From Coq Require Import Reals QArith Lra Lia List Arith Bool.
 From Regulus Require Import Expressions Questions LinearAlgebra Determinants Intervals Evaluation.
 From Regulus Require Import Boxes Regularity Search Singularity Threshold.
@@ -164,7 +164,8 @@ Lemma dependent_row n p b z : (p < S n)%nat ->
   (forall j, (j < S n)%nat -> b p j = sum n (fun k => z k * b (skip p k) j)) ->
   ~ full_column_rank (S n) (S n) b.
 Proof.
-  intros P D R. destruct (underdetermined n (S n) (fun k => b (skip p k))) as (y & E & j & J & Y); [lia|].
+  intros P D R. destruct (underdetermined n (S n) (fun k => b (skip p k))) as (y & E & j & J & Y);
+    [lia|].
   apply Y, (R y); [|exact J]. intros i I.
   destruct (Nat.eq_dec i p) as [->|N].
   - rewrite (sum_ext _ _ (fun j => sum n (fun k => z k * b (skip p k) j) * y j))
@@ -173,7 +174,8 @@ Proof.
     apply sum_zero. intros k K. rewrite E by exact K. ring.
   - assert (S : exists k, i = skip p k /\ (k < n)%nat).
     { destruct (Nat.lt_ge_cases i p) as [H|H].
-      - exists i. unfold skip. rewrite (proj2 (Nat.ltb_lt i p)) by exact H. split; [reflexivity|lia].
+      - exists i. unfold skip. rewrite (proj2 (Nat.ltb_lt i p)) by exact H.
+        split; [reflexivity|lia].
       - exists (pred i). unfold skip. rewrite (proj2 (Nat.ltb_ge (pred i) p)) by lia. split; lia. }
     destruct S as (k & -> & K). exact (E k K).
 Qed.
@@ -205,7 +207,8 @@ Section Bordered.
   Hypothesis W : length (nth p (matrix q) []) = columns q.
   Let b := bordered q p load ends.
 
-  Lemma split_matrix : matrix q = firstn p (matrix q) ++ nth p (matrix q) [] :: skipn (S p) (matrix q).
+  Lemma split_matrix :
+    matrix q = firstn p (matrix q) ++ nth p (matrix q) [] :: skipn (S p) (matrix q).
   Proof.
     assert (H : (p < length (matrix q))%nat) by (unfold rows in Square; rewrite Square; exact P).
     revert H. generalize (matrix q). clear. induction p as [|k IH]; intros [|r l] H; simpl in *;
@@ -237,7 +240,8 @@ Section Bordered.
     - rewrite app_nth2 by (rewrite length_before; lia). rewrite length_before.
       rewrite (proj2 (Nat.eqb_neq i p)) by lia. destruct (i - p)%nat as [|k] eqn:K; [lia|].
       simpl. change (@nil expression) with (map shift []) at 1. rewrite map_nth. f_equal.
-      rewrite split_matrix at 2. rewrite app_nth2; rewrite firstn_length; unfold rows in Square; [|lia].
+      rewrite split_matrix at 2. rewrite app_nth2; rewrite firstn_length; unfold rows in Square;
+        [|lia].
       replace (i - Nat.min p (length (matrix q)))%nat with (S k) by lia. reflexivity.
   Qed.
 
@@ -285,7 +289,8 @@ Section Bordered.
     change (matrix b) with (bordered_rows p load (matrix q)) in C. unfold bordered_rows in C.
     apply Forall_app in C as [C1 C2]. inversion C2 as [|? ? C3 C4]; subst.
     apply defined_border in C3 as [C5 C6]; [|congruence]. split; [|exact C6].
-    assert (S : forall l, Forall (Forall (defined (r :: extend x (definitions q)))) (map (map shift) l) ->
+    assert (S : forall l,
+      Forall (Forall (defined (r :: extend x (definitions q)))) (map (map shift) l) ->
                   Forall (Forall (defined (extend x (definitions q)))) l).
     { intros l H. rewrite Forall_forall in *. intros e E.
       apply (all_defined_list r), H, in_map, E. }
@@ -308,7 +313,8 @@ Section Bordered.
       rewrite extend_shift in K. rewrite Square. intros y Y. apply K. intros i I.
       etransitivity; [|exact (Y i I)]. apply sum_ext. intros j _. rewrite bordered_entry.
       destruct (Nat.eqb_spec i p) as [->|]; ring.
-    - intros s F S E. apply B. intros r I. destruct (N (r :: x)) as [_ K]; [apply bordered_set; assumption|].
+    - intros s F S E. apply B. intros r I. destruct (N (r :: x)) as [_ K]; [apply bordered_set;
+        assumption|].
       rewrite bordered_square in K. change (definitions b) with (map shift (definitions q)) in K.
       rewrite extend_shift in K.
       refine (bordered_matrix_regular (columns q) p _ _ r s F P S E _).
@@ -340,7 +346,8 @@ Proof.
   - apply Rinv_l. lra.
 Qed.
 
-Lemma within_of_reciprocals l f : 0 < l -> (forall r, - / l <= r <= / l -> r * f <> 1) -> Rabs f < l.
+Lemma within_of_reciprocals l f : 0 < l -> (forall r, - / l <= r <= / l -> r * f <> 1) ->
+  Rabs f < l.
 Proof.
   intros L H. pose proof (Rinv_0_lt_compat l L). apply Rabs_def1.
   - apply below_of_reciprocals; [exact L|]. intros r I. apply H. lra.
@@ -352,8 +359,10 @@ Lemma within_correct q p load limit : is_force_known q p load limit = true ->
   no_singularity (bordered q p load (range_within limit)) -> force_within q p load limit.
 Proof.
   intros K N. apply is_force_known_correct in K as ((A & B & C & D) & E & G).
-  assert (H : forall r, in_range r (range_within limit) <-> - / value [] limit <= r <= / value [] limit).
-  { intros r. unfold in_range, range_within. cbn [fst snd]. rewrite <- value_reciprocal. reflexivity. }
+  assert (H : forall r,
+    in_range r (range_within limit) <-> - / value [] limit <= r <= / value [] limit).
+  { intros r. unfold in_range, range_within. cbn [fst snd]. rewrite <- value_reciprocal.
+    reflexivity. }
   split; [exact E|]. apply (forces_of_bordered q p load (range_within limit)); try assumption.
   - apply H. pose proof (Rinv_0_lt_compat _ G). lra.
   - intros f F. apply within_of_reciprocals; [exact G|]. intros r I. apply F, H, I.

@@ -53,8 +53,8 @@ Definition largest_of (l : list float) : option nat :=
   let step '(best, k, i) x := if ltb best x then (x, Some i, S i) else (best, k, S i) in
   snd (fst (fold_left step l (zero, None, O))).
 
-(** For each column of an n x n matrix a row p, and the factors by which row p is added to the others
-    such that the rest of the column becomes 0. *)
+(** For each column of an n x n matrix a row p, and the factors by which row p is added to the
+    others such that the rest of the column becomes 0. *)
 Fixpoint clearing (columns n : nat) (used : list nat) (column : nat) (a : list (list float)) :
     list (nat * list float) :=
   match columns with

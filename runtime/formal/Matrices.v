@@ -355,6 +355,7 @@ Ltac same_number :=
     | |- ?n * / _ = ?c * / _ => apply inverse_of_multiple; [lra | lra | same_number]
     end
   | solve [equal_functions; hide_inverses; by_field]
+  | solve [progress rewrite ?cos_neg, ?sin_neg; same_number]
   | solve [field; nonzero] ].
 
 (** Compares the numbers of a list, each without some names. *)
@@ -435,7 +436,8 @@ Ltac by_large_matrix claim words entries scales S :=
   lazymatch type of S with in_set ?q ?x =>
     let N := fresh in name_definitions q x words N;
     apply (above_of_names q _ _ x _ _ _ _ _ claim S N);
-    [reflexivity | scales_fit | clear S N; lower_threshold | clear S N; matrices entries scales] end.
+    [reflexivity | scales_fit | clear S N; lower_threshold | clear S N;
+      matrices entries scales] end.
 
 (** A quantity of the certificate gets a name; [F] says that all are in their ranges. *)
 Tactic Notation "name_quantity" hyp(F) "as" ident(x) :=

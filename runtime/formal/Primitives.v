@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(** How Coq writes its primitive numbers as a program of OCaml. The lines [Extract] are part of what a
-    verdict of this program trusts; the theorems do not need them. Other numbers of Coq (nat,
+(** How Coq writes its primitive numbers as a program of OCaml. The lines [Extract] are part of
+    what a verdict of this program trusts; the theorems do not need them. Other numbers of Coq (nat,
     positive, Z, Q) are left as they are defined there: none becomes an integer of the machine. *)
 From Coq Require Extraction ExtrOcamlBasic.
 From Coq Require PrimFloat PrimInt63 FloatClass ClassicalDedekindReals.

@@ -69,8 +69,8 @@ Definition scaled_determinant (q : question) (scales : list expression) (x : lis
 Definition scales_defined (q : question) (scales : list expression) (x : list R) : Prop :=
   Forall (defined (extend x (definitions q))) scales.
 
-(** NO SINGULARITY by a threshold: the ranges are defined, and at every point of the set, everything is defined and the scaled
-    determinant is larger than the threshold. *)
+(** NO SINGULARITY by a threshold: the ranges are defined, and at every point of the set,
+    everything is defined and the scaled determinant is larger than the threshold. *)
 Definition determinant_above (q : question) (scales : list expression) (threshold : expression) :=
   defined [] threshold /\ rows q = columns q /\ ends_defined q /\
   forall x, in_set q x ->
@@ -91,10 +91,12 @@ Definition determinant_not_above (q : question) (scales : list expression)
 Definition in_balance (n : nat) (m : nat -> nat -> R) (s F w : nat -> R) : Prop :=
   forall j, (j < n)%nat -> sum n (fun i => m i j * (s i * F i)) = w j.
 
-(** The ranges are defined. At every point of the set, everything is defined, the matrix is square and regular, and the force
-    of a row, the first being row 0, satisfies a bound. The load is divided by the scale of this row;
-    whatever the scales are, then, the forces are those under the load. *)
-Definition force_satisfies (bound : R -> Prop) (q : question) (row : nat) (load : list expression) :=
+(** The ranges are defined. At every point of the set, everything is defined, the matrix is square
+    and regular, and the force of a row, the first being row 0, satisfies a bound. The load is
+    divided by the scale of this row; whatever the scales are, then, the forces are those under the
+    load. *)
+Definition force_satisfies (bound : R -> Prop) (q : question) (row : nat)
+    (load : list expression) :=
   rows q = columns q /\ (row < columns q)%nat /\ length load = columns q /\ ends_defined q /\
   forall x, in_set q x ->
     let names := extend x (definitions q) in

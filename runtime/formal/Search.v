@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(** Branch and prune: a box that is not decided is split. The theorem [check_correct] at the end says
-    that there is no singularity if the check of a question answers true. *)
+(** Branch and prune: a box that is not decided is split. The theorem [check_correct] at the end
+    says that there is no singularity if the check of a question answers true. *)
 From Coq Require Import Reals Lra Lia List PArith Bool.
 From Coq Require PrimFloat.
 From Regulus Require Import Expressions Questions LinearAlgebra Intervals Forms Evaluation Boxes.

@@ -189,7 +189,8 @@ Proof.
   induction (combine a b) as [|u l IH]; intros [|k]; simpl; try apply continuous_constant;
     [|apply IH].
   apply (continuity_pt_plus (fun _ => real_of (fst u))); [apply continuous_constant|].
-  apply (continuity_pt_mult (fun t => t)); [apply derivable_continuous_pt, derivable_pt_id|apply continuous_constant].
+  apply (continuity_pt_mult (fun t => t)); [apply derivable_continuous_pt,
+    derivable_pt_id|apply continuous_constant].
 Qed.
 
 Lemma along_length a b s t : length (along a b s) = length (along a b t).

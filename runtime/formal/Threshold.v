@@ -54,7 +54,8 @@ Definition determinant_in_box (n : nat) (a : forms) : option form :=
 
 (** The forms of the scales and of the determinant, multiplied. *)
 Definition product_form (d : form) (scales : list (option enclosure)) : form :=
-  multiply_forms d (fold_right (fun s f => multiply_forms (form_of s) f) (constant_form one) scales).
+  multiply_forms d (fold_right (fun s f => multiply_forms (form_of s) f) (constant_form one)
+    scales).
 
 Definition test_determinant (q : question) (scales : list expression) (threshold : expression)
     (m : method) (b : box) : answer :=
@@ -178,12 +179,14 @@ Qed.
 Lemma add_row_encloses t n step a A :
   (forall i j, (i < n)%nat -> (j < n)%nat -> form_encloses t (form_at a i j) (A i j)) ->
   exists B, determinant n B = determinant n A /\
-    forall i j, (i < n)%nat -> (j < n)%nat -> form_encloses t (form_at (add_row n a step) i j) (B i j).
+    forall i j, (i < n)%nat -> (j < n)%nat ->
+      form_encloses t (form_at (add_row n a step) i j) (B i j).
 Proof.
   destruct step as [p factors]. unfold add_row. intros H.
   destruct (Nat.ltb_spec p n) as [P|P]; [|exists A; split; [reflexivity|exact H]].
   exists (fun i j => if Nat.eqb i p then A p j else A i j + real_of (nth i factors F.nan) * A p j).
-  split; [exact (add_to_rows n p (fun i => real_of (nth i factors F.nan)) A P)|]. intros i j I J. rewrite tabulate_at by assumption.
+  split; [exact (add_to_rows n p (fun i => real_of (nth i factors F.nan)) A P)|]. intros i j I J.
+  rewrite tabulate_at by assumption.
   destruct (Nat.eqb i p); [apply H; assumption|].
   apply add_forms_enclose; [apply H; assumption|].
   apply scale_form_encloses; [apply point_encloses|apply H; assumption].
@@ -256,7 +259,8 @@ Proof.
   destruct (evaluate [] threshold) as [l|] eqn:L; [|discriminate].
   destruct is_positive eqn:P; [|discriminate]. intros _ _.
   pose proof (coordinate_in_unit_box b x B) as T.
-  pose proof (known_definitions _ (definitions q) _ _ T (variables_known (second_order m) b x B)) as K.
+  pose proof (known_definitions _ (definitions q) _ _ T (variables_known (second_order m) b x B))
+    as K.
   destruct (scales_known _ vs _ scales T K D5) as (S & F & _).
   split; [apply (everything_defined q m b x B); assumption|]. split; [exact S|].
   assert (G : encloses (I.abs (form_range (product_form d (map (evaluate vs) scales))))

@@ -9,6 +9,7 @@
 #include "runtime/formal/coq_expression.hpp"
 #include "runtime/formal/coq_matrix.hpp"
 #include "runtime/formal/coq_real.hpp"
+#include "runtime/formal/written_legs.hpp"
 #include "runtime/verifier/model/section_reading.hpp"
 
 namespace regulus::verifier {
@@ -45,7 +46,11 @@ class GeometryWriter {
         robot_(read_robot(question, model)) {
     if (robot_.kind == RobotKind::kArm && claim_ != RobotClaim::kRegular)
       throw Unfinished("there is no theorem about the determinant of an arm yet");
-    if (robot_.kind == RobotKind::kMatrix) matrix_.emplace(question, lines, values_, robot_);
+    if (robot_.kind == RobotKind::kMatrix)
+      matrix_.emplace(question, lines, robot_, write_matrix(question, values_, robot_));
+    if (robot_.kind == RobotKind::kLegs)
+      matrix_.emplace(question, lines, robot_,
+                      write_legs(question, values_, robot_, orientation_of_legs()));
   }
 
   [[nodiscard]] std::string text() const {
@@ -60,10 +65,10 @@ class GeometryWriter {
  private:
   [[nodiscard]] bool is_arm() const { return robot_.kind == RobotKind::kArm; }
   [[nodiscard]] std::string library() const {
-    return matrix_ ? "Matrices" : is_arm() ? "Arms" : "Geometry";
+    return matrix_ ? matrix_->written().library : is_arm() ? "Arms" : "Geometry";
   }
   [[nodiscard]] std::string parts_text() const {
-    return matrix_ ? matrix_->definition() : is_arm() ? arm_text() : legs_text();
+    return matrix_ ? matrix_->written().definition : is_arm() ? arm_text() : legs_text();
   }
 
   [[nodiscard]] std::string names_of(bool are_points, const char* between) const {
@@ -96,6 +101,10 @@ class GeometryWriter {
     for (std::size_t i = kPositions; i < robot_.pose.size(); ++i)
       word += ' ' + coq_argument(robot_.pose[i]);
     return '(' + word + ')';
+  }
+  [[nodiscard]] std::string orientation_of_legs() const {
+    const bool has_angles = robot_.pose.size() > kPositions;
+    return has_angles ? orientation() : "fixed";
   }
   [[nodiscard]] std::string orientation_word() const {
     const std::string orientation = robot_.orientation;
@@ -221,7 +230,7 @@ class GeometryWriter {
     return q_.singular ? singular_theorem() : regular_theorem();
   }
   [[nodiscard]] std::string determinant() const {
-    if (matrix_) return "determinant " + matrix_->size() + ' ' + matrix_->matrix();
+    if (matrix_) return "determinant " + matrix_->size() + ' ' + matrix_->written().matrix;
     return "determinant 6 (" + matrix(q_.has_threshold ? "inverse_jacobian" : "gough") + ')';
   }
   [[nodiscard]] std::string size_of_determinant() const { return "Rabs (" + determinant() + ')'; }
@@ -229,7 +238,7 @@ class GeometryWriter {
   [[nodiscard]] std::string regular_conclusion() const {
     if (claim_ == RobotClaim::kAbove)
       return coq_argument(robot_.threshold) + " < " + size_of_determinant();
-    if (matrix_) return "full_column_rank " + matrix_->shape() + ' ' + matrix_->matrix();
+    if (matrix_) return "full_column_rank " + matrix_->shape() + ' ' + matrix_->written().matrix;
     return is_arm() ? rank_of_arm()
                     : "full_column_rank " + std::to_string(robot_.legs.size()) + " 6 (" +
                           matrix("gough") + ')';
@@ -237,9 +246,9 @@ class GeometryWriter {
   [[nodiscard]] std::string regular_proof() const {
     const bool is_above = claim_ == RobotClaim::kAbove;
     if (matrix_)
-      return "at_point the_claim\n    " + point_of_certificate() + " S.\n" + matrix_->naming() +
-             "  by_" + (is_above ? "large_" : "") + "matrix the_claim\n    " + matrix_->hints() +
-             " S";
+      return "at_point the_claim\n    " + point_of_certificate() + " S.\n" +
+             matrix_->written().naming + "  by_" + (is_above ? "large_" : "") +
+             "matrix the_claim\n    " + matrix_->hints() + " S";
     if (is_arm()) return proof_of_arm();
     return std::string(is_above ? "by_threshold" : "by_geometry") + " the_claim\n    " +
            point_of_certificate() + (is_above ? "" : ' ' + factor()) + " S";
@@ -273,8 +282,9 @@ class GeometryWriter {
                                                   bool is_small) const {
     return std::string("  destruct (") + (is_small ? "pose_of_small " : "pose_of_singularity ") +
            question + " the_claim) as [v [F D]].\n" + matrix_->naming_of_quantities() +
-           exists(&CoqQuantity::of_pose) + "  in_ranges F.\n" + matrix_->naming() + "  by_" +
-           (is_small ? "small" : "singular") + "_matrix D\n    " + matrix_->hints() + ".\n";
+           exists(&CoqQuantity::of_pose) + "  in_ranges F.\n" + matrix_->written().naming +
+           "  by_" + (is_small ? "small" : "singular") + "_matrix D\n    " + matrix_->hints() +
+           ".\n";
   }
 
   /// Names a value of each quantity.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The theorem about the robot of a model file, in the words of Geometry.v, Arms.v or Matrices.v. All that it shows is read
-// from the file; its proof compares that with the question of the certificate.
+// The theorem about the robot of a model file, in the words of Geometry.v, Arms.v, Legs.v or
+// Matrices.v. All that it shows is read from the file; its proof compares that with the question of the
+// certificate.
 #pragma once
 
 #include <string>

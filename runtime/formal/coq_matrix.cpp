@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/formal/coq_matrix.hpp"
 
+#include <utility>
+
 #include "runtime/formal/coq_expression.hpp"
 #include "runtime/formal/coq_real.hpp"
 #include "runtime/formal/matrix_hints.hpp"
@@ -26,36 +28,11 @@ std::vector<std::string> lists(const std::vector<std::vector<std::string>>& name
   return texts;
 }
 
-}  // namespace
-
-MatrixWriter::MatrixWriter(const Question& question, const std::vector<std::string>& lines,
-                           const WrittenValues& values, RobotOfModel& robot)
-    : q_(question),
-      robot_(robot),
-      matrix_(read_named_matrix(values, robot, question.has_threshold, question.singular)) {
-  if (matrix_.rows != q_.rows || matrix_.columns != q_.columns)
-    throw Unfinished("the matrix of the model file has another shape than that of the certificate");
-  const MatrixHints found = find_matrix_hints(question, lines, robot, matrix_);
-  std::vector<std::string> words;
-  for (const DefinitionHint& hint : found.definitions)
-    words.push_back('(' + (hint.word.empty() ? "unnamed" : hint.word) + ", " +
-                    list_of_names(hint.without) + ')');
-  if (words.empty()) words.emplace_back("(unnamed, no_names)");
-  hints_ = list_of(words) + "\n    " + list_of_rows(lists(found.entries), "     ");
-  if (q_.has_threshold)
-    hints_ += ' ' + (found.scales.empty() ? "[no_names]" : list_of(lists(found.scales)));
-}
-
-/// With scales it is the inverse Jacobian.
-const char* MatrixWriter::name() const {
-  return matrix_.scales.empty() ? "the_matrix" : "the_inverse_jacobian";
-}
-
-std::string MatrixWriter::list_of_rows(const std::vector<std::string>& items,
-                                       const std::string& margin) const {
+std::string list_of_rows(const std::vector<std::string>& items, std::size_t columns,
+                         const std::string& margin) {
   std::string text;
   for (std::size_t i = 0; i < items.size(); ++i) {
-    if (i % matrix_.columns != 0)
+    if (i % columns != 0)
       text += "; ";
     else
       text += i == 0 ? "[" : "];\n" + margin + '[';
@@ -64,41 +41,71 @@ std::string MatrixWriter::list_of_rows(const std::vector<std::string>& items,
   return '[' + text + "]]";
 }
 
-std::string MatrixWriter::definition() const {
+/// With scales it is the inverse Jacobian.
+const char* name_of(const NamedMatrix& matrix) {
+  return matrix.scales.empty() ? "the_matrix" : "the_inverse_jacobian";
+}
+
+std::string definition_of(const NamedMatrix& matrix, const RobotOfModel& robot) {
   std::vector<std::string> arguments;
-  for (const MatrixArgument& argument : matrix_.arguments) arguments.push_back(argument.name);
+  for (const MatrixArgument& argument : matrix.arguments) arguments.push_back(argument.name);
   std::string text = std::string(
                          "(** The matrix of the model file, with the names that the file gives "
                          "its parts. *)\nDefinition ") +
-                     name() + " (" + text_of(arguments, " ") + " : R) : nat -> nat -> R :=\n";
-  for (const MatrixName& one : matrix_.names) {
-    const int number = robot_.own.graph.nodes()[std::size_t(one.variable)].a;
-    text += "  let " + robot_.names[std::size_t(number)] + " := " + one.text + " in\n";
+                     name_of(matrix) + " (" + text_of(arguments, " ") +
+                     " : R) : nat -> nat -> R :=\n";
+  for (const MatrixName& one : matrix.names) {
+    const int number = robot.own.graph.nodes()[std::size_t(one.variable)].a;
+    text += "  let " + robot.names[std::size_t(number)] + " := " + one.text + " in\n";
   }
-  if (matrix_.scales.empty())
-    return text + "  matrix_of\n    " + list_of_rows(matrix_.entry_texts, "     ") + ".\n\n";
-  return text + "  scaled\n    [" + text_of(matrix_.scale_texts, ";\n     ") +
-         "]\n    (matrix_of\n      " + list_of_rows(matrix_.entry_texts, "       ") + ").\n\n";
+  if (matrix.scales.empty())
+    return text + "  matrix_of\n    " + list_of_rows(matrix.entry_texts, matrix.columns, "     ") +
+           ".\n\n";
+  return text + "  scaled\n    [" + text_of(matrix.scale_texts, ";\n     ") +
+         "]\n    (matrix_of\n      " + list_of_rows(matrix.entry_texts, matrix.columns, "       ") +
+         ").\n\n";
 }
 
-std::string MatrixWriter::matrix() const {
-  std::string text = '(' + std::string(name());
-  for (const auto& uncertain : robot_.uncertain) text += ' ' + coq_identifier(uncertain.first);
-  for (const std::string& pose : robot_.pose) text += ' ' + coq_argument(pose);
-  return text + ')';
+std::string naming_of(const NamedMatrix& matrix) {
+  std::string text;
+  for (std::size_t i = 0; i < matrix.arguments.size(); ++i)
+    if (matrix.arguments[i].value != kNoNode && !matrix.arguments[i].is_number)
+      text += "  name_argument " + std::to_string(matrix.arguments.size() - 1 - i) + " as " +
+              matrix.arguments[i].name + ".\n";
+  return text + "  name_lets " + name_of(matrix) + ".\n";
+}
+
+}  // namespace
+
+WrittenMatrix write_matrix(const Question& question, const WrittenValues& values,
+                           RobotOfModel& robot) {
+  NamedMatrix matrix = read_named_matrix(values, robot, question.has_threshold, question.singular);
+  std::string applied = '(' + std::string(name_of(matrix));
+  for (const auto& uncertain : robot.uncertain) applied += ' ' + coq_identifier(uncertain.first);
+  for (const std::string& pose : robot.pose) applied += ' ' + coq_argument(pose);
+  const std::string definition = definition_of(matrix, robot), naming = naming_of(matrix);
+  return {std::move(matrix), "Matrices", definition, applied + ')', naming};
+}
+
+MatrixWriter::MatrixWriter(const Question& question, const std::vector<std::string>& lines,
+                           RobotOfModel& robot, WrittenMatrix written)
+    : q_(question), robot_(robot), written_(std::move(written)) {
+  const NamedMatrix& matrix = written_.named;
+  if (matrix.rows != q_.rows || matrix.columns != q_.columns)
+    throw Unfinished("the matrix of the model file has another shape than that of the certificate");
+  const MatrixHints found = find_matrix_hints(question, lines, robot, matrix);
+  std::vector<std::string> words;
+  for (const DefinitionHint& hint : found.definitions)
+    words.push_back('(' + (hint.word.empty() ? "unnamed" : hint.word) + ", " +
+                    list_of_names(hint.without) + ')');
+  if (words.empty()) words.emplace_back("(unnamed, no_names)");
+  hints_ = list_of(words) + "\n    " + list_of_rows(lists(found.entries), matrix.columns, "     ");
+  if (q_.has_threshold)
+    hints_ += ' ' + (found.scales.empty() ? "[no_names]" : list_of(lists(found.scales)));
 }
 
 std::string MatrixWriter::shape() const {
-  return std::to_string(matrix_.rows) + ' ' + std::to_string(matrix_.columns);
-}
-
-std::string MatrixWriter::naming() const {
-  std::string text;
-  for (std::size_t i = 0; i < matrix_.arguments.size(); ++i)
-    if (matrix_.arguments[i].value != kNoNode && !matrix_.arguments[i].is_number)
-      text += "  name_argument " + std::to_string(matrix_.arguments.size() - 1 - i) + " as " +
-              matrix_.arguments[i].name + ".\n";
-  return text + "  name_lets " + name() + ".\n";
+  return std::to_string(written_.named.rows) + ' ' + std::to_string(written_.named.columns);
 }
 
 std::string MatrixWriter::naming_of_quantities() const {
@@ -111,7 +118,5 @@ std::string MatrixWriter::naming_of_quantities() const {
   }
   return text;
 }
-
-std::string MatrixWriter::hints() const { return hints_; }
 
 }  // namespace regulus::verifier

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The theorem about the matrix of a model file, in the words of Matrices.v: its definition, and how it is
-// proved.
+// The theorem about a robot whose proof names the parts of its matrix, in the words of Matrices.v and
+// Legs.v: its definition, and how it is proved.
 #pragma once
 
 #include <string>
@@ -10,37 +10,41 @@
 
 namespace regulus::verifier {
 
+/// What a theorem says about a matrix, and how its parts get names.
+struct WrittenMatrix {
+  NamedMatrix named;
+  std::string library;     ///< whose words these are
+  std::string definition;  ///< sentences before the theorem
+  std::string matrix;      ///< at the pose of the theorem, in parentheses
+  std::string naming;      ///< sentences that name the arguments and the parts
+};
+
+/// The matrix of a model file, [matrix]. `robot` gets its names.
+[[nodiscard]] WrittenMatrix write_matrix(const Question& question, const WrittenValues& values,
+                                         RobotOfModel& robot);
+
 class MatrixWriter {
  public:
-  /// `lines`: of the question. `robot` gets the names of the matrix. Throws Unfinished if it has no
-  /// theorem.
-  MatrixWriter(const Question& question, const std::vector<std::string>& lines,
-               const WrittenValues& values, RobotOfModel& robot);
+  /// `lines`: of the question. Throws Unfinished if the matrix has no theorem.
+  MatrixWriter(const Question& question, const std::vector<std::string>& lines, RobotOfModel& robot,
+               WrittenMatrix written);
 
-  /// Returns the definition of the matrix.
-  [[nodiscard]] std::string definition() const;
-  /// Returns the matrix at the pose of the theorem, in parentheses.
-  [[nodiscard]] std::string matrix() const;
-  /// Returns "3 3", or "3" for a determinant.
+  [[nodiscard]] const WrittenMatrix& written() const { return written_; }
+  /// Returns "3 3".
   [[nodiscard]] std::string shape() const;
-  [[nodiscard]] std::string size() const { return std::to_string(matrix_.columns); }
+  /// Returns "3", for a determinant.
+  [[nodiscard]] std::string size() const { return std::to_string(written_.named.columns); }
 
-  /// Returns the sentences that name the arguments and the parts of the matrix.
-  [[nodiscard]] std::string naming() const;
   /// Returns the names that a proof gives the quantities of a pose of the certificate.
   [[nodiscard]] std::string naming_of_quantities() const;
   /// Returns what the last tactic compares: the names of the definitions, and which names give way in
   /// the entries, and with a threshold in the scales.
-  [[nodiscard]] std::string hints() const;
+  [[nodiscard]] std::string hints() const { return hints_; }
 
  private:
-  [[nodiscard]] std::string list_of_rows(const std::vector<std::string>& items,
-                                         const std::string& margin) const;
-  [[nodiscard]] const char* name() const;
-
   const Question& q_;
-  RobotOfModel& robot_;
-  NamedMatrix matrix_;
+  const RobotOfModel& robot_;
+  const WrittenMatrix written_;
   std::string hints_;
 };
 

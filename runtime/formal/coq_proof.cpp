@@ -95,6 +95,13 @@ std::string singular_theorem(Lines& lines, const Question& question) {
   if (lines.text() == "reason small-determinant" && question.has_threshold)
     return point_theorem(lines, question);
   if (lines.text() == "reason opposite-signs") return segment_theorem(lines, question);
+  if (lines.text() == "reason small-determinant")
+    throw Unfinished(
+        "there is no theorem yet about a singular pose at which the determinant does not change "
+        "its "
+        "sign");
+  if (lines.text() == "reason always-singular")
+    throw Unfinished("there is no theorem yet about a robot that is singular at every pose");
   throw Unfinished("there is no theorem about SINGULARITY by '" + lines.text() + "' yet");
 }
 

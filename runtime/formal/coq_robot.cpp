@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -12,8 +12,9 @@
 #include "runtime/formal/coq_keys.hpp"
 #include "runtime/formal/coq_real.hpp"
 #include "runtime/formal/known_robot.hpp"
+#include "runtime/formal/quantity_reader.hpp"
 #include "runtime/verifier/evaluation.hpp"
-#include "runtime/verifier/model/file_expressions.hpp"
+#include "runtime/verifier/model/orientation_reading.hpp"
 #include "runtime/verifier/model/section_reading.hpp"
 #include "runtime/verifier/model/section_values.hpp"
 
@@ -24,21 +25,13 @@ constexpr std::size_t kLegs = 6;
 constexpr std::string_view kAxes = "xyz";
 constexpr std::array<const char*, 3> kCoordinates = {"first ", "second ", "third "};
 
-class RobotReader : FileKeys {
+class RobotReader : QuantityReader {
  public:
   RobotReader(const Question& question, const CoqModel& model)
-      : FileKeys(model.values),
-        q_(question),
-        may_differ_(model.may_differ),
+      : QuantityReader(question, model),
         motion_("motion." + question.motion + '.'),
-        degrees_(poses_in_degrees(model.values)),
-        pose_list_(poses_of_file(model.values)),
-        expressions_(own_, values_, degrees_, hidden_,
-                     [](std::string_view, const Scope&) { return kNoNode; }) {
-    robot_.kind = kind_of_robot(model.values);
+        pose_list_(poses_of_file(model.values)) {
     table_ = has_below("gough.") ? "gough." : "legs.";
-    for (std::size_t i = 0; i < q_.variables.size(); ++i)
-      of_pose_[q_.variables[i].name] = "quantity v " + std::to_string(i);
   }
 
   RobotOfModel read() {
@@ -46,12 +39,13 @@ class RobotReader : FileKeys {
     read_threshold();
     read_geometry();
     if (robot_.kind == RobotKind::kArm) read_parts();
+    if (robot_.kind == RobotKind::kLegs) read_legs();
     read_parameters();
     read_poses();
     if (robot_.kind == RobotKind::kPlatform) read_anchors();
     read_constraints();
     require_all_read();
-    robot_.orientation = word(table_ + "orientation", "");
+    if (is_platform()) robot_.orientation = word(table_ + "orientation", "");
     robot_.is_middle_in_set = is_middle_in_set();
     robot_.own = std::move(own_);
     robot_.names = std::move(names_);
@@ -81,82 +75,6 @@ class RobotReader : FileKeys {
           "the motion of the model file has a threshold, and the certificate has none");
   }
 
-  // Expressions of the file.
-
-  /// The number or the expression at a place, with the names of the motion.
-  [[nodiscard]] NodeId node_at(const std::string& place, bool in_degrees = false) {
-    if (!has(place)) throw Unfinished("the model file has no " + place);
-    read_.insert(place);
-    return expressions_.at(place, scope_, in_degrees);
-  }
-  [[nodiscard]] std::string text_at(const std::string& place, bool in_degrees = false) {
-    const NodeId node = node_at(place, in_degrees);
-    const WrittenValue& written = values_.at(place);
-    return written.is_string ? coq_real(own_.graph, node, names_)
-                             : coq_written_number(written.text, own_.graph);
-  }
-  [[nodiscard]] std::string witness_of(NodeId node) const {
-    return coq_real(own_.graph, node, witnesses_);
-  }
-  /// A constant of the certificate.
-  [[nodiscard]] std::optional<std::string> stated(const std::string& key) {
-    const auto found = q_.stated.find(key);
-    if (!may_differ_ || found == q_.stated.end()) return std::nullopt;
-    return coq_real(own_.graph, parse(found->second.text, {}, own_.graph), {});
-  }
-
-  // Quantities.
-
-  /// What a variable of the certificate is at a pose that it names.
-  [[nodiscard]] std::string of_pose(const std::string& variable) const {
-    const auto found = of_pose_.find(variable);
-    if (found == of_pose_.end()) return "";
-    return robot_.kind == RobotKind::kMatrix ? of_variable(variable) : found->second;
-  }
-  /// The name that a proof gives a variable of the certificate.
-  [[nodiscard]] std::string of_variable(const std::string& variable) const {
-    const std::string name = variable.substr(0, variable.find(' '));
-    if (name != variable) return coq_identifier(name) + "'error";
-    const auto own = robot_.of_certificate.find(name);
-    return own == robot_.of_certificate.end() ? coq_identifier(name) : own->second;
-  }
-
-  /// A constant, of the certificate if options may have changed it.
-  [[nodiscard]] NodeId end_at(const std::string& place, const std::string& stated_end,
-                              bool in_degrees) {
-    const auto found = q_.stated.find(stated_end);
-    if (!may_differ_ || found == q_.stated.end()) return node_at(place, in_degrees);
-    read_.insert(place);
-    return parse(found->second.text, {}, own_.graph);
-  }
-
-  /// A variable in a range.
-  NodeId ranged(const std::string& name, const std::string& place, const std::string& stated_name,
-                bool in_degrees) {
-    const NodeId lower = end_at(place + "[0]", "lower " + stated_name, in_degrees);
-    const NodeId upper = end_at(place + "[1]", "upper " + stated_name, in_degrees);
-    const auto text = [&](const std::string& stated_end, const std::string& end) {
-      const auto changed = stated(stated_end);
-      return changed ? *changed : text_at(end, in_degrees);
-    };
-    robot_.conditions.push_back(text("lower " + stated_name, place + "[0]") + " <= " + name +
-                                " <= " + text("upper " + stated_name, place + "[1]"));
-    Graph& graph = own_.graph;
-    const NodeId sum = graph.add(Op::kAdd, lower, upper);
-    return variable(name, graph.add(Op::kDivide, sum, graph.number("2")), of_pose(stated_name));
-  }
-
-  /// Adds a quantity, and returns its node.
-  NodeId variable(const std::string& name, NodeId middle, const std::string& of_pose) {
-    const std::string witness = coq_real(own_.graph, middle, witnesses_);
-    names_.push_back(name);
-    middles_.push_back(middle);
-    witnesses_.push_back(coq_argument(witness));
-    poses_.push_back(coq_argument(of_pose));
-    robot_.quantities.push_back({name, witness, of_pose});
-    return own_.graph.add(Op::kVariable, int(names_.size()) - 1);
-  }
-
   void read_geometry() {
     const std::string table = "geometry.";
     for (const std::string& name : keys_of(table)) read_constant(table + name, name);
@@ -171,36 +89,16 @@ class RobotReader : FileKeys {
       coordinates.emplace_back(value + index(i), name + '_' + std::to_string(i + 1));
     const bool is_ball = has(place + ".radius");
     const std::string key = place + (is_ball ? ".radius" : ".tolerance");
-    const std::string tolerance = tolerance_at(key, coordinates.at(0).second);
-    if (tolerance == "0") {
-      for (const auto& [at, own] : coordinates) {
-        scope_[own] = node_at(at);
-        robot_.of_certificate[own] = text_at(at);
+    const bool is_certain = tolerance_at(key, coordinates.at(0).second) == "0";
+    const std::vector<CoqNumber> numbers = read_quantities(coordinates, key, is_ball);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      const auto& [at, own] = coordinates[i];
+      scope_[own] = numbers[i].node;
+      if (is_certain)
         robot_.constants[own] = at;
-      }
-      return;
+      else
+        robot_.uncertain.emplace_back(own, numbers[i].node);
     }
-    if (is_ball && coordinates.size() != kAxes.size()) refuse_model("a ball in the plane");
-    read_uncertain(coordinates, coq_argument(tolerance), is_ball);
-  }
-
-  void read_uncertain(const std::vector<std::pair<std::string, std::string>>& coordinates,
-                      const std::string& tolerance, bool is_ball) {
-    robot_.is_geometry_certain = false;
-    std::vector<std::string> values, names;
-    for (const auto& [at, own] : coordinates) {
-      values.push_back(text_at(at));
-      names.push_back(coq_identifier(own));
-      if (!is_ball)
-        robot_.conditions.push_back("near " + tolerance + ' ' + coq_argument(values.back()) + ' ' +
-                                    names.back());
-      robot_.of_certificate[own] = names.back();
-      scope_[own] = variable(names.back(), node_at(at), is_ball ? "" : of_pose(own));
-      robot_.uncertain.emplace_back(own, scope_[own]);
-    }
-    if (is_ball)
-      robot_.conditions.push_back("in_ball " + tolerance + " (" + text_of(values, ", ") + ") (" +
-                                  text_of(names, ", ") + ')');
   }
 
   void read_parameters() {
@@ -263,7 +161,8 @@ class RobotReader : FileKeys {
     robot_.of_certificate[name + " error"] =
         error.empty() ? "0" : identifier(name) + " - " + coq_argument(commanded);
     const std::string actual = error.empty() ? commanded : identifier(name);
-    robot_.pose.push_back(in_degrees && is_platform() ? coq_argument(actual) + "*deg" : actual);
+    const bool is_angle = is_platform() || robot_.kind == RobotKind::kLegs;
+    robot_.pose.push_back(in_degrees && is_angle ? coq_argument(actual) + "*deg" : actual);
   }
 
   [[nodiscard]] std::string error_of(const std::string& name, bool in_degrees) {
@@ -271,17 +170,6 @@ class RobotReader : FileKeys {
     read_.insert(place);
     if (const auto error = stated("error " + name)) return *error;
     return has(place) ? text_at(place, in_degrees) : "";
-  }
-
-  /// Returns the tolerance of a quantity of the certificate: the error of an expression has another
-  /// name.
-  [[nodiscard]] std::string tolerance_at(const std::string& key, const std::string& name) {
-    if (has(key)) read_.insert(key);
-    for (const std::string& own : {name, name + "_error"}) {
-      if (const auto spread = stated("spread " + own)) return *spread;
-      if (stated("value " + own)) return "0";
-    }
-    return has(key) ? text_at(key) : "0";
   }
 
   // The parts of an arm.
@@ -292,6 +180,20 @@ class RobotReader : FileKeys {
         values_,
         [this](const std::string& place, bool in_degrees) { return text_at(place, in_degrees); },
         read_);
+  }
+
+  // Legs.
+
+  void read_legs() {
+    const LegNumbers numbers{[this](const LegNumbers::Places& places, const SectionQuantity& how) {
+                               return read_quantities(places, how.tolerance.key, how.is_ball);
+                             },
+                             [this](const std::string& place) {
+                               return CoqNumber{text_at(place), node_at(place)};
+                             },
+                             own_.graph};
+    robot_.chains = read_coq_legs(values_, numbers, read_);
+    robot_.orientation = word("legs.orientation", kAngleInPlane);
   }
 
   // Anchors.
@@ -365,25 +267,12 @@ class RobotReader : FileKeys {
            });
   }
 
-  const Question& q_;
-  const bool may_differ_;
   const std::string motion_;  ///< "motion.NAME."
   std::string table_;         ///< of a platform
-  const Names degrees_, hidden_;
   const std::vector<SectionPose> pose_list_;
-  Question own_;  ///< its graph has the expressions of the file
-  FileExpressions expressions_;
-  Scope scope_;  ///< constants, parameters, and poses with ranges
   std::map<std::string, NodeId> values_of_poses_;
   std::map<std::string, std::string> commanded_;  ///< by pose parameter
-  /// A variable of the certificate at a pose that it names.
-  std::map<std::string, std::string> of_pose_;
-  /// By the number of a variable of the graph: its name, and values in Coq.
-  std::vector<std::string> names_, witnesses_, poses_;
-  std::vector<NodeId> middles_;  ///< of their ranges
-  RobotOfModel robot_;
   std::vector<NodeId> constraints_;
-  std::set<std::string> read_;  ///< places of the file
 };
 
 }  // namespace

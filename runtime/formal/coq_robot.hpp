@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A robot and its motion as the verifier's reader finds them in a model file with the table [gough],
-// [serial] or [matrix], in the words of Geometry.v, Arms.v and Matrices.v.
+// A robot and its motion as the verifier's reader finds them in a model file, in the words of Geometry.v,
+// Arms.v, Legs.v and Matrices.v.
 #pragma once
 
 #include <map>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "runtime/formal/coq_arm.hpp"
+#include "runtime/formal/coq_legs.hpp"
 #include "runtime/formal/coq_question.hpp"
 #include "runtime/formal/known_robot.hpp"
 #include "runtime/verifier/model/model_file.hpp"
@@ -43,6 +44,7 @@ struct RobotOfModel {
   std::vector<std::string> pose;  ///< the actual pose: x, y, z, then the orientation; or the joints
   std::vector<CoqItem> legs;
   std::vector<CoqPart> parts;
+  std::vector<CoqLeg> chains;       ///< of [legs]
   bool is_geometry_certain = true;  ///< legs or parts are numbers
   std::string orientation;          ///< as in the file
   std::string threshold;
@@ -50,7 +52,7 @@ struct RobotOfModel {
   /// The value of a variable of the certificate, by its name.
   std::map<std::string, std::string> of_certificate;
 
-  // For a matrix, the expressions themselves.
+  // For a matrix and for legs, the expressions themselves.
   Question own;                    ///< its graph has them
   std::vector<std::string> names;  ///< by the number of a variable of the graph
   std::vector<CoqPose> poses;

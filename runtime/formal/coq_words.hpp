@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The words of theorems about a robot. Each has one meaning, that of Geometry.v,
-// Arms.v or Matrices.v.
+// Arms.v, Legs.v or Matrices.v.
 #pragma once
 
 #include <algorithm>
@@ -18,6 +18,13 @@ inline constexpr auto kRealWords = std::to_array<std::string_view>(
 inline constexpr auto kPartWords = std::to_array<std::string_view>(
     {"shift_by", "turn_by", "along_x", "along_z", "revolute", "prismatic", "follower", "x_axis",
      "y_axis", "z_axis", "opposite"});
+/// Legs, and the matrix that they make, in the meaning of Legs.v.
+inline constexpr auto kLegWords =
+    std::to_array<std::string_view>({"UPS", "SPS", "RUS", "RSS", "PUS", "PSS", "RPS", "PRS", "UPU",
+                                     "delta", "linear_delta", "RPR", "RRR", "PRR"});
+inline constexpr auto kMatrixOfLegsWords = std::to_array<std::string_view>(
+    {"in_space", "in_plane", "of_point", "of_point_in_plane", "rates_in_space", "rates_in_plane",
+     "rates_of_point", "rates_of_point_in_plane", "fixed"});
 /// More words of a proof: they have a meaning for Coq, and none for a reader.
 inline constexpr auto kProofWords = std::to_array<std::string_view>({"intros",
                                                                      "S",
@@ -55,6 +62,9 @@ inline constexpr auto kProofWords = std::to_array<std::string_view>({"intros",
                                                                      "D",
                                                                      "pose_of_singularity",
                                                                      "pose_of_small",
+                                                                     "open_legs",
+                                                                     "name_leg",
+                                                                     "close_legs",
                                                                      "the_matrix",
                                                                      "the_inverse_jacobian"});
 inline constexpr auto kRealSymbols = std::to_array<std::string_view>(

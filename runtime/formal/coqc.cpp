@@ -118,8 +118,7 @@ std::string find_coq_library(const std::string& named) {
     folders = {variable};
   if (!named.empty()) folders = {named};
   for (const fs::path& folder : folders)
-    if (has(folder, "Notations.vo") && has(folder, "Matrices.vo"))
-      return fs::absolute(folder).string();
+    if (has(folder, "Notations.vo") && has(folder, "Legs.vo")) return fs::absolute(folder).string();
   for (const fs::path& folder : folders)
     if (has(folder, "Notations.v"))
       throw std::runtime_error(

@@ -17,6 +17,7 @@ class KnownRobot : FileKeys {
   [[nodiscard]] RobotKind kind() const {
     if (has_below("serial.")) return RobotKind::kArm;
     if (has_below("gough.") || has_struts()) return RobotKind::kPlatform;
+    if (has_below("legs.")) return RobotKind::kLegs;
     if (has_below("matrix.")) return RobotKind::kMatrix;
     if (has_below("closure.")) refuse_table("closure");
     throw Unfinished(
@@ -27,6 +28,7 @@ class KnownRobot : FileKeys {
     for (const char* table : {"legs", "gough", "serial", "matrix", "pose", "closure"})
       if (has_below(std::string(table) + '.') && !belongs_to(kind, table)) refuse_table(table);
     if (kind == RobotKind::kPlatform) require_platform();
+    if (kind == RobotKind::kLegs) require_legs();
     if (kind == RobotKind::kMatrix)
       require_known_keys("matrix.", {"rows", "row_scale", "reduced", "twist"});
     const std::string table = "motion." + motion + '.';
@@ -38,14 +40,16 @@ class KnownRobot : FileKeys {
   }
 
  private:
-  /// Returns true for [legs] with legs of variable length alone, which turn in all joints.
+  /// Returns true for [legs] with legs of variable length alone, which turn in all joints, and a platform
+  /// that turns, too.
   [[nodiscard]] bool has_struts() const {
     for (std::size_t i = 0; has_below("legs.leg" + index(i)); ++i) {
       const std::string shared = word("legs.type", "");
       const std::string type = word("legs.leg" + index(i) + ".type", shared.c_str());
-      if (type != "UPS" && type != "SPS") refuse_model("legs of the type '" + type + '\'');
+      if (type != "UPS" && type != "SPS") return false;
     }
-    return has_below("legs.");
+    const std::string orientation = word("legs.orientation", "");
+    return has_below("legs.") && orientation != "point" && orientation != "fixed";
   }
 
   [[noreturn]] static void refuse_table(const std::string& table) {
@@ -58,9 +62,18 @@ class KnownRobot : FileKeys {
         return table == (has_below("gough.") ? "gough" : "legs");
       case RobotKind::kArm:
         return table == "serial";
+      case RobotKind::kLegs:
+        return table == "legs";
       default:
         return table == "matrix" || table == "pose";
     }
+  }
+
+  void require_legs() const {
+    require_known_keys(
+        "legs.", {"orientation", "unit", "angle_unit", "type", "leg", "crank", "rod", "axis", "bar",
+                  "hinge", "mode", "zero", "range", "actuated", "base_tolerance",
+                  "platform_tolerance", "crank_tolerance", "rod_tolerance", "tolerance_shape"});
   }
 
   void require_platform() const {

@@ -12,6 +12,7 @@ namespace regulus::verifier {
 enum class RobotKind {
   kPlatform,  ///< [gough], or [legs] with legs of variable length alone
   kArm,       ///< [serial]
+  kLegs,      ///< other ones of [legs]
   kMatrix,    ///< [matrix]
 };
 

@@ -9,6 +9,7 @@
 #include "runtime/formal/coq_expression.hpp"
 #include "runtime/formal/coq_real.hpp"
 #include "runtime/formal/rational_in.hpp"
+#include "runtime/formal/unrelated.hpp"
 #include "runtime/verifier/evaluation.hpp"
 #include "runtime/verifier/model/arm_comparison.hpp"
 
@@ -39,7 +40,7 @@ class HintSearch {
         numbers_.emplace(one.variable, one.value);
       else
         keep_value(one.variable, one.value);
-    for (const MatrixName& one : matrix.names) keep_value(one.variable, one.value);
+    for (const MatrixName& one : matrix.names) keep_value(one.variable, one.value, one.is_kept);
     for (int number = 0; number < kHintPoints; ++number) {
       points_.push_back(point(number));
       others_.push_back(beside(points_.back(), number));
@@ -59,10 +60,10 @@ class HintSearch {
   [[nodiscard]] std::size_t number_of(NodeId variable) const {
     return std::size_t(graph_.nodes()[std::size_t(variable)].a);
   }
-  void keep_value(NodeId variable, NodeId value) {
+  void keep_value(NodeId variable, NodeId value, bool is_kept = false) {
     if (value == kNoNode) return;
     value = without_numbers(value);
-    if (is_radical(value)) {
+    if (!is_kept && is_radical(value)) {
       numbers_.emplace(variable, value);
       return;
     }
@@ -273,7 +274,10 @@ class HintSearch {
         const auto factor = ratio(*own, other, is_inverse);
         if (!factor) continue;
         const Match found = multiple(*factor, number, is_inverse);
-        if (!rests_on_numbers(names_between(node, found.node), number)) return found;
+        const std::vector<std::size_t> names = names_between(node, found.node);
+        if (!rests_on_numbers(names, number) &&
+            are_equal(without(node, names), without(found.node, names)))
+          return found;
       }
     return {};
   }
@@ -282,10 +286,8 @@ class HintSearch {
   [[nodiscard]] bool rests_on_numbers(const std::vector<std::size_t>& names,
                                       std::size_t itself) const {
     return std::ranges::any_of(names, [&](std::size_t name) {
-      return name != itself &&
-             std::ranges::none_of(ingredients(graph_, {values_of_names_[name]}), [this](NodeId id) {
-               return graph_.nodes()[std::size_t(id)].op == Op::kVariable;
-             });
+      return name != itself && !is_radical(values_of_names_[name]) &&
+             !has_variables(graph_, values_of_names_[name]);
     });
   }
 
@@ -336,10 +338,11 @@ class HintSearch {
     return texts;
   }
 
-  [[nodiscard]] bool are_equal(NodeId a, NodeId b) const {
+  [[nodiscard]] bool are_equal(NodeId a, NodeId b) {
     if (a == b) return true;
+    const NodeId c = unrelated_.of(a), d = unrelated_.of(b);
     return std::ranges::all_of(others_, [&](const Values& values) {
-      const auto both = evaluate(graph_, {a, b}, values, kHintBits);
+      const auto both = evaluate(graph_, {c, d}, values, kHintBits);
       return both && arb_overlaps((*both)[0].get(), (*both)[1].get()) != 0;
     });
   }
@@ -365,6 +368,7 @@ class HintSearch {
   Graph& graph_;
   std::vector<NodeId> values_of_names_;  ///< by variable; kNoNode: it is a quantity
   std::vector<std::size_t> order_;       ///< variables in the order in which a proof names them
+  Unrelated unrelated_{graph_};          ///< what are_equal compares
   std::map<NodeId, NodeId> numbers_;     ///< names whose value is a rational number
   std::vector<Values> points_, others_;
   Scope commanded_, actual_, pose_scope_;

@@ -8,6 +8,7 @@
 #include "runtime/formal/coq_expression.hpp"
 #include "runtime/formal/coq_keys.hpp"
 #include "runtime/formal/coq_real.hpp"
+#include "runtime/formal/unrelated.hpp"
 #include "runtime/verifier/evaluation.hpp"
 #include "runtime/verifier/model/model_expression.hpp"
 
@@ -44,15 +45,9 @@ class NamedMatrixReader : FileKeys {
 
   void add_argument(const std::string& name, NodeId variable, NodeId value) {
     known_[name] = variable;
-    const bool is_number = value != kNoNode && !has_names(value);
+    const bool is_number = value != kNoNode && !has_variables(graph(), value);
     matrix_.arguments.push_back({coq_identifier(name), variable, value, is_number});
   }
-  [[nodiscard]] bool has_names(NodeId value) {
-    return std::ranges::any_of(ingredients(graph(), {value}), [this](NodeId id) {
-      return graph().nodes()[std::size_t(id)].op == Op::kVariable;
-    });
-  }
-
   void read_argument(const CoqPose& pose) {
     const std::string identifier = coq_identifier(pose.name);
     const Node commanded = graph().nodes()[std::size_t(pose.commanded)];

@@ -23,6 +23,7 @@ struct MatrixName {
   std::string text;   ///< of the value
   std::string place;  ///< in the file
   bool is_let = false;
+  bool is_kept = false;  ///< it has a name in the proof even if it is a number
 };
 
 struct NamedMatrix {

@@ -10,7 +10,7 @@ namespace {
 constexpr std::string_view kSet = "the_set";
 
 /// The file whose words the theorems use.
-enum class Library { kGeometry, kArms, kMatrices };
+enum class Library { kGeometry, kArms, kMatrices, kLegs };
 
 class GeometryReader {
  public:
@@ -49,7 +49,9 @@ class GeometryReader {
     } else if (library_ == Library::kArms && name == "arm") {
       arm_definition(theorem);
     } else if (library_ == Library::kGeometry && name == "legs") {
-      legs_definition(theorem);
+      legs_definition("leg", theorem);
+    } else if (library_ == Library::kLegs && name == "legs") {
+      legs_definition("robot_leg", theorem);
     } else {
       return;
     }
@@ -128,7 +130,8 @@ class GeometryReader {
                             PlainTheorem& theorem) {
     expect_word(words, ":=");
     check_geometric_words(words, names, [this](std::string_view word) {
-      return library_ == Library::kArms && is_one_of(word, kPartWords);
+      return (library_ == Library::kArms && is_one_of(word, kPartWords)) ||
+             (library_ == Library::kLegs && is_one_of(word, kLegWords));
     });
     keep_definition(theorem);
   }
@@ -137,9 +140,9 @@ class GeometryReader {
     sentences_.next();
   }
 
-  void legs_definition(PlainTheorem& theorem) {
+  void legs_definition(const char* type, PlainTheorem& theorem) {
     Words words{sentences_.words(), 2};
-    for (const char* word : {":", "list", "leg"}) expect_word(words, word);
+    for (const char* word : {":", "list", type}) expect_word(words, word);
     geometric_definition(words, {}, theorem);
   }
   /// The names of its joints are its own.
@@ -212,6 +215,8 @@ class GeometryReader {
     constexpr auto kOfArms = std::to_array<std::string_view>({"full_row_rank", "jacobian"});
     if (is_one_of(word, kOfAll) || (!robot_.empty() && word == robot_)) return true;
     if (library_ == Library::kGeometry) return is_one_of(word, kOfGough);
+    if (library_ == Library::kLegs)
+      return is_one_of(word, kMatrixOfLegsWords) || is_one_of(word, kLegWords);
     return library_ == Library::kArms && (is_one_of(word, kOfArms) || is_one_of(word, kPartWords));
   }
 
@@ -252,7 +257,7 @@ void read_plain_geometry(PlainSentences& sentences, PlainTheorem& theorem) {
   const std::string import = sentences.current();
   for (const auto& [file, library] :
        {std::pair("Geometry", Library::kGeometry), std::pair("Arms", Library::kArms),
-        std::pair("Matrices", Library::kMatrices)})
+        std::pair("Matrices", Library::kMatrices), std::pair("Legs", Library::kLegs)})
     if (import == std::string(kImport) + file) GeometryReader(sentences, library).read(theorem);
 }
 

@@ -1,7 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/verifier/model/leg_rows.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace regulus::verifier {
+namespace {
+
+constexpr std::array<LegType, 14> kTypes = {{{"RPR", LegKind::kTelescopic, true, false},
+                                             {"RRR", LegKind::kCrank, true, false},
+                                             {"PRR", LegKind::kSlider, true, false},
+                                             {"UPS", LegKind::kTelescopic, false, false},
+                                             {"SPS", LegKind::kTelescopic, false, false},
+                                             {"UPU", LegKind::kTelescopic, false, true},
+                                             {"RUS", LegKind::kCrank, false, false},
+                                             {"RSS", LegKind::kCrank, false, false},
+                                             {"delta", LegKind::kCrank, false, true},
+                                             {"PUS", LegKind::kSlider, false, false},
+                                             {"PSS", LegKind::kSlider, false, false},
+                                             {"linear-delta", LegKind::kSlider, false, true},
+                                             {"RPS", LegKind::kTelescopic, false, false, true},
+                                             {"PRS", LegKind::kSlider, false, false, true}}};
+
+}  // namespace
+
+const LegType* find_leg_type(std::string_view word) {
+  const auto* const type = std::ranges::find(kTypes, word, &LegType::name);
+  return type == kTypes.end() ? nullptr : type;
+}
 
 LegAtPose::LegAtPose(const LegValues& leg, const VectorNodes& position, const MatrixNodes& R,
                      GraphAlgebra& algebra)

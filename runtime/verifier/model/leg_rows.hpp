@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "runtime/verifier/rigid_motion.hpp"
@@ -14,6 +15,14 @@ enum class LegKind {
   kCrank,       ///< a crank that turns about an axis of the base, and a rod
   kSlider,      ///< a carriage on a rail of the base, and a rod
 };
+
+struct LegType {
+  std::string_view name;
+  LegKind kind;
+  bool is_planar, keeps_orientation, is_hinged = false;
+};
+/// Returns null for a word that is none.
+[[nodiscard]] const LegType* find_leg_type(std::string_view word);
 
 /// A leg as a file describes it. In the plane all third coordinates are 0, and the axis of a crank
 /// is the third one.

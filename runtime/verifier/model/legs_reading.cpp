@@ -15,26 +15,6 @@ namespace {
 
 constexpr std::string_view kAxes = "xyz", kLegs = "legs.leg[";
 
-struct LegType {
-  std::string_view name;
-  LegKind kind;
-  bool is_planar, keeps_orientation, is_hinged = false;
-};
-constexpr std::array<LegType, 14> kTypes = {{{"RPR", LegKind::kTelescopic, true, false},
-                                             {"RRR", LegKind::kCrank, true, false},
-                                             {"PRR", LegKind::kSlider, true, false},
-                                             {"UPS", LegKind::kTelescopic, false, false},
-                                             {"SPS", LegKind::kTelescopic, false, false},
-                                             {"UPU", LegKind::kTelescopic, false, true},
-                                             {"RUS", LegKind::kCrank, false, false},
-                                             {"RSS", LegKind::kCrank, false, false},
-                                             {"delta", LegKind::kCrank, false, true},
-                                             {"PUS", LegKind::kSlider, false, false},
-                                             {"PSS", LegKind::kSlider, false, false},
-                                             {"linear-delta", LegKind::kSlider, false, true},
-                                             {"RPS", LegKind::kTelescopic, false, false, true},
-                                             {"PRS", LegKind::kSlider, false, false, true}}};
-
 /// Quantities of one kind: the letters of their names.
 struct Group {
   std::string letters;
@@ -168,8 +148,8 @@ class LegsReading final : public SectionReading {
   }
   [[nodiscard]] const LegType& type_of(std::size_t leg) const {
     const std::string word = text(shared(leg, "type"), "");
-    const auto* const type = std::ranges::find(kTypes, word, &LegType::name);
-    if (type == kTypes.end()) throw Unfinished("the leg type '" + word + "' is not known");
+    const LegType* const type = find_leg_type(word);
+    if (type == nullptr) throw Unfinished("the leg type '" + word + "' is not known");
     return *type;
   }
   [[nodiscard]] std::size_t axes() const { return is_planar_ ? 2 : 3; }

@@ -59,6 +59,18 @@ constexpr const char* kMatrix =
     "Theorem the_set_is_inhabited : exists (_L _x : R), the_set _L _x.\n"
     "Proof.\n  exists 3, 1.\n  by_point.\nQed.\n";
 
+constexpr const char* kLegs =
+    "\nFrom Regulus Require Import Legs.\n\nDefinition legs : list robot_leg :=\n"
+    "  [RUS (1, 2, 0) (3, 4, 0) (0, -1, 0) 36 125 (-1); delta (1, 2, 0) (3, 4, 0) (0, 1, 0) 1 2 "
+    "1].\n\n"
+    "Definition the_set (_x : R) : Prop :=\n  0 <= _x <= 1.\n\n"
+    "Theorem the_robot : forall (_x : R), the_set _x ->\n"
+    "  full_column_rank 3 6 (in_space legs (_x, 0, 0) fixed).\nProof.\n  intros _x S.\n"
+    "  at_point the_claim [_x] S.\n  open_legs.\n  name_leg as _1.\n  close_legs.\n"
+    "  by_matrix the_claim [(unnamed, 0); ((-1)*_e_1_x, 1)] [[0; 0]; [1; 0]] S.\nQed.\n\n"
+    "Theorem the_set_is_inhabited : exists (_x : R), the_set _x.\n"
+    "Proof.\n  exists 0.\n  by_point.\nQed.\n";
+
 /// The message for a text with `to` in the place of `from`; "" if it is found to be plain.
 std::string refusal_of(std::string text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
@@ -282,6 +294,34 @@ TEST(AnAudit, RefusesWhatIsNoMatrix) {
   EXPECT_NE(refusal_of_matrix("(the_matrix _L _x)", "(the_inverse_jacobian _L _x)"), "");
   EXPECT_NE(refusal_of_matrix("(the_matrix _L _x)", "(scaled [] (the_matrix _L _x))"), "");
   EXPECT_NE(refusal_of_matrix("  by_matrix", "  admit; by_matrix"), "");
+}
+
+TEST(AnAudit, ReadsTheTheoremAboutLegs) {
+  const auto theorem = read_plain_theorem(plain_theorem() + kLegs);
+  ASSERT_EQ(theorem.geometry.size(), 2U);
+  EXPECT_EQ(theorem.geometry_import, "From Regulus Require Import Legs.\n");
+  EXPECT_EQ(theorem.geometry[0].statement,
+            "forall ( _x : R ) , the_set _x -> full_column_rank 3 6 ( in_space legs ( _x , 0 , 0 ) "
+            "fixed )");
+}
+
+TEST(AnAudit, RefusesWhatIsNoLeg) {
+  const auto refusal_of_legs = [](const std::string& from, const std::string& to) {
+    return refusal_of(plain_theorem() + kLegs, from, to);
+  };
+  for (const char* before : {"From Regulus Require Import Legs.", "Definition legs",
+                             "Definition the_set", "Theorem the_robot", "  open_legs"})
+    for (const char* sentence : kOtherSentences)
+      EXPECT_NE(refusal_of_legs(before, std::string(sentence) + "\n" + before), "") << sentence;
+  EXPECT_NE(refusal_of_legs("Import Legs.", "Import Legs Evil."), "");
+  EXPECT_NE(refusal_of_legs("Import Legs.", "Import Geometry."), "");
+  EXPECT_NE(refusal_of_legs("list robot_leg", "list leg"), "");
+  EXPECT_NE(refusal_of_legs("Definition legs :", "Definition delta :"), "");
+  EXPECT_NE(refusal_of_legs("[RUS (1", "[crank_vector (1"), "");
+  EXPECT_NE(refusal_of_legs("[RUS (1", "[RUS (_x"), "");
+  EXPECT_NE(refusal_of_legs("in_space legs", "gough legs"), "");
+  EXPECT_NE(refusal_of_legs("in_space legs", "in_space rows_of"), "");
+  EXPECT_NE(refusal_of_legs("  by_matrix", "  admit; by_matrix"), "");
 }
 
 TEST(AnAudit, RefusesTextThatIsNotReadAsItLooks) {

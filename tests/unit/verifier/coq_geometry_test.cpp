@@ -122,9 +122,29 @@ TEST(ATheoremAboutARobot, KnowsLegsOfVariableLength) {
   EXPECT_THAT(robot("range = [1, 2]\n").text, HasSubstr("[((1, 2, 3), (4, 5, 6))]."));
   EXPECT_THAT(robot("base_tolerance = 0.1\n").text, HasSubstr("in_cube 0.1 (1, 2, 3) a1"));
   EXPECT_THAT(robot("", "actuated = 1\n").reason, HasSubstr("the key legs.leg[0].actuated"));
-  EXPECT_THAT(robot("", "type = \"PUS\"\n").reason, HasSubstr("legs of the type 'PUS'"));
   EXPECT_THAT(robot("rod = 3\n").reason, HasSubstr("'rod' in [legs]"));
   EXPECT_THAT(robot("[gough]\nunit = \"m\"\n").reason, HasSubstr("the table [legs]"));
+}
+
+CoqRobot robot_on_a_leg(const std::string& keys, const std::string& leg) {
+  return robot_of("[legs]\norientation = \"point\"\n" + keys + "[[legs.leg]]\n" + leg +
+                      "[motion.work]\nx = [0, 1]\ny = 1\nz = 2\n",
+                  kParameterX);
+}
+
+TEST(ATheoremAboutLegs, RefusesWhatItHasNoWordFor) {
+  const auto reason = [](const std::string& leg, const std::string& keys = "") {
+    return robot_on_a_leg(keys, "base = [1, 2, 3]\n" + leg).reason;
+  };
+  const std::string rail = "type = \"PUS\"\nrod = 9\naxis = [0, 0, 1]\n";
+  EXPECT_THAT(reason(rail), HasSubstr("another shape"));  // of the certificate's 1 x 1
+  EXPECT_THAT(reason(rail + "actuated = \"none\"\n"), HasSubstr("a leg without a motor"));
+  EXPECT_THAT(reason(rail + "frame = 3\n"), HasSubstr("the key legs.leg[0].frame"));
+  EXPECT_THAT(reason(rail, "axis_tolerance = 0.1\n"), HasSubstr("'axis_tolerance' in [legs]"));
+  EXPECT_THAT(reason("type = \"PUS\"\nrod = 9\naxis = { value = [0, 0, 1], tolerance = 1 }\n"),
+              HasSubstr("a tolerance of an axis"));
+  EXPECT_THAT(reason("type = \"PRS\"\nrod = 9\naxis = [0, 0, 1]\nhinge = [0, 1, 1]\n"),
+              HasSubstr("a hinge that is not across the rail"));
 }
 
 TEST(ATheoremAboutAMatrix, HasTheNamesOfTheFile) {
@@ -178,7 +198,8 @@ TEST(ATheoremAboutAMatrix, IsNotWrittenForWhatItDoesNotKnow) {
   EXPECT_THAT(reason("[matrix]\nrows = [[1]]\n", "where = \"reachable\"\n"), HasSubstr("'where'"));
   EXPECT_THAT(reason("[matrix]\nrows = [[1]]\n[closure]\nunknowns = { p = 1 }\n"),
               HasSubstr("[closure]"));
-  EXPECT_THAT(reason("[legs]\nleg = [{ type = \"RUS\" }]\n"), HasSubstr("legs of the type 'RUS'"));
+  EXPECT_THAT(reason("[legs]\nleg = [{ type = \"RUT\" }]\n"),
+              HasSubstr("the leg type 'RUT' is not known"));
 }
 
 TEST(AReal, HasTheParenthesesThatCoqNeeds) {
