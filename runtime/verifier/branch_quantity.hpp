@@ -2,6 +2,10 @@
 // The value of a quantity over a tube of a closure. PROOF.md, "Bounds over a branch", derives it.
 #pragma once
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "runtime/verifier/branch_test.hpp"
 #include "runtime/verifier/domination.hpp"
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 
 #include "codegen/question/bound/bound_run.hpp"
 #include "codegen/question/closure/branch_value.hpp"

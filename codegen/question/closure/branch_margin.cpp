@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/closure/branch_margin.hpp"
 
+#include <utility>
+
 #include "codegen/question/bound/bound_run.hpp"
 #include "codegen/question/closure/branch_bound.hpp"
 #include "codegen/question/margin/attempts.hpp"

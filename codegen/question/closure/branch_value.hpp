@@ -10,6 +10,7 @@
 //   deflection          Σ_j G_ij w_j with G = J diag(1/c) Jᵀ, c the stiffness of the motors
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "codegen/question/closure/closed_system.hpp"

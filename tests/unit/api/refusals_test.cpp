@@ -141,7 +141,7 @@ TEST(Refusals, OfQuantitiesOfAClosureSayWhy) {
     });
   };
   EXPECT_THAT(why("x"), HasSubstr("the branch changes nothing"));
-  EXPECT_THAT(why("phi"), HasSubstr("depends on the unknowns of [closure]"));
+  EXPECT_THAT(why("x + phi"), HasSubstr("depends on the unknowns of [closure]"));
   EXPECT_THAT(why("sigma-min"), HasSubstr("singular values of a matrix over a branch"));
   EXPECT_THAT(why("error"), HasSubstr("the error of each motor"));
   EXPECT_THAT(why("speed"), HasSubstr("the largest speed of each motor"));

@@ -44,7 +44,7 @@ TEST(AForgedClosure, OfAnotherFormatIsRefused) {
   EXPECT_TRUE(is(Outcome::kRejected, changed("proof\n", "matrix 1 1\nentry x\nproof\n"), "proof"));
   EXPECT_TRUE(is(Outcome::kRejected, changed("proof\n", "scale 1\nscale 1\nproof\n"), "proof"));
   EXPECT_TRUE(is(Outcome::kRejected, changed("proof\n", "constraint phi\nproof\n"), "phi"));
-  EXPECT_TRUE(is(Outcome::kRejected, changed("proof\n", "quantity determinant\nproof\n"), "proof"));
+  EXPECT_TRUE(is(Outcome::kRejected, changed("proof\n", "quantity determinant\nproof\n"), "side"));
   EXPECT_TRUE(is(Outcome::kRejected, changed("pose theta", "let y = phi\npose theta"), "phi"));
   EXPECT_TRUE(is(Outcome::kRejected, changed(" tube ", " second-order "), "rule"));
   EXPECT_TRUE(is(Outcome::kRejected, changed(" tube ", " tube 0 "), "numbers"));
