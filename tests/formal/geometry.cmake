@@ -173,6 +173,7 @@ if(NOT why MATCHES "no proof that an entry of the certificate is that of the mod
 endif()
 
 # A pose of the motion is singular, and none of a smaller range.
+file(READ ${models}/robot_1.toml robot)
 string(REPLACE "psi = [\"-40*deg\", \"40*deg\"]" "psi = [\"-1*deg\", \"1*deg\"]" other "${robot}")
 file(WRITE ${WORK_DIR}/regular.toml "${other}")
 execute_process(COMMAND ${VERIFY} --coq ${WORK_DIR}/regular.v --model ${WORK_DIR}/regular.toml singular.txt
