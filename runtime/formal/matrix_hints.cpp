@@ -282,11 +282,21 @@ class HintSearch {
     return {};
   }
 
+  /// True for roots, and cosines and sines of angles that Coq knows.
+  [[nodiscard]] bool has_known_value(NodeId value) {
+    std::map<NodeId, NodeId> known;
+    for (const NodeId id : ingredients(graph_, {value})) {
+      const Node function = graph_.nodes()[std::size_t(id)];
+      if ((function.op == Op::kCos || function.op == Op::kSin) &&
+          is_known_angle(graph_, function.a))
+        known[id] = graph_.number("1");
+    }
+    return is_radical(replaced(graph_, value, std::move(known)));
+  }
   /// Constants such as cos(15 deg) may be related in a way that Coq does not see.
-  [[nodiscard]] bool rests_on_numbers(const std::vector<std::size_t>& names,
-                                      std::size_t itself) const {
+  [[nodiscard]] bool rests_on_numbers(const std::vector<std::size_t>& names, std::size_t itself) {
     return std::ranges::any_of(names, [&](std::size_t name) {
-      return name != itself && !is_radical(values_of_names_[name]) &&
+      return name != itself && !has_known_value(values_of_names_[name]) &&
              !has_variables(graph_, values_of_names_[name]);
     });
   }

@@ -72,7 +72,7 @@ class LegNamer {
       for (const std::string& name : orientation_names(robot_.orientation)) {
         const NodeId angle = in_degrees ? algebra_.degrees(scope_.at(name)) : scope_.at(name);
         const std::string which = std::to_string(++number);
-        if (is_made_of_roots(angle)) continue;
+        if (is_known_angle(algebra_.graph(), angle)) continue;
         name_angle("cos_" + which, algebra_.cosine(angle), angles);
         name_angle("sin_" + which, algebra_.sine(angle), angles);
       }
@@ -84,20 +84,6 @@ class LegNamer {
     rotation_ = algebra_.transposed(columns);
   }
 
-  /// True for a multiple of 30 or of 45 degrees.
-  [[nodiscard]] bool is_made_of_roots(NodeId angle) {
-    return is_multiple_of_part(angle, 6) || is_multiple_of_part(angle, 4);
-  }
-  /// Of pi/parts.
-  [[nodiscard]] bool is_multiple_of_part(NodeId angle, long parts) {
-    constexpr long kBits = 128;
-    Graph& graph = algebra_.graph();
-    if (has_variables(graph, angle)) return false;
-    const NodeId product = graph.add(Op::kMultiply, algebra_.number(parts), angle);
-    const auto value =
-        evaluate(graph, {graph.add(Op::kDivide, product, graph.add(Op::kPi))}, {}, kBits);
-    return value && arb_contains_int(value->front().get()) != 0;
-  }
   void name_angle(const std::string& name, NodeId value, std::map<NodeId, NodeId>& angles) {
     if (algebra_.graph().nodes()[std::size_t(value)].op != Op::kConstant)
       angles[value] = named(name, value);

@@ -14,6 +14,24 @@ bool has_variables(const Graph& graph, NodeId node) {
   });
 }
 
+namespace {
+
+/// Of pi/parts.
+bool is_multiple_of_part(Graph& graph, NodeId angle, const char* parts) {
+  constexpr long kBits = 128;
+  const NodeId product = graph.add(Op::kMultiply, graph.number(parts), angle);
+  const auto value =
+      evaluate(graph, {graph.add(Op::kDivide, product, graph.add(Op::kPi))}, {}, kBits);
+  return value && arb_contains_int(value->front().get()) != 0;
+}
+
+}  // namespace
+
+bool is_known_angle(Graph& graph, NodeId angle) {
+  return !has_variables(graph, angle) &&
+         (is_multiple_of_part(graph, angle, "6") || is_multiple_of_part(graph, angle, "4"));
+}
+
 NodeId Unrelated::of(NodeId node) {
   const auto known = known_.find(node);
   if (known != known_.end()) return known->second;

@@ -9,6 +9,8 @@
 namespace regulus::verifier {
 
 [[nodiscard]] bool has_variables(const Graph& graph, NodeId node);
+/// True for a number that is a multiple of 30 or of 45 degrees: Coq knows its cosine and its sine.
+[[nodiscard]] bool is_known_angle(Graph& graph, NodeId angle);
 
 /// Multiplies cosines and sines by other functions of their angles, so that they are not related any
 /// more: cos² + sin² is not 1. Equal and opposite angles stay so, and numbers stay as they are.
