@@ -36,7 +36,7 @@ BoxSearch::BoxSearch(Question& question, const std::vector<NodeId>& also, Box pl
       clock_(clock),
       options_(options),
       result_(result),
-      test_(question),
+      test_(question, false),
       conditions_(join({&question.closure->equations, &also})),
       evaluation_(question, conditions_) {}
 

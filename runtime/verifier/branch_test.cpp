@@ -6,6 +6,7 @@
 
 #include "runtime/verifier/derivative.hpp"
 #include "runtime/verifier/outside.hpp"
+#include "runtime/verifier/quotients.hpp"
 #include "runtime/verifier/rounding.hpp"
 #include "runtime/verifier/slopes.hpp"
 
@@ -35,28 +36,6 @@ std::vector<Interval> about(const std::vector<double>& middle, const std::vector
   return box;
 }
 
-/// Narrows t to the hull of its parts with a·t = s for some a ∈ A, s ∈ S; false: there are none.
-///
-/// Requires  S and A bounded.
-bool narrow_to_quotients(Interval S, Interval A, Interval& t) {
-  if (contains(A, 0.0) && contains(S, 0.0)) return true;
-  Interval all = everything();
-  if (!contains(A, 0.0)) {
-    all = S / A;
-  } else {
-    if (S.hi < 0.0) S = -S, A = -A;
-    // s > 0: with a > 0 is t ≥ s/a, with a < 0 is t ≤ s/a.
-    const double least = A.hi > 0.0 ? down(S.lo / A.hi) : kInfinity;
-    const double most = A.lo < 0.0 ? up(S.lo / A.lo) : -kInfinity;
-    const bool is_above = t.hi >= least, is_below = t.lo <= most;
-    if (!is_above && !is_below) return false;
-    if (!is_below) all.lo = least;
-    if (!is_above) all.hi = most;
-  }
-  t = {std::max(t.lo, all.lo), std::min(t.hi, all.hi)};
-  return t.lo <= t.hi;
-}
-
 }  // namespace
 
 std::vector<NodeId> kinks_of(Graph& graph, const std::vector<NodeId>& derivatives) {
@@ -69,17 +48,19 @@ std::vector<NodeId> kinks_of(Graph& graph, const std::vector<NodeId>& derivative
   return result;
 }
 
-BranchTest::BranchTest(Question& q)
+BranchTest::BranchTest(Question& q, bool moves)
     : q_(q),
+      moves_(moves),
       m_(q.variables.size()),
       n_(q.closure->equations.size()),
       all_(m_ + n_),
-      first_(n_ * all_) {
+      first_(n_ * all_, kNoNode) {
   const std::vector<NodeId>& equations = q.closure->equations;
   std::vector<Differentiator> by;
   for (std::size_t k = 0; k < all_; ++k) by.emplace_back(q.graph, k);
   for (std::size_t j = 0; j < n_; ++j)
-    for (std::size_t k = 0; k < all_; ++k) first_[j * all_ + k] = by[k].of(equations[j]);
+    for (std::size_t k = moves ? 0 : m_; k < all_; ++k)
+      first_[j * all_ + k] = by[k].of(equations[j]);
   const std::vector<NodeId> kinks = kinks_of(q.graph, first_);
   try {
     for (std::size_t j = 0; j < n_; ++j)
@@ -95,6 +76,9 @@ BranchTest::BranchTest(Question& q)
   equations_.emplace(q, equations);
   derivatives_.emplace(q, first_);
   over_.emplace(q, join({&equations, &first_, &kinks, &q.defined}));
+  for (std::size_t j = 0; j < n_ && !moves; ++j)
+    for (std::size_t k = 0; k < m_; ++k) by_variable_.push_back(by[k].of(equations[j]));
+  if (!by_variable_.empty()) rates_at_center_.emplace(q, by_variable_);
 }
 
 bool BranchTest::take(Evaluation& evaluation, const std::vector<NodeId>& nodes, const Box& box,
@@ -121,7 +105,25 @@ bool BranchTest::bound_center(const Box& point) {
   if (!approx_left_inverse(A, n_, n_, K_) || !is_moderate(K_)) return false;
   value_.clear();
   for (std::size_t i = 0; i < n_; ++i) value_.push_back(times_inverse(i, at_center_, 1, 0));
+  if (rates_at_center_) narrow_values(point);
   return true;
+}
+
+/// KΦ(x, c) is in KΦ(x̄, c) + KΦ_x(X, c)(x − x̄), where what equations have in common cancels.
+void BranchTest::narrow_values(const Box& point) {
+  Box middle = point;
+  for (std::size_t k = 0; k < m_; ++k) middle[k] = verifier::point(mid(point[k]));
+  Values rates, values;
+  if (!take(*rates_at_center_, by_variable_, point, rates) ||
+      !take(*equations_, q_.closure->equations, middle, values))
+    return;
+  for (std::size_t i = 0; i < n_; ++i) {
+    Interval sum = times_inverse(i, values, 1, 0);
+    for (std::size_t k = 0; k < m_; ++k)
+      sum = sum + times_inverse(i, rates, m_, k) * (point[k] - middle[k]);
+    if (is_bounded(sum))
+      value_[i] = {std::max(value_[i].lo, sum.lo), std::min(value_[i].hi, sum.hi)};
+  }
 }
 
 /// Row i of K times a column.
@@ -215,6 +217,7 @@ bool BranchTest::is_in(const TubeNumbers& tube, const std::vector<double>& reach
 
 bool BranchTest::has_one_solution(const Box& box, const TubeNumbers& tube) {
   impact_.clear();
+  if (!moves_) return false;
   const std::span<const double> radius = radius_of(tube);
   const bool is_tube = std::ranges::all_of(radius, [](double r) { return r > 0.0; });
   if (!is_tube || !is_moderate(tube) || !is_moderate(box)) return false;

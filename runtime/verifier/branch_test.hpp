@@ -26,8 +26,9 @@ enum class Place { kInside, kOutside, kUnknown };
 
 class BranchTest {
  public:
-  /// Adds derivatives to the question's graph. The question must outlive this object.
-  explicit BranchTest(Question& question);
+  /// Adds derivatives to the question's graph. The question must outlive this object. `moves`: with
+  /// derivatives by the variables, which tubes that move with them need; others are tested without.
+  explicit BranchTest(Question& question, bool moves = true);
 
   /// Ensures   true only if at each place of the box the equations have exactly one solution in the
   ///           tube, and in all of the tube they and the expressions that must be defined have
@@ -89,6 +90,7 @@ class BranchTest {
                                  const Box& box, Values& values);
   [[nodiscard]] bool take_center(const Box& point);
   [[nodiscard]] bool bound_center(const Box& point);
+  void narrow_values(const Box& point);
   [[nodiscard]] Values mean_derivatives(const std::vector<Interval>& step) const;
   [[nodiscard]] double left_side(std::size_t i, const Values& over, std::size_t k) const;
   [[nodiscard]] Interval times_inverse(std::size_t i, const Values& columns, std::size_t count,
@@ -102,10 +104,13 @@ class BranchTest {
                            bool is_second_order);
 
   Question& q_;
+  const bool moves_;
   const std::size_t m_, n_, all_;  ///< variables, unknowns, both
   std::vector<NodeId> first_,
       second_;  ///< second_: of each equation the upper triangle, row by row
   std::optional<Evaluation> equations_, derivatives_, over_, rates_;
+  std::vector<NodeId> by_variable_;  ///< where the tube does not move
+  std::optional<Evaluation> rates_at_center_;
 
   // For one box.
   Box whole_;

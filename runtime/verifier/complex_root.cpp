@@ -13,6 +13,9 @@ constexpr int kMostSteps = 40;
 /// Distances that are tried for the reach, in parts of the scale: from 2^-20 on, each by 2^-12 smaller.
 constexpr int kFirstExponent = -20, kNextExponent = -12;
 constexpr int kMostContractions = 12;
+/// Of the reach of a family, beyond what the last one needed.
+constexpr double kMoreReach = 1.125;
+constexpr int kMostGrowths = 24;
 
 double double_ru(const mag_struct* x) {
   arf_t exact;
@@ -61,7 +64,7 @@ class RootTest {
  public:
   RootTest(const ComplexSystem& system, const ComplexMatrix& start, std::span<const double> scale,
            long bits)
-      : system_(system),
+      : system_(&system),
         n_(system.unknowns()),
         scale_(scale),
         bits_(bits),
@@ -72,14 +75,7 @@ class RootTest {
         inverse_(n_, n_) {}
 
   [[nodiscard]] std::optional<ComplexRoot> prove() {
-    bool is_last = false;
-    for (int step = 0; !is_last; ++step) {
-      if (step == kMostSteps || !evaluate_center()) return std::nullopt;
-      is_last = is_near();
-      acb_mat_sub(center_.get(), center_.get(), offset_.get(), bits_);
-      acb_mat_get_mid(center_.get(), center_.get());
-    }
-    if (!evaluate_center()) return std::nullopt;
+    if (!approach()) return std::nullopt;
     for (long exponent = kFirstExponent; exponent > -bits_ / 2; exponent += kNextExponent) {
       std::vector<double> reach;
       for (const double size : scale_) reach.push_back(std::ldexp(size, int(exponent)));
@@ -89,11 +85,44 @@ class RootTest {
     return std::nullopt;
   }
 
+  /// The reach grows from what the centre needs, until the test holds or the reach is too wide.
+  [[nodiscard]] std::optional<ComplexRoot> prove_all(const ComplexSystem& family) {
+    if (!approach()) return std::nullopt;
+    family.evaluate(center_, values_, derivatives_, bits_);
+    acb_mat_mul(offset_.get(), inverse_.get(), values_.get(), bits_);
+    system_ = &family;
+    std::vector<double> reach;
+    for (std::size_t i = 0; i < n_; ++i)
+      reach.push_back(kMoreReach * modulus(offset_.at(i)).hi +
+                      std::ldexp(scale_[i], kNextExponent * 5));
+    for (int step = 0; step < kMostGrowths; ++step) {
+      const std::vector<double> image = image_of(reach);
+      if (is_inside(image, reach)) return ComplexRoot{center_, reach, contracted(image)};
+      for (std::size_t i = 0; i < n_; ++i) {
+        if (!(image[i] < scale_[i])) return std::nullopt;
+        reach[i] = std::max(reach[i], kMoreReach * image[i]);
+      }
+    }
+    return std::nullopt;
+  }
+
  private:
+  /// Newton's method, until half of the digits are right, and a step more.
+  [[nodiscard]] bool approach() {
+    bool is_last = false;
+    for (int step = 0; !is_last; ++step) {
+      if (step == kMostSteps || !evaluate_center()) return false;
+      is_last = is_near();
+      acb_mat_sub(center_.get(), center_.get(), offset_.get(), bits_);
+      acb_mat_get_mid(center_.get(), center_.get());
+    }
+    return evaluate_center();
+  }
+
   /// Takes K ≈ F′(c)⁻¹ (any other K would be as sound), and bounds KF(c).
   [[nodiscard]] bool evaluate_center() {
     if (acb_mat_is_finite(center_.get()) == 0) return false;
-    system_.evaluate(center_, values_, derivatives_, bits_);
+    system_->evaluate(center_, values_, derivatives_, bits_);
     acb_mat_get_mid(derivatives_.get(), derivatives_.get());
     if (acb_mat_approx_inv(inverse_.get(), derivatives_.get(), bits_) == 0) return false;
     acb_mat_get_mid(inverse_.get(), inverse_.get());
@@ -111,7 +140,7 @@ class RootTest {
   /// Bounds |G(z)_i − c_i| for all z within `reach` of c, G(z) = z − KF(z).
   [[nodiscard]] std::vector<double> image_of(std::span<const double> reach) {
     ComplexMatrix values(n_, 1), derivatives(n_, n_), deviation(n_, n_);
-    system_.evaluate(polydisc(center_, reach), values, derivatives, bits_);
+    system_->evaluate(polydisc(center_, reach), values, derivatives, bits_);
     acb_mat_mul(deviation.get(), inverse_.get(), derivatives.get(), bits_);
     std::vector<double> image;
     for (std::size_t i = 0; i < n_; ++i) {
@@ -148,7 +177,7 @@ class RootTest {
     return radius;
   }
 
-  const ComplexSystem& system_;
+  const ComplexSystem* system_;
   const std::size_t n_;
   const std::span<const double> scale_;
   const long bits_;
@@ -184,6 +213,11 @@ std::optional<ComplexRoot> prove_root(const ComplexSystem& system, const Complex
   for (long bits = kLeastBits; bits <= most_bits; bits *= 2)
     if (auto root = RootTest(system, start, scale, bits).prove()) return root;
   return std::nullopt;
+}
+
+std::optional<ComplexRoot> prove_tube(const ComplexSystem& one, const ComplexSystem& family,
+                                      const ComplexMatrix& start, std::span<const double> scale) {
+  return RootTest(one, start, scale, kLeastBits).prove_all(family);
 }
 
 Certainty is_same(const ComplexRoot& a, const ComplexRoot& b) {

@@ -73,6 +73,15 @@ struct ComplexRoot {
                                                     const ComplexMatrix& start,
                                                     std::span<const double> scale, long most_bits);
 
+/// Looks for a root of each system of a family near a root of one of them.
+///
+/// Requires  `family` encloses the values and derivatives of all its systems, `one` those of one of them.
+/// Ensures   the root is one of each system of the family, as above: they differ, the bounds are the same.
+[[nodiscard]] std::optional<ComplexRoot> prove_tube(const ComplexSystem& one,
+                                                    const ComplexSystem& family,
+                                                    const ComplexMatrix& start,
+                                                    std::span<const double> scale);
+
 enum class Certainty { kYes, kNo, kUnknown };
 
 /// Tells whether two roots of a system are the same.

@@ -39,7 +39,12 @@ std::pair<std::string_view, std::string_view> ConstantLines::two_parts(
 }
 
 NodeId ConstantLines::constant(const char* kind, std::string_view name, std::string_view text) {
-  const NodeId node = parse(text, {}, q_.graph);
+  return expression(kind, name, text, {});
+}
+
+NodeId ConstantLines::expression(const char* kind, std::string_view name, std::string_view text,
+                                 const Scope& scope) {
+  const NodeId node = parse(text, scope, q_.graph);
   q_.stated.emplace(std::string(kind) + ' ' + std::string(name),
                     StatedValue{node, lines_.number(), std::string(text)});
   return node;

@@ -28,6 +28,9 @@ class ConstantLines {
       std::string_view key, std::string_view mark) const;
   /// Returns the node of a text, and records it as the stated value "KIND NAME" or "KIND NUMBER".
   [[nodiscard]] NodeId constant(const char* kind, std::string_view name, std::string_view text);
+  /// The same of an expression with names.
+  [[nodiscard]] NodeId expression(const char* kind, std::string_view name, std::string_view text,
+                                  const Scope& scope);
   [[nodiscard]] NodeId constant(const char* kind, std::size_t number, std::string_view text) {
     return constant(kind, std::to_string(number), text);
   }

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "runtime/verifier/complex_root.hpp"
+#include "runtime/verifier/evaluation.hpp"
 #include "runtime/verifier/question.hpp"
 
 namespace regulus::verifier {
@@ -14,6 +15,8 @@ class CountedSystem : public ComplexSystem {
   /// The number such that no system of this family has more simple solutions, and one that has as many
   /// has no others, neither complex nor real.
   [[nodiscard]] virtual std::size_t most() const = 0;
+  /// Returns one system of the family, if its numbers have ranges; nullptr: they have single values.
+  [[nodiscard]] virtual const ComplexSystem* one() const = 0;
   /// How many complex numbers a line `root` has.
   [[nodiscard]] virtual std::size_t numbers() const = 0;
   /// Returns where the root is, roughly. `z`: the numbers of the line, n×1.
@@ -29,8 +32,9 @@ class CountedSystem : public ComplexSystem {
   virtual void require_possible(const SolutionLine& line) const = 0;
 };
 
-/// Returns the equations of the poses of a platform on six legs, for `question.solutions`. Throws
-/// Unfinished for a number without a certain value. The question must outlive it.
-[[nodiscard]] std::unique_ptr<CountedSystem> platform_system(Question& question);
+/// Returns the equations of the poses of a platform on six legs, for `question.solutions`, enclosed for all
+/// values of the variables in `places`. Throws Unfinished for a number without a certain value. The
+/// question must outlive it.
+[[nodiscard]] std::unique_ptr<CountedSystem> platform_system(Question& question, const Box& places);
 
 }  // namespace regulus::verifier

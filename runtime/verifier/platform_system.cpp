@@ -2,10 +2,10 @@
 // The poses p ↦ Rp + t of a platform on six legs: RᵀR = I, det R = 1, |t + R·b − a|² = ρ² for each leg.
 #include <cmath>
 
+#include "runtime/verifier/algebra.hpp"
 #include "runtime/verifier/counted_system.hpp"
 #include "runtime/verifier/evaluation.hpp"
 #include "runtime/verifier/linear_algebra.hpp"
-#include "runtime/verifier/single_values.hpp"
 
 namespace regulus::verifier {
 namespace {
@@ -13,6 +13,7 @@ namespace {
 constexpr std::size_t kLegs = 6, kUnknowns = 12, kPosition = 9;
 constexpr std::size_t kMostPoses = 40, kMostPosesOfPairs = 16;
 constexpr long kBitsOfNumbers = 1088, kBits = 256;
+constexpr std::uint64_t kProductsOfAnchor = 1 << 16;  ///< to show that two anchors are one
 
 /// R row by row.
 constexpr std::size_t entry(std::size_t row, std::size_t column) { return 3 * row + column; }
@@ -32,14 +33,16 @@ class Complex {
 
 class PlatformSystem final : public CountedSystem {
  public:
-  explicit PlatformSystem(Question& q) : legs_(q.solutions->legs) {
+  PlatformSystem(Question& q, const Box& places) : legs_(q.solutions->legs) {
     std::vector<NodeId> nodes;
     for (const LegLine& leg : legs_) {
       nodes.insert(nodes.end(), leg.base.begin(), leg.base.end());
       nodes.insert(nodes.end(), leg.platform.begin(), leg.platform.end());
       nodes.push_back(leg.square);
     }
-    auto values = verifier::evaluate(q.graph, nodes, {}, kBitsOfNumbers);
+    std::vector<Ball> variables;
+    for (const Interval x : places) variables.emplace_back(x, kBitsOfNumbers);
+    auto values = verifier::evaluate(q.graph, nodes, variables, kBitsOfNumbers);
     if (!values) throw Unfinished("a number of the legs has no certain value");
     numbers_ = std::move(*values);
     for (const Ball& number : numbers_) {
@@ -51,12 +54,25 @@ class PlatformSystem final : public CountedSystem {
     for (std::size_t i = 0; i < kLegs; ++i)
       for (std::size_t axis = 0; axis < 3; ++axis)
         size_ = std::max({size_, mag(enclosure(i, axis)), mag(enclosure(i, 3 + axis))});
+    if (!places.empty()) one_ = std::make_unique<PlatformSystem>(*this, AtMiddle());
+  }
+
+  struct AtMiddle {};
+  /// The platform in the middle of those of another system.
+  PlatformSystem(const PlatformSystem& other, AtMiddle)
+      : legs_(other.legs_),
+        numbers_(other.numbers_),
+        enclosures_(other.enclosures_),
+        are_in_pairs_(other.are_in_pairs_),
+        size_(other.size_) {
+    for (Ball& number : numbers_) arb_get_mid_arb(number.get(), number.get());
   }
 
   [[nodiscard]] std::size_t unknowns() const override { return kUnknowns; }
   [[nodiscard]] std::size_t most() const override {
     return are_in_pairs_ ? kMostPosesOfPairs : kMostPoses;
   }
+  [[nodiscard]] const ComplexSystem* one() const override { return one_.get(); }
   [[nodiscard]] std::size_t numbers() const override { return 7; }
 
   void evaluate(const ComplexMatrix& z, ComplexMatrix& values, ComplexMatrix& derivatives,
@@ -180,7 +196,8 @@ class PlatformSystem final : public CountedSystem {
       for (std::size_t k = 0; k < kLegs; ++k) {
         bool is_same = k != i;
         for (std::size_t axis = 0; is_same && axis < 3; ++axis)
-          is_same = are_equal(graph, (legs_[i].*anchor)[axis], (legs_[k].*anchor)[axis]);
+          is_same = certain_equal(graph, (legs_[i].*anchor)[axis], (legs_[k].*anchor)[axis],
+                                  kProductsOfAnchor);
         partners += is_same;
       }
       if (partners != 1) return false;
@@ -286,12 +303,13 @@ class PlatformSystem final : public CountedSystem {
   std::vector<Interval> enclosures_;
   bool are_in_pairs_ = false;
   double size_ = 0;
+  std::unique_ptr<PlatformSystem> one_;
 };
 
 }  // namespace
 
-std::unique_ptr<CountedSystem> platform_system(Question& question) {
-  return std::make_unique<PlatformSystem>(question);
+std::unique_ptr<CountedSystem> platform_system(Question& question, const Box& places) {
+  return std::make_unique<PlatformSystem>(question, places);
 }
 
 }  // namespace regulus::verifier

@@ -22,7 +22,8 @@ using Row = std::array<NodeId, kTerms>;
 /// The equations of the legs, solved for as many numbers as they determine.
 class Elimination {
  public:
-  Elimination(Graph& graph, const std::vector<LegLine>& legs) : a_(graph) {
+  Elimination(Graph& graph, const std::vector<LegLine>& legs, const Box& places) : a_(graph) {
+    for (const Interval x : places) variables_.emplace_back(x, kBitsOfLegs);
     for (const LegLine& leg : legs) {
       base_.push_back(leg.base);
       platform_.push_back(leg.platform);
@@ -61,7 +62,7 @@ class Elimination {
 
  private:
   Ball value(NodeId node) {
-    auto values = evaluate(a_.graph(), {node}, {}, kBitsOfLegs);
+    auto values = evaluate(a_.graph(), {node}, variables_, kBitsOfLegs);
     if (!values) throw Unfinished("a number of a leg has no certain value");
     return std::move((*values)[0]);
   }
@@ -137,6 +138,7 @@ class Elimination {
   }
 
   GraphAlgebra a_;
+  std::vector<Ball> variables_;
   std::vector<std::array<NodeId, 3>> base_, platform_;
   std::vector<NodeId> squares_;
   Center base_center_, platform_center_;
@@ -193,7 +195,8 @@ class ChartEquations {
     closure.names.emplace_back(name);
     const double wider = up(radius * kWider);
     result_.range.push_back({-wider, wider});
-    return a_.graph().add(Op::kVariable, int(closure.names.size()) - 1);
+    const std::size_t number = result_.question.variables.size() + closure.names.size();
+    return a_.graph().add(Op::kVariable, int(number) - 1);
   }
 
   /// Returns the sum of a row without the number `left_out` and those that are determined.
@@ -231,9 +234,9 @@ class ChartEquations {
 
 }  // namespace
 
-std::vector<PoseChart> form_pose_equations(const Question& question) {
+std::vector<PoseChart> form_pose_equations(const Question& question, const Box& places) {
   Question with_legs = question;
-  const Elimination legs(with_legs.graph, with_legs.solutions->legs);
+  const Elimination legs(with_legs.graph, with_legs.solutions->legs, places);
   std::vector<PoseChart> charts;
   for (std::size_t chart = 0; chart < kCharts; ++chart)
     charts.push_back(ChartEquations(with_legs, legs, chart).form());

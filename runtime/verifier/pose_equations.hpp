@@ -23,9 +23,10 @@ struct PoseChart {
 
 /// The same numbers in all charts.
 ///
-/// Requires  question.solutions has six legs, and there is no closure.
+/// Requires  question.solutions has six legs, and there is no closure. `places` has all values of the variables.
 /// Throws    Unfinished if a number of a leg has no certain value, or if fewer numbers are determined by
 ///           the legs than the equations need.
-[[nodiscard]] std::vector<PoseChart> form_pose_equations(const Question& question);
+[[nodiscard]] std::vector<PoseChart> form_pose_equations(const Question& question,
+                                                         const Box& places);
 
 }  // namespace regulus::verifier

@@ -33,15 +33,18 @@ std::vector<double> middles(const Box& box) {
 /// A chart with its search.
 struct Chart {
   PoseChart equations;
+  const Box& places;  ///< of the uncertain quantities and errors
   BoxSearch search;
   Evaluation pose;
   std::vector<double> scale{};
   std::vector<Box> reaches{};        ///< of lines
   std::vector<std::size_t> lines{};  ///< whose reaches these are
 
-  Chart(PoseChart chart, WorkClock& clock, const Options& options, Verification& result)
+  Chart(PoseChart chart, const Box& of_legs, WorkClock& clock, const Options& options,
+        Verification& result)
       : equations(std::move(chart)),
-        search(equations.question, {}, {}, clock, options, result),
+        places(of_legs),
+        search(equations.question, {}, places, clock, options, result),
         pose(equations.question, {equations.pose.begin(), equations.pose.end()}) {
     search.set_range(equations.range);
     for (const Interval range : equations.range)
@@ -50,10 +53,16 @@ struct Chart {
   Chart(const Chart&) = delete;
   Chart& operator=(const Chart&) = delete;
 
+  /// Returns a small box with exactly one solution at each of the places.
+  [[nodiscard]] std::optional<SolutionBox> solution_near(const std::vector<double>& start) {
+    return search.test().solution_near(places, start, scale);
+  }
+
   /// Returns x, y, z and the unit quaternion; empty: not certain.
   [[nodiscard]] Box pose_of(const Box& unknowns) {
-    Box result;
-    if (!pose.run(unknowns)) return result;
+    Box result, all = places;
+    all.insert(all.end(), unknowns.begin(), unknowns.end());
+    if (!pose.run(all)) return result;
     for (const NodeId node : equations.pose) result.push_back(pose.value(node));
     return result;
   }
@@ -82,10 +91,11 @@ Box negative_turn(Box pose) {
 
 class PoseSearch {
  public:
-  PoseSearch(Lines& lines, const Question& q, const Options& options, Verification& result)
+  PoseSearch(Lines& lines, const Question& q, const Box& places, const Options& options,
+             Verification& result)
       : lines_(lines), claim_(*q.solutions), result_(result), clock_(options, result) {
-    for (PoseChart& chart : form_pose_equations(q))
-      charts_.push_back(std::make_unique<Chart>(std::move(chart), clock_, options, result));
+    for (PoseChart& chart : form_pose_equations(q, places))
+      charts_.push_back(std::make_unique<Chart>(std::move(chart), places, clock_, options, result));
   }
 
   void check() {
@@ -108,8 +118,7 @@ class PoseSearch {
     for (std::size_t part = 1; part < kParts; ++part)
       if (mag(line.values[kPlaces + part]) > mag(line.values[kPlaces + c])) c = part;
     Chart& chart = *charts_[c];
-    const auto found = chart.search.test().solution_near(
-        {}, start_of(line.values, chart.equations, c), chart.scale);
+    const auto found = chart.solution_near(start_of(line.values, chart.equations, c));
     if (!found) throw Unfinished("no pose was found near this line");
     ProvedPose proved{c, box_of(*found), {}};
     proved.pose = chart.pose_of(proved.unknowns);
@@ -191,7 +200,7 @@ class PoseSearch {
   /// Rejects the claim if a pose is found near the box that is in no line.
   void look_for_other(std::size_t c, const Box& box) {
     Chart& chart = *charts_[c];
-    const auto found = chart.search.test().solution_near({}, middles(box), chart.scale);
+    const auto found = chart.solution_near(middles(box));
     if (!found) return;
     const Box pose = chart.pose_of(box_of(*found));
     if (pose.empty()) return;
@@ -212,9 +221,9 @@ class PoseSearch {
 
 }  // namespace
 
-void search_poses(Lines& lines, const Question& question, const Options& options,
+void search_poses(Lines& lines, const Question& question, const Box& places, const Options& options,
                   Verification& result) {
-  PoseSearch(lines, question, options, result).check();
+  PoseSearch(lines, question, places, options, result).check();
 }
 
 }  // namespace regulus::verifier

@@ -63,9 +63,18 @@ class QuestionReader {
 
  private:
   void read_solutions(const std::string& claim) {
-    if (is("alpha")) read_equations();
+    if (is("alpha"))
+      read_equations();
+    else if (is("constant") || is("uncertain"))
+      read_geometry();
     read_solution_lines(lines_, q_);
     read_end(claim, "the claim is not about these lines");
+  }
+
+  /// The constants of a robot that has tolerances.
+  void read_geometry() {
+    read_variables();
+    q_.actual = geometry_;
   }
 
   /// All solutions of the equations of a closure, at one place.

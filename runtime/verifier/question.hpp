@@ -126,7 +126,8 @@ struct ClosureLines {
   std::vector<std::pair<std::string, std::string>> lets;  ///< names and texts of the lines `let`
 };
 
-/// A telescopic leg of a platform: its anchors and its squared length, which are constant expressions.
+/// A telescopic leg of a platform: its anchors, by the constants of the robot, and its squared length, which is
+/// a constant expression or a variable.
 struct LegLine {
   std::array<NodeId, 3> base{}, platform{};
   NodeId square = kNoNode;
@@ -195,7 +196,8 @@ struct Question {
   std::optional<QuantityLines> quantity;
   /// A claim about a closure has this. There is no matrix; `rows` and `columns` count the equations.
   std::optional<ClosureLines> closure;
-  /// A claim about all solutions has this, and nothing of what is above but the labels.
+  /// A claim about all solutions has this, and of what is above a closure with its variables, or the
+  /// uncertain quantities of a robot.
   std::optional<SolutionLines> solutions;
 
   // For the comparison with a model file.
@@ -203,7 +205,7 @@ struct Question {
   /// "pose x", "error x", "entry 0", "scale 0", "constraint 0", "reach 0", "wrench 0",
   /// "wrench-spread 0", "wrench-ball 0", "least 0", "largest 0", "motor-error 0", "stiffness 0",
   /// "factor 0", "unknown p", "unknown-radius p", "start x", "equation 0",
-  /// "base 0_x", "platform 0_x", "square 0", "joint 0_0" to "joint 0_15", "tip 0", "tool 0",
+  /// "base 0_x", "platform 0_x", "square 0", "square-spread 0", "joint 0_0" to "joint 0_15", "tip 0", "tool 0",
   /// "joint-value 0".
   std::map<std::string, StatedValue, std::less<>> stated;
   Scope actual;     ///< names of constants and of poses with their errors

@@ -8,6 +8,7 @@
 #include "runtime/verifier/pose_search.hpp"
 #include "runtime/verifier/proof.hpp"
 #include "runtime/verifier/solution_search.hpp"
+#include "runtime/verifier/variety.hpp"
 #include "runtime/verifier/work_clock.hpp"
 
 namespace regulus::verifier {
@@ -18,10 +19,11 @@ constexpr long kMostBits = 1024;  // Numbers of the question are enclosed with s
 /// The first line of the proof has been read.
 class SolutionCount {
  public:
-  SolutionCount(Lines& lines, Question& q, const Options& options, Verification& result)
+  SolutionCount(Lines& lines, Question& q, const Box& places, const Options& options,
+                Verification& result)
       : lines_(lines),
         claim_(*q.solutions),
-        system_(platform_system(q)),
+        system_(platform_system(q, places)),
         result_(result),
         clock_(options, result) {}
 
@@ -82,7 +84,10 @@ class SolutionCount {
   void prove(std::size_t i) {
     clock_.tick();
     const ComplexMatrix place = system_->place_of(starts_[i]);
-    const auto root = prove_root(*system_, place, system_->scale_at(place), kMostBits);
+    const std::vector<double> scale = system_->scale_at(place);
+    const ComplexSystem* one = system_->one();
+    const auto root = one == nullptr ? prove_root(*system_, place, scale, kMostBits)
+                                     : prove_tube(*one, *system_, place, scale);
     if (!root) give_up(lines_of_[i], "no simple root was found near this place");
     lines_.name_line(lines_of_[i]);
     system_->require_solution(*root);
@@ -143,9 +148,11 @@ void check_solutions(Lines& lines, Question& question, const Options& options,
   if (question.closure || question.solutions->arm)
     return search_solutions(lines, question, options, result);
   if (!lines.next()) throw Rejection("the file ends before the line 'end' of the proof");
-  if (lines.text() != "end") return SolutionCount(lines, question, options, result).check();
+  question.alpha = question.graph.number("0");
+  const Box places = enclose_variety(question).outer;
+  if (lines.text() != "end") return SolutionCount(lines, question, places, options, result).check();
   if (lines.next()) throw Rejection("there is text after the line 'end'");
-  search_poses(lines, question, options, result);
+  search_poses(lines, question, places, options, result);
 }
 
 }  // namespace regulus::verifier

@@ -12,6 +12,7 @@ namespace regulus::verifier {
 namespace {
 
 constexpr std::size_t kLegsInSpace = 6, kValuesInSpace = 7, kValuesInPlane = 3;
+constexpr std::string_view kWithin = " +- ";
 /// A line `leg` has so many bars.
 constexpr std::ptrdiff_t kBarsInPlane = 4;
 constexpr std::size_t kMostJoints = 64, kNumbersOfJoint = 15, kNumbersOfFrame = 12,
@@ -21,6 +22,7 @@ class SolutionReader {
  public:
   SolutionReader(Lines& lines, Question& q)
       : lines_(lines),
+        q_(q),
         reader_(lines, q),
         s_(*q.solutions),
         values_(q.closure ? q.closure->names.size() : kValuesInSpace),
@@ -32,7 +34,8 @@ class SolutionReader {
       values_ = kValuesInPlane;
       legs_ = kLegsInPlane;
     }
-    if (legs_ != 0 && (reader_.is("joint") || reader_.is("held-joint"))) read_arm();
+    if (legs_ != 0 && q_.variables.empty() && (reader_.is("joint") || reader_.is("held-joint")))
+      read_arm();
     while (reader_.is("leg")) read_leg();
     if (s_.legs.size() != legs_)
       throw Rejection("expected " + std::to_string(legs_) + " lines 'leg E | … | E'");
@@ -91,7 +94,8 @@ class SolutionReader {
     return result;
   }
 
-  /// Reads `leg`, the anchor at the base, that at the platform, and the squared length.
+  /// Reads `leg`, the anchor at the base, that at the platform, and the squared length, which may be
+  /// within a distance of its value.
   void read_leg() {
     if (s_.legs.size() == legs_)
       throw Rejection("there are more than " + std::to_string(legs_) + " legs");
@@ -99,22 +103,42 @@ class SolutionReader {
     const std::string number = std::to_string(s_.legs.size());
     LegLine leg;
     for (std::size_t axis = 0; axis < axes_; ++axis)
-      leg.base[axis] = constant("base", number + '_' + "xyz"[axis], rest);
+      leg.base[axis] = anchor("base", number + '_' + "xyz"[axis], rest);
     for (std::size_t axis = 0; axis < axes_; ++axis)
-      leg.platform[axis] = constant("platform", number + '_' + "xyz"[axis], rest);
-    leg.square = constant("square", number, rest);
-    if (!rest.empty())
-      throw Rejection("expected " + std::to_string(2 * axes_ + 1) + " expressions after 'leg'");
+      leg.platform[axis] = anchor("platform", number + '_' + "xyz"[axis], rest);
+    leg.square = square(number, rest);
     s_.legs.push_back(leg);
     reader_.advance();
   }
 
   /// Takes the text up to the next bar.
-  NodeId constant(const char* kind, const std::string& name, std::string_view& rest) {
+  static std::string_view part(std::string_view& rest) {
     const std::size_t bar = rest.find(" | ");
     const std::string_view text = rest.substr(0, bar);
     rest = bar == std::string_view::npos ? std::string_view() : rest.substr(bar + 3);
-    return reader_.constant(kind, name, text);
+    return text;
+  }
+  NodeId constant(const char* kind, const std::string& name, std::string_view& rest) {
+    return reader_.constant(kind, name, part(rest));
+  }
+  NodeId anchor(const char* kind, const std::string& name, std::string_view& rest) {
+    return reader_.expression(kind, name, part(rest), q_.actual);
+  }
+
+  NodeId square(const std::string& number, std::string_view rest) {
+    if (rest.empty() || rest.find(" | ") != std::string_view::npos)
+      throw Rejection("expected " + std::to_string(2 * axes_ + 1) + " expressions after 'leg'");
+    const std::size_t mark = rest.find(kWithin);
+    const NodeId middle = reader_.constant("square", number, rest.substr(0, mark));
+    if (mark == std::string_view::npos) return middle;
+    const NodeId spread =
+        reader_.constant("square-spread", number, rest.substr(mark + kWithin.size()));
+    if (q_.variables.size() == format::kMostVariables) throw Rejection("too many variables");
+    const NodeId node = q_.graph.add(Op::kVariable, int(q_.variables.size()));
+    q_.variables.push_back({"square " + number, VariableKind::kError,
+                            q_.graph.add(Op::kSubtract, middle, spread),
+                            q_.graph.add(Op::kAdd, middle, spread)});
+    return node;
   }
 
   void read_solution() {
@@ -138,6 +162,7 @@ class SolutionReader {
   }
 
   Lines& lines_;
+  Question& q_;
   ConstantLines reader_;
   SolutionLines& s_;
   std::size_t values_, legs_, axes_ = 3;

@@ -87,7 +87,7 @@ Variety enclose_variety(Question& q) {
     variety.inner.push_back(is_exact ? exactly_between(*ends.lo, *ends.hi) : between(lo, hi));
     variety.exact.push_back(is_exact);
     // A tube leads to points beyond the ranges: nothing about it may use their exact ends.
-    q.ends.push_back(q.closure ? RationalEnds() : ends);
+    q.ends.push_back(q.closure || q.solutions ? RationalEnds() : ends);
   }
   for (const BallOfVariables& ball : q.balls)
     variety.reach.push_back(reach_ru(q, ball, variety.outer));

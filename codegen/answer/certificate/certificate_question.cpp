@@ -36,7 +36,7 @@ class QuestionText {
     for (const MotionParameter& p : motion_.parameters)
       put("parameter",
           p.name + " in " + expression_text(p.range.lo) + " : " + expression_text(p.range.hi));
-    write_geometry();
+    text_ += geometry_lines(model_, uncertain_);
     write_poses();
     if (model_.closure) write_start(*model_.closure);
     write_matrix();
@@ -58,28 +58,6 @@ class QuestionText {
   }
 
   void put(const std::string& key, const std::string& value) { text_ += key + ' ' + value + '\n'; }
-
-  [[nodiscard]] bool is_variable(const GeometryParameter& g) const {
-    return uncertain_.contains(g.name);
-  }
-
-  void write_geometry() {
-    for (const GeometryParameter& g : model_.geometry) {
-      const ex spread = g.ball >= 0 ? model_.balls.at(std::size_t(g.ball)).radius : g.tolerance;
-      if (is_variable(g))
-        put("uncertain",
-            g.name + " = " + expression_text(g.value) + " +- " + expression_text(spread));
-      else
-        put("constant", g.name + " = " + expression_text(g.value));
-    }
-    for (const ToleranceBall& ball : model_.balls) {
-      std::string members;
-      for (const std::size_t i : ball.members)
-        if (is_variable(model_.geometry[i]))
-          members += (members.empty() ? "" : " ") + model_.geometry[i].name;
-      if (!members.empty()) put("ball", members);
-    }
-  }
 
   void write_poses() {
     for (std::size_t i = 0; i < model_.pose.size(); ++i) {
@@ -190,6 +168,24 @@ std::set<std::string> uncertain_names(const Request& request) {
     if (!spread.is_zero()) names.insert(g.name);
   }
   return names;
+}
+
+std::string geometry_lines(const Model& model, const std::set<std::string>& uncertain) {
+  std::string lines;
+  for (const GeometryParameter& g : model.geometry) {
+    const ex spread = g.ball >= 0 ? model.balls.at(std::size_t(g.ball)).radius : g.tolerance;
+    lines += uncertain.contains(g.name)
+                 ? "uncertain " + g.name + " = " + expression_text(g.value) + " +- " +
+                       expression_text(spread) + '\n'
+                 : "constant " + g.name + " = " + expression_text(g.value) + '\n';
+  }
+  for (const ToleranceBall& ball : model.balls) {
+    std::string members;
+    for (const std::size_t i : ball.members)
+      if (uncertain.contains(model.geometry[i].name)) members += ' ' + model.geometry[i].name;
+    if (!members.empty()) lines += "ball" + members + '\n';
+  }
+  return lines;
 }
 
 format::ClaimedSet claimed_set(const Request& request, const std::set<std::string>& uncertain) {

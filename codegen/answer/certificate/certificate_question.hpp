@@ -22,6 +22,10 @@ namespace regulus {
 [[nodiscard]] format::ClaimedSet claimed_set(const Request& request,
                                              const std::set<std::string>& uncertain);
 
+/// Returns the lines `constant`, `uncertain` and `ball` of a robot. `uncertain`: as for certified_question.
+[[nodiscard]] std::string geometry_lines(const Model& model,
+                                         const std::set<std::string>& uncertain);
+
 /// `uncertain`: the constants of the robot that vary; some of them may have a spread of 0. A pose
 /// parameter in it is a variable of the search even if its control error is 0; the others are if
 /// their error is not 0.

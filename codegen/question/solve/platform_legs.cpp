@@ -8,6 +8,7 @@
 #include "codegen/kernel/program/interval_arithmetic.hpp"
 #include "codegen/kernel/symbolic/from_ginac.hpp"
 #include "codegen/kernel/symbolic/lowering.hpp"
+#include "codegen/model/exact/exact_double.hpp"
 #include "codegen/question/solve/nominal.hpp"
 #include "codegen/support/errors.hpp"
 
@@ -85,8 +86,8 @@ GoughLegs legs_between_anchors(const Model& model, const Enclose& enclose,
   return legs;
 }
 
-/// The length of a leg of nominal geometry at poses within the control errors.
-Interval length_near_pose(const Request& request, const ExtensibleLeg& leg) {
+/// The squared length of a leg of nominal geometry at poses within the control errors.
+Interval square_near_pose(const Request& request, const ExtensibleLeg& leg) {
   const NominalGeometry nominal(request.model);
   const std::vector<ex> pose = pose_of(request.motion);
   SymbolRanges ranges;
@@ -95,8 +96,11 @@ Interval length_near_pose(const Request& request, const ExtensibleLeg& leg) {
                request.motion.error.empty() ? ex(0) : request.motion.error[i]);
   Interval square(0.0);
   for (const ex& part : leg.vector) square += sqr(ranges.enclose(nominal.at(part), "a length"));
-  return sqrt(square);
+  return square;
 }
+
+constexpr long kPartsOfLength = 1L << 40, kPartsOfPose = 8;
+ex with_room(const ex& error, long parts) { return error * (parts + 1) / parts; }
 
 }  // namespace
 
@@ -114,6 +118,27 @@ std::vector<ex> squared_lengths(const Request& request) {
     squares.push_back(square);
   }
   return squares;
+}
+
+std::vector<ex> errors_of_squares(const Request& request) {
+  const std::vector<ex> squares = squared_lengths(request), &error = request.motion.error;
+  std::vector<ex> result(squares.size(), ex(0));
+  if (std::ranges::all_of(error, [](const ex& x) { return x.is_zero(); })) return result;
+  for (std::size_t i = 0; i < squares.size(); ++i) {
+    if (!request.motion.legs.empty()) {
+      result[i] =
+          with_room(error[i] * (2 * abs(request.motion.legs[i]) + error[i]), kPartsOfLength);
+      continue;
+    }
+    const Interval change =
+        square_near_pose(request, request.model.legs[i]) - enclose_constant(squares[i], "a length");
+    result[i] = with_room(exact_number(mag(change)), kPartsOfPose);
+  }
+  return result;
+}
+
+Interval enclose_uncertain(const Model& model, const ex& expression, const char* what) {
+  return geometry_of(model).enclose(expression, what);
 }
 
 GoughLegs enclose_legs(const Request& request) {
@@ -139,7 +164,7 @@ GoughLegs enclose_uncertain_legs(const Request& request) {
   for (std::size_t i = 0; i < legs.length.size(); ++i) {
     const Interval around =
         request.motion.legs.empty()
-            ? length_near_pose(request, request.model.legs[i])
+            ? sqrt(square_near_pose(request, request.model.legs[i]))
             : nominal.length[i] +
                   Interval(-1.0, 1.0) * enclose_constant(request.motion.error[i], "an error");
     legs.length[i] = hull(nominal.length[i], around);

@@ -12,6 +12,14 @@ namespace regulus {
 /// Returns the square of each length at the nominal values.
 [[nodiscard]] std::vector<GiNaC::ex> squared_lengths(const Request& request);
 
+/// Returns how far the square of each length is from this at most: with the length within its error, or with the pose
+/// within the control errors. It is a little more, so that others can show it.
+[[nodiscard]] std::vector<GiNaC::ex> errors_of_squares(const Request& request);
+
+/// Encloses an expression of the geometry for all its values within tolerances. `what`: for a message.
+[[nodiscard]] Interval enclose_uncertain(const Model& model, const GiNaC::ex& expression,
+                                         const char* what);
+
 /// Encloses the legs at the nominal values of the geometry, with the lengths of the motion, or at its pose.
 ///
 /// Requires  six legs.

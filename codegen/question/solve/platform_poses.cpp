@@ -38,11 +38,16 @@ double seconds_since(Clock::time_point start) {
 
 Interval norm(const Interval& x, const Interval& y) { return sqrt(sqr(x) + sqr(y)); }
 
-/// The origin of the platform is within this distance from the anchor of the base.
-Interval reach_of(const ExtensibleLeg& leg, const NominalGeometry& nominal, const ex& square) {
-  const auto at = [&](const ex& x) { return enclose_constant(nominal.at(x), "an anchor"); };
-  return sqrt(enclose_constant(square, "a length")) +
-         norm(at(leg.platform[0]), at(leg.platform[1]));
+/// The origin of the platform is within this distance from the middle of the anchor of the base.
+Interval reach_of(const Model& model, const ExtensibleLeg& leg, const ex& most_square) {
+  const NominalGeometry nominal(model);
+  const auto all = [&](const ex& x) { return enclose_uncertain(model, x, "an anchor"); };
+  const auto shift = [&](const ex& x) {
+    return all(x) - enclose_constant(nominal.at(x), "an anchor");
+  };
+  return sqrt(enclose_constant(most_square, "a length")) +
+         norm(all(leg.platform[0]), all(leg.platform[1])) +
+         norm(shift(leg.base[0]), shift(leg.base[1]));
 }
 
 /// The rows of the inverse Jacobian: unit vectors along the legs, and their moments.
@@ -176,6 +181,7 @@ Solutions poses_in_space(const Request& request, const SolveRun& run) {
   solutions.complex_found = counted.complex;
   if (counted.is_complete()) {
     solutions.completeness = Completeness::kComplete;
+    solutions.is_counted = true;
     solutions.how = counted.most == kPosesOfGough ? kTheoremOfForty : kTheoremOfPairs;
   } else {
     poses = search_poses(solutions, legs, counted, run);
@@ -200,17 +206,25 @@ Request planar_request(const Request& request) {
   model.name = request.model.name;
   model.path = request.model.path;
   model.sha256 = request.model.sha256;
+  model.geometry = request.model.geometry;
+  model.balls = request.model.balls;
   Closure& closure = model.closure.emplace();
   closure.unknowns = request.model.pose;
   const NominalGeometry nominal(request.model);
-  const std::vector<ex> squares = squared_lengths(request);
+  const std::vector<ex> squares = squared_lengths(request), errors = errors_of_squares(request);
   for (std::size_t i = 0; i < squares.size(); ++i) {
     const auto& vector = request.model.legs[i].vector;
-    closure.equations.push_back(
-        (pow(nominal.at(vector[0]), 2) + pow(nominal.at(vector[1]), 2) - squares[i]).expand());
+    ex square = squares[i];
+    if (!errors[i].is_zero()) {
+      const std::string name = fmt::format("square_of_leg_{}_error", i + 1);
+      const GiNaC::realsymbol error(name);
+      model.geometry.push_back({error, name, 0, errors[i], "", -1});
+      square += error;
+    }
+    closure.equations.push_back((pow(vector[0], 2) + pow(vector[1], 2) - square).expand());
   }
   const ExtensibleLeg& leg = request.model.legs.front();
-  const ex reach = exact_number(reach_of(leg, nominal, squares.front()).hi);
+  const ex reach = exact_number(reach_of(request.model, leg, squares.front() + errors.front()).hi);
   for (std::size_t i = 0; i < 3; ++i) {
     const ex half = i < 2 ? reach : is_in_degrees(closure.unknowns[i].unit) ? ex(180) : GiNaC::Pi;
     const ex middle = i < 2 ? nominal.at(leg.base[i]) : ex(0);

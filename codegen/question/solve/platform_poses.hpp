@@ -12,7 +12,8 @@ namespace regulus {
 /// Requires  request.model.legs: 3 in the plane, or 6 in space; the motion has values.
 [[nodiscard]] Solutions solve_platform(const Request& request, const SolveRun& run);
 
-/// Returns the equations of a planar platform as a closure of a model without pose parameters.
+/// Returns the equations of a planar platform as a closure of a model without pose parameters. Its constants
+/// have their tolerances, and the squares of the lengths their errors.
 [[nodiscard]] Request planar_request(const Request& request);
 
 }  // namespace regulus

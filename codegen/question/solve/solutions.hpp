@@ -53,6 +53,7 @@ struct Solutions {
   std::string obstacle;
   /// Boxes that may hold others, by unknown; of a search that was not completed.
   std::vector<std::vector<Interval>> open{};
+  bool is_counted = false;  ///< they are complete by a count of the complex ones
   /// Of a count: the solutions among complex numbers that were certified; nullopt: not counted.
   std::optional<std::uint64_t> complex_found{};
   /// The same, roughly: their values by unknown, a quaternion up to a factor.

@@ -38,9 +38,9 @@ Request solve_request_of(Model model, const ModelOptions& options,
   Request request = request_of(std::move(model), given, more);
   if (request.motion.trajectory)
     throw UsageError(
-        "solve answers for one place; name a motion that has one place, or give its values by at, "
-        "or "
-        "those of many places by waypoints");
+        "solve answers for places, which nothing joins: give a table of them by waypoints, one "
+        "place a "
+        "line; or name a motion that has one place, or give its values by at");
   require_place_alone(request.motion);
   require_values(request);
   return request;
@@ -60,11 +60,9 @@ SolvedNoun noun_of(const Request& request) {
 
 namespace {
 
-/// Without the tolerances of a robot that is not given by its equations.
-Solutions solve_nominal(const Request& request, const SolveRun& run) {
-  if (request.model.legs.size() == 6) return solve_platform(request, run);
-  Solutions solutions =
-      request.model.legs.empty() ? solve_arm(request, run) : solve_platform(request, run);
+/// An arm without its tolerances.
+Solutions solve_nominal_arm(const Request& request, const SolveRun& run) {
+  Solutions solutions = solve_arm(request, run);
   solutions.is_nominal = has_tolerances(request);
   return solutions;
 }
@@ -75,7 +73,8 @@ Solutions solve(const Request& request, const SolveRun& run) {
   const FloatingPointScope nearest(FloatingPointRounding::kNearest);
   if (!run.held.empty() && !request.model.arm)
     throw UsageError("only an arm of [serial] has joints that can be held");
-  if (!request.model.legs.empty() || request.model.arm) return solve_nominal(request, run);
+  if (!request.model.legs.empty()) return solve_platform(request, run);
+  if (request.model.arm) return solve_nominal_arm(request, run);
   if (!request.model.closure)
     throw UsageError(
         "the solutions of this model cannot be asked for: give its equations in [closure], or legs "

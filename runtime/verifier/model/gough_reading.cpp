@@ -59,6 +59,16 @@ class GoughReading final : public SectionReading {
     return legs;
   }
 
+  [[nodiscard]] std::vector<SectionLeg> uncertain_legs(SectionComparer& comparer) override {
+    std::vector<SectionLeg> legs;
+    for (std::size_t leg = 0; leg < 6; ++leg) {
+      const std::string at = '[' + std::to_string(leg) + ']';
+      legs.push_back({{"gough.base" + at, anchor(comparer, "base", 'a', leg)},
+                      {"gough.platform" + at, anchor(comparer, "platform", 'b', leg)}});
+    }
+    return legs;
+  }
+
   [[nodiscard]] NodeId squared_length(const SectionLeg& leg, const Scope& pose,
                                       SectionComparer& comparer) override {
     return squared_length_at(leg, orientation_, angle_unit_ != "rad", pose,

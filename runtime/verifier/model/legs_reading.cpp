@@ -116,6 +116,18 @@ class LegsReading final : public SectionReading {
     return legs;
   }
 
+  [[nodiscard]] std::vector<SectionLeg> uncertain_legs(SectionComparer& comparer) override {
+    GraphAlgebra algebra(comparer.question().graph);
+    std::vector<SectionLeg> legs;
+    for (std::size_t i = 0; i < count_; ++i) {
+      const std::string number = std::to_string(i + 1), a = place(i) + ".base",
+                        b = place(i) + ".platform";
+      legs.push_back({{a, point(a, number, kBase, comparer, algebra)},
+                      {b, point(b, number, kPlatform, comparer, algebra)}});
+    }
+    return legs;
+  }
+
   [[nodiscard]] NodeId squared_length(const SectionLeg& leg, const Scope& pose,
                                       SectionComparer& comparer) override {
     return squared_length_at(leg, orientation_, is_in_degrees_, pose, comparer.question().graph);
@@ -126,8 +138,6 @@ class LegsReading final : public SectionReading {
     if (leg.is_hinged) return at.hinge_force();
     return {algebra.zero(), at.moment(), algebra.number(1)};
   }
-
-  // The file.
 
   [[nodiscard]] std::string text(const std::string& place, const std::string& otherwise) const {
     const auto found = values_.find(place);
@@ -154,8 +164,6 @@ class LegsReading final : public SectionReading {
   }
   [[nodiscard]] std::size_t axes() const { return is_planar_ ? 2 : 3; }
   [[nodiscard]] std::vector<std::string> angles() const { return orientation_names(orientation_); }
-
-  // Values.
 
   static std::string element(const std::string& list, std::size_t i) {
     return list + '[' + std::to_string(i) + ']';
@@ -316,8 +324,6 @@ class LegsReading final : public SectionReading {
       leg.zero = algebra.unit(numbers(shared(index, "zero"), comparer, algebra));
   }
 
-  // The pose.
-
   static NodeId pose_of(const Scope& scope, const std::string& name) {
     const auto found = scope.find(name);
     if (found == scope.end()) throw Unfinished("the certificate has no pose parameter " + name);
@@ -341,9 +347,8 @@ class LegsReading final : public SectionReading {
   void compare_row(SectionComparer& comparer, const FilePlace& from, std::size_t row,
                    const LegRow& one) {
     std::vector<NodeId> entries(one.force.begin(), one.force.begin() + std::ptrdiff_t(axes()));
-    if (orientation_ != "point" && is_planar_) entries.push_back(one.moment[2]);
-    if (orientation_ != "point" && !is_planar_)
-      entries.insert(entries.end(), one.moment.begin(), one.moment.end());
+    if (orientation_ != "point")
+      entries.insert(entries.end(), one.moment.begin() + (is_planar_ ? 2 : 0), one.moment.end());
     const Question& q = comparer.question();
     if (entries.size() != q.columns || row >= q.rows)
       comparer.refuse(from, "a matrix of another shape");

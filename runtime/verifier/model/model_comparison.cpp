@@ -77,9 +77,11 @@ class ModelComparison {
     for (const char* other : {"matrix.", "pose.", "closure."})
       if (has_below(values_, other))
         comparer_.leave_out({other, 0, ""}, "the robot is described twice");
+    const bool is_uncertain = !q_.variables.empty();
+    if (is_uncertain) compare_geometry();
     compare_robot_at_place(comparer_, section_.get());
     require_known_tables();
-    comparer_.finish(false);
+    comparer_.finish(is_uncertain);
   }
 
   // The robot.

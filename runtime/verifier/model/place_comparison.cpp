@@ -2,7 +2,9 @@
 #include "runtime/verifier/model/place_comparison.hpp"
 
 #include <algorithm>
+#include <utility>
 
+#include "runtime/verifier/evaluation.hpp"
 #include "runtime/verifier/model/equality.hpp"
 #include "runtime/verifier/model/joint_chain.hpp"
 #include "runtime/verifier/planar_platform.hpp"
@@ -11,6 +13,7 @@ namespace regulus::verifier {
 namespace {
 
 constexpr std::string_view kGeometry = "geometry.";
+constexpr long kBits = 1024;
 
 class PlaceComparison {
  public:
@@ -23,16 +26,14 @@ class PlaceComparison {
 
   void run() {
     if (section_ == nullptr) comparer_.refuse_model("it has none of [gough], [legs] and [serial]");
+    const Scope stated = std::exchange(q_.actual, {});
     name_constants();
     if (q_.solutions->arm) return compare_arm();
     const std::vector<SectionLeg> legs = section_->telescopic_legs(comparer_);
     if (legs.size() != q_.solutions->legs.size())
       comparer_.refuse_model("it has " + std::to_string(legs.size()) + " legs, and not " +
                              std::to_string(q_.solutions->legs.size()));
-    for (std::size_t i = 0; i < legs.size(); ++i) {
-      compare_point(legs[i].base, "base", i);
-      compare_point(legs[i].platform, "platform", i);
-    }
+    q_.variables.empty() ? compare_anchors(legs) : compare_uncertain_anchors(stated);
     compare_lengths(legs);
   }
 
@@ -67,6 +68,20 @@ class PlaceComparison {
     const NodeId lo = comparer_.pose_at(place + "[0]", pose),
                  hi = comparer_.pose_at(place + "[1]", pose);
     return equality(q_, lo, hi) == Equality::kEqual ? lo : kNoNode;
+  }
+
+  void compare_anchors(const std::vector<SectionLeg>& legs) {
+    for (std::size_t i = 0; i < legs.size(); ++i) {
+      compare_point(legs[i].base, "base", i);
+      compare_point(legs[i].platform, "platform", i);
+    }
+  }
+
+  /// Where the certificate has the constants with their tolerances, the anchors are expressions of these.
+  void compare_uncertain_anchors(Scope stated) {
+    std::swap(q_.actual, stated);
+    compare_anchors(section_->uncertain_legs(comparer_));
+    std::swap(q_.actual, stated);
   }
 
   void compare_point(const SectionPoint& point, const char* kind, std::size_t leg) {
@@ -189,7 +204,7 @@ class PlaceComparison {
 
   void compare_lengths(const std::vector<SectionLeg>& legs) {
     require_known_keys();
-    require_no_tolerances();
+    if (q_.variables.empty()) require_no_tolerances();
     const std::string lengths = motion_ + "legs";
     if (has(lengths + "[0]")) return compare_given_lengths(lengths, legs.size());
     Scope pose = q_.actual;
@@ -203,6 +218,75 @@ class PlaceComparison {
       comparer_.expect_defined({motion_, 0, ""}, square);
       compare_square({q_.motion, 0, "leg " + std::to_string(i + 1)}, square, i);
     }
+    compare_errors_of_pose(legs, pose);
+  }
+
+  // Errors. A squared length may be stated with a larger one.
+
+  /// Returns what the certificate states; 0 if it has none.
+  NodeId error_of_square(std::size_t leg) {
+    const std::string key = "square-spread " + std::to_string(leg);
+    comparer_.note_compared(key);
+    const auto found = q_.stated.find(key);
+    return found == q_.stated.end() ? q_.graph.number("0") : found->second.node;
+  }
+
+  /// `excess`: of what the certificate states over what the file needs, for the ends of variables.
+  void require_error(const FilePlace& from, std::size_t leg, NodeId excess,
+                     const std::vector<Ball>& variables) {
+    if (is_zero_number(q_.graph, excess)) return;
+    const auto value = evaluate(q_.graph, {excess}, variables, kBits);
+    if (!value) throw Unfinished("an error of " + q_.motion + " has no certain value");
+    if (arb_is_nonnegative((*value)[0].get()) == 0)
+      comparer_.refuse(from, "a smaller error of leg " + std::to_string(leg + 1));
+  }
+
+  /// With ρ ± e the square is within 2ρe + e² of ρ².
+  void compare_errors_of_lengths(std::size_t count) {
+    if (q_.variables.empty()) return;
+    const Scope none;
+    GraphAlgebra algebra(q_.graph);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::string all = motion_ + "error.legs", own = all + '[' + std::to_string(i) + ']',
+                        place = has(all) ? all : own;
+      const NodeId stated = error_of_square(i);
+      if (!has(place)) continue;
+      const NodeId error = comparer_.expression_at(place, none),
+                   square = q_.stated.at("square " + std::to_string(i)).node;
+      require_error(comparer_.place_of(place), i, error, {});  // not negative
+      const NodeId twice = algebra.product(algebra.number(2), algebra.root(square)),
+                   needed = algebra.product(error, algebra.sum(twice, error));
+      require_error(comparer_.place_of(place), i, algebra.difference(stated, needed), {});
+    }
+  }
+
+  /// The squares at all poses within the errors. The errors are variables after those of the question.
+  void compare_errors_of_pose(const std::vector<SectionLeg>& legs, Scope pose) {
+    if (q_.variables.empty()) return;
+    GraphAlgebra algebra(q_.graph);
+    std::vector<Ball> variables(q_.variables.size());
+    FilePlace from{motion_ + "error", 0, ""};
+    for (const SectionPose& p : section_->pose()) {
+      const std::string place = motion_ + "error." + p.name;
+      if (!has(place)) continue;
+      from = comparer_.place_of(place);
+      const NodeId variable = q_.graph.add(Op::kVariable, int(variables.size()));
+      const auto error = evaluate(q_.graph, {comparer_.number_at(place, p.name)}, variables, kBits);
+      if (!error) throw Unfinished(place + " has no certain value");
+      const double most = mag((*error)[0].enclosure());
+      variables.emplace_back(Interval{-most, most}, kBits);
+      NodeId& value = pose.at(p.name);
+      value = algebra.sum(value, variable);
+    }
+    for (std::size_t i = 0; i < legs.size(); ++i) {
+      const NodeId stated = error_of_square(i),
+                   nominal = q_.stated.at("square " + std::to_string(i)).node;
+      if (variables.size() == q_.variables.size()) continue;
+      const NodeId change =
+          algebra.difference(section_->squared_length(legs[i], pose, comparer_), nominal);
+      require_error(from, i, algebra.difference(stated, change), variables);
+      require_error(from, i, algebra.sum(stated, change), variables);
+    }
   }
 
   void compare_given_lengths(const std::string& list, std::size_t count) {
@@ -215,6 +299,7 @@ class PlaceComparison {
       comparer_.expect_defined(comparer_.place_of(place), length);
       compare_square(comparer_.place_of(place), algebra.square(length), i);
     }
+    compare_errors_of_lengths(count);
     if (has(list + '[' + std::to_string(count) + ']'))
       comparer_.refuse_model("the motion has more lengths than there are legs");
   }
@@ -232,6 +317,16 @@ class PlaceComparison {
     if (!comparer_.may_differ(kPlaceOption)) comparer_.refuse_model(why);
     comparer_.note_difference(why + "; the lengths are those of the certificate");
     for (std::size_t i = 0; i < legs; ++i) comparer_.note_compared("square " + std::to_string(i));
+    accept_errors(legs);
+  }
+
+  /// The errors of a pose that an option has given cannot be compared with those of the motion.
+  void accept_errors(std::size_t legs) {
+    const auto error = values_.lower_bound(motion_ + "error.");
+    if (error != values_.end() && error->first.starts_with(motion_ + "error.") &&
+        !error->first.starts_with(motion_ + "error.legs"))
+      comparer_.leave_out(comparer_.place_of(error->first), "the file does not give the pose");
+    compare_errors_of_lengths(legs);
   }
 
   /// The claim is about one platform.

@@ -68,7 +68,7 @@ struct SectionPose {
   std::string name, unit;
 };
 
-/// An anchor, without its tolerance, and the list of its coordinates in the file.
+/// An anchor, and the list of its coordinates in the file.
 struct SectionPoint {
   std::string place;
   VectorNodes value{};
@@ -121,6 +121,11 @@ class SectionReading {
   /// Returns the legs of variable length, if the robot is a platform in space on such legs alone.
   /// Throws Unfinished if it is not. Names of constants mean those of Question::actual.
   [[nodiscard]] virtual std::vector<SectionLeg> telescopic_legs(SectionComparer&) {
+    throw Unfinished("the file describes no platform on legs of variable length");
+  }
+  /// Returns the same anchors with their tolerances, by the constants of the certificate. Compares these
+  /// with their spreads and balls.
+  [[nodiscard]] virtual std::vector<SectionLeg> uncertain_legs(SectionComparer&) {
     throw Unfinished("the file describes no platform on legs of variable length");
   }
   /// Returns the squared length of such a leg at the pose of `scope`.

@@ -242,6 +242,9 @@ void look_for_poses(Builder& b, const SixLegs& legs, const Numbers& planted, Sol
   }
 }
 
+/// From one that is as good as none to one within which poses meet.
+std::string tolerance_text(Builder& b) { return "1e-" + std::to_string(b.random.between(2, 9)); }
+
 }  // namespace
 
 Attack solved_planar_platform(std::uint64_t seed) {
@@ -264,7 +267,10 @@ Attack solved_planar_platform(std::uint64_t seed) {
   const PlanarCount count = count_planar_poses(robot);
   truth.count = count.poses;
   truth.is_degenerate = count.is_multiple || (is_carried && !robot.squares[0].is_zero());
+  // What is planted is in the tubes of the list, too, and their number is the same.
+  const bool varies = b.random.one_in(3);
   std::string text = "regulus = 1\nname = \"planar\"\n\n[legs]\n", lengths;
+  if (varies) text += "platform_tolerance = " + tolerance_text(b) + "\n";
   for (std::size_t i = 0; i < 3; ++i) {
     text += "\n[[legs.leg]]\ntype = \"RPR\"\nbase = " +
             numbers_text({robot.base[i][0], robot.base[i][1]}) +
@@ -283,7 +289,7 @@ Attack solved_planar_platform(std::uint64_t seed) {
                    : "x = " + quoted(x.fraction()) + "\ny = " + quoted(y.fraction()) +
                          "\nphi = " + quoted("2*atan(" + t.fraction() + ")") + "\n";
   b.attack.model.instead = text;
-  b.attack.decidable = count.poses.has_value() && !count.is_multiple;
+  b.attack.decidable = count.poses.has_value() && !count.is_multiple && !varies;
   b.attack.solve = std::move(truth);
   state_mechanism(b, "a pose is planted, and a resultant counts them");
   return b.finish();
@@ -374,10 +380,14 @@ Attack solved_hexapod(std::uint64_t seed) {
     truth.known.push_back(known);
   }
   if (!legs.is_architecturally_singular) look_for_poses(b, legs, planted, truth);
+  // What is planted is in the tubes of the list, too.
+  const bool varies = b.random.one_in(3);
+  const std::string tolerance = varies ? tolerance_text(b) : "";
   b.attack.model.instead =
       "regulus = 1\nname = \"legs\"\n\n[gough]\norientation = \"euler-zxz\"\nbase = " +
-      anchors_text(legs.base) + "\nplatform = " + anchors_text(legs.platform) + "\n\n[motion.m]\n" +
-      motion;
+      anchors_text(legs.base) + "\nplatform = " + anchors_text(legs.platform) + "\n" +
+      (varies ? "base_tolerance = " + tolerance + "\n" : "") + "\n[motion.m]\n" + motion +
+      (varies ? "error = { z = " + tolerance + ", theta = " + tolerance + " }\n" : "");
   b.attack.solve = std::move(truth);
   state_mechanism(b, "a pose is planted, and Newton's method finds others");
   return b.finish();

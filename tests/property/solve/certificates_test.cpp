@@ -263,7 +263,6 @@ TEST(AListOfPoses, IsComparedWithThePlaceOfTheMotion) {
     std::string changed = model;
     changed.replace(changed.find(from), from.size(), to);
     EXPECT_EQ(outcome(plain, changed), Outcome::kUnfinished) << from;
-    EXPECT_EQ(certified(changed, {}, "here").text, "");
   }
   for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
            {"25*deg", "26*deg"}, {"0.125", "0.25"}, {"psi = 10", "psi = 11"}, {"2*h", "3*h"}}) {
