@@ -69,9 +69,8 @@ constexpr std::string_view kNoCheckpointOfSolutions =
 constexpr std::string_view kNoRanksOfSolutions =
     "a search for all solutions runs in one process only; use regulus";
 constexpr std::string_view kNoWayOfSolutions =
-    "solve answers for places, which nothing joins: regulus solve MODEL --waypoints FILE takes a "
-    "table of them, one place a line; or name a motion that has one place, or give its values by "
-    "at";
+    "solve answers for places, which nothing joins; give a table of them as its waypoints, one "
+    "place a line, or name a motion that has one place, or give its values by at";
 constexpr std::string_view kNoBoxesOfSolutions =
     "a picture is of the boxes of a paving, not of solutions";
 constexpr std::string_view kOneMethodOfSolutions =

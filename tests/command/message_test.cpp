@@ -159,7 +159,8 @@ TEST(MessageOfSolve, SaysThatNoCertificateWasWritten) {
                "q4=0.3", "--at", "q5=0.9", "--at", "q6=-1.4", "--certificate", file, "--quiet"});
   EXPECT_EQ(result.output, "COMPLETE: 8 postures\n");
   EXPECT_FALSE(std::filesystem::exists(file));
-  EXPECT_THAT(result.errors, HasSubstr("no certificate was written: a list for tolerances"));
+  EXPECT_THAT(result.errors, HasSubstr("no certificate was written: this list is without the "
+                                       "tolerances and errors of the file"));
 }
 
 TEST(MessageOfSolve, HasPosesInTheOrientationOfTheModel) {

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "tests/support/cached_command.hpp"
 
@@ -57,8 +59,12 @@ TEST_F(RobotTheorem, IsThatOfTheMatrixWithTheNamesOfTheFile) {
 
 TEST_F(RobotTheorem, IsRefusedForAReasonThatIsTrue) {
   const std::string rows = "[[\"x\", \"y\"], [\"right\", \"y\"]]";
-  expect_none(kModels + "snu_3upu.toml", "away", "legs of the type 'UPU'");
-  expect_none(kModels + "hunt_3rps.toml", "work", "legs of the type 'RPS'");
+  const std::string tilted = directory_.path() / "tilted.toml";
+  std::ifstream from(kModels + "hunt_3rps.toml");
+  std::string text((std::istreambuf_iterator<char>(from)), {});
+  text.insert(text.find("[[legs.leg]]"), "axis_tolerance = 0.001\n");
+  write_file(tilted, text);
+  expect_none(tilted, "work", "the key 'axis_tolerance' in [legs]");
   expect_none(write_model("[[\"asin(x/10)\", \"y\"], [\"-1\", \"y\"]]", "x = [0, 4]\ny = [1, 3]\n"),
               "m", "asin, acos or atan2");
   expect_none(write_model(rows, "x = [0, 4]\ny = [-1, 3]\nconstraints = [\"x - 5\"]\n"), "m",

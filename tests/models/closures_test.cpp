@@ -316,9 +316,9 @@ TEST(Closures, AreShownOrRefusedByNameByEveryCommand) {
       {{"bound", "MODEL", "inside", "error", "--finite", "--checkpoint", "c"},
        64,
        "finite errors keep no checkpoint"},
-      {{"bound", "MODEL", "inside", "error"}, 64, "[closure]"},
+      {{"bound", "MODEL", "inside", "error"}, 64, "add [actuators] error"},
       {{"bound", "MODEL", "inside", "crank*cos(theta)"}, 64, "[closure]"},
-      {{"datasheet", "MODEL", "inside"}, 64, "[closure]"},
+      {{"datasheet", "MODEL", "inside"}, 0, "of a matrix over a branch are not bounded"},
   };
   for (const CommandOfClosure& command : all) {
     std::vector<std::string> words = {REGULUS_BINARY_DIR "/bin/regulus"};

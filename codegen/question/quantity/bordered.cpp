@@ -283,11 +283,7 @@ class Border {
 
   [[nodiscard]] matrix value(const ex& f) const { return single(nominal(1) - r_ * f); }
 
-  static matrix single(const ex& entry) {
-    matrix B(1, 1);
-    B(0, 0) = entry;
-    return B;
-  }
+  static matrix single(const ex& entry) { return {1, 1, GiNaC::lst{entry}}; }
 
   static matrix enlarged(const matrix& M, unsigned rows, unsigned columns) {
     matrix B(rows, columns);
@@ -341,13 +337,13 @@ class Border {
 
   std::vector<ex> errors() {
     std::vector<ex> delta;
-    const Actuators motors = model().actuators;
-    const std::string length = length_unit(model());
-    for (std::size_t i = 0; i < motors.error.size(); ++i)
-      delta.push_back(motors.error[i].is_zero()
-                          ? ex(0)
-                          : add_uncertain("error_" + std::to_string(i + 1), 0, motors.error[i], -1,
-                                          motors.units.empty() ? length : motors.units[i]));
+    const Actuators& motors = model().actuators;
+    for (std::size_t i = 0; i < motors.error.size(); ++i) {
+      const ex error = motors.error[i];
+      const std::string unit = motors.units.empty() ? length_unit(model()) : motors.units[i];
+      const std::string name = "error_" + std::to_string(i + 1);
+      delta.push_back(error.is_zero() ? ex(0) : add_uncertain(name, 0, error, -1, unit));
+    }
     return delta;
   }
 

@@ -130,7 +130,7 @@ constexpr const char* kOneNorm =
 /// In the order of QuantityKind.
 constexpr std::array<ClosureTraits, kTraits.size()> kOfClosures{{
     {"force of the motors", "", kRows, kLoad, true},
-    {"error of the unknowns, to first order", "", kFreedoms, kMotorErrors},
+    {"first-order error", "", kFreedoms, kMotorErrors},
     {"speed of the unknowns for the speeds of the motors", "", kFreedoms, kMotorSpeeds},
     {"", kOneNorm},
     {"", kOneNorm},

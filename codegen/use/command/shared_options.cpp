@@ -47,6 +47,17 @@ CLI::Validator known_ingredient() {
           ""};
 }
 
+void add_bisect_options(CLI::App& app, SearchOptions& options) {
+  add_choice(app, "--bisect", options.bisection, "Which range is split");
+  app.add_option(
+         "--weight", options.weights,
+         "With --bisect weighted: a factor for the width of a range relative to the whole of "
+         "it; the widest is split. Not named: 1")
+      ->take_all()
+      ->expected(1)
+      ->type_name("NAME=W");
+}
+
 }  // namespace
 
 void add_model_arguments(CLI::App& app, ModelOptions& options) {
@@ -110,14 +121,7 @@ void add_search_options(CLI::App& app, SearchOptions& options) {
              "How a method of the paper encloses the entries of its matrix: as rewritten "
              "(natural), or also narrowed by their derivatives; auto: with derivatives for K·J^-1 "
              "and if uncertain quantities are split");
-  add_choice(app, "--bisect", options.bisection, "Which range is split");
-  app.add_option(
-         "--weight", options.weights,
-         "With --bisect weighted: a factor for the width of a range relative to the whole of "
-         "it; the widest is split. Not named: 1")
-      ->take_all()
-      ->expected(1)
-      ->type_name("NAME=W");
+  add_bisect_options(app, options);
   add_choice(app, "--uncertainty", options.uncertainty,
              "Uncertain quantities: kept whole in the matrix elements, or split like variables");
   app.add_option("--without", options.without,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/attack/forge/bases.hpp"
 
+#include "tests/attack/forge/mechanism_bases.hpp"
 #include "tests/attack/forge/mechanism_texts.hpp"
 
 namespace regulus::attack {
@@ -338,27 +339,9 @@ std::vector<Base> written_here() {
       {"determinant-max", kPair, {"bound", "work", "determinant-max", "--limit", "100"}},
       {"expression", kPair, {"bound", "work", "x*phi + phi^2/(x + 2)", "--limit", "5"}},
       {"met", kPair, {"bound", "work", "force", "--load", "gust", "--leg", "1", "--limit", "0.1"}},
-      {"branch", kSlider, {"check", "work"}},
-      {"five-bar", "five_bar_closure", {"check", "work"}},
-      {"toggle", kRocker, {"check", "work"}},
       {"shards", "robot_1", {"check", "wide_15"}, "", "", 400},
       {"shards of pieces", kEverything, {"check", "way"}, kWay, "way.csv", 60},
       {"shards of a paving", kCart, {"locate", "work", "--load", "gust"}, "", "", 1000},
-  };
-}
-
-std::vector<Base> of_solutions() {
-  return {
-      {"list", kLoop, {"solve", "here"}},
-      {"list on a curve", kLoop, {"solve", "path"}},
-      {"list around a turn", kTurn, {"solve", "here"}},
-      {"no configuration", kLoop, {"solve", "nowhere"}},
-      {"part of a list", kDouble, {"solve", "here"}},
-      {"list in degrees", kDegrees, {"solve", "here"}},
-      {"branch in degrees", kDegrees, {"check", "work"}},
-      {"postures", kWrist, {"solve", "here"}},
-      {"postures by the tool", kWrist, {"solve", "tool"}},
-      {"postures beside a held joint", kElbow, {"solve", "here", "--hold", "q3"}},
   };
 }
 
@@ -390,7 +373,7 @@ std::vector<Base> of_the_library() {
 const std::vector<Base>& bases() {
   static const std::vector<Base> kBases = [] {
     std::vector<Base> all = written_here();
-    for (auto* more : {of_solutions, of_the_library})
+    for (auto* more : {of_mechanisms, of_solutions, of_the_library})
       for (Base& base : more()) all.push_back(std::move(base));
     return all;
   }();

@@ -37,6 +37,31 @@ theta = 0
 phi = 0
 )toml";
 
+/// A crank and a slider with data of the motor.
+inline constexpr const char* kDriven = R"toml(regulus = 1
+name = "driven"
+characteristic_length = 0.2
+[pose]
+theta = "rad"
+[geometry]
+r = { value = 0.1, tolerance = 0.0001, group = "links" }
+l = 0.3
+[closure]
+unknowns = { s = "m", phi = "rad" }
+equations = ["r*cos(theta) + l*cos(phi) - s", "r*sin(theta) + l*sin(phi)"]
+start = { theta = 0.5, s = 0.383917, phi = -0.160497 }
+[actuators]
+error = 0.001
+speed = 10
+stiffness = 2000
+[load.pull]
+wrench = [[-500, 400], [-3, 5]]
+[load.ball]
+wrench = { value = [100, 1], radius = 5 }
+[motion.work]
+theta = [0.4, 1.2]
+)toml";
+
 /// A branch of an equation, from a start that lies within the motion.
 inline constexpr const char* kSlider = R"toml(regulus = 1
 name = "slider"

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tests/attack/forge/bases.hpp"
+
+namespace regulus::attack {
+
+/// Branches of closures, and quantities over them.
+[[nodiscard]] std::vector<Base> of_mechanisms();
+/// Lists of solutions.
+[[nodiscard]] std::vector<Base> of_solutions();
+
+}  // namespace regulus::attack
