@@ -8,6 +8,7 @@
 #include "runtime/verifier/model/equality.hpp"
 #include "runtime/verifier/model/joint_chain.hpp"
 #include "runtime/verifier/planar_platform.hpp"
+#include "runtime/verifier/quantity_lines.hpp"
 
 namespace regulus::verifier {
 namespace {

@@ -4,6 +4,88 @@
 #include "tests/attack/forge/mechanism_texts.hpp"
 
 namespace regulus::attack {
+namespace {
+
+constexpr const char* kDegrees = R"toml(regulus = 1
+name = "crank in degrees"
+
+[pose]
+theta = "deg"
+
+[closure]
+unknowns = { phi = "deg", psi = "deg" }
+equations = [
+  "2*cos(theta) + 5*cos(phi) - 4*cos(psi) - 6",
+  "2*sin(theta) + 5*sin(phi) - 4*sin(psi)",
+]
+start = { theta = 50, phi = 29.3662967687, psi = 95.1192054312 }
+range = { phi = [-200, 200], psi = [0, 180] }
+
+[motion.here]
+theta = 50
+
+[motion.work]
+theta = [49, 51]
+)toml";
+
+constexpr const char* kWrist = R"(regulus = 1
+name = "arm with a wrist"
+
+[geometry]
+upper = 0.45
+
+[serial]
+unit = "m"
+angle_unit = "deg"
+tool = { xyz = [0.01, 0, 0.08], rpy = [0, 30, 0] }
+joints = [
+  { name = "q1", xyz = [0, 0, 0.4] },
+  { name = "q2", xyz = [0.1, 0, 0], axis = [0, 1, 0] },
+  { name = "q3", xyz = ["upper", 0, 0], axis = [0, 1, 0] },
+  { name = "q4", xyz = [0.03, 0, 0], axis = [1, 0, 0] },
+  { name = "q5", xyz = [0.42, 0, 0], axis = [0, 1, 0] },
+  { name = "q6", rpy = [0, 0, 15], axis = [3, 0, 4] },
+]
+
+[motion.here]
+q1 = 20
+q2 = -35
+q3 = 70
+q4 = 50
+q5 = -40
+q6 = 10
+
+[motion.tool]
+tool = [0.5, 0.1, 0.3, 0.2, 0.4, "60*deg"]
+)";
+
+constexpr const char* kElbow = R"(regulus = 1
+name = "arm with an elbow"
+
+[serial]
+unit = "m"
+convention = "modified-dh"
+joints = [
+  { name = "q1", d = 0.3 },
+  { name = "q2", alpha = "-pi/2" },
+  { name = "q3", alpha = "pi/2", d = 0.4 },
+  { name = "q4", alpha = "pi/2", a = 0.05 },
+  { name = "q5", alpha = "-pi/2", d = 0.4, a = -0.05 },
+  { name = "q6", alpha = "pi/2" },
+  { name = "q7", alpha = "-pi/2", d = 0.1 },
+]
+
+[motion.here]
+q1 = 0.4
+q2 = 0.6
+q3 = -0.3
+q4 = -1.1
+q5 = 0.2
+q6 = 0.9
+q7 = 0.1
+)";
+
+}  // namespace
 
 std::vector<Base> of_mechanisms() {
   return {
