@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "codegen/model/degrees.hpp"
 #include "codegen/model/mechanism/twist.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/question/quantity/determinant_of_inverse.hpp"
@@ -97,6 +98,20 @@ class Components {
       throw UsageError(fmt::format("{}: {}", options_.quantity, traits.why));
     components_ = traits.components, data_ = traits.data, has_signs_ = traits.has_signs;
     quantity_.name = traits.description;
+    if (quantity_.kind == QuantityKind::kForce || quantity_.kind == QuantityKind::kDeflection ||
+        quantity_.kind == QuantityKind::kCondition)
+      require_radians();
+  }
+
+  /// A moment does its work on an angle in radians, and a characteristic length counts as one radian.
+  void require_radians() const {
+    for (const auto* list : {&model_.pose, &model_.closure->unknowns})
+      for (const PoseParameter& p : *list)
+        if (is_in_degrees(p.unit))
+          throw UsageError(
+              fmt::format("{}: '{}' is in degrees, and loads and moments are of radians; "
+                          "give it in rad",
+                          options_.quantity, p.name));
   }
 
   [[nodiscard]] bool has_freedoms() const {

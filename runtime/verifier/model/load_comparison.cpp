@@ -31,6 +31,7 @@ class LoadComparison {
 
   bool compare_quantity() {
     const QuantityLines& quantity = *q_.quantity;
+    if (q_.closure) require_radians(quantity);
     compare_of_motors("error", "motor-error ", quantity.errors.size());
     compare_of_motors("speed", "motor-speed ", quantity.speeds.size());
     compare_of_motors("stiffness", "stiffness ", quantity.stiffness.size());
@@ -47,6 +48,16 @@ class LoadComparison {
           at != values_.end() && at->first.starts_with(place + next))
         return at->first;
     return std::nullopt;
+  }
+
+  /// The moments and lengths of the file are of radians, and J is by the numbers of the coordinates.
+  void require_radians(const QuantityLines& quantity) const {
+    if (!quantity.set && quantity.factors.empty()) return;
+    for (const auto& [place, value] : values_)
+      if ((place.starts_with("pose.") || place.starts_with("closure.unknowns.")) &&
+          (value.text == "deg" || value.text == "°"))
+        throw Unfinished(place +
+                         " is in degrees: loads and a characteristic length are of radians");
   }
 
   /// What the file leaves out is 0.
