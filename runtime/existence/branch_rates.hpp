@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is true of the derivatives Φ_p all over a tube that has the test of branch_tube.hpp.
+// Bounds derivatives of a branch over a tube that has passed the test of branch_tube.hpp.
 //
 // KΦ_p = I + E with |E| ≤ P and Pr < r. So I − P has an inverse ≥ 0, and for a matrix B over the same
 // box Z, with J = −Φ_p⁻¹B and any J₀,

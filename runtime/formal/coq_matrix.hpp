@@ -10,7 +10,7 @@
 
 namespace regulus::verifier {
 
-/// What a theorem says about a matrix, and how its parts get names.
+/// Holds the words of a theorem about a matrix, and the tactics that name its parts.
 struct WrittenMatrix {
   NamedMatrix named;
   std::string library;     ///< whose words these are

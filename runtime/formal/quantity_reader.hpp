@@ -19,7 +19,7 @@
 
 namespace regulus::verifier {
 
-/// What is read becomes part of `robot_`.
+/// The reader adds each part to `robot_`.
 class QuantityReader : protected FileKeys {
  protected:
   QuantityReader(const Question& question, const CoqModel& model)
@@ -60,7 +60,7 @@ class QuantityReader : protected FileKeys {
 
   // Quantities.
 
-  /// What a variable of the certificate is at a pose that it names.
+  /// Returns the value that a variable of the certificate has at the pose; empty: it has none.
   [[nodiscard]] std::string of_pose(const std::string& variable) const {
     const auto found = of_pose_.find(variable);
     if (found == of_pose_.end()) return "";

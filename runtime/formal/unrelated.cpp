@@ -16,7 +16,7 @@ bool has_variables(const Graph& graph, NodeId node) {
 
 namespace {
 
-/// Of pi/parts.
+/// Returns true for a multiple of pi/parts, as far as 128 bits tell.
 bool is_multiple_of_part(Graph& graph, NodeId angle, const char* parts) {
   constexpr long kBits = 128;
   const NodeId product = graph.add(Op::kMultiply, graph.number(parts), angle);

@@ -13,7 +13,7 @@ constexpr int kMostSteps = 40;
 /// Distances that are tried for the reach, in parts of the scale: from 2^-20 on, each by 2^-12 smaller.
 constexpr int kFirstExponent = -20, kNextExponent = -12;
 constexpr int kMostContractions = 12;
-/// Of the reach of a family, beyond what the last one needed.
+/// The reach of a family grows by this factor over what the last one needed.
 constexpr double kMoreReach = 1.125;
 constexpr int kMostGrowths = 24;
 

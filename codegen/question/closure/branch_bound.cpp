@@ -195,7 +195,7 @@ ComponentBound without_branch(const PreparedClosure& prepared, const ClosureFind
   }
   const Fold& fold = *found.reached();
   result.reason = "the branch ends in the motion";
-  // Where it ends A is singular: its determinant is 0, and its inverse has no bound.
+  // A is singular where the branch ends: its determinant is 0, and its inverse has no bound.
   const bool is_determinant = component.kind == QuantityKind::kDeterminant;
   if (is_determinant) result.attained = end_at(0);
   const bool has_bound = is_determinant || component.kind == QuantityKind::kDeterminantMax;

@@ -22,7 +22,7 @@ struct ClosedShape {
   std::size_t driven = 0;          ///< pose parameters with derivatives in it: all or none
 };
 
-/// What a system has derivatives by, beside the unknowns.
+/// The derivatives that a system forms, beside those by the unknowns.
 enum class DerivativesBy { kUnknowns, kVariables, kVariablesAndPose };
 
 struct ClosedSystem {

@@ -63,7 +63,7 @@ void ValueJudge::judge(std::span<const Box> boxes, std::span<ValueFinding> findi
   judge_middles(tubes, of);
 }
 
-/// What has one value that is no double keeps what encloses it.
+/// A variable whose only value is no double keeps its enclosure.
 SystemBoxes::Box ValueJudge::middle_of(const Box& box, const std::vector<double>& at) const {
   Box place;
   for (std::size_t k = 0; k < at.size(); ++k)

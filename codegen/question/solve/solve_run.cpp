@@ -38,9 +38,8 @@ Request solve_request_of(Model model, const ModelOptions& options,
   Request request = request_of(std::move(model), given, more);
   if (request.motion.trajectory)
     throw UsageError(
-        "solve answers for places, which nothing joins: give a table of them by waypoints, one "
-        "place a "
-        "line; or name a motion that has one place, or give its values by at");
+        "solve answers for places, which nothing joins; give a table of them as its waypoints, "
+        "one place a line, or name a motion that has one place, or give its values by at");
   require_place_alone(request.motion);
   require_values(request);
   return request;

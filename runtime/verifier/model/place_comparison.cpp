@@ -78,7 +78,7 @@ class PlaceComparison {
     }
   }
 
-  /// Where the certificate has the constants with their tolerances, the anchors are expressions of these.
+  /// The certificate has the constants with their tolerances: anchors are expressions of these.
   void compare_uncertain_anchors(Scope stated) {
     std::swap(q_.actual, stated);
     compare_anchors(section_->uncertain_legs(comparer_));

@@ -267,7 +267,7 @@ Attack solved_planar_platform(std::uint64_t seed) {
   const PlanarCount count = count_planar_poses(robot);
   truth.count = count.poses;
   truth.is_degenerate = count.is_multiple || (is_carried && !robot.squares[0].is_zero());
-  // What is planted is in the tubes of the list, too, and their number is the same.
+  // The planted poses lie in the tubes of the list, too, and are as many.
   const bool varies = b.random.one_in(3);
   std::string text = "regulus = 1\nname = \"planar\"\n\n[legs]\n", lengths;
   if (varies) text += "platform_tolerance = " + tolerance_text(b) + "\n";
@@ -380,7 +380,7 @@ Attack solved_hexapod(std::uint64_t seed) {
     truth.known.push_back(known);
   }
   if (!legs.is_architecturally_singular) look_for_poses(b, legs, planted, truth);
-  // What is planted is in the tubes of the list, too.
+  // The planted poses lie in the tubes of the list, too.
   const bool varies = b.random.one_in(3);
   const std::string tolerance = varies ? tolerance_text(b) : "";
   b.attack.model.instead =
