@@ -142,7 +142,8 @@ class Sheet final : public DatasheetAnswer {
     return is_closed ? Word::kProved : Word::kOpen;
   }
   [[nodiscard]] std::string headline() const override {
-    return is_markdown_ ? markdown_datasheet(request_, found_) : text_datasheet(request_, found_);
+    return is_markdown_ ? markdown_datasheet(request_, found_, describe_request(request_))
+                        : text_datasheet(request_, found_);
   }
   void tell(Facts& facts) const override { tell_datasheet(request_, found_, settings_, facts); }
   [[nodiscard]] std::string about_files() const override {

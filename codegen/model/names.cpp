@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kLongestName = 64;
 constexpr std::size_t kLongestQuote = 40;
 constexpr std::size_t kLongestLabel = 200;
-constexpr std::size_t kMostAlternatives = 12;
+constexpr std::size_t kMostAlternatives = 20;
 
 bool is_letter(char c) noexcept { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z'); }
 bool is_digit(char c) noexcept { return '0' <= c && c <= '9'; }

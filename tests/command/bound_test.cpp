@@ -249,6 +249,8 @@ TEST_F(BoundCommandTest, MakesADatasheetThatComparesLimits) {
   const CommandResult markdown = regulus({"datasheet", model_, "--markdown", "--quiet"});
   EXPECT_THAT(markdown.output, HasSubstr("| quantity"));
   EXPECT_THAT(markdown.output, HasSubstr("Attained at:"));
+  EXPECT_THAT(markdown.output, HasSubstr("```text\nmodel "));
+  EXPECT_THAT(markdown.output, HasSubstr("\nuncertain "));
   EXPECT_THAT(markdown.output, HasSubstr("| least \\|det J^-1\\| "));
   const json report = json::parse(regulus({"datasheet", model_, "--json", "--quiet"}).output);
   EXPECT_GE(report.at("bounds").size(), 8u);

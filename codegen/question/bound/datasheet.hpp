@@ -42,7 +42,9 @@ struct Datasheet {
 [[nodiscard]] LimitState limit_state(const Model& model, const ComponentBound& component);
 
 [[nodiscard]] std::string text_datasheet(const Request& request, const Datasheet& sheet);
-[[nodiscard]] std::string markdown_datasheet(const Request& request, const Datasheet& sheet);
+/// `set`: the lines of a report about the motion and the uncertain quantities.
+[[nodiscard]] std::string markdown_datasheet(const Request& request, const Datasheet& sheet,
+                                             const std::string& set);
 /// Tells the sheet to programs.
 void tell_datasheet(const Request& request, const Datasheet& sheet, const BoundSettings& settings,
                     Facts& facts);

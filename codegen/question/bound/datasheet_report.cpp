@@ -155,9 +155,11 @@ std::string text_datasheet(const Request& request, const Datasheet& sheet) {
   return text;
 }
 
-std::string markdown_datasheet(const Request& request, const Datasheet& sheet) {
-  std::string text = fmt::format("# {}, motion {}\n\n{}\n{}\n\n", request.model.name,
-                                 request.motion.name, kProvedRow, kAttainedRow);
+std::string markdown_datasheet(const Request& request, const Datasheet& sheet,
+                               const std::string& set) {
+  std::string text =
+      fmt::format("# {}, motion {}\n\n```text\n{}```\n\n{}\n{}\n\n", request.model.name,
+                  request.motion.name, set, kProvedRow, kAttainedRow);
   text += format_rows(in_markdown(rows_of(request.model, sheet)), "| ", " | ", true) + '\n';
   text += "Attained at:\n\n";
   for (const Bound& bound : sheet.bounds)

@@ -82,9 +82,9 @@ class Linker {
     const std::vector<Interval>& place = start_.place;
     if (!has_one_start(place)) {
       links_.obstacle =
-          "the values of 'start' are not shown to be near exactly one configuration; give them "
-          "more "
-          "digits, or values nearer to the one that is meant";
+          "the values of 'start' are not shown to be near exactly one configuration; regulus solve "
+          "lists the configurations of that place; give the digits of one, or a 'radius' that "
+          "reaches exactly one";
       return false;
     }
     const std::vector<std::size_t> leaves = tree_.leaves_at(start_.place);

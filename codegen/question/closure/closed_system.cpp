@@ -85,7 +85,7 @@ class SystemBuilder {
       const GiNaC::realsymbol error("error_of_" + pose.name);
       actual_[pose.symbol] = motion.pose[i] + error;
       add({error, "error_of_" + pose.name, pose.unit}, {-motion.error[i], motion.error[i]},
-          {pose.name, pose.unit, VariableKind::kControl, false, "", false});
+          {pose.name + "_error", pose.unit, VariableKind::kControl, false, "", false});
     }
   }
 

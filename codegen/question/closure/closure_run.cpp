@@ -101,7 +101,9 @@ std::vector<Interval> enclose_ranges(const Closure& closure) {
 PreparedSystem prepare_system(Request request, double model_seconds, const SearchOptions& search,
                               const FormingWatch& watch, DerivativesBy by) {
   if (!request.motion.alpha.is_zero())
-    throw UsageError("a [closure] has no threshold; leave alpha out");
+    throw UsageError(
+        "a [closure] has no threshold; leave alpha out, and compare the determinant with a number "
+        "by a bound of it with a limit");
   PreparedSystem prepared;
   ClosedSystem system = close(request, by);
   prepared.shape = system.shape;
