@@ -16,7 +16,7 @@
 namespace regulus::verifier {
 namespace {
 
-constexpr long kBits = 512;
+constexpr long kBitsOfView = 512;
 constexpr int kPoints = 3;
 constexpr std::size_t kTwist = 6;
 
@@ -65,8 +65,8 @@ class ViewSearch {
         joints_(chain_names(values).size()),
         view_(reader_, chain_, joints_) {
     for (int number = 0; number < kPoints; ++number) {
-      points_.push_back(some_point(q_, number, kBits));
-      const auto at = evaluate(q_.graph, q_.matrix, points_.back(), kBits);
+      points_.push_back(some_point(q_, number, kBitsOfView));
+      const auto at = evaluate(q_.graph, q_.matrix, points_.back(), kBitsOfView);
       if (!at) throw Unfinished("the matrix of the certificate has no value at some point");
       of_certificate_.push_back(*at);
     }
@@ -104,7 +104,7 @@ class ViewSearch {
         entries.push_back(row < 3 ? t.velocity[row] : t.spin[row - 3]);
     std::vector<std::vector<Ball>> values;
     for (const auto& at : points_) {
-      auto jacobian = evaluate(q_.graph, entries, at, kBits);
+      auto jacobian = evaluate(q_.graph, entries, at, kBitsOfView);
       if (!jacobian) return;
       values.push_back(std::move(*jacobian));
     }
@@ -162,11 +162,11 @@ class ViewSearch {
       for (const std::size_t row : rows)
         for (std::size_t j = 0; j < joints_; ++j)
           part.push_back(jacobians[number][row * joints_ + j]);
-      const Ball ours = determinant(part, joints_, kBits),
-                 theirs = determinant(of_certificate_[number], joints_, kBits);
+      const Ball ours = determinant(part, joints_, kBitsOfView),
+                 theirs = determinant(of_certificate_[number], joints_, kBitsOfView);
       if (is_zero(ours) || is_zero(theirs)) return std::nullopt;
       Ball quotient;
-      arb_div(quotient.get(), ours.get(), theirs.get(), kBits);
+      arb_div(quotient.get(), ours.get(), theirs.get(), kBitsOfView);
       if (!ratio) ratio = rational_in(quotient);
       if (!ratio || arb_contains_fmpq(quotient.get(), ratio->get()) == 0) return std::nullopt;
     }

@@ -75,7 +75,7 @@ struct Operand {
   std::string text;
 };
 
-bool is_one_of(char c, std::string_view characters) {
+bool is_among(char c, std::string_view characters) {
   return characters.find(c) != std::string_view::npos;
 }
 
@@ -93,7 +93,7 @@ std::vector<Operand> split(std::string_view text, std::string_view operators) {
   };
   for (const Token& t : tokens_of(text)) {
     const char c = text[t.begin];
-    if (t.depth == 0 && is_one_of(c, operators) && !is_one_of(before, "+-*/^")) {
+    if (t.depth == 0 && is_among(c, operators) && !is_among(before, "+-*/^")) {
       finish(t.begin);
       operands.push_back({c, ""});
       begin = t.end;

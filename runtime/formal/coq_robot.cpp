@@ -21,7 +21,7 @@
 namespace regulus::verifier {
 namespace {
 
-constexpr std::size_t kLegs = 6;
+constexpr std::size_t kGoughLegs = 6;
 constexpr std::string_view kAxes = "xyz";
 constexpr std::array<const char*, 3> kCoordinates = {"first ", "second ", "third "};
 
@@ -214,7 +214,7 @@ class RobotReader : QuantityReader {
     const std::string name = letter + std::to_string(leg + 1);
     const std::string tolerance = tolerance_at(written.tolerance.key, name + "_x");
     const bool is_certain = tolerance == "0";
-    if (!is_certain && leg >= kLegs) refuse_model("a tolerance of a seventh leg");
+    if (!is_certain && leg >= kGoughLegs) refuse_model("a tolerance of a seventh leg");
     for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
       const std::string own = name + '_' + kAxes[axis];
       const std::string actual = is_certain ? coordinates[axis] : kCoordinates[axis] + name;
@@ -237,7 +237,7 @@ class RobotReader : QuantityReader {
 
   void read_anchors() {
     std::vector<std::string> base, platform;
-    std::size_t legs = has_below("gough.") ? kLegs : 0;
+    std::size_t legs = has_below("gough.") ? kGoughLegs : 0;
     for (; has_below("legs.leg" + index(legs)); ++legs)
       for (const char* key : {".type", ".range[0]", ".range[1]"})
         read_.insert("legs.leg" + index(legs) + key);

@@ -10,11 +10,11 @@
 namespace regulus::verifier {
 namespace {
 
-constexpr long kBits = 128;
+constexpr long kBitsOfQuantity = 128;
 
 /// Encloses a constant that is at least 0, or positive.
 Interval size_of(const Graph& graph, NodeId node, bool is_positive) {
-  const auto value = evaluate(graph, {node}, {}, kBits);
+  const auto value = evaluate(graph, {node}, {}, kBitsOfQuantity);
   const Interval x = value ? (*value)[0].enclosure() : everything();
   if (!is_bounded(x) || (is_positive ? !(x.lo > 0.0) : !(x.lo >= 0.0)))
     throw Unfinished("a number of the quantity is not certainly " +
@@ -30,7 +30,7 @@ std::vector<Interval> sizes_of(const Graph& graph, const std::vector<NodeId>& no
 }
 
 Interval constant_of(const Graph& graph, NodeId node) {
-  const auto value = evaluate(graph, {node}, {}, kBits);
+  const auto value = evaluate(graph, {node}, {}, kBitsOfQuantity);
   const Interval x = value ? (*value)[0].enclosure() : everything();
   if (!is_bounded(x)) throw Unfinished("a number of the quantity has no certain value");
   return x;
@@ -131,7 +131,7 @@ Interval BranchQuantity::determinant(const BranchTest& test, const Domination& d
   std::vector<double> K;
   for (std::size_t i = 0; i < n_; ++i)
     for (std::size_t j = 0; j < n_; ++j) K.push_back(test.inverse(i, j));
-  const Interval of_inverse = verifier::determinant(K, n_, kBits).enclosure();
+  const Interval of_inverse = verifier::determinant(K, n_, kBitsOfQuantity).enclosure();
   return is_bounded(of_inverse) ? product / of_inverse : everything();
 }
 

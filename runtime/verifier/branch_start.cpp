@@ -8,10 +8,10 @@
 namespace regulus::verifier {
 namespace {
 
-constexpr long kBits = 128;
+constexpr long kBitsOfStart = 128;
 
 Interval enclosure(const Graph& graph, NodeId node) {
-  const auto value = evaluate(graph, {node}, {}, kBits);
+  const auto value = evaluate(graph, {node}, {}, kBitsOfStart);
   const Interval x = value ? (*value)[0].enclosure() : everything();
   if (!is_bounded(x)) throw Unfinished("a value of the start has no certain value");
   return x;

@@ -6,7 +6,7 @@
 namespace regulus::verifier {
 namespace {
 
-constexpr long kBits = 64;
+constexpr long kBitsOfComparison = 64;
 constexpr int kSweeps = 40;  ///< of the power iteration
 constexpr int kSeriesTerms = 6;
 
@@ -59,8 +59,9 @@ void Domination::bound_solution(const double* c, double* x) const {
 Interval Domination::determinant() const {
   std::vector<Ball> comparison;
   for (std::size_t e = 0; e < n_ * n_; ++e)
-    comparison.emplace_back(point(e % (n_ + 1) == 0 ? 1.0 : 0.0) - point((*T_)[e]), kBits);
-  return verifier::determinant(comparison, n_, kBits).enclosure();
+    comparison.emplace_back(point(e % (n_ + 1) == 0 ? 1.0 : 0.0) - point((*T_)[e]),
+                            kBitsOfComparison);
+  return verifier::determinant(comparison, n_, kBitsOfComparison).enclosure();
 }
 
 }  // namespace regulus::verifier

@@ -8,11 +8,11 @@
 namespace regulus::verifier {
 namespace {
 
-constexpr long kBits = 64;
+constexpr long kBitsOfFunction = 64;
 
 Interval at(ArbFunction f, double x) {
-  Ball ball(point(x), kBits);
-  f(ball.get(), ball.get(), kBits);
+  Ball ball(point(x), kBitsOfFunction);
+  f(ball.get(), ball.get(), kBitsOfFunction);
   return ball.enclosure();
 }
 
@@ -43,7 +43,7 @@ Interval tangent(Interval x) {
 Interval enclose_pi() {
   static const Interval pi = [] {
     Ball ball;
-    arb_const_pi(ball.get(), kBits);
+    arb_const_pi(ball.get(), kBitsOfFunction);
     return ball.enclosure();
   }();
   return pi;
@@ -51,7 +51,7 @@ Interval enclose_pi() {
 
 Interval enclose(const Rational& value) {
   Ball ball;
-  arb_set_fmpq(ball.get(), value.get(), kBits);
+  arb_set_fmpq(ball.get(), value.get(), kBitsOfFunction);
   return ball.enclosure();
 }
 
@@ -108,8 +108,8 @@ Interval apply(Op function, Interval x) {
 
 Interval apply_atan2(Interval y, Interval x) {
   if (!(x.lo > 0.0) && contains(y, 0.0)) return everything();
-  Ball ordinate(y, kBits), abscissa(x, kBits), angle;
-  arb_atan2(angle.get(), ordinate.get(), abscissa.get(), kBits);
+  Ball ordinate(y, kBitsOfFunction), abscissa(x, kBitsOfFunction), angle;
+  arb_atan2(angle.get(), ordinate.get(), abscissa.get(), kBitsOfFunction);
   return angle.enclosure();
 }
 

@@ -10,7 +10,7 @@
 namespace regulus::verifier {
 namespace {
 
-constexpr long kBits = 128;
+constexpr long kBitsOfExtremum = 128;
 constexpr std::size_t kMostFree = 8;  ///< most variables of a convex bound
 constexpr int kFirstSteps = 8;        ///< of Newton's method
 constexpr long kWithin = 1 << 24;     ///< a point stays inside by this fraction of the radius
@@ -146,11 +146,11 @@ bool Extremum::move_to_ends() {
   bool is_moved = true;
   while (is_moved) {
     is_moved = false;
-    const std::vector<Ball> x = ranges(kBits, false);
+    const std::vector<Ball> x = ranges(kBitsOfExtremum, false);
     free_.clear();
     for (const std::size_t k : form_.value.variables()) {
       if (place_[k] != Place::kFree) continue;
-      const Ball* slope = form_.first(k).run(x, kBits);
+      const Ball* slope = form_.first(k).run(x, kBitsOfExtremum);
       if (slope == nullptr) return false;
       // Where sign·f grows, it is least at the lower end.
       if (arb_is_nonnegative(slope->get()) != 0)
@@ -185,14 +185,14 @@ bool Extremum::exceeds_at_ends() {
 /// Shows that the Hessian less a positive diagonal is positive definite over the ranges.
 bool Extremum::find_curvature(bool widened) {
   const std::size_t n = free_.size();
-  const std::vector<Ball> x = ranges(kBits, widened);
+  const std::vector<Ball> x = ranges(kBitsOfExtremum, widened);
   BallMatrix H(n, n), rest(n, n), root(n, n);
   std::vector<double> diagonal(n);
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j <= i; ++j) {
-      const Ball* value = form_.second(free_[i], free_[j]).run(x, kBits);
+      const Ball* value = form_.second(free_[i], free_[j]).run(x, kBitsOfExtremum);
       if (value == nullptr) return false;
-      arb_mul_si(H.at(i, j), value->get(), sign_, kBits);
+      arb_mul_si(H.at(i, j), value->get(), sign_, kBitsOfExtremum);
       arb_set(H.at(j, i), H.at(i, j));
     }
   for (std::size_t i = 0; i < n; ++i) {
@@ -204,10 +204,10 @@ bool Extremum::find_curvature(bool widened) {
   for (const double share : {0.5, 0x1p-4, 0x1p-10, 0x1p-20}) {
     arb_mat_set(rest.get(), H.get());
     for (std::size_t i = 0; i < n; ++i) {
-      const Ball part(point(share * diagonal[i]), kBits);
-      arb_sub(rest.at(i, i), rest.at(i, i), part.get(), kBits);
+      const Ball part(point(share * diagonal[i]), kBitsOfExtremum);
+      arb_sub(rest.at(i, i), rest.at(i, i), part.get(), kBitsOfExtremum);
     }
-    if (arb_mat_cho(root.get(), rest.get(), kBits) == 0) continue;
+    if (arb_mat_cho(root.get(), rest.get(), kBitsOfExtremum) == 0) continue;
     curvature_.clear();
     for (const double d : diagonal) curvature_.push_back(share * d);
     return std::all_of(curvature_.begin(), curvature_.end(), [](double c) { return c > 0.0; });
@@ -233,7 +233,7 @@ bool Extremum::improve(std::vector<Ball>& point, long bits) {
   if (arb_mat_solve(step.get(), H.get(), slope.get(), bits) == 0) return false;
   for (std::size_t i = 0; i < n; ++i) {
     Ball& x = point[free_[i]];
-    const Ball range = range_of(free_[i], kBits, widened_);
+    const Ball range = range_of(free_[i], kBitsOfExtremum, widened_);
     arb_sub(x.get(), x.get(), step.at(i, 0), bits);
     arb_get_mid_arb(x.get(), x.get());
     if (arb_contains(range.get(), x.get()) != 0) continue;
@@ -273,7 +273,7 @@ bool Extremum::exceeds_where_convex() {
     if (!find_curvature(false)) return false;
   }
   std::vector<Ball> point;
-  for (long bits = kBits; bits <= max_bits_; bits *= 2) {
+  for (long bits = kBitsOfExtremum; bits <= max_bits_; bits *= 2) {
     // Each round knows the variables at their ends to more bits.
     const std::vector<Ball> x = ranges(bits, false);
     if (point.empty()) {
@@ -282,7 +282,7 @@ bool Extremum::exceeds_where_convex() {
     }
     for (const std::size_t k : form_.value.variables())
       if (place_[k] != Place::kFree) point[k] = x[k];
-    for (int step = 0; step < (bits == kBits ? kFirstSteps : 2); ++step)
+    for (int step = 0; step < (bits == kBitsOfExtremum ? kFirstSteps : 2); ++step)
       if (!improve(point, bits)) return false;
     const auto loss = loss_at(point, bits);
     if (!loss) return false;

@@ -9,7 +9,7 @@
 namespace regulus::verifier {
 namespace {
 
-constexpr long kBits = 128;
+constexpr long kBitsOfLoad = 128;
 
 class LoadReader {
  public:
@@ -44,7 +44,7 @@ class LoadReader {
 };
 
 Interval enclosure(const Question& q, NodeId node) {
-  const auto value = evaluate(q.graph, {node}, {}, kBits);
+  const auto value = evaluate(q.graph, {node}, {}, kBitsOfLoad);
   const Interval x = value ? (*value)[0].enclosure() : everything();
   if (!is_bounded(x)) throw Unfinished("a value of the load or of a limit is not certain");
   return x;

@@ -9,7 +9,7 @@
 namespace regulus::verifier {
 namespace {
 
-constexpr long kBits = 128;
+constexpr long kBitsOfBase = 128;
 
 }  // namespace
 
@@ -40,9 +40,9 @@ void form_planar_equations(Question& q) {
     reach = plus(reach, plus(root(leg.square), root(squares(leg.platform[0], leg.platform[1]))));
   q.alpha = graph.number("0");
   std::vector<Ball> places;
-  for (const Interval place : enclose_variety(q).outer) places.emplace_back(place, kBits);
+  for (const Interval place : enclose_variety(q).outer) places.emplace_back(place, kBitsOfBase);
   const LegLine& first = claim.legs.front();
-  const auto values = evaluate(graph, {reach, first.base[0], first.base[1]}, places, kBits);
+  const auto values = evaluate(graph, {reach, first.base[0], first.base[1]}, places, kBitsOfBase);
   if (!values) throw Unfinished("a number of the legs has no certain value");
   const Interval most = (*values)[0].enclosure(), a = (*values)[1].enclosure(),
                  b = (*values)[2].enclosure();

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kLegs = 6, kUnknowns = 12, kPosition = 9;
 constexpr std::size_t kMostPoses = 40, kMostPosesOfPairs = 16;
-constexpr long kBitsOfNumbers = 1088, kBits = 256;
+constexpr long kBitsOfNumbers = 1088, kBitsOfRoots = 256;
 constexpr std::uint64_t kProductsOfAnchor = 1 << 16;  ///< to show that two anchors are one
 
 /// R row by row.
@@ -89,22 +89,22 @@ class PlatformSystem final : public CountedSystem {
   [[nodiscard]] ComplexMatrix place_of(const ComplexMatrix& z) const override {
     ComplexMatrix place(kUnknowns, 1);
     Complex square, part;
-    for (std::size_t i = 3; i < 7; ++i) acb_addmul(square.get(), z.at(i), z.at(i), kBits);
+    for (std::size_t i = 3; i < 7; ++i) acb_addmul(square.get(), z.at(i), z.at(i), kBitsOfRoots);
     const auto q = [&](std::size_t i) { return z.at(3 + i); };
     for (std::size_t i = 0; i < 3; ++i) {
       acb_set(place.at(kPosition + i), z.at(i));
       for (std::size_t j = 0; j < 3; ++j) {
         acb_ptr R = place.at(entry(i, j));
-        acb_mul(R, q(1 + i), q(1 + j), kBits);
+        acb_mul(R, q(1 + i), q(1 + j), kBitsOfRoots);
         if (i == j)
-          for (std::size_t k = 1; k < 4; ++k) acb_submul(R, q(k), q(k), kBits);
+          for (std::size_t k = 1; k < 4; ++k) acb_submul(R, q(k), q(k), kBitsOfRoots);
         else if ((i + 1) % 3 == j)
-          acb_submul(R, q(0), q(1 + 3 - i - j), kBits);
+          acb_submul(R, q(0), q(1 + 3 - i - j), kBitsOfRoots);
         else
-          acb_addmul(R, q(0), q(1 + 3 - i - j), kBits);
+          acb_addmul(R, q(0), q(1 + 3 - i - j), kBitsOfRoots);
         acb_mul_2exp_si(R, R, 1);
-        acb_div(R, R, square.get(), kBits);
-        if (i == j) acb_add_ui(R, R, 1, kBits);
+        acb_div(R, R, square.get(), kBitsOfRoots);
+        if (i == j) acb_add_ui(R, R, 1, kBitsOfRoots);
       }
     }
     acb_mat_get_mid(place.get(), place.get());
@@ -130,7 +130,7 @@ class PlatformSystem final : public CountedSystem {
     ComplexMatrix R(3, 3);
     for (std::size_t i = 0; i < kPosition; ++i) acb_set(R.at(i / 3, i % 3), z.at(i));
     Complex determinant, one;
-    acb_mat_det(determinant.get(), R.get(), kBits);
+    acb_mat_det(determinant.get(), R.get(), kBitsOfRoots);
     acb_one(one.get());
     const bool may_be_turn = acb_contains(determinant.get(), one.get()) != 0;
     acb_neg(one.get(), one.get());
@@ -248,9 +248,9 @@ class PlatformSystem final : public CountedSystem {
       for (std::size_t i = 0; i < 3; ++i) {
         arb_srcptr R = acb_realref(z.at(entry(i, i)));
         if (k == 0 || k == i + 1)
-          arb_add(squares[k].get(), squares[k].get(), R, kBits);
+          arb_add(squares[k].get(), squares[k].get(), R, kBitsOfRoots);
         else
-          arb_sub(squares[k].get(), squares[k].get(), R, kBits);
+          arb_sub(squares[k].get(), squares[k].get(), R, kBitsOfRoots);
       }
     }
     std::size_t largest = 0;
@@ -258,14 +258,14 @@ class PlatformSystem final : public CountedSystem {
       if (arf_cmp(arb_midref(squares[k].get()), arb_midref(squares[largest].get())) > 0)
         largest = k;
     Ball twice;  // 2q of the largest
-    arb_sqrt(twice.get(), squares[largest].get(), kBits);
+    arb_sqrt(twice.get(), squares[largest].get(), kBitsOfRoots);
     std::vector<Interval> result;
     for (std::size_t k = 0; k < 4; ++k) {
       Ball part;
       if (k == largest)
         arb_set(part.get(), twice.get());
       else
-        arb_div(part.get(), product_of_parts(z, largest, k).get(), twice.get(), kBits);
+        arb_div(part.get(), product_of_parts(z, largest, k).get(), twice.get(), kBitsOfRoots);
       arb_mul_2exp_si(part.get(), part.get(), -1);
       result.push_back(part.enclosure());
     }
@@ -280,10 +280,10 @@ class PlatformSystem final : public CountedSystem {
     };
     Ball result;
     if (i > 0) {
-      arb_add(result.get(), R(i - 1, k - 1), R(k - 1, i - 1), kBits);
+      arb_add(result.get(), R(i - 1, k - 1), R(k - 1, i - 1), kBitsOfRoots);
     } else {
       const std::size_t a = k % 3, b = (k + 1) % 3;
-      arb_sub(result.get(), R(b, a), R(a, b), kBits);
+      arb_sub(result.get(), R(b, a), R(a, b), kBitsOfRoots);
     }
     return result;
   }

@@ -5,7 +5,7 @@ namespace regulus {
 namespace {
 
 // <cctype> depends on the locale.
-bool is_digit(char c) noexcept { return '0' <= c && c <= '9'; }
+bool is_decimal_digit(char c) noexcept { return '0' <= c && c <= '9'; }
 bool is_letter(char c) noexcept { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z'); }
 bool is_space(char c) noexcept { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
@@ -22,13 +22,14 @@ Token Lexer::next() noexcept {
     return token(Token::Kind::kName, at_ + kDegreeSign.size());
   if (!is_letter(text_[at_])) return token(Token::Kind::kSymbol, at_ + 1);
   std::size_t end = at_ + 1;
-  while (end < text_.size() && (is_letter(text_[end]) || is_digit(text_[end]) || text_[end] == '_'))
+  while (end < text_.size() &&
+         (is_letter(text_[end]) || is_decimal_digit(text_[end]) || text_[end] == '_'))
     ++end;
   return token(Token::Kind::kName, end);
 }
 
 std::size_t Lexer::skip_digits(std::size_t at) const noexcept {
-  while (at < text_.size() && is_digit(text_[at])) ++at;
+  while (at < text_.size() && is_decimal_digit(text_[at])) ++at;
   return at;
 }
 

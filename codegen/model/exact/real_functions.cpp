@@ -69,10 +69,10 @@ ex apply_abs(ParsedExpression&, const std::vector<ParsedExpression>& x) {
   return GiNaC::pow(GiNaC::pow(u, 2), GiNaC::numeric(1, 2));
 }
 
-constexpr std::size_t kFunctions = 11;
-constexpr std::array<Apply, kFunctions> kApply = {apply_sqrt, apply_sin,  apply_cos,  apply_tan,
-                                                  apply_asin, apply_acos, apply_atan, apply_atan2,
-                                                  apply_exp,  apply_log,  apply_abs};
+constexpr std::size_t kNumberOfFunctions = 11;
+constexpr std::array<Apply, kNumberOfFunctions> kApply = {
+    apply_sqrt, apply_sin,   apply_cos, apply_tan, apply_asin, apply_acos,
+    apply_atan, apply_atan2, apply_exp, apply_log, apply_abs};
 
 std::size_t index_of(std::string_view name) {
   const auto names = function_names();
@@ -82,12 +82,12 @@ std::size_t index_of(std::string_view name) {
 }  // namespace
 
 std::span<const std::string> function_names() {
-  static const std::array<std::string, kFunctions> kNames = {
+  static const std::array<std::string, kNumberOfFunctions> kNames = {
       "sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "log", "abs"};
   return kNames;
 }
 
-bool is_function(std::string_view name) { return index_of(name) < kFunctions; }
+bool is_function(std::string_view name) { return index_of(name) < kNumberOfFunctions; }
 
 ParsedExpression call(std::string_view name, std::vector<ParsedExpression> arguments) {
   const std::size_t wanted = name == "atan2" ? 2 : 1;

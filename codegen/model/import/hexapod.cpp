@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "codegen/model/import/body_graph.hpp"
 #include "codegen/model/import/serial_text.hpp"
@@ -177,19 +176,11 @@ double some_distance(const Hexapod& hexapod) {
   return sum_of_lengths / kLegs / 20;
 }
 
-/// True if links and joints make no tree.
-bool has_loops(const Mechanism& mechanism) {
-  std::set<std::string> children;
-  for (const ImportedJoint& joint : mechanism.joints)
-    if (!children.insert(joint.child).second) return true;
-  return !mechanism.loops.empty();
-}
-
 }  // namespace
 
 std::optional<Hexapod> find_hexapod(const Mechanism& mechanism, const std::string& file,
                                     const std::string& base) {
-  if (!has_loops(mechanism)) return std::nullopt;
+  if (!mechanism.has_loops()) return std::nullopt;
   if (!base.empty() && !mechanism.has_link(base)) return std::nullopt;
   return HexapodFinder(mechanism, file).find(base);
 }

@@ -2,6 +2,7 @@
 #include "codegen/model/import/mechanism.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace regulus {
 
@@ -16,6 +17,13 @@ bool Pose::is_identity() const {
 
 bool Mechanism::has_link(const std::string& link) const {
   return std::ranges::find(links, link) != links.end();
+}
+
+bool Mechanism::has_loops() const {
+  std::set<std::string> children;
+  return !loops.empty() || std::ranges::any_of(joints, [&children](const ImportedJoint& joint) {
+    return !children.insert(joint.child).second;
+  });
 }
 
 }  // namespace regulus

@@ -78,6 +78,8 @@ struct Mechanism {
   std::vector<std::string> notes;      ///< what was assumed
 
   [[nodiscard]] bool has_link(const std::string& link) const;
+  /// True if links and joints make no tree.
+  [[nodiscard]] bool has_loops() const;
 };
 
 }  // namespace regulus

@@ -16,7 +16,7 @@ namespace {
 
 using GiNaC::ex;
 
-constexpr std::size_t kLegs = 3;
+constexpr std::size_t kPlanarLegs = 3;
 constexpr std::size_t kLongestWalk = 12;
 
 /// A joint of a leg in the plane.
@@ -29,7 +29,7 @@ using PlanarJoints = std::vector<PlanarJoint>;
 
 bool vanishes(const ex& e) { return is_certainly_zero(e); }
 
-double approx(const ex& e) { return number_of(reduced(e)).approx(); }
+double approx_reduced(const ex& e) { return number_of(reduced(e)).approx(); }
 
 PlanePoint minus(const PlanePoint& a, const PlanePoint& b) { return {a[0] - b[0], a[1] - b[1]}; }
 ex cross(const PlanePoint& a, const PlanePoint& b) { return a[0] * b[1] - a[1] * b[0]; }
@@ -38,7 +38,7 @@ ex dot(const PlanePoint& a, const PlanePoint& b) { return a[0] * b[0] + a[1] * b
 /// Equal but for a file's rounding.
 bool are_near(const PlanePoint& a, const PlanePoint& b) {
   constexpr double kRounding = 1e-6;
-  return std::hypot(approx(a[0] - b[0]), approx(a[1] - b[1])) < kRounding;
+  return std::hypot(approx_reduced(a[0] - b[0]), approx_reduced(a[1] - b[1])) < kRounding;
 }
 
 /// The numbers of the two axes of the plane, in the positive sense of its normal.
@@ -70,8 +70,8 @@ class PlanarFinder {
     std::vector<std::size_t> hubs;
     for (std::size_t body = 0; body < graph_.bodies(); ++body) {
       const std::size_t count = graph_.of_body(body).size();
-      if (count == kLegs) hubs.push_back(body);
-      if (count == 1 || count > kLegs) return std::nullopt;
+      if (count == kPlanarLegs) hubs.push_back(body);
+      if (count == 1 || count > kPlanarLegs) return std::nullopt;
     }
     PlanarRobot robot;
     robot.plane = std::string{"xyz"[axes_[0]], "xyz"[axes_[1]]};
@@ -97,7 +97,7 @@ class PlanarFinder {
     for (const std::size_t start : graph_.of_body(hubs[0])) {
       const auto joints = walk(start, hubs[0], hubs[1]);
       if (!joints) return false;
-      if (joints->size() != kLegs) refuse(*joints);
+      if (joints->size() != kPlanarLegs) refuse(*joints);
       robot.legs.push_back(leg_of(*joints));
     }
     return true;
@@ -190,9 +190,9 @@ class PlanarFinder {
 
   static bool slides_along(const PlanarLeg& leg) {
     const PlanePoint along = minus(leg.end, leg.base);
-    const double length = std::hypot(approx(along[0]), approx(along[1]));
-    const double axis = std::hypot(approx(leg.slide[0]), approx(leg.slide[1]));
-    return length > 0 && std::abs(approx(cross(along, leg.slide))) < 1e-5 * length * axis;
+    const double length = std::hypot(approx_reduced(along[0]), approx_reduced(along[1]));
+    const double axis = std::hypot(approx_reduced(leg.slide[0]), approx_reduced(leg.slide[1]));
+    return length > 0 && std::abs(approx_reduced(cross(along, leg.slide))) < 1e-5 * length * axis;
   }
 
   void choose_actuated(PlanarRobot& robot) const {
@@ -228,13 +228,6 @@ class PlanarFinder {
   std::array<std::size_t, 2> axes_{};
 };
 
-bool has_loops(const Mechanism& mechanism) {
-  std::set<std::string> children;
-  for (const ImportedJoint& joint : mechanism.joints)
-    if (!children.insert(joint.child).second) return true;
-  return !mechanism.loops.empty();
-}
-
 std::string number_text(const ex& value) { return toml_number(number_of(reduced(value))); }
 
 std::string point_text(const PlanePoint& p) {
@@ -253,12 +246,13 @@ std::string leg_text(const PlanarLeg& leg, const PlanarRobot& robot) {
   if (!robot.platform.empty())
     text += fmt::format("platform = {}\n", point_text(minus(leg.end, robot.home)));
   if (leg.type == "RRR") {
-    const bool is_left = approx(cross(minus(leg.end, leg.base), minus(leg.elbow, leg.base))) > 0;
+    const bool is_left =
+        approx_reduced(cross(minus(leg.end, leg.base), minus(leg.elbow, leg.base))) > 0;
     text += fmt::format("crank = {}\nrod = {}\nmode = \"{}\"\n", distance_text(leg.elbow, leg.base),
                         distance_text(leg.end, leg.elbow), is_left ? '+' : '-');
   }
   if (leg.type == "PRR") {
-    const bool is_farther = approx(dot(minus(leg.end, leg.base), leg.slide)) < 0;
+    const bool is_farther = approx_reduced(dot(minus(leg.end, leg.base), leg.slide)) < 0;
     text += fmt::format("axis = {}\nrod = {}\nmode = \"{}\"\n", point_text(leg.slide),
                         distance_text(leg.end, leg.elbow), is_farther ? '+' : '-');
   }
@@ -270,7 +264,7 @@ double some_distance(const PlanarRobot& robot) {
   double sum = 0;
   for (const PlanarLeg& leg : robot.legs) {
     const PlanePoint d = minus(leg.end, leg.base);
-    sum += std::hypot(approx(d[0]), approx(d[1]));
+    sum += std::hypot(approx_reduced(d[0]), approx_reduced(d[1]));
   }
   return sum / static_cast<double>(robot.legs.size()) / 20;
 }
@@ -280,7 +274,7 @@ std::string motions_text(const PlanarRobot& robot) {
   std::string around = "\n[motion.around_home] # a guess: give it the ranges of your robot\n";
   const double distance = some_distance(robot);
   for (std::size_t i = 0; i < 2; ++i) {
-    const double at = approx(robot.home[i]);
+    const double at = approx_reduced(robot.home[i]);
     home += fmt::format("{} = {}\n", "xy"[i], number_text(robot.home[i]));
     around += fmt::format("{} = [{:.6g}, {:.6g}]\n", "xy"[i], at - distance, at + distance);
   }
@@ -293,7 +287,7 @@ std::string motions_text(const PlanarRobot& robot) {
 std::optional<PlanarRobot> find_planar_robot(const Mechanism& mechanism, const std::string& file,
                                              const std::string& base,
                                              const std::vector<std::string>& actuated) {
-  if (!has_loops(mechanism)) return std::nullopt;
+  if (!mechanism.has_loops()) return std::nullopt;
   if (!base.empty() && !mechanism.has_link(base)) return std::nullopt;
   return PlanarFinder(mechanism, file, actuated).find(base);
 }

@@ -23,7 +23,7 @@ using regulus::test::RandomSource;
 using Rows = std::vector<std::vector<std::string>>;
 
 /// A matrix of `x` and `y` over a square around (cx, cy).
-struct Model {
+struct MatrixModel {
   Rows rows;
   std::string x = "x", y = "y";
   std::string x_range = "[1, 2]", y_range = "[-1, 1]";
@@ -52,7 +52,7 @@ struct Outcome {
   Result result;
 };
 
-Outcome judge(const Model& model, SearchOptions search = {}) {
+Outcome judge(const MatrixModel& model, SearchOptions search = {}) {
   ModelOptions options;
   options.path = "scaled.toml";
   options.text = model.text();
@@ -77,16 +77,17 @@ std::string times(int exponent, const std::string& entry) {
   return fmt::format("{}*({})", power_of_two_text(exponent), entry);
 }
 
-Model scaled(Model model, const std::vector<int>& rows, const std::vector<int>& columns) {
+MatrixModel scaled(MatrixModel model, const std::vector<int>& rows,
+                   const std::vector<int>& columns) {
   for (std::size_t i = 0; i < model.rows.size(); ++i)
     for (std::size_t j = 0; j < model.rows[i].size(); ++j)
       model.rows[i][j] = times(rows[i] + columns[j], model.rows[i][j]);
   return model;
 }
 
-std::vector<Model> base_models() {
-  std::vector<Model> models(8);
-  for (Model& model : models) model.x_range = "[0.01, 2]";
+std::vector<MatrixModel> base_models() {
+  std::vector<MatrixModel> models(8);
+  for (MatrixModel& model : models) model.x_range = "[0.01, 2]";
   models[0].rows = {{"x", "y"}, {"-y", "x"}};
   models[1].rows = {{"x + 2", "y", "1"}, {"y", "x + 3", "x*y"}, {"1", "y^2", "4 - x"}};
   models[2].rows = {{"x", "y", "0"}, {"x*y", "1", "x"}, {"2", "y", "x - y"}};
@@ -107,12 +108,12 @@ std::vector<int> random_exponents(RandomSource& random, std::size_t count) {
 
 TEST(ScaledModels, HaveTheSameVerdictAfterTheSameBoxes) {
   RandomSource random(31);
-  for (const Model& model : base_models()) {
+  for (const MatrixModel& model : base_models()) {
     const Outcome expected = judge(model);
     for (int k = 0; k < 4; ++k) {
       const auto rows = random_exponents(random, model.rows.size());
       const auto columns = random_exponents(random, model.rows[0].size());
-      const Model other = scaled(model, rows, columns);
+      const MatrixModel other = scaled(model, rows, columns);
       const Outcome outcome = judge(other);
       EXPECT_EQ(outcome.verdict, expected.verdict) << other.text();
       // A left inverse weighs rows by their lengths, so by their scales, too.
@@ -124,10 +125,10 @@ TEST(ScaledModels, HaveTheSameVerdictAfterTheSameBoxes) {
 
 TEST(ScaledModels, HaveTheSameVerdictWithRowsAndColumnsExchanged) {
   RandomSource random(32);
-  for (const Model& model : base_models()) {
+  for (const MatrixModel& model : base_models()) {
     const Outcome expected = judge(model);
-    Model other = scaled(model, random_exponents(random, model.rows.size()),
-                         random_exponents(random, model.rows[0].size()));
+    MatrixModel other = scaled(model, random_exponents(random, model.rows.size()),
+                               random_exponents(random, model.rows[0].size()));
     std::reverse(other.rows.begin(), other.rows.end());
     for (auto& row : other.rows) std::rotate(row.begin(), row.begin() + 1, row.end());
     EXPECT_EQ(judge(other).verdict, expected.verdict) << other.text();
@@ -142,9 +143,9 @@ std::string replaced(const std::string& text, char name, const std::string& by) 
 }
 
 TEST(ScaledModels, HaveTheSameVerdictWithVariablesRenamedAndMoved) {
-  for (const Model& model : base_models()) {
+  for (const MatrixModel& model : base_models()) {
     const Outcome expected = judge(model);
-    Model other = model;
+    MatrixModel other = model;
     other.x = "q", other.y = "p";
     other.x_range = "[\"1024 + 0.01\", 1026]";
     for (auto& row : other.rows)
@@ -154,7 +155,7 @@ TEST(ScaledModels, HaveTheSameVerdictWithVariablesRenamedAndMoved) {
 }
 
 TEST(ScaledModels, AreDecidedWhereOneEntryIsTiny) {
-  Model model;
+  MatrixModel model;
   model.rows = {{"1e-60", "y"}, {"0", "1"}};
   model.x_range = "1";
   const Outcome outcome = judge(model);
@@ -170,7 +171,7 @@ TEST(ScaledModels, AreDecidedWhereOneEntryIsTiny) {
 TEST(ScaledModels, ObeyThresholdsOfTheDeterminantAsWritten) {
   for (const int a : {0, 60, -250})
     for (const int b : {0, 90, -200}) {
-      Model model;
+      MatrixModel model;
       model.rows = {{times(a, "x"), "0"}, {"0", times(b, "1")}};
       model.row_scale = fmt::format("row_scale = [\"{}\", \"1\"]\n", power_of_two_text(-a));
       model.more = fmt::format("alpha = \"0.99*{}\"\n", power_of_two_text(b));
@@ -185,7 +186,7 @@ TEST(ScaledModels, ObeyThresholdsOfTheDeterminantAsWritten) {
 }
 
 TEST(ScaledModels, ReportTheDeterminantAsWritten) {
-  Model model;
+  MatrixModel model;
   model.rows = {{times(200, "y"), "0"}, {"0", times(100, "x")}};
   model.y_range = "[-1, 0.7]";
   const Outcome outcome = judge(model);
@@ -201,7 +202,7 @@ TEST(ScaledModels, ReportTheDeterminantAsWritten) {
 /// A double root with a margin: bounds of the entries do not show it, their determinant does.
 TEST(Margins, AreSeenByTheDeterminantWhereKIsOfNoUse) {
   for (const char* margin : {"1e-300", "1e-18"}) {
-    Model model;
+    MatrixModel model;
     model.x_range = "[\"123456 - 0.003\", \"123456 + 0.003\"]";
     model.rows = {{fmt::format("x^2 - (246912)*x + (15241383936) + {}", margin), "x", "1"},
                   {"0", "1", "x - 123450"},
@@ -213,7 +214,7 @@ TEST(Margins, AreSeenByTheDeterminantWhereKIsOfNoUse) {
 }
 
 TEST(Margins, AreSeenByTheClosedFormWhereEntriesHideThem) {
-  Model model;
+  MatrixModel model;
   model.x_range = "[\"999.5 + 1/7\", \"1000.5 + 1/7\"]";
   model.y_range = "[999.5, 1000.5]";
   model.rows = {
@@ -228,7 +229,7 @@ TEST(Margins, AreSeenByTheClosedFormWhereEntriesHideThem) {
 /// The determinant touches 0. With K alone, only luck certified a box, and the search went on for
 /// ever. Exact algebra knows the place.
 TEST(Margins, ThatAreTouchedEndTheSearch) {
-  Model model;
+  MatrixModel model;
   model.x_range = "[\"2.5 + 1/7\", \"3.5 + 1/7\"]";
   model.rows = {{"1", "0", "2*x"}, {"0", "1", "2"}, {"0", "0", "x^2 - 6*x + 9"}};
   const Outcome outcome = judge(model);
@@ -239,7 +240,7 @@ TEST(Margins, ThatAreTouchedEndTheSearch) {
 /// Where an expression is undefined, engines leave different numbers, so no heuristic may read
 /// them.
 TEST(UndefinedLanes, AreTheSameForEveryEngine) {
-  Model model;
+  MatrixModel model;
   model.rows = {{"sqrt(x)", "y"}, {"x - 4", "y"}};
   model.x_range = "[0, 4]", model.y_range = "[1, 2]";
   const Outcome interpreted = judge(model);

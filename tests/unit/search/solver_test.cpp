@@ -13,7 +13,7 @@ using test::FunctionKernel;
 using test::problem_over;
 using test::Values;
 
-const Interval kThird = Interval(1.0) / Interval(3.0);
+const Interval kOneThird = Interval(1.0) / Interval(3.0);
 
 Settings with_method(Method method) {
   Settings settings;
@@ -33,7 +33,7 @@ TEST(Solver, CertifiesARegularMatrix) {
 }
 
 TEST(Solver, ProvesASingularityByOppositeSignsAndClosesIn) {
-  const FunctionKernel kernel(1, 1, 1, [](const Values& x) { return Values{x[0] - kThird}; });
+  const FunctionKernel kernel(1, 1, 1, [](const Values& x) { return Values{x[0] - kOneThird}; });
   const Result result = solve(problem_over(kernel, {{-1, 1}}), {});
   ASSERT_EQ(result.verdict, Verdict::kSingularity);
   EXPECT_EQ(result.reason, Reason::kOppositeSigns);
@@ -41,8 +41,8 @@ TEST(Solver, ProvesASingularityByOppositeSignsAndClosesIn) {
   ASSERT_EQ(witness.points.size(), 2U);
   EXPECT_GT(witness.points[0].determinant.lo, 0);
   EXPECT_LT(witness.points[1].determinant.hi, 0);
-  EXPECT_GT(witness.points[0].variables[0].lo, kThird.lo);
-  EXPECT_LT(witness.points[1].variables[0].hi, kThird.hi);
+  EXPECT_GT(witness.points[0].variables[0].lo, kOneThird.lo);
+  EXPECT_LT(witness.points[1].variables[0].hi, kOneThird.hi);
   ASSERT_TRUE(witness.near);
   EXPECT_NEAR(witness.near->variables[0].lo, 1.0 / 3, 1e-15);
   EXPECT_EQ(witness.near->pose.size(), 1U);
@@ -74,18 +74,19 @@ TEST(Solver, ProvesASingularityAtAPointOfDeterminantZero) {
 }
 
 TEST(Solver, DoesNotDecideAZeroThatIsTouched) {
-  const FunctionKernel kernel(1, 1, 1, [](const Values& x) { return Values{sqr(x[0] - kThird)}; });
+  const FunctionKernel kernel(1, 1, 1,
+                              [](const Values& x) { return Values{sqr(x[0] - kOneThird)}; });
   const Result result = solve(problem_over(kernel, {{-1, 1}}), {});
   EXPECT_EQ(result.verdict, Verdict::kPossibleProblem);
   EXPECT_EQ(result.reason, Reason::kWidth);
   ASSERT_EQ(result.blocking_box.size(), 1U);
-  EXPECT_TRUE(certain_subset(kThird, result.blocking_box[0]) ||
+  EXPECT_TRUE(certain_subset(kOneThird, result.blocking_box[0]) ||
               std::abs(mid(result.blocking_box[0]) - 1.0 / 3) < 1e-6);
 }
 
 TEST(Solver, ASignChangeAcrossAPoleIsNoSingularity) {
   const FunctionKernel kernel(1, 1, 1,
-                              [](const Values& x) { return Values{1.0 / (x[0] - kThird)}; });
+                              [](const Values& x) { return Values{1.0 / (x[0] - kOneThird)}; });
   const Result result = solve(problem_over(kernel, {{-1, 1}}), {});
   EXPECT_EQ(result.verdict, Verdict::kPossibleProblem);
   EXPECT_EQ(result.reason, Reason::kUndefined);
@@ -143,7 +144,7 @@ TEST(Solver, ClaimsNothingOfAnEmptyVariety) {
 }
 
 TEST(Solver, FindsASingularityInsideConstraints) {
-  FunctionKernel kernel(2, 1, 1, [](const Values& x) { return Values{x[0] - x[1] - kThird}; });
+  FunctionKernel kernel(2, 1, 1, [](const Values& x) { return Values{x[0] - x[1] - kOneThird}; });
   const auto disc = [](const Values& x) { return Values{sqr(x[0]) + sqr(x[1]) - 1.0}; };
   kernel.with_constraints(1, disc);
   const Result result = solve(problem_over(kernel, {{-1, 1}, {-1, 1}}), {});
@@ -174,7 +175,7 @@ TEST(Solver, NeverClaimsASingularityOutsideTheConstraints) {
 }
 
 TEST(Solver, AnUndefinedConstraintExcludesNothing) {
-  FunctionKernel kernel(1, 1, 1, [](const Values& x) { return Values{x[0] - kThird}; });
+  FunctionKernel kernel(1, 1, 1, [](const Values& x) { return Values{x[0] - kOneThird}; });
   kernel.with_constraints(1, [](const Values& x) { return Values{sqrt(x[0] - 2.0)}; });
   EXPECT_EQ(solve(problem_over(kernel, {{-1, 1}}), {}).verdict, Verdict::kPossibleProblem);
 }
@@ -332,13 +333,13 @@ TEST(Solver, AsksTheOracleWhereDoublesCannotTell) {
    public:
     std::optional<Interval> enclose(std::span<const Interval> point) noexcept override {
       ++calls;
-      return point[0] - kThird.lo;
+      return point[0] - kOneThird.lo;
     }
     int calls = 0;
   };
   // This enclosure is too wide to have a sign: only the oracle knows it.
   const FunctionKernel kernel(
-      1, 1, 1, [](const Values& x) { return Values{x[0] - kThird + Interval(-4, 4)}; });
+      1, 1, 1, [](const Values& x) { return Values{x[0] - kOneThird + Interval(-4, 4)}; });
   EXPECT_EQ(solve(problem_over(kernel, {{-1, 1}}), {}).verdict, Verdict::kPossibleProblem);
   Oracle oracle;
   Settings settings;

@@ -96,7 +96,7 @@ TEST(ALaterPiece, HasNoPoseThatOnlyTheTableHas) {
   expect_rejected(way, "states 'pose' 'e*s + f*s^2 + g*s^3 + h', which the file does not have");
 }
 
-constexpr const char* kLegs = R"toml(regulus = 1
+constexpr const char* kLegModel = R"toml(regulus = 1
 name = "m"
 [legs]
 type = "RPR"
@@ -128,7 +128,7 @@ TEST(ALaterPiece, GivesNoMeaningToANameOfTheFile) {
   std::ofstream(folder.path() / "way.csv") << "x,y\n1,1\n2,2\n3,1\n";
   verifier::Options options;
   options.model_name = (folder.path() / "model.toml").string();
-  options.model_text = kLegs;
+  options.model_text = kLegModel;
   const std::string names = "piecewise x0 x1 y0 y1", one = "\npiece 1 | 1 | 1 | 1",
                     two = "\npiece 2 | 1 | 2 | -1";
   const Verification genuine = verify_text(
