@@ -53,6 +53,7 @@ inline constexpr const char* kEndOfRoot = "-";  ///< in a shard: the end of a ra
 // The quantities of a claim about a bound, and its sides.
 inline constexpr const char* kForce = "force";
 inline constexpr const char* kError = "error";
+inline constexpr const char* kFiniteError = "finite-error";  ///< over a branch
 inline constexpr const char* kSpeed = "speed";
 inline constexpr const char* kSigmaMin = "sigma-min";
 inline constexpr const char* kSigmaMax = "sigma-max";
@@ -148,6 +149,8 @@ struct ClaimedBound {
   if (b.quantity == kForce) return "force of motor " + b.row + " under the load " + b.set;
   if (b.quantity == kError)
     return "error to first order of unknown " + b.columns + " by the errors of the motors";
+  if (b.quantity == kFiniteError)
+    return "distance of unknown " + b.columns + " from its value without errors";
   if (b.quantity == kSpeed)
     return "speed of unknown " + b.columns + " for the speeds of the motors";
   if (b.quantity == kDeflection)

@@ -191,6 +191,10 @@ std::vector<Interval> BranchQuantity::compliance(const std::vector<Interval>& J)
 }
 
 Interval BranchQuantity::largest(const BranchTest& test) {
+  if (quantity_.kind == format::kFiniteError) {
+    const std::size_t own = quantity_.columns.front();
+    return magnitude(test.difference(own, own + n_ / 2));
+  }
   const auto domination = dominate(test);
   if (!domination) return everything();
   const std::string& kind = quantity_.kind;

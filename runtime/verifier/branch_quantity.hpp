@@ -14,6 +14,9 @@ namespace regulus::verifier {
 /// Returns true for the quantities that have the derivatives of the branch by the motors.
 [[nodiscard]] bool has_branch_rates(const std::string& kind);
 
+/// Returns true for a claim about finite errors.
+[[nodiscard]] bool is_finite_error(const Question& question);
+
 /// Reads from the line `quantity KIND` up to the line after `bound`, and forms the derivatives of the
 /// equations by the pose parameters. Throws Rejection.
 ///
@@ -26,7 +29,8 @@ void read_value_line(Lines& lines, Question& question, const Variety& variety);
 
 class BranchQuantity {
  public:
-  /// Requires  question.closure, question.quantity. Throws Unfinished.
+  /// Requires  question.closure, question.quantity; of a finite error, after add_nominal_copy().
+  /// Throws    Unfinished.
   explicit BranchQuantity(Question& question);
 
   /// Ensures   true only if the bound holds at all configurations of the set over which the test was

@@ -27,7 +27,7 @@ class BranchQuantityReader {
     const std::size_t motors = closure_.poses.size();
     if (is_of({format::kForce}))
       quantity_.row = number_from_one(words_.row = lines_.take("row"), motors);
-    if (is_of({format::kError, format::kSpeed, format::kDeflection}))
+    if (is_of({format::kError, format::kFiniteError, format::kSpeed, format::kDeflection}))
       quantity_.columns = {number_from_one(words_.columns = lines_.take("column"), q_.columns)};
     if (is_of({format::kForce, format::kDeflection})) read_load();
     if (is_of({format::kError})) quantity_.errors = lines_.list("motor-error", motors);
@@ -51,7 +51,8 @@ class BranchQuantityReader {
         quantity_.side == format::kLeast     ? is_signed || is_of({format::kDeterminant})
         : quantity_.side == format::kLargest ? is_signed
         : quantity_.side == format::kAbsolute
-            ? is_signed || is_of({format::kError, format::kSpeed, format::kCondition})
+            ? is_signed ||
+                  is_of({format::kError, format::kFiniteError, format::kSpeed, format::kCondition})
             : false;
     if (!is_known)
       throw Rejection("there is no quantity '" + quantity_.kind.substr(0, 40) +
@@ -112,6 +113,10 @@ class BranchQuantityReader {
 bool has_branch_rates(const std::string& kind) {
   return kind == format::kForce || kind == format::kError || kind == format::kSpeed ||
          kind == format::kDeflection;
+}
+
+bool is_finite_error(const Question& question) {
+  return question.closure && question.quantity && question.quantity->kind == format::kFiniteError;
 }
 
 void read_value_line(Lines& lines, Question& q, const Variety& variety) {

@@ -215,31 +215,41 @@ bool BranchTest::is_in(const TubeNumbers& tube, const std::vector<double>& reach
   return is_proved;
 }
 
+Interval BranchTest::difference(std::size_t i, std::size_t j) const {
+  if (tube_ == nullptr) return whole_[m_ + i] - whole_[m_ + j];
+  const double rest = (point(radius_of(*tube_)[i]) + point(radius_of(*tube_)[j])).hi;
+  Interval sum = middle_[i] - middle_[j] + Interval{-rest, rest};
+  for (std::size_t k = 0; k < m_; ++k)
+    sum = sum + (point(slope(*tube_, i, k)) - point(slope(*tube_, j, k))) * step_[k];
+  return sum;
+}
+
 bool BranchTest::has_one_solution(const Box& box, const TubeNumbers& tube) {
   impact_.clear();
+  tube_ = &tube;
   if (!moves_) return false;
   const std::span<const double> radius = radius_of(tube);
   const bool is_tube = std::ranges::all_of(radius, [](double r) { return r > 0.0; });
   if (!is_tube || !is_moderate(tube) || !is_moderate(box)) return false;
   // The same tube with the middle of the box in the place of x₀.
   Box middle;
-  std::vector<Interval> step;
+  step_.clear();
   std::vector<double> reach;
   for (const Interval x : box) {
     middle.push_back(point(mid(x)));
-    step.push_back(x - middle.back());
-    reach.push_back(mag(step.back()));
+    step_.push_back(x - middle.back());
+    reach.push_back(mag(step_.back()));
   }
   reach.insert(reach.end(), radius.begin(), radius.end());
-  const std::vector<Interval> center = middle_of(tube, middle);
+  middle_ = middle_of(tube, middle);
   std::vector<Interval> unknowns;
   for (std::size_t i = 0; i < n_; ++i) {
-    Interval p = center[i] + Interval{-radius[i], radius[i]};
-    for (std::size_t k = 0; k < m_; ++k) p = p + slope(tube, i, k) * step[k];
+    Interval p = middle_[i] + Interval{-radius[i], radius[i]};
+    for (std::size_t k = 0; k < m_; ++k) p = p + slope(tube, i, k) * step_[k];
     unknowns.push_back(p);
   }
   whole_ = joined(box, unknowns);
-  if (!bound_center(joined(middle, center)) || !take(*over_, first_, whole_, first_values_))
+  if (!bound_center(joined(middle, middle_)) || !take(*over_, first_, whole_, first_values_))
     return false;
   if (is_in(tube, reach, false)) return true;
   return rates_ && take(*rates_, second_, whole_, second_values_) && is_in(tube, reach, true);
@@ -338,6 +348,7 @@ bool BranchTest::has_one_solution(const Box& place, const std::vector<double>& m
                                   const std::vector<double>& outer,
                                   const std::vector<double>& inner) {
   whole_ = joined(place, about(middle, outer));
+  tube_ = nullptr;
   if (!is_moderate(outer) || !bound_center(joined(place, points_of(middle))) ||
       !take(*over_, first_, whole_, first_values_))
     return false;

@@ -47,6 +47,10 @@ class BranchTest {
     return K_[column * n_ + row];
   }
 
+  /// Encloses the value of one unknown minus that of another at the places over which the test was
+  /// last true.
+  [[nodiscard]] Interval difference(std::size_t unknown, std::size_t other) const;
+
   /// Returns true only if the equations have no solution in the tube at any place of a small box.
   [[nodiscard]] bool has_no_solution(const Box& place, const TubeNumbers& tube);
 
@@ -114,8 +118,10 @@ class BranchTest {
 
   // For one box.
   Box whole_;
-  Matrix K_;      ///< column by column
-  Values value_;  ///< K Φ at the centre, by unknown
+  const TubeNumbers* tube_ = nullptr;    ///< over which it was tried; null: no tube
+  std::vector<Interval> step_, middle_;  ///< X − x̄ and the middle of the tube at x̄
+  Matrix K_;                             ///< column by column
+  Values value_;                         ///< K Φ at the centre, by unknown
   Values at_center_, center_, first_values_, second_values_;
   std::vector<double> impact_, shares_;
 };

@@ -8,6 +8,7 @@
 #include "runtime/verifier/model/closure_comparison.hpp"
 #include "runtime/verifier/model/model_comparison.hpp"
 #include "runtime/verifier/model/waypoints.hpp"
+#include "runtime/verifier/nominal_copy.hpp"
 #include "runtime/verifier/pieces.hpp"
 #include "runtime/verifier/proof.hpp"
 #include "runtime/verifier/quantity_lines.hpp"
@@ -64,6 +65,7 @@ void check(Lines& lines, Question& question, const Options& options, Verificatio
   if (question.solutions) return check_solutions(lines, question, options, result);
   describe_bound(question, result);
   if (question.quantity && !question.closure) border(question);
+  if (is_finite_error(question)) add_nominal_copy(question);
   const Variety variety = enclose_variety(question);
   put_in_single_values(question);
   if (question.is_index)

@@ -8,6 +8,7 @@
 #include "runtime/verifier/model/load_comparison.hpp"
 #include "runtime/verifier/model/motion_comparison.hpp"
 #include "runtime/verifier/model/place_comparison.hpp"
+#include "runtime/verifier/model/platform_comparison.hpp"
 #include "runtime/verifier/model/question_comparer.hpp"
 
 namespace regulus::verifier {
@@ -133,7 +134,7 @@ class ModelComparison {
 
   /// Returns false if the section that describes the robot was not compared.
   bool compare_robot() {
-    if (q_.closure) {
+    if (q_.closure && (!section_ || has_below(values_, "closure."))) {
       for (const char* other : {"matrix.", "gough.", "legs.", "serial."})
         if (has_below(values_, other))
           comparer_.leave_out({"[closure]", 0, ""}, "the robot is described twice");
@@ -143,7 +144,7 @@ class ModelComparison {
     if (section_) {
       if (has_below(values_, "matrix.") || has_below(values_, "pose."))
         comparer_.leave_out({"[matrix] or [pose]", 0, ""}, "the robot is described twice");
-      section_->compare(comparer_);
+      q_.closure ? compare_platform(comparer_, *section_) : section_->compare(comparer_);
       return true;
     }
     for (const char* section : {"gough", "legs", "serial"})
