@@ -5,7 +5,6 @@
 
 #include "codegen/answer/ask.hpp"
 #include "codegen/answer/bracket_ends.hpp"
-#include "codegen/answer/closure_answer.hpp"
 #include "codegen/answer/outputs.hpp"
 #include "codegen/answer/refusals.hpp"
 #include "codegen/question/bound/bound_question.hpp"
@@ -188,18 +187,15 @@ class Sheet final : public DatasheetAnswer {
   std::string checkpoint_line_;
 };
 
-Request read_finite(const AskBound& asked, const Services& services) {
-  const FormingWatch watch = watch_of(services, asked.search);
-  return read_request(asked.model, &watch);
-}
-
 }  // namespace
 
 std::unique_ptr<BoundAnswer> ask(const AskBound& asked, const Services& services) {
-  refuse_services(asked.quantity.is_finite ? Kind::kFiniteErrors : Kind::kBound, asked.model,
-                  asked.search, services);
-  if (asked.quantity.is_finite)
-    return answer_closure(read_finite(asked, services), asked, services);
+  const bool is_finite = is_finite_error(asked.quantity);
+  refuse_services(is_finite ? Kind::kFiniteErrors : Kind::kBound, asked.model, asked.search,
+                  services);
+  if (is_finite)
+    refuse_changed_options(option_refusals_of_closures(), asked.model, asked.search,
+                           services.dashes);
   BoundQuestion question = read_bound_question(asked.model, asked.quantity, asked.limit,
                                                watch_of(services, asked.search));
   if (question.limit && !services.checkpoint.path.empty() &&

@@ -16,7 +16,6 @@
 #include "codegen/question/closure/closure_certificate.hpp"
 #include "codegen/question/closure/closure_margin.hpp"
 #include "codegen/question/closure/closure_report.hpp"
-#include "codegen/question/closure/finite_error_report.hpp"
 #include "codegen/question/margin/margin_certificates.hpp"
 #include "codegen/question/margin/margin_report.hpp"
 #include "codegen/question/margin/margin_run.hpp"
@@ -216,49 +215,11 @@ class ClosureMargin final : public MarginAnswer {
   std::string checkpoint_line_;
 };
 
-/// How far errors move the configuration.
-class FiniteErrorAnswer final : public BoundAnswer {
- public:
-  FiniteErrorAnswer(Request request, const AskBound& asked, const Services& services)
-      : request_(std::move(request)), search_(asked.search), gap_(read_gap(asked.gap)) {
-    const std::vector<std::size_t> unknowns = unknowns_of(request_, asked.quantity, asked.limit);
-    services.begin_search();
-    SearchDisplay display(display_of(services));
-    found_ = bound_finite_errors(request_, unknowns, gap_, search_, watch_of(services, search_),
-                                 display.observer());
-    closed =
-        found_.obstacle.empty() && std::ranges::all_of(found_.unknowns, &FiniteError::is_closed);
-    if (found_.unknowns.size() != 1) return;
-    unit = found_.unknowns.front().unit;
-    attained = found_.unknowns.front().attained;
-    proved = found_.unknowns.front().proved;
-  }
-
-  [[nodiscard]] Word word() const override {
-    return closed ? Word::kProved : found_.folds.empty() ? Word::kOpen : Word::kRefuted;
-  }
-  [[nodiscard]] std::string headline() const override { return describe_result(found_); }
-  void tell(Facts& facts) const override {
-    tell_finite_errors(request_, search_, found_, gap_, closed, facts);
-  }
-
- private:
-  Request request_;
-  SearchOptions search_;
-  double gap_;
-  FiniteErrors found_;
-};
-
 }  // namespace
 
 std::unique_ptr<MarginAnswer> answer_closure(const MarginQuestion& question, Request request,
                                              const AskMargin& asked, const Services& services) {
   return std::make_unique<ClosureMargin>(question, std::move(request), asked, services);
-}
-
-std::unique_ptr<BoundAnswer> answer_closure(Request request, const AskBound& asked,
-                                            const Services& services) {
-  return std::make_unique<FiniteErrorAnswer>(std::move(request), asked, services);
 }
 
 std::unique_ptr<CheckAnswer> answer_closure(Request request, double model_seconds,

@@ -25,7 +25,5 @@ struct Request;
 [[nodiscard]] std::unique_ptr<MarginAnswer> answer_closure(const MarginQuestion& question,
                                                            Request request, const AskMargin& asked,
                                                            const Services& services);
-[[nodiscard]] std::unique_ptr<BoundAnswer> answer_closure(Request request, const AskBound& asked,
-                                                          const Services& services);
 
 }  // namespace regulus

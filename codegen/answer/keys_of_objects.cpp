@@ -143,16 +143,6 @@ constexpr Key kFold[] = {
     {"direction", "enclosure{}", "of the unknowns, with the motors locked"},
     {"on_branch", "flag", "configurations of the motion lead to it from the start"},
 };
-constexpr Key kFiniteError[] = {
-    {"unknown", "text"},
-    {"unit", "text"},
-    {"attained", "rounded", "some errors move it so far"},
-    {"proved", "rounded?", "no errors move it farther"},
-    {"at", "enclosure{}", "the parameters and errors of the attained end"},
-    {"closed", "flag"},
-    {"reason", "text?", "why it is not closed"},
-    {"boxes", "count"},
-};
 constexpr Key kSolution[] = {
     {"values", "enclosure{}", "by unknown"},
     {"pose?", "enclosure{}", "the same by the model's pose parameters, if the model has angles"},
@@ -296,7 +286,6 @@ std::vector<ObjectKind> kinds_of_parts_of_searches() {
       {"nearest_singular", "approximate; proves nothing", {kPlace, kNearest, kDegeneracy}},
       {"branch", "where the branch of a closure starts", {kBranch}},
       {"fold", "a certified singular configuration of a closure", {kFold}},
-      {"finite_error_of_unknown", "how far errors move it", {kFiniteError}},
       {"solution", "a certain solution", {kSolution}},
       {"placed_number", "a number of a place", {kPlacedNumber}},
       {"places_file", "a table of places", {kPlacesFile}},

@@ -141,12 +141,6 @@ constexpr Key kLimitMargin[] = {
     {"components", "component_margin[]"},
 };
 
-constexpr Key kFiniteErrors[] = {
-    {"errors", "finite_error_of_unknown[]"},
-    {"gap_wanted", "approx"},
-    {"obstacle", "text?", "why there is no bound"},
-};
-
 constexpr Key kOfSolutions[] = {
     {"solution_units", "text{}", "by unknown"},
     {"notes", "text[]", "about the question"},
@@ -217,7 +211,6 @@ std::vector<ObjectKind> kinds_of_other_answers() {
        {kReason, kNotes, kBracket, kNonempty, kLimitMargin},
        kOfBracket},
       {"bound", "bound", {kNotes, kBound}, kOfBound},
-      {"finite_error", "bound error --finite", {kFiniteErrors}, kOfBracket},
       {"datasheet", "datasheet", {kDatasheet}, kOfBracket},
       {"solutions", "solve", {kOfSolutions, kSolve, kCertificate}, "complete|none|incomplete"},
       {"solutions_at_places",

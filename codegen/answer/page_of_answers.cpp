@@ -153,8 +153,7 @@ PageOfAnswers::~PageOfAnswers() = default;
 void PageOfAnswers::add(ShownAnswer answer) {
   paths_.add(answer.certificate);
   const bool is_closed = request_ && request_->model.closure;
-  // The bars are those of quantities; finite errors have others, which the report tells.
-  if (answer.kind == "bound" && !is_closed) data_.bounds.push_back(answer.report);
+  if (answer.kind == "bound") data_.bounds.push_back(answer.report);
   if (answer.kind == "datasheet")
     for (const Json& bound : answer.report["bounds"]) data_.bounds.push_back(bound);
   if (answer.kind == "margin") data_.margins.push_back(answer.report);
@@ -170,8 +169,6 @@ void PageOfAnswers::add(ShownAnswer answer) {
   data_.certificate_note = answer.no_certificate;
   if (is_closed && answer.kind == "paving")
     data_.certificate_note = refusal(Kind::kClosurePaving, Service::kProof).value_or("");
-  if (is_closed && answer.kind == "bound")
-    data_.certificate_note = refusal(Kind::kClosureFiniteErrors, Service::kProof).value_or("");
   if (answer.kind != "check" && answer.kind != kSolutions) return;
   if (request_ && request_->motion.trajectory && !data_.report["segment"].is_null())
     set_deciding_segment(data_, *request_, uncertain_names(*request_));

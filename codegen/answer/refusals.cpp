@@ -44,19 +44,12 @@ constexpr std::string_view kNoWayOfClosures =
     "a model with [closure] has no motions along way-points; give the motion by ranges";
 constexpr std::string_view kNoTheoremOfClosures =
     "Coq has no theorem about a [closure]; regulus-verify proves it";
-constexpr std::string_view kNoCheckpointOfFiniteErrors =
-    "finite errors keep no checkpoint; leave it out";
-constexpr std::string_view kNoRanksOfFiniteErrors =
-    "finite errors are searched in one process only; use regulus";
 constexpr std::string_view kNoShardsOfClosures =
     "the boxes of a branch are linked, so its proof is one file; leave the shards out";
 constexpr std::string_view kNoProofOfPavings =
     "a paving of a [closure] has no proof; check has one of the whole motion";
 constexpr std::string_view kNoFiniteErrors =
-    "only a model with [closure] has finite errors, and over ranges alone; leave finite out, for "
-    "errors to first order";
-constexpr std::string_view kNoProofOfFiniteErrors =
-    "finite errors have no proof in a file; check has one of the branch";
+    "finite errors are bounded over ranges alone; leave finite out, for errors to first order";
 constexpr std::string_view kNoWayTheorem =
     "Coq has no theorem about a quantity along way-points; regulus-verify proves it";
 
@@ -110,13 +103,15 @@ constexpr Refusal kRefusals[] = {
     {kClosureDatasheet, kTheorem, kNoTheoremOfClosures},
     {kClosureDatasheet, kCheckpoint, kNoCheckpointOfClosures},
     {kClosureDatasheet, kRanks, kNoRanksOfClosures},
-    {kFiniteErrors, kAnswer, kNoFiniteErrors},
+    {kFiniteErrors, kShards, kNoShardsOfClosures},
+    {kFiniteErrors, kTheorem, kNoTheoremOfClosures},
+    {kFiniteErrors, kCheckpoint, kNoCheckpointOfClosures},
+    {kFiniteErrors, kRanks, kNoRanksOfClosures},
     {kWayFiniteErrors, kAnswer, kNoFiniteErrors},
-    {kClosureFiniteErrors, kProof, kNoProofOfFiniteErrors},
-    {kClosureFiniteErrors, kShards, kNoProofOfFiniteErrors, false},
-    {kClosureFiniteErrors, kTheorem, kNoProofOfFiniteErrors, false},
-    {kClosureFiniteErrors, kCheckpoint, kNoCheckpointOfFiniteErrors},
-    {kClosureFiniteErrors, kRanks, kNoRanksOfFiniteErrors},
+    {kClosureFiniteErrors, kShards, kNoShardsOfClosures},
+    {kClosureFiniteErrors, kTheorem, kNoTheoremOfClosures},
+    {kClosureFiniteErrors, kCheckpoint, kNoCheckpointOfClosures},
+    {kClosureFiniteErrors, kRanks, kNoRanksOfClosures},
     {kWaySolve, kAnswer, kNoWayOfSolutions},
     {kSolve, kShards, kNoShardsOfSolutions},
     {kSolve, kTheorem, kNoTheoremOfSolutions},
@@ -145,6 +140,7 @@ constexpr Refusal kRefusals[] = {
     {kWayDatasheet, kPicture, kNoBoxes, false},
     {kClosureCheck, kPicture, kNoBoxes, false},
     {kClosureMargin, kPicture, kNoBoxes, false},
+    {kFiniteErrors, kPicture, kNoBoxes, false},
     {kClosureFiniteErrors, kPicture, kNoBoxes, false},
     {kClosureBound, kPicture, kNoBoxes, false},
     {kClosureLimitMargin, kPicture, kNoBoxes, false},
@@ -324,6 +320,7 @@ std::string_view name(Service service) {
 
 std::span<const Refusal> refusals() { return kRefusals; }
 std::span<const OptionRefusal> option_refusals_of_loads() { return kOptionsOfLoads; }
+std::span<const OptionRefusal> option_refusals_of_closures() { return kOptionsOfClosures; }
 std::span<const OptionRefusal> option_refusals_of_solutions() { return kOptionsOfSolutions; }
 
 std::optional<std::string_view> refusal(Kind kind, Service service) {

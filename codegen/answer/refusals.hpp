@@ -80,6 +80,7 @@ struct OptionRefusal {
 };
 [[nodiscard]] std::span<const OptionRefusal> option_refusals_of_loads();
 [[nodiscard]] std::span<const OptionRefusal> option_refusals_of_solutions();
+[[nodiscard]] std::span<const OptionRefusal> option_refusals_of_closures();
 
 /// Throws    UsageError for the first service that is asked for and that the question does not have,
 ///           also if the motion is along way-points or the model has a closure. It comes before an

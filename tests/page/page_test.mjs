@@ -288,7 +288,7 @@ test("A closure is quoted, with its proof to save, and with slices of its paving
   assert.match(await textOf(boxes, "main"), /There is no proof in a file: a paving of a .closure. has no proof/);
   assert.deepEqual(none, []);
   const { page: errors, faults: quiet } = await open(browser, pageOf("finite", ["bound", bars, "inside", "error", "--finite", "--tolerance", "links=0.001"]));
-  assert.match(await secondProof(errors), /^Quoted: this answer has no proof in a file/);
+  assert.match(await secondProof(errors), /^Quoted: this page has no proof of this answer/);
   assert.deepEqual(quiet, []);
 });
 

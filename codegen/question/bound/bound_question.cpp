@@ -9,6 +9,7 @@
 #include "codegen/model/exact/expression_parser.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/question/bound/bound_run.hpp"
+#include "codegen/question/quantity/platform_closure.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus {
@@ -35,6 +36,23 @@ Request read_asked(ModelOptions model, const QuantityOptions& quantity, const Fo
                                           fmt::join(quantity_words(), ", "))));
 }
 
+/// Finite errors are those of the motion and of the geometry.
+void require_errors(const Request& request, const Quantity& quantity) {
+  if (quantity.kind != QuantityKind::kFiniteError) return;
+  const auto is_zero = [](const GiNaC::ex& e) { return e.is_zero(); };
+  bool has_error = !std::ranges::all_of(request.motion.error, is_zero);
+  for (const GeometryParameter& g : request.model.geometry) {
+    if (g.ball >= 0 && !request.model.balls.at(std::size_t(g.ball)).radius.is_zero())
+      throw UsageError("finite errors take tolerances that are ranges; the point of '" + g.name +
+                       "' lies in a ball");
+    has_error = has_error || !g.tolerance.is_zero();
+  }
+  if (!has_error)
+    throw UsageError(
+        "nothing has an error: give the motion an `error`, the legs [actuators] error, or the "
+        "geometry tolerances");
+}
+
 GiNaC::ex read_limit(const std::string& text, const Quantity& quantity) {
   GiNaC::ex limit;
   from_option("--limit",
@@ -53,7 +71,10 @@ BoundQuestion read_bound_question(const ModelOptions& model, const QuantityOptio
                                  fmt::join(quantity_words(), ", ")));
   refuse_threshold(model);
   BoundQuestion question{read_asked(model, words, watch), {}, {}};
+  if (is_finite_error(words) && !question.request.model.closure)
+    question.request = closure_of_platform(question.request);
   question.quantity = quantity_of(question.request.model, words);
+  require_errors(question.request, question.quantity);
   if (!limit.empty()) question.limit = read_limit(limit, question.quantity);
   return question;
 }

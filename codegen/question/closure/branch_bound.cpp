@@ -200,7 +200,9 @@ ComponentBound without_branch(const PreparedClosure& prepared, const ClosureFind
   if (is_determinant) result.attained = end_at(0);
   const bool has_bound = is_determinant || component.kind == QuantityKind::kDeterminantMax;
   result.is_unbounded = !settings.limit && !has_bound;
-  if (settings.limit && (is_determinant || !has_bound)) result.verdict = LimitVerdict::kExceeded;
+  // Where errors are finite, the configuration moves a finite way to where the branch ends.
+  const bool exceeds_all = !has_bound && component.kind != QuantityKind::kFiniteError;
+  if (settings.limit && (is_determinant || exceeds_all)) result.verdict = LimitVerdict::kExceeded;
   if (has_bound && !is_determinant) return result;
   result.place = place_at(prepared, fold.place, fold.unknowns);
   if (!result.proofs.are_wanted()) return result;
@@ -226,7 +228,12 @@ std::shared_ptr<BranchBounds::Branch> BranchBounds::branch(const Request& reques
   const SearchOptions search = limited(settings.search, std::fmax(budget.left(), budget.all() / 2));
   auto made = std::make_shared<Branch>(Branch{prepare_closure(request, 0, search, watch, by), {}});
   SearchDisplay display(settings.output);
-  made->found = check_closure(made->prepared, search, watch, display.observer());
+  if (by == DerivativesBy::kVariablesAndNominal)
+    made->found.searched =
+        run_closure(made->prepared, settings_of(made->prepared, search, settings.interrupt),
+                    display.observer());
+  else
+    made->found = check_closure(made->prepared, search, watch, display.observer());
   if (!made->found.searched.branch.stopped_by) branches_.emplace(by, made);
   return made;
 }
@@ -234,17 +241,27 @@ std::shared_ptr<BranchBounds::Branch> BranchBounds::branch(const Request& reques
 ComponentBound BranchBounds::bound(const Request& request, const Component& component,
                                    const BoundSettings& settings, const TimeBudget& budget) {
   const DerivativesBy by = BranchValue::needed(component.kind);
-  const bool is_first = !branches_.contains(by);
-  const auto branch = this->branch(request, by, settings, budget);
-  PreparedClosure& prepared = branch->prepared;
+  std::uint64_t boxes = 0;
+  StageSeconds seconds;
+  const auto found = [&](DerivativesBy wanted) {
+    const bool is_first = !branches_.contains(wanted);
+    const auto branch = this->branch(request, wanted, settings, budget);
+    if (is_first) {
+      boxes += branch->found.searched.branch.boxes;
+      seconds += branch->prepared.preparation.seconds_spent();
+    }
+    return branch;
+  };
+  // Whether the branch ends is a question about the mechanism alone, without its copy.
+  std::shared_ptr<Branch> branch;
+  if (by == DerivativesBy::kVariablesAndNominal) branch = found(DerivativesBy::kVariables);
+  if (!branch || branch->found.searched.is_proved()) branch = found(by);
   ComponentBound result =
       branch->found.searched.is_proved()
-          ? ComponentOverBranch(prepared, branch->found, component, settings).run(budget)
-          : without_branch(prepared, branch->found, component, settings);
-  if (is_first) {
-    result.boxes += branch->found.searched.branch.boxes;
-    result.seconds += prepared.preparation.seconds_spent();
-  }
+          ? ComponentOverBranch(branch->prepared, branch->found, component, settings).run(budget)
+          : without_branch(branch->prepared, branch->found, component, settings);
+  result.boxes += boxes;
+  result.seconds += seconds;
   return result;
 }
 

@@ -69,6 +69,7 @@ BranchValue::BranchValue(const Model& model, const Component& c)
 }
 
 DerivativesBy BranchValue::needed(QuantityKind kind) {
+  if (kind == QuantityKind::kFiniteError) return DerivativesBy::kVariablesAndNominal;
   const bool is_of_matrix = kind == QuantityKind::kCondition ||
                             kind == QuantityKind::kDeterminant ||
                             kind == QuantityKind::kDeterminantMax;
@@ -93,6 +94,41 @@ Interval BranchValue::largest(const BranchRates& rates, const SystemBoxes::Syste
     default:
       return of_motors(J);
   }
+}
+
+/// p_i − p°_i = c_i − c°_i + (S_i − S°_i)(x − x₀) + ρ_i − ρ°_i.
+Interval BranchValue::distance(const BranchTube& tube, std::span<const Interval> box) const {
+  const std::size_t i = column_, j = column_ + unknowns_, m = tube.at.size();
+  const double radius = add_ru(tube.radius[i], tube.radius[j]);
+  Interval sum = Interval(tube.center[i]) - Interval(tube.center[j]) + Interval(-radius, radius);
+  for (std::size_t k = 0; k < m; ++k)
+    sum += (Interval(tube.slopes[i * m + k]) - Interval(tube.slopes[j * m + k])) *
+           (box[k] - Interval(tube.at[k]));
+  return abs(sum);
+}
+
+std::vector<double> BranchValue::farthest(const BranchTube& tube,
+                                          std::span<const Interval> box) const {
+  const std::size_t i = column_, j = column_ + unknowns_, m = tube.at.size();
+  double middle = tube.center[i] - tube.center[j];
+  std::vector<double> slope(m);
+  for (std::size_t k = 0; k < m; ++k) {
+    slope[k] = tube.slopes[i * m + k] - tube.slopes[j * m + k];
+    middle += slope[k] * (mid(box[k]) - tube.at[k]);
+  }
+  std::vector<double> corner(m);
+  for (std::size_t k = 0; k < m; ++k)
+    corner[k] = slope[k] == 0                       ? mid(box[k])
+                : (slope[k] > 0) == (middle >= 0.0) ? box[k].hi
+                                                    : box[k].lo;
+  return corner;
+}
+
+std::vector<double> BranchValue::impact_on_distance(const TubeImage& image, std::size_t m) const {
+  std::vector<double> impact(m);
+  for (std::size_t k = 0; k < m; ++k)
+    impact[k] = image.impact[column_ * m + k] + image.impact[(column_ + unknowns_) * m + k];
+  return impact;
 }
 
 /// The largest value of along·w over the load, with the sign, or of its magnitude.

@@ -8,6 +8,8 @@
 //   speed of unknown i  Σ_k |J_ik| s_k, s the largest speeds of the motors
 //   force of motor k    Σ_i J_ik w_i, w a load on the unknowns
 //   deflection          Σ_j G_ij w_j with G = J diag(1/c) Jᵀ, c the stiffness of the motors
+//   finite error        |p_i − p°_i|, p° the copy of the unknowns without errors
+//                       (DerivativesBy::kVariablesAndNominal)
 #pragma once
 
 #include <span>
@@ -16,6 +18,7 @@
 #include "codegen/question/closure/closed_system.hpp"
 #include "codegen/question/quantity/quantity.hpp"
 #include "runtime/existence/branch_rates.hpp"
+#include "runtime/existence/branch_tube.hpp"
 
 namespace regulus {
 
@@ -32,6 +35,19 @@ class BranchValue {
   ///
   /// Rounding  outward; MXCSR at nearest.
   [[nodiscard]] Interval largest(const BranchRates& rates, const SystemBoxes::System& over) const;
+
+  /// True for a finite error: f is the distance of two unknowns, and the tube itself bounds it.
+  [[nodiscard]] bool is_distance() const { return kind_ == QuantityKind::kFiniteError; }
+  /// Encloses the distance over the part of a tube over a box.
+  ///
+  /// Requires  is_distance().
+  /// Rounding  outward; MXCSR at nearest.
+  [[nodiscard]] Interval distance(const BranchTube& tube, std::span<const Interval> box) const;
+  /// Returns the corner of the box where it is largest, nearly.
+  [[nodiscard]] std::vector<double> farthest(const BranchTube& tube,
+                                             std::span<const Interval> box) const;
+  /// Returns how much each variable adds to what is not known of the distance.
+  [[nodiscard]] std::vector<double> impact_on_distance(const TubeImage& image, std::size_t m) const;
 
   /// Returns the value of the quantity that f means, or f of a value.
   [[nodiscard]] double value_of(double f) const { return is_negative_ ? -f : f; }

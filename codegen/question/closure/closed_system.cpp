@@ -28,11 +28,14 @@ class SystemBuilder {
     add_geometry();
     add_pose();
     system_.shape.variables = model.pose.size();
-    system_.shape.unknowns = closure.unknowns.size();
+    if (by_ == DerivativesBy::kVariablesAndNominal) add_nominal(closure);
+    system_.shape.unknowns = closure.unknowns.size() + copies_.size();
     if (by_ != DerivativesBy::kUnknowns) system_.shape.differentiated = system_.shape.variables;
     if (by_ == DerivativesBy::kVariablesAndPose) system_.shape.driven = given_.model.pose.size();
     for (std::size_t i = 0; i < closure.unknowns.size(); ++i)
       add_variable(closure.unknowns[i], typical_range(closure.start[i]));
+    for (std::size_t i = 0; i < copies_.size(); ++i)
+      add_variable(copies_[i], typical_range(closure.start[i]));
     write_matrix(closure);
     write_conditions();
     return std::move(system_);
@@ -89,16 +92,40 @@ class SystemBuilder {
     }
   }
 
+  /// Notes what expressions of the model mean for the mechanism without errors.
+  void add_nominal(const Closure& closure) {
+    for (const GeometryParameter& g : given_.model.geometry)
+      if (uncertain_.contains(g.name)) middles_[g.symbol] = g.value;
+    nominal_ = middles_;
+    for (const auto& [pose, commanded] : commanded_) nominal_[pose] = commanded.subs(middles_);
+    for (const PoseParameter& unknown : closure.unknowns) {
+      const std::string name = unknown.name + "_nominal";
+      copies_.push_back({GiNaC::realsymbol(name), name, unknown.unit});
+      nominal_[unknown.symbol] = copies_.back().symbol;
+    }
+  }
+
+  /// Adds what must be defined, also without errors.
+  void require(const ex& condition, const GiNaC::exmap& actual, const GiNaC::exmap& nominal) {
+    std::vector<ex>& conditions = system_.request.model.must_be_defined;
+    conditions.push_back(condition.subs(actual));
+    if (!copies_.empty()) conditions.push_back(condition.subs(nominal));
+  }
+
   void write_matrix(const Closure& closure) {
     Model& model = system_.request.model;
     const std::size_t n = system_.shape.unknowns, m = system_.shape.variables;
     const std::size_t derivatives = n + system_.shape.differentiated, d = system_.shape.driven;
     model.matrix = GiNaC::matrix(unsigned(1 + derivatives + d), unsigned(n));
     for (unsigned j = 0; j < n; ++j) {
-      const ex equation = differentiable(closure.equations[j].subs(actual_));
+      const bool is_nominal = j >= closure.equations.size();
+      const ex equation =
+          differentiable(is_nominal ? closure.equations[j - closure.equations.size()].subs(nominal_)
+                                    : closure.equations[j].subs(actual_));
       model.matrix(0, j) = equation;
       for (std::size_t k = 0; k < derivatives; ++k)
         model.matrix(unsigned(1 + k), j) = equation.diff(model.pose[k < n ? m + k : k - n].symbol);
+      if (is_nominal) continue;
       const ex as_written = differentiable(closure.equations[j]);
       for (std::size_t k = 0; k < d; ++k)
         model.matrix(unsigned(1 + derivatives + k), j) =
@@ -108,10 +135,8 @@ class SystemBuilder {
 
   void write_conditions() {
     Motion& motion = system_.request.motion;
-    for (const ex& e : given_.model.must_be_defined)
-      system_.request.model.must_be_defined.push_back(e.subs(actual_));
-    for (const ex& e : given_.motion.must_be_defined)
-      system_.request.model.must_be_defined.push_back(e.subs(commanded_));
+    for (const ex& e : given_.model.must_be_defined) require(e, actual_, nominal_);
+    for (const ex& e : given_.motion.must_be_defined) require(e.subs(commanded_), {}, middles_);
     for (const ex& e : given_.motion.constraints) motion.constraints.push_back(e.subs(commanded_));
     for (const ex& e : given_.motion.reach) motion.reach.push_back(e.subs(commanded_));
   }
@@ -120,6 +145,8 @@ class SystemBuilder {
   const std::set<std::string> uncertain_;
   const DerivativesBy by_;
   GiNaC::exmap commanded_, actual_;
+  GiNaC::exmap nominal_, middles_;  ///< without errors: of the model, and of uncertain quantities
+  std::vector<PoseParameter> copies_;  ///< of the unknowns, without errors
   ClosedSystem system_;
 };
 

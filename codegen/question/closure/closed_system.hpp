@@ -15,15 +15,19 @@ namespace regulus {
 /// The sizes of a system. The variables of its kernel are those of a certificate, in its order
 /// (motion parameters, uncertain quantities, control errors), and after them the unknowns.
 struct ClosedShape {
-  std::size_t parameters = 0;  ///< of the motion
-  std::size_t variables = 0;   ///< with the uncertain ones
-  std::size_t unknowns = 0;
+  std::size_t parameters = 0;      ///< of the motion
+  std::size_t variables = 0;       ///< with the uncertain ones
+  std::size_t unknowns = 0;        ///< with those of DerivativesBy::kVariablesAndNominal
   std::size_t differentiated = 0;  ///< variables with derivatives in the matrix: all or none
   std::size_t driven = 0;          ///< pose parameters with derivatives in it: all or none
 };
 
 /// The derivatives that a system forms, beside those by the unknowns.
-enum class DerivativesBy { kUnknowns, kVariables, kVariablesAndPose };
+///
+/// kVariablesAndNominal: those by variables, of a system with each unknown and each equation once
+/// more. The copies are of the mechanism without errors: there the uncertain quantities have the
+/// middles of their ranges, and control errors are 0.
+enum class DerivativesBy { kUnknowns, kVariables, kVariablesAndPose, kVariablesAndNominal };
 
 struct ClosedSystem {
   ClosedShape shape;

@@ -72,6 +72,13 @@ void fill_start(PreparedClosure& prepared) {
     prepared.near_start.unknowns.push_back(mid(start.values.back()));
   }
   prepared.ranges = enclose_ranges(closure);
+  // The start has no errors, so copies of the unknowns have the same values there.
+  for (std::size_t i = 0; i + closure.unknowns.size() < prepared.shape.unknowns; ++i) {
+    start.values.push_back(Interval(start.values[i]));
+    start.radius.push_back(Interval(start.radius[i]));
+    prepared.near_start.unknowns.push_back(double(prepared.near_start.unknowns[i]));
+    prepared.ranges.push_back(Interval(prepared.ranges[i]));
+  }
   const std::set<std::string> uncertain = uncertain_names(prepared.request);
   for (const GeometryParameter& g : prepared.request.model.geometry)
     if (uncertain.contains(g.name)) start.place.push_back(enclose_constant(g.value, g.name));

@@ -16,24 +16,50 @@ std::vector<double> impact_of(const BranchTube& tube, const TubeImage& image, st
   return impact;
 }
 
+constexpr int kSteps = 8;
+
+/// At x₀ the solution c + ρ has 0 = KΦ(x₀, c) + (I + E)ρ, so that |ρ| ≤ |KΦ(x₀, c)| + |E||ρ|, and
+/// |ρ| < r to begin with.
+std::vector<double> near_center(const BranchTube& tube, const TubeImage& image) {
+  std::vector<double> near = tube.radius;
+  const std::size_t n = near.size();
+  for (int step = 0; step < kSteps; ++step) {
+    const std::vector<double> last = near;
+    for (std::size_t i = 0; i < n; ++i) {
+      double sum = image.offset[i];
+      for (std::size_t j = 0; j < n; ++j)
+        sum = add_ru(sum, mul_ru(image.spread[i * n + j], last[j]));
+      near[i] = std::fmin(last[i], sum);
+    }
+  }
+  return near;
+}
+
 }  // namespace
 
-/// Encloses f over each of 1…8 tubes.
+/// Encloses f over each of 1…8 tubes. `findings`: are told of these tubes; empty: nothing is.
 std::vector<Interval> ValueJudge::values_of(std::span<const TubeTrial> tubes,
-                                            std::vector<std::vector<double>>* impact) {
+                                            std::span<ValueFinding* const> findings) {
   std::vector<Interval> values;
   const auto measured = finder_.measure(tubes);
+  const std::size_t m = question_.closure.shape.variables;
   for (std::size_t lane = 0; lane < tubes.size(); ++lane) {
+    const BranchTube& tube = tubes[lane].tube;
+    if (question_.value.is_distance()) {
+      values.push_back(question_.value.distance(tube, tubes[lane].box));
+      if (findings.empty() || !measured[lane]) continue;
+      findings[lane]->impact = question_.value.impact_on_distance(measured[lane]->image, m);
+      findings[lane]->near_center = near_center(tube, measured[lane]->image);
+      continue;
+    }
     if (!measured[lane]) {
       values.emplace_back(-kInfinity, kInfinity);
       continue;
     }
-    const BranchTube& tube = tubes[lane].tube;
     const BranchRates rates(tube, measured[lane]->image, measured[lane]->inverse,
                             measured[lane]->over.by_unknown);
     values.push_back(question_.value.largest(rates, measured[lane]->over));
-    if (impact != nullptr)
-      (*impact)[lane] = impact_of(tube, measured[lane]->image, question_.closure.shape.variables);
+    if (!findings.empty()) findings[lane]->impact = impact_of(tube, measured[lane]->image, m);
   }
   return values;
 }
@@ -54,12 +80,9 @@ void ValueJudge::judge(std::span<const Box> boxes, std::span<ValueFinding> findi
     of.push_back(&findings[lane]);
   }
   if (tubes.empty()) return;
-  std::vector<std::vector<double>> impact(tubes.size());
-  const std::vector<Interval> values = values_of(tubes, &impact);
-  for (std::size_t i = 0; i < tubes.size(); ++i) {
+  const std::vector<Interval> values = values_of(tubes, of);
+  for (std::size_t i = 0; i < tubes.size(); ++i)
     if (values[i].hi < kInfinity) of[i]->upper = values[i].hi;
-    of[i]->impact = std::move(impact[i]);
-  }
   judge_middles(tubes, of);
 }
 
@@ -71,11 +94,25 @@ SystemBoxes::Box ValueJudge::middle_of(const Box& box, const std::vector<double>
   return place;
 }
 
-/// Encloses f where the tubes have their centres.
+/// Returns a place of the box where f may be large, and the unknowns there, nearly.
+BranchPoint ValueJudge::place_in(const TubeTrial& trial) const {
+  if (!question_.value.is_distance()) return {trial.tube.at, trial.tube.center};
+  BranchPoint point{question_.value.farthest(trial.tube, trial.box), {}};
+  std::vector<Interval> place;
+  for (std::size_t k = 0; k < point.variables.size(); ++k) {
+    const std::optional<Interval>& inner = question_.problem.inner[k];
+    if (inner) point.variables[k] = std::clamp(point.variables[k], inner->lo, inner->hi);
+    place.emplace_back(point.variables[k]);
+  }
+  for (const Interval& p : enclose(trial.tube, place)) point.unknowns.push_back(mid(p));
+  return point;
+}
+
+/// Encloses f where the tubes have their centres, or where it may be large.
 void ValueJudge::judge_middles(std::span<const TubeTrial> tubes,
                                std::span<ValueFinding* const> findings) {
   std::vector<BranchPoint> near;
-  for (const TubeTrial& trial : tubes) near.push_back({trial.tube.at, trial.tube.center});
+  for (const TubeTrial& trial : tubes) near.push_back(place_in(trial));
   const auto settled = settle(system_, question_.closure.shape, near);
   std::vector<TubeTrial> middles, proved;
   std::vector<ValueFinding*> of, of_proved;
@@ -96,7 +133,7 @@ void ValueJudge::judge_middles(std::span<const TubeTrial> tubes,
     of_proved.push_back(of[i]);
   }
   if (proved.empty()) return;
-  const std::vector<Interval> values = values_of(proved, nullptr);
+  const std::vector<Interval> values = values_of(proved, {});
   for (std::size_t i = 0; i < proved.size(); ++i) {
     if (!(values[i].lo > -kInfinity)) continue;
     of_proved[i]->middle = proved[i].tube;
@@ -112,6 +149,7 @@ void ValueJudge::put(cluster::ByteWriter& to, const ValueFinding& finding) {
   to.put(finding.upper);
   to.put(finding.attained);
   to.put_list(std::span<const double>(finding.impact));
+  to.put_list(std::span<const double>(finding.near_center));
 }
 
 ValueFinding ValueJudge::take(cluster::ByteReader& from, const ValueQuestion& question) {
@@ -121,7 +159,12 @@ ValueFinding ValueJudge::take(cluster::ByteReader& from, const ValueQuestion& qu
   finding.upper = from.take<double>();
   finding.attained = from.take<double>();
   finding.impact = from.take_list<double>();
-  if (std::isnan(finding.upper) || std::isnan(finding.attained) ||
+  finding.near_center = from.take_list<double>();
+  const bool is_near = std::ranges::all_of(finding.near_center, [](double r) { return r >= 0; });
+  if (!is_near ||
+      (!finding.near_center.empty() &&
+       finding.near_center.size() != question.closure.shape.unknowns) ||
+      std::isnan(finding.upper) || std::isnan(finding.attained) ||
       (!finding.impact.empty() && finding.impact.size() != question.closure.shape.variables))
     throw cluster::MalformedMessage();
   return finding;

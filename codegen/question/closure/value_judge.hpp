@@ -17,7 +17,10 @@ struct ValueFinding {
   TubeFinding tube;
   double upper = kInfinity;      ///< f is at most that over the tube
   std::vector<double> impact{};  ///< by variable: what a split makes smaller
-  /// A tube over the middle of the box alone, and what f is at least in it.
+  /// By unknown, of a distance: the solution at the tube's centre is so near to it. Empty: within the
+  /// tube's radius.
+  std::vector<double> near_center{};
+  /// A tube over a place of the box alone, its middle if possible, and what f is at least in it.
   std::optional<BranchTube> middle{};
   double attained = -kInfinity;
 };
@@ -44,9 +47,10 @@ class ValueJudge {
 
  private:
   [[nodiscard]] std::vector<Interval> values_of(std::span<const TubeTrial> tubes,
-                                                std::vector<std::vector<double>>* impact);
+                                                std::span<ValueFinding* const> findings);
 
   void judge_middles(std::span<const TubeTrial> tubes, std::span<ValueFinding* const> findings);
+  [[nodiscard]] BranchPoint place_in(const TubeTrial& trial) const;
   [[nodiscard]] Box middle_of(const Box& box, const std::vector<double>& at) const;
 
   const ValueQuestion question_;

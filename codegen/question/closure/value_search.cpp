@@ -97,7 +97,7 @@ class ValueGoal {
       ValueBox& box = round_[i];
       const ValueFinding& finding = findings[i];
       box.is_judged = true;
-      if (finding.tube.tube && is_on_branch(*finding.tube.tube, box.leaf)) {
+      if (finding.tube.tube && is_on_branch(*finding.tube.tube, box.leaf, finding.near_center)) {
         box.tube = finding.tube.tube;
         box.upper = std::fmin(box.upper, finding.upper);
         box.impact = finding.impact;
@@ -192,10 +192,15 @@ class ValueGoal {
   }
 
   /// The tube's solution over its own centre is that of the branch, so it is over all of its box.
-  [[nodiscard]] bool is_on_branch(const BranchTube& tube, std::size_t leaf) const {
-    std::vector<Interval> place;
+  /// `near`: ValueFinding::near_center.
+  [[nodiscard]] bool is_on_branch(const BranchTube& tube, std::size_t leaf,
+                                  const std::vector<double>& near = {}) const {
+    std::vector<Interval> place, solution;
     for (const double x : tube.at) place.emplace_back(x);
-    return certain_holds(*branch_.leaves()[leaf].tube, place, enclose(tube, place));
+    for (std::size_t i = 0; i < near.size(); ++i)
+      solution.push_back(Interval(tube.center[i]) + Interval(-near[i], near[i]));
+    return certain_holds(*branch_.leaves()[leaf].tube, place,
+                         near.empty() ? enclose(tube, place) : solution);
   }
 
   BoxCourse& course_;

@@ -113,7 +113,8 @@ class Border {
       case QuantityKind::kDeflection:
         return deflection();
       case QuantityKind::kCondition2:
-        throw InternalError("the condition number in the 2-norm has no matrix B(r)");
+      case QuantityKind::kFiniteError:
+        throw InternalError("the quantity has no matrix B(r)");
       case QuantityKind::kDeterminantMax:
         return determinant_with_sign();
       case QuantityKind::kDeterminant:

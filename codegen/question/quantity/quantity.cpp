@@ -48,6 +48,9 @@ class Components {
   Quantity of(QuantityKind kind) {
     begin(kind);
     if (!model_.closure) {
+      if (kind == QuantityKind::kFiniteError)
+        throw UsageError(
+            "only bound has the finite errors of a platform; ask for error, to first order");
       require_inverse();
       require_few_rows();
     }
@@ -343,12 +346,22 @@ Quantity quantity_of(const Model& model, const QuantityOptions& options) {
   Components components(model, options);
   std::optional<QuantityKind> kind =
       is_quantity(options.quantity) ? kind_of(options.quantity, options.norm) : std::nullopt;
+  if (options.is_finite) {
+    const auto is_called = [&](QuantityKind k) { return options.quantity == traits_of(k).word; };
+    if (!is_called(QuantityKind::kError) && !is_called(QuantityKind::kFiniteError))
+      throw UsageError("--finite is about error; " + options.quantity + " has no finite form");
+    kind = QuantityKind::kFiniteError;
+  }
   if (kind == QuantityKind::kDeterminant && (options.is_signed || options.least))
     kind = QuantityKind::kDeterminantMax;
   Quantity quantity = kind ? components.of(*kind) : components.of_expression();
   for (Component& c : quantity.components)
     if (c.unit.empty()) c.unit = quantity.unit;
   return quantity;
+}
+
+bool is_finite_error(const QuantityOptions& options) {
+  return options.is_finite || options.quantity == traits_of(QuantityKind::kFiniteError).word;
 }
 
 const VectorSet& choose_load(const Model& model, const std::string& wanted) {

@@ -57,6 +57,9 @@ struct Quantity {
 /// Requires  for an expression: Model::asked is set.
 [[nodiscard]] Quantity quantity_of(const Model& model, const QuantityOptions& options);
 
+/// True for the words of a finite error.
+[[nodiscard]] bool is_finite_error(const QuantityOptions& options);
+
 /// Returns the load of that name, or the only one if `wanted` is empty. Throws UsageError.
 [[nodiscard]] const VectorSet& choose_load(const Model& model, const std::string& wanted);
 

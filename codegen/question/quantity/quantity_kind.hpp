@@ -17,6 +17,7 @@ enum class QuantityKind : std::uint8_t {
   kDeterminant,     ///< the least |det J⁻¹|
   kDeterminantMax,  ///< the largest, or det J⁻¹ with its sign
   kExpression,
+  kFiniteError,  ///< of an unknown, by all errors of the motion and the geometry, to any order
 };
 
 }  // namespace regulus

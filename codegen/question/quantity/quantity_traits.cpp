@@ -114,12 +114,19 @@ constexpr std::array kTraits{
                    .has_signs = true,
                    .needs_inverse = false,
                    .needs_square = false},
+    QuantityTraits{.kind = kFiniteError,
+                   .word = "finite-error",
+                   .norm = "",
+                   .description = "finite error",
+                   .certified = format::kFiniteError,
+                   .components = kFreedoms,
+                   .data = kNone},
 };
 
 constexpr bool are_in_order() {
   for (std::size_t k = 0; k < kTraits.size(); ++k)
     if (std::size_t(kTraits[k].kind) != k) return false;
-  return kTraits.size() == std::size_t(kExpression) + 1;
+  return kTraits.size() == std::size_t(kFiniteError) + 1;
 }
 static_assert(are_in_order());
 
@@ -142,6 +149,7 @@ constexpr std::array<ClosureTraits, kTraits.size()> kOfClosures{{
     {"",
      "an expression has the pose parameters alone, and not the unknowns, so that the branch "
      "changes nothing; ask for one of the quantities of a [closure]"},
+    {"finite error", "", kFreedoms},
 }};
 
 }  // namespace

@@ -20,8 +20,8 @@ void add_quantity_options(CLI::App& app, QuantityOptions& q) {
   app.add_flag("--signed", q.is_signed,
                "Bound the largest value with its sign, not the largest absolute value");
   app.add_flag("--finite", q.is_finite,
-               "Bound errors of a closure all the way, not to first order: how far the control "
-               "errors and the tolerances move each unknown");
+               "Bound errors all the way, not to first order: how far errors and tolerances move "
+               "the unknowns of a closure, or a platform on telescopic legs");
   app.add_option("--norm", q.norm,
                  "Norm of the condition number: 2 (largest by least singular value) or max "
                  "(default)")

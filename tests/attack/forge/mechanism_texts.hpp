@@ -62,6 +62,32 @@ wrench = { value = [100, 1], radius = 5 }
 theta = [0.4, 1.2]
 )toml";
 
+/// A platform in the plane on legs with errors.
+inline constexpr const char* kTripod = R"toml(regulus = 1
+name = "tripod"
+[legs]
+unit = "cm"
+base_tolerance = 0.005
+[[legs.leg]]
+type = "RPR"
+base = [0, 0]
+platform = [0, 0]
+[[legs.leg]]
+type = "RPR"
+base = [10, 0]
+platform = [4, 0]
+[[legs.leg]]
+type = "RPR"
+base = [3, 10]
+platform = [2, 2]
+[actuators]
+error = [0.01, 0.02, 0.01]
+[motion.work]
+x = [4.9, 5.1]
+y = 5
+phi = "1/10"
+)toml";
+
 /// A branch of an equation, from a start that lies within the motion.
 inline constexpr const char* kSlider = R"toml(regulus = 1
 name = "slider"

@@ -169,6 +169,7 @@ double value_of(const Component& c, const RandomModel::Place& p) {
     case QuantityKind::kDeterminantMax:
       q = p.J.determinant();
       break;
+    case QuantityKind::kFiniteError:
     case QuantityKind::kExpression:
       break;
   }

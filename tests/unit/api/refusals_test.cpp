@@ -160,8 +160,8 @@ TEST(Refusals, OfFiniteErrorsAreOfOtherModels) {
   regulus::BoundOptions options;
   options.quantity.quantity = "error";
   options.quantity.is_finite = true;
-  EXPECT_EQ(message_of([&] { static_cast<void>(regulus::bound(bead(), options)); }),
-            regulus::refusal(regulus::Kind::kFiniteErrors, regulus::Service::kAnswer));
+  EXPECT_THAT(message_of([&] { static_cast<void>(regulus::bound(bead(), options)); }),
+              testing::StartsWith("finite errors are those of a [closure], or of a platform"));
 }
 
 TEST(Refusals, OfAClosureComeBeforeTheServiceIsAskedFor) {

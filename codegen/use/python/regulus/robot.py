@@ -499,7 +499,8 @@ class Robot:
             least: the least value, with its sign.
             signed: the largest value with its sign, not the largest absolute value.
             norm: of a condition number: 2, the largest singular value divided by the least, or "max".
-            finite: the errors of a closure's unknowns all the way, not to first order.
+            finite: the errors of a closure's unknowns, or of a platform on telescopic legs, all
+                the way, not to first order.
             limit: compare with this value.
             gap: the bracket is closed when it is at most this part of its larger end.
             certificate: FILE; the proofs are FILE.safe and FILE.singular, of a leg FILE.leg_3.safe.
