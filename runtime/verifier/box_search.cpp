@@ -23,6 +23,10 @@ bool is_in(std::span<const Interval> box, std::span<const Interval> other) {
   return true;
 }
 
+bool is_in_one(std::span<const Interval> box, const std::vector<Box>& others) {
+  return std::ranges::any_of(others, [&](const Box& other) { return is_in(box, other); });
+}
+
 bool are_disjoint(std::span<const Interval> a, std::span<const Interval> b) {
   for (std::size_t i = 0; i < a.size(); ++i)
     if (a[i].hi < b[i].lo || a[i].lo > b[i].hi) return true;
@@ -65,13 +69,13 @@ std::optional<Box> BoxSearch::reach_of(const std::vector<double>& middle,
   return std::nullopt;
 }
 
-void BoxSearch::search(const std::vector<Box>& reaches,
+void BoxSearch::search(const Rest& has_rest,
                        const std::function<void(const Box&)>& look_for_other) {
   std::vector<Box> waiting{range_};
   while (!waiting.empty()) {
     Box box = std::move(waiting.back());
     waiting.pop_back();
-    if (!is_left(box, reaches)) continue;
+    if (!is_left(box, has_rest)) continue;
     const std::size_t widest = widest_of(box), i = to_halve(box, widest);
     const double at = mid(box[i]);
     if (part(box, widest) < kNarrowPart) look_for_other(box);
@@ -84,18 +88,16 @@ void BoxSearch::search(const std::vector<Box>& reaches,
   }
 }
 
-/// Returns false if the box has no other solution than those in reach. Narrows it to a part with all
+/// Returns false if the box has no other solution than those that are known. Narrows it to a part with all
 /// others.
-bool BoxSearch::is_left(Box& box, const std::vector<Box>& reaches) {
+bool BoxSearch::is_left(Box& box, const Rest& has_rest) {
   for (int step = 0; step < kMostNarrowings; ++step) {
     clock_.tick();
     if (++result_.boxes > options_.max_boxes)
       throw Unfinished("the search needs more boxes than may be evaluated");
     if (is_empty(box)) return false;
     const Box before = box;
-    if (!test_.narrow_to_solutions(places_, box) ||
-        std::ranges::any_of(reaches, [&](const Box& reach) { return is_in(box, reach); }))
-      return false;
+    if (!test_.narrow_to_solutions(places_, box) || !has_rest(box)) return false;
     bool is_narrower = false;
     for (std::size_t i = 0; i < box.size(); ++i)
       is_narrower =

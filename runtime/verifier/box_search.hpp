@@ -12,6 +12,7 @@
 namespace regulus::verifier {
 
 [[nodiscard]] bool is_in(std::span<const Interval> box, std::span<const Interval> other);
+[[nodiscard]] bool is_in_one(std::span<const Interval> box, const std::vector<Box>& others);
 [[nodiscard]] bool are_disjoint(std::span<const Interval> a, std::span<const Interval> b);
 
 /// Parts of the range: a box that is narrower may be shown to hold another solution.
@@ -34,10 +35,12 @@ class BoxSearch {
   [[nodiscard]] std::optional<Box> reach_of(const std::vector<double>& middle,
                                             const std::vector<double>& least);
 
-  /// Shows that all solutions in the range are in boxes of `reaches`. Throws Unfinished if it cannot.
-  /// `look_for_other` is called for a box that has become narrow, and may throw.
-  void search(const std::vector<Box>& reaches,
-              const std::function<void(const Box&)>& look_for_other);
+  /// Narrows a box to a part with all of its solutions that are not known; false: there are none.
+  using Rest = std::function<bool(Box&)>;
+
+  /// Shows that all solutions in the range are known. Throws Unfinished if it cannot. `look_for_other` is called
+  /// for a box that has become narrow, and may throw.
+  void search(const Rest& has_rest, const std::function<void(const Box&)>& look_for_other);
 
   /// "x = 1.5, y = 2".
   [[nodiscard]] std::string place_of(const Box& box) const;
@@ -47,7 +50,7 @@ class BoxSearch {
   [[nodiscard]] double part(const Box& box, std::size_t i) const {
     return (box[i].hi - box[i].lo) / width(i);
   }
-  [[nodiscard]] bool is_left(Box& box, const std::vector<Box>& reaches);
+  [[nodiscard]] bool is_left(Box& box, const Rest& has_rest);
   [[nodiscard]] std::size_t widest_of(const Box& box) const;
   [[nodiscard]] std::size_t to_halve(const Box& box, std::size_t widest) const;
   [[noreturn]] void give_up(const Box& box) const;

@@ -12,7 +12,6 @@
 
 namespace regulus::verifier {
 namespace {
-
 constexpr int kMostSteps = 30;
 constexpr double kSmallStep = 0x1p-36;    ///< of Newton's method, in parts of the scale
 constexpr double kSmallRadius = 0x1p-20;  ///< of a small box, in parts of the scale
@@ -37,16 +36,6 @@ std::vector<Interval> about(const std::vector<double>& middle, const std::vector
 }
 
 }  // namespace
-
-std::vector<NodeId> kinks_of(Graph& graph, const std::vector<NodeId>& derivatives) {
-  const NodeId one = graph.number("1");
-  std::vector<NodeId> result;
-  for (const NodeId id : ingredients(graph, derivatives)) {
-    const Node node = graph.nodes()[std::size_t(id)];
-    if (node.op == Op::kSign) result.push_back(graph.add(Op::kDivide, one, node.a));
-  }
-  return result;
-}
 
 BranchTest::BranchTest(Question& q, bool moves)
     : q_(q),
@@ -294,22 +283,24 @@ bool BranchTest::narrow_by_rows(const Values& values, const Values& M,
   return true;
 }
 
+/// The second derivative of equation j by two unknowns.
+Interval BranchTest::second(std::size_t j, std::size_t k, std::size_t l) const {
+  const std::size_t triangle = all_ * (all_ + 1) / 2, row = m_ + std::min(k, l),
+                    column = m_ + std::max(k, l);
+  return second_values_[j * triangle + row * all_ - row * (row + 1) / 2 + column];
+}
+
 /// Encloses the means of Φ_p along the segments from c: those over the box, and those at c and half of
 /// what they change by. Φ_p(c + td) is in Φ_p(c) + t·H·d, with H in the enclosure over the box, and the
 /// mean of t is 1/2.
 BranchTest::Values BranchTest::mean_derivatives(const std::vector<Interval>& step) const {
   Values M;
-  const std::size_t triangle = all_ * (all_ + 1) / 2;
   for (std::size_t j = 0; j < n_; ++j)
     for (std::size_t l = 0; l < n_; ++l) {
       Interval over = first_values_[j * all_ + m_ + l];
       if (!second_values_.empty()) {
         Interval near = center_[j * all_ + m_ + l], change;
-        for (std::size_t k = 0; k < n_; ++k) {
-          const std::size_t row = m_ + std::min(k, l), column = m_ + std::max(k, l);
-          const std::size_t at = row * all_ - row * (row + 1) / 2 + column;
-          change = change + second_values_[j * triangle + at] * step[k];
-        }
+        for (std::size_t k = 0; k < n_; ++k) change = change + second(j, k, l) * step[k];
         near = near + 0.5 * change;
         if (is_bounded(near)) over = {std::max(over.lo, near.lo), std::min(over.hi, near.hi)};
       }
@@ -352,11 +343,32 @@ bool BranchTest::has_one_solution(const Box& place, const std::vector<double>& m
   if (!is_moderate(outer) || !bound_center(joined(place, points_of(middle))) ||
       !take(*over_, first_, whole_, first_values_))
     return false;
+  if (is_in_box(outer, inner, false)) return true;
+  return rates_ && take(*rates_, second_, whole_, second_values_) && is_in_box(outer, inner, true);
+}
+
+/// The same for a tube that does not move.
+bool BranchTest::is_in_box(const std::vector<double>& outer, const std::vector<double>& inner,
+                           bool is_second_order) const {
   for (std::size_t i = 0; i < n_; ++i) {
-    Interval sum = point(mag(value_[i]));
-    for (std::size_t l = 0; l < n_; ++l)
-      sum = sum + point(left_side(i, first_values_, m_ + l)) * point(outer[l]);
-    if (!(sum.hi < inner[i] && inner[i] <= outer[i])) return false;
+    Interval sum = point(mag(value_[i])), contraction;
+    for (std::size_t l = 0; l < n_; ++l) {
+      double all = left_side(i, first_values_, m_ + l), mean = all;
+      if (is_second_order) {
+        Interval change;
+        for (std::size_t k = 0; k < n_; ++k) {
+          Interval rate;
+          for (std::size_t j = 0; j < n_; ++j) rate = rate + inverse(i, j) * second(j, k, l);
+          change = change + point(mag(rate)) * point(outer[k]);
+        }
+        const Interval at_center = point(left_side(i, center_, m_ + l));
+        mean = std::min(mean, (at_center + 0.5 * change).hi);
+        all = std::min(all, (at_center + change).hi);
+      }
+      sum = sum + point(mean) * point(outer[l]);
+      contraction = contraction + point(all) * point(outer[l]);
+    }
+    if (!(sum.hi < inner[i] && inner[i] <= outer[i] && contraction.hi < outer[i])) return false;
   }
   return true;
 }

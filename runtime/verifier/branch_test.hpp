@@ -18,10 +18,6 @@ struct SolutionBox {
   std::vector<double> middle, radius;
 };
 
-/// Returns 1/a for each |a| whose sign the derivatives have: |a| has no derivative at a = 0, though its
-/// slopes are bounded.
-[[nodiscard]] std::vector<NodeId> kinks_of(Graph& graph, const std::vector<NodeId>& derivatives);
-
 enum class Place { kInside, kOutside, kUnknown };
 
 class BranchTest {
@@ -106,6 +102,9 @@ class BranchTest {
                                             const std::vector<double>& reach) const;
   [[nodiscard]] bool is_in(const TubeNumbers& tube, const std::vector<double>& reach,
                            bool is_second_order);
+  [[nodiscard]] bool is_in_box(const std::vector<double>& outer, const std::vector<double>& inner,
+                               bool is_second_order) const;
+  [[nodiscard]] Interval second(std::size_t j, std::size_t k, std::size_t l) const;
 
   Question& q_;
   const bool moves_;

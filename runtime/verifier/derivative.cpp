@@ -3,6 +3,8 @@
 
 #include <stdexcept>
 
+#include "runtime/verifier/evaluation.hpp"
+
 namespace regulus::verifier {
 
 NodeId Differentiator::of(NodeId id) {
@@ -89,6 +91,16 @@ NodeId Differentiator::slope(const Node& node, NodeId id) {
     default:
       throw std::logic_error("not a function of one argument");
   }
+}
+
+std::vector<NodeId> kinks_of(Graph& graph, const std::vector<NodeId>& derivatives) {
+  const NodeId one = graph.number("1");
+  std::vector<NodeId> result;
+  for (const NodeId id : ingredients(graph, derivatives)) {
+    const Node node = graph.nodes()[std::size_t(id)];
+    if (node.op == Op::kSign) result.push_back(graph.add(Op::kDivide, one, node.a));
+  }
+  return result;
 }
 
 }  // namespace regulus::verifier

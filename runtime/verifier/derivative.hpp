@@ -35,4 +35,8 @@ class Differentiator {
   std::map<NodeId, NodeId> known_;
 };
 
+/// Returns 1/a for each |a| whose sign the derivatives have: |a| has no derivative at a = 0, though its
+/// slopes are bounded.
+[[nodiscard]] std::vector<NodeId> kinks_of(Graph& graph, const std::vector<NodeId>& derivatives);
+
 }  // namespace regulus::verifier

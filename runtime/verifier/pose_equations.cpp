@@ -51,12 +51,8 @@ class Elimination {
     return std::ranges::any_of(pivots_, [&](const Pivot& p) { return p.number == number; });
   }
   /// The points that are the origins of the base and of the platform here.
-  struct Center {
-    VectorNodes nodes{};
-    std::array<double, 3> values{};
-  };
-  [[nodiscard]] const Center& base_center() const noexcept { return base_center_; }
-  [[nodiscard]] const Center& platform_center() const noexcept { return platform_center_; }
+  [[nodiscard]] const VectorNodes& base_center() const noexcept { return base_center_; }
+  [[nodiscard]] const VectorNodes& platform_center() const noexcept { return platform_center_; }
   /// No place of the platform is farther from the origin.
   [[nodiscard]] double reach() const noexcept { return reach_; }
 
@@ -68,15 +64,15 @@ class Elimination {
   }
   double approx(NodeId node) { return mid(value(node).enclosure()); }
 
-  Center move_to_center(std::vector<std::array<NodeId, 3>>& points) {
-    Center center;
+  VectorNodes move_to_center(std::vector<std::array<NodeId, 3>>& points) {
+    VectorNodes center;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       double sum = 0;
       for (const auto& point : points) sum += approx(point[axis]);
-      center.values[axis] = std::isfinite(sum) ? sum / double(kSixLegs) : 0.0;
-      center.nodes[axis] = a_.graph().number(rational_of(center.values[axis]));
+      const double middle = std::isfinite(sum) ? sum / double(kSixLegs) : 0.0;
+      center[axis] = a_.graph().number(rational_of(middle));
     }
-    for (auto& point : points) point = a_.difference(point, center.nodes);
+    for (auto& point : points) point = a_.difference(point, center);
     return center;
   }
 
@@ -141,105 +137,175 @@ class Elimination {
   std::vector<Ball> variables_;
   std::vector<std::array<NodeId, 3>> base_, platform_;
   std::vector<NodeId> squares_;
-  Center base_center_, platform_center_;
+  VectorNodes base_center_{}, platform_center_{};
   std::array<Row, kSixLegs> rows_{};
   std::vector<Pivot> pivots_;
   double reach_ = 0, first_ = 0;
 };
 
+constexpr double kWider = 1 + 0x1p-20;
+
+/// The rotation of a chart, whose quaternion has the first three unknowns of a question.
+class RotationParts {
+ public:
+  RotationParts(GraphAlgebra& a, Question& question, Box& range, std::size_t chart)
+      : question_(question), range_(range) {
+    static constexpr std::array<const char*, 4> kParts = {"qw", "qx", "qy", "qz"};
+    question.closure.emplace();
+    question.alpha = a.number(0);
+    for (std::size_t part = 0; part < 4; ++part)
+      quaternion[part] = part == chart ? a.number(1) : unknown(kParts[part], 1);
+    squared = a.squared_norm(quaternion);
+    const NodeId factor = a.quotient(a.number(1), squared);
+    R = a.scaled_turn(quaternion);
+    for (VectorNodes& row : R) row = a.scaled(factor, row);
+  }
+
+  NodeId unknown(const char* name, double radius) {
+    question_.closure->names.emplace_back(name);
+    const double wider = up(radius * kWider);
+    range_.push_back({-wider, wider});
+    const std::size_t number = question_.variables.size() + question_.closure->names.size();
+    return question_.graph.add(Op::kVariable, int(number) - 1);
+  }
+
+  std::array<NodeId, 4> quaternion{};
+  NodeId squared = kNoNode;  ///< |quaternion|²
+  MatrixNodes R{};
+
+ private:
+  Question& question_;
+  Box& range_;
+};
+
 /// The equations in one chart.
 class ChartEquations {
  public:
-  ChartEquations(const Question& question, const Elimination& legs, std::size_t chart)
-      : result_{question}, a_(result_.question.graph), legs_(legs), chart_(chart) {}
+  ChartEquations(const Question& question, const Box& places, const Elimination& legs,
+                 std::size_t chart)
+      : result_{question, places, {}, {}, {}, {}, {}},
+        a_(result_.question.graph),
+        legs_(legs),
+        parts_(a_, result_.question, result_.range, chart) {}
 
   PoseChart form() && {
-    name_unknowns();
-    const std::array<NodeId, kNumbers>& number = result_.numbers;
+    name_numbers();
+    const std::array<NodeId, kNumbers>& number = numbers_;
     ClosureLines& closure = *result_.question.closure;
     for (std::size_t i = 0; i < kSixLegs; ++i)
       if (!legs_.is_pivot_row(i)) closure.equations.push_back(rest_of(legs_.at(i), kTerms));
     const VectorNodes s = {number[1], number[2], number[3]}, t = {number[4], number[5], number[6]};
     for (std::size_t i = 0; i < 3; ++i)
-      closure.equations.push_back(a_.difference(s[i], a_.dot(a_.transposed(R_)[i], t)));
+      closure.equations.push_back(a_.difference(s[i], a_.dot(a_.transposed(parts_.R)[i], t)));
     closure.equations.push_back(a_.difference(number[0], a_.dot(t, t)));
-    place(t);
+    result_.place = a_.difference(a_.sum(t, legs_.base_center()),
+                                  a_.product(parts_.R, legs_.platform_center()));
     return std::move(result_);
   }
 
  private:
-  void name_unknowns() {
-    static constexpr std::array<const char*, 4> kParts = {"qw", "qx", "qy", "qz"};
+  void name_numbers() {
     static constexpr std::array<const char*, kNumbers> kNames = {"|t|^2", "s_x", "s_y", "s_z",
                                                                  "t_x",   "t_y", "t_z"};
-    ClosureLines closure;
-    for (std::size_t part = 0; part < 4; ++part)
-      quaternion_[part] = part == chart_ ? a_.number(1) : unknown(closure, kParts[part], 1);
-    squared_ = a_.squared_norm(quaternion_);
-    const NodeId factor = a_.quotient(a_.number(1), squared_);
-    R_ = a_.scaled_turn(quaternion_);
-    for (VectorNodes& row : R_) row = a_.scaled(factor, row);
     const double reach = up(legs_.reach() * kWider);
     for (std::size_t k = 0; k < kNumbers; ++k) {
       if (legs_.is_determined(k)) continue;
-      result_.free.push_back(k);
-      result_.numbers[k] = unknown(closure, kNames[k], k == 0 ? up(reach * reach) : reach);
+      free_.push_back(k);
+      numbers_[k] = parts_.unknown(kNames[k], k == 0 ? up(reach * reach) : reach);
     }
     for (const Elimination::Pivot& pivot : legs_.pivots())
-      result_.numbers[pivot.number] = a_.negative(rest_of(legs_.at(pivot.row), pivot.number));
-    result_.question.closure = std::move(closure);
-    result_.question.alpha = a_.number(0);
-  }
-
-  NodeId unknown(ClosureLines& closure, const char* name, double radius) {
-    closure.names.emplace_back(name);
-    const double wider = up(radius * kWider);
-    result_.range.push_back({-wider, wider});
-    const std::size_t number = result_.question.variables.size() + closure.names.size();
-    return a_.graph().add(Op::kVariable, int(number) - 1);
+      numbers_[pivot.number] = a_.negative(rest_of(legs_.at(pivot.row), pivot.number));
   }
 
   /// Returns the sum of a row without the number `left_out` and those that are determined.
   NodeId rest_of(const Row& row, std::size_t left_out) {
     NodeId sum = row[kConstant];
     for (std::size_t i = 0; i < 9; ++i)
-      sum = a_.sum(sum, a_.product(row[kRotation + i], R_[i / 3][i % 3]));
-    for (const std::size_t k : result_.free)
-      if (k != left_out) sum = a_.sum(sum, a_.product(row[k], result_.numbers[k]));
+      sum = a_.sum(sum, a_.product(row[kRotation + i], parts_.R[i / 3][i % 3]));
+    for (const std::size_t k : free_)
+      if (k != left_out) sum = a_.sum(sum, a_.product(row[k], numbers_[k]));
     return sum;
   }
-
-  /// The platform's origin: t + a₀ − R b₀.
-  void place(const VectorNodes& t) {
-    const VectorNodes p = a_.difference(a_.sum(t, legs_.base_center().nodes),
-                                        a_.product(R_, legs_.platform_center().nodes));
-    std::copy(p.begin(), p.end(), result_.pose.begin());
-    result_.base = legs_.base_center().values;
-    result_.platform = legs_.platform_center().values;
-    const NodeId norm = a_.root(squared_);
-    for (std::size_t part = 0; part < 4; ++part)
-      result_.pose[3 + part] = a_.quotient(quaternion_[part], norm);
-  }
-
-  static constexpr double kWider = 1 + 0x1p-20;
 
   PoseChart result_;
   GraphAlgebra a_;
   const Elimination& legs_;
-  const std::size_t chart_;
-  std::array<NodeId, 4> quaternion_{};
-  NodeId squared_ = kNoNode;
-  MatrixNodes R_{};
+  RotationParts parts_;
+  std::vector<std::size_t> free_;           ///< unknowns beside the rotation
+  std::array<NodeId, kNumbers> numbers_{};  ///< |t|², Rᵀt and t
 };
+
+/// |p + Rb − a|² = ρ² for each leg.
+void form_legs(PoseChart& result, const Question& question, double reach, std::size_t chart) {
+  result.legs = question;
+  GraphAlgebra a(result.legs.graph);
+  RotationParts parts(a, result.legs, result.range_of_legs, chart);
+  const VectorNodes p = {parts.unknown("x", reach), parts.unknown("y", reach),
+                         parts.unknown("z", reach)};
+  for (const LegLine& leg : question.solutions->legs) {
+    const VectorNodes gap = a.difference(a.sum(p, a.product(parts.R, leg.platform)), leg.base);
+    result.legs.closure->equations.push_back(a.difference(a.dot(gap, gap), leg.square));
+  }
+  std::copy(p.begin(), p.end(), result.pose.begin());
+  const NodeId norm = a.root(parts.squared);
+  for (std::size_t part = 0; part < 4; ++part)
+    result.pose[3 + part] = a.quotient(parts.quaternion[part], norm);
+}
+
+/// A pose of some legs, with anchors a and b, is one at which a leg between two other anchors has a length within
+/// |a − a₀| + |b − b₀| of theirs. Returns the question about legs between points, whose squares vary.
+Question with_other_anchors(const Question& question, const Box& places, Box& squares) {
+  Question result = question;
+  if (places.empty()) return result;
+  std::vector<Ball> variables;
+  for (const Interval x : places) variables.emplace_back(x, kBitsOfLegs);
+  result.variables.clear();
+  result.ends.clear();
+  result.balls.clear();
+  result.defined.clear();
+  for (LegLine& leg : result.solutions->legs) {
+    const std::vector<NodeId> numbers = {leg.base[0],     leg.base[1],     leg.base[2],
+                                         leg.platform[0], leg.platform[1], leg.platform[2],
+                                         leg.square};
+    const auto values = evaluate(result.graph, numbers, variables, kBitsOfLegs);
+    if (!values) throw Unfinished("a number of a leg has no certain value");
+    const auto moved = [&](std::array<NodeId, 3>& anchor, std::size_t first) {
+      Interval squared;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const Interval all = (*values)[first + axis].enclosure();
+        const double at = mid(all);
+        if (!std::isfinite(at)) throw Unfinished("an anchor has no certain value");
+        squared = squared + square(all - point(at));
+        anchor[axis] = result.graph.number(rational_of(at));
+      }
+      return sqrt(squared).hi;
+    };
+    const Interval all = values->back().enclosure();
+    const double room = up(moved(leg.base, 0) + moved(leg.platform, 3));
+    const Interval length = sqrt({std::max(all.lo, 0.0), std::max(all.hi, 0.0)});
+    const Interval near = square({std::max(0.0, down(length.lo - room)), up(length.hi + room)});
+    if (!is_bounded(near)) throw Unfinished("a length has no certain value");
+    leg.square = result.graph.add(Op::kVariable, int(result.variables.size()));
+    result.variables.push_back({"square of leg " + std::to_string(result.variables.size() + 1),
+                                VariableKind::kError, result.graph.number(rational_of(near.lo)),
+                                result.graph.number(rational_of(near.hi))});
+    result.ends.emplace_back();
+    squares.push_back(near);
+  }
+  return result;
+}
 
 }  // namespace
 
 std::vector<PoseChart> form_pose_equations(const Question& question, const Box& places) {
-  Question with_legs = question;
-  const Elimination legs(with_legs.graph, with_legs.solutions->legs, places);
+  Box squares;
+  Question with_legs = with_other_anchors(question, places, squares);
+  const Elimination legs(with_legs.graph, with_legs.solutions->legs, squares);
   std::vector<PoseChart> charts;
-  for (std::size_t chart = 0; chart < kCharts; ++chart)
-    charts.push_back(ChartEquations(with_legs, legs, chart).form());
+  for (std::size_t chart = 0; chart < kCharts; ++chart) {
+    charts.push_back(ChartEquations(with_legs, squares, legs, chart).form());
+    form_legs(charts.back(), question, legs.reach(), chart);
+  }
   return charts;
 }
 

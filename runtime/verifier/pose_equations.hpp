@@ -9,20 +9,21 @@ namespace regulus::verifier {
 
 inline constexpr std::size_t kCharts = 4;
 
-/// The equations for rotations of quaternions whose part number `chart` is 1, and the other parts the
-/// first three unknowns. The others are some of |t|², Rᵀt and t of a platform in another place.
+/// Poses of quaternions whose part number `chart` is 1, and the other parts the first three unknowns.
 struct PoseChart {
-  Question question;                ///< with the equations and the unknowns in its closure
-  Box range{};                      ///< has all poses whose rotation is in the chart
-  std::vector<std::size_t> free{};  ///< the other unknowns: 0 is |t|², 1 to 3 Rᵀt, 4 to 6 t
-  std::array<NodeId, 7> pose{};     ///< x, y, z and a unit quaternion, by the unknowns
-  std::array<NodeId, 7> numbers{};  ///< |t|², Rᵀt and t, by the unknowns
-  /// With the platform's origin at p it is t = p + R·platform − base.
-  std::array<double, 3> base{}, platform{};
+  /// Six equations at most, of the rotation and some of |t|², Rᵀt and t of a platform in another place. They
+  /// hold at all poses of all legs. Variables: none, or the squares of the lengths.
+  Question question;
+  Box places{};                   ///< of these variables
+  Box range{};                    ///< has all poses whose rotation is in the chart
+  std::array<NodeId, 3> place{};  ///< x, y, z, by the unknowns
+
+  /// The legs as they are, with the variables of the claim. The unknowns are the rotation, and x, y, z.
+  Question legs;
+  Box range_of_legs{};
+  std::array<NodeId, 7> pose{};  ///< x, y, z and a unit quaternion, by the unknowns of `legs`
 };
 
-/// The same numbers in all charts.
-///
 /// Requires  question.solutions has six legs, and there is no closure. `places` has all values of the variables.
 /// Throws    Unfinished if a number of a leg has no certain value, or if fewer numbers are determined by
 ///           the legs than the equations need.

@@ -14,6 +14,8 @@ namespace {
 
 constexpr std::size_t kPlaces = 3, kParts = 4;
 constexpr double kScaleOfPoses = 0x1p-32;  ///< a part of the range
+constexpr double kNearPose =
+    0x1p-4;  ///< a rotation in a box as narrow is narrowed by the legs, too
 constexpr double kBeyondChart =
     1.25;  ///< a solution with a part beyond this is in no box of a chart
 
@@ -33,45 +35,76 @@ std::vector<double> middles(const Box& box) {
 /// A chart with its search.
 struct Chart {
   PoseChart equations;
-  const Box& places;  ///< of the uncertain quantities and errors
-  BoxSearch search;
-  Evaluation pose;
+  BoxSearch search, legs;  ///< of the few equations, and of the legs as they are
+  Evaluation place, pose;
   std::vector<double> scale{};
-  std::vector<Box> reaches{};        ///< of lines
+  std::vector<Box> reaches{};        ///< of lines, in the unknowns of `legs`
   std::vector<std::size_t> lines{};  ///< whose reaches these are
 
   Chart(PoseChart chart, const Box& of_legs, WorkClock& clock, const Options& options,
         Verification& result)
       : equations(std::move(chart)),
-        places(of_legs),
-        search(equations.question, {}, places, clock, options, result),
-        pose(equations.question, {equations.pose.begin(), equations.pose.end()}) {
+        search(equations.question, {}, equations.places, clock, options, result),
+        legs(equations.legs, {}, of_legs, clock, options, result),
+        place(equations.question, {equations.place.begin(), equations.place.end()}),
+        pose(equations.legs, {equations.pose.begin(), equations.pose.end()}),
+        places_(of_legs) {
     search.set_range(equations.range);
-    for (const Interval range : equations.range)
+    legs.set_range(equations.range_of_legs);
+    for (const Interval range : equations.range_of_legs)
       scale.push_back(kScaleOfPoses * (range.hi - range.lo));
   }
   Chart(const Chart&) = delete;
   Chart& operator=(const Chart&) = delete;
 
-  /// Returns a small box with exactly one solution at each of the places.
+  /// Returns a small box with exactly one pose, in the unknowns of the legs, at each of the places.
   [[nodiscard]] std::optional<SolutionBox> solution_near(const std::vector<double>& start) {
-    return search.test().solution_near(places, start, scale);
+    return legs.test().solution_near(places_, start, scale);
   }
 
   /// Returns x, y, z and the unit quaternion; empty: not certain.
   [[nodiscard]] Box pose_of(const Box& unknowns) {
-    Box result, all = places;
-    all.insert(all.end(), unknowns.begin(), unknowns.end());
-    if (!pose.run(all)) return result;
+    Box result;
+    if (!pose.run(joined(places_, unknowns))) return result;
     for (const NodeId node : equations.pose) result.push_back(pose.value(node));
     return result;
   }
+
+  /// The unknowns of the legs at the poses of a box of the search; empty: not certain.
+  [[nodiscard]] Box unknowns_of_legs(const Box& box) {
+    Box result;
+    if (!place.run(joined(equations.places, box))) return result;
+    result.assign(box.begin(), box.begin() + kPlaces);
+    for (const NodeId node : equations.place) result.push_back(place.value(node));
+    return result;
+  }
+
+  /// BoxSearch::Rest for boxes of the search.
+  [[nodiscard]] bool has_rest(Box& box) {
+    Box near = unknowns_of_legs(box);
+    if (near.empty()) return true;
+    if (is_in_one(near, reaches)) return false;
+    if (std::ranges::any_of(std::span(box).first(kPlaces),
+                            [](const Interval x) { return x.hi - x.lo > kNearPose; }))
+      return true;
+    if (!legs.test().narrow_to_solutions(places_, near) || is_in_one(near, reaches)) return false;
+    std::copy_n(near.begin(), kPlaces, box.begin());
+    return true;
+  }
+
+ private:
+  static Box joined(Box places, const Box& unknowns) {
+    places.insert(places.end(), unknowns.begin(), unknowns.end());
+    return places;
+  }
+
+  const Box& places_;  ///< of the uncertain quantities and errors
 };
 
-/// A pose that is certain: where it is the only solution of a chart.
+/// A pose that is certain.
 struct ProvedPose {
   std::size_t chart;
-  Box unknowns;
+  Box unknowns;  ///< of the legs: it is the only one there
   Box pose;
 };
 
@@ -105,7 +138,7 @@ class PoseSearch {
     }
     lines_.name_line(0);
     for (std::size_t c = 0; c < charts_.size() && claim_.verdict != format::kIncomplete; ++c)
-      charts_[c]->search.search(charts_[c]->reaches,
+      charts_[c]->search.search([this, c](Box& box) { return charts_[c]->has_rest(box); },
                                 [this, c](const Box& box) { look_for_other(c, box); });
     result_.real_roots = result_.roots = proved_.size();
   }
@@ -118,7 +151,7 @@ class PoseSearch {
     for (std::size_t part = 1; part < kParts; ++part)
       if (mag(line.values[kPlaces + part]) > mag(line.values[kPlaces + c])) c = part;
     Chart& chart = *charts_[c];
-    const auto found = chart.solution_near(start_of(line.values, chart.equations, c));
+    const auto found = chart.solution_near(start_of(line.values, c));
     if (!found) throw Unfinished("no pose was found near this line");
     ProvedPose proved{c, box_of(*found), {}};
     proved.pose = chart.pose_of(proved.unknowns);
@@ -134,31 +167,13 @@ class PoseSearch {
     for (std::size_t other = 0; other < charts_.size(); ++other) add_reach(other);
   }
 
-  /// The unknowns of a chart near the pose of a line.
-  static std::vector<double> start_of(const std::vector<Interval>& values, const PoseChart& chart,
-                                      std::size_t c) {
+  /// The unknowns of the legs near the pose of a line.
+  static std::vector<double> start_of(const std::vector<Interval>& values, std::size_t c) {
     const std::vector<double> at = middles(values);
     std::vector<double> result;
     for (std::size_t part = 0; part < kParts; ++part)
       if (part != c) result.push_back(at[kPlaces + part] / at[kPlaces + c]);
-    const double w = at[3];
-    const std::array<double, 3> v = {at[4], at[5], at[6]};
-    const double norm = w * w + v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-    std::array<double, 7> numbers{};
-    std::array<std::array<double, 3>, 3> R{};
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j) {
-        const double cross = i == j ? 0 : ((j + 1) % 3 == i ? 1 : -1) * v[3 - i - j] * w;
-        R[i][j] = (i == j ? 1 : 0) + 2 * (v[i] * v[j] + cross - (i == j ? norm - w * w : 0)) / norm;
-      }
-    for (std::size_t i = 0; i < 3; ++i) {
-      numbers[4 + i] = at[i] - chart.base[i];
-      for (std::size_t j = 0; j < 3; ++j) numbers[4 + i] += R[i][j] * chart.platform[j];
-      numbers[0] += numbers[4 + i] * numbers[4 + i];
-    }
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j) numbers[1 + i] += R[j][i] * numbers[4 + j];
-    for (const std::size_t k : chart.free) result.push_back(numbers[k]);
+    result.insert(result.end(), at.begin(), at.begin() + kPlaces);
     return result;
   }
 
@@ -184,13 +199,13 @@ class PoseSearch {
       if (part != c) there.push_back(proved.pose[kPlaces + part] / unit);
     for (const Interval x : there)
       if (mig(x) > kBeyondChart) return;
-    there.insert(there.end(), proved.unknowns.begin() + 3, proved.unknowns.end());
+    there.insert(there.end(), proved.unknowns.begin() + kPlaces, proved.unknowns.end());
     std::vector<double> radius;
     for (const Interval x : there) radius.push_back(up(mag(x - point(mid(x)))));
-    auto reach = chart.search.reach_of(middles(there), radius);
+    auto reach = chart.legs.reach_of(middles(there), radius);
     if (!reach || !is_in(there, *reach)) {
       for (double& r : radius) r = up(2 * r);
-      reach = chart.search.reach_of(middles(there), radius);
+      reach = chart.legs.reach_of(middles(there), radius);
     }
     if (!reach || !is_in(there, *reach)) return;
     chart.reaches.push_back(std::move(*reach));
@@ -200,7 +215,8 @@ class PoseSearch {
   /// Rejects the claim if a pose is found near the box that is in no line.
   void look_for_other(std::size_t c, const Box& box) {
     Chart& chart = *charts_[c];
-    const auto found = chart.solution_near(middles(box));
+    const Box near = chart.unknowns_of_legs(box);
+    const auto found = near.empty() ? std::nullopt : chart.solution_near(middles(near));
     if (!found) return;
     const Box pose = chart.pose_of(box_of(*found));
     if (pose.empty()) return;

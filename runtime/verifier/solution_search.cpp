@@ -47,7 +47,8 @@ class SolutionSearch {
     }
     lines_.name_line(0);
     if (claim_.verdict != format::kIncomplete)
-      in_search().search(reach_, [this](const Box& box) { look_for_other(box); });
+      in_search().search([this](const Box& box) { return !is_in_one(box, reach_); },
+                         [this](const Box& box) { look_for_other(box); });
     result_.real_roots = result_.roots = reach_.size();
   }
 
@@ -111,7 +112,9 @@ class SolutionSearch {
 
   /// Returns true only if E, which is the unit matrix or a half turn, is the unit matrix.
   [[nodiscard]] bool is_posture(const Box& solution) {
-    return trace_->run(solution) && trace_->value(trace_node_).lo > 0.0;
+    Box all = places_;
+    all.insert(all.end(), solution.begin(), solution.end());
+    return trace_->run(all) && trace_->value(trace_node_).lo > 0.0;
   }
 
   /// Rejects the claim if a solution is found near the box that is in the ranges, and in no line. The

@@ -3,83 +3,11 @@
 // method in doubles, on platforms at corners of the set.
 #include <fmt/format.h>
 
-#include <cmath>
-
-#include "tests/property/solve/certified_lists.hpp"
+#include "tests/property/solve/tubes.hpp"
 #include "tests/support/random_source.hpp"
 
 namespace regulus::test {
 namespace {
-
-using Numbers = std::vector<double>;
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return at == std::string::npos ? text : text.replace(at, from.size(), to);
-}
-
-/// Solves n equations in n unknowns; empty: it does not converge.
-template <class Equations>
-Numbers newton(const Equations& equations, Numbers x) {
-  const std::size_t n = x.size();
-  for (int step = 0; step < 40; ++step) {
-    const Numbers value = equations(x);
-    std::vector<Numbers> rows(n);
-    for (std::size_t i = 0; i < n; ++i) rows[i].push_back(-value[i]);
-    for (std::size_t k = 0; k < n; ++k) {
-      Numbers up = x, down = x;
-      up[k] += 1e-6, down[k] -= 1e-6;
-      const Numbers a = equations(up), b = equations(down);
-      for (std::size_t i = 0; i < n; ++i) rows[i].insert(rows[i].end() - 1, (a[i] - b[i]) / 2e-6);
-    }
-    double size = 0;
-    for (std::size_t k = 0; k < n; ++k) {
-      std::size_t pivot = k;
-      for (std::size_t i = k; i < n; ++i)
-        if (std::fabs(rows[i][k]) > std::fabs(rows[pivot][k])) pivot = i;
-      std::swap(rows[k], rows[pivot]);
-      if (!(std::fabs(rows[k][k]) > 1e-14)) return {};
-      for (std::size_t i = 0; i < n; ++i) {
-        const double factor = i == k ? 0 : rows[i][k] / rows[k][k];
-        for (std::size_t j = k; j <= n; ++j) rows[i][j] -= factor * rows[k][j];
-      }
-    }
-    for (std::size_t k = 0; k < n; ++k) {
-      const double change = rows[k][n] / rows[k][k];
-      x[k] += change;
-      size = std::max(size, std::fabs(change));
-    }
-    if (!(size < 1e3)) return {};
-    if (size < 1e-12) return x;
-  }
-  return {};
-}
-
-/// The intervals of each line `solution`.
-std::vector<std::vector<Interval>> tubes_of(const std::string& certificate) {
-  std::vector<std::vector<Interval>> tubes;
-  for (const std::string& line : lines_of(certificate)) {
-    if (!line.starts_with("solution ")) continue;
-    std::istringstream words(line.substr(9));
-    tubes.emplace_back();
-    for (std::string word; words >> word;)
-      tubes.back().emplace_back(std::stod(word), std::stod(word.substr(word.find(':') + 1)));
-  }
-  return tubes;
-}
-
-bool is_within(const Numbers& x, const std::vector<Interval>& tube) {
-  for (std::size_t i = 0; i < x.size(); ++i)
-    if (!(tube[i].lo <= x[i] && x[i] <= tube[i].hi)) return false;
-  return true;
-}
-
-Numbers middle_of(const std::vector<Interval>& tube) {
-  Numbers x;
-  for (const Interval& part : tube) x.push_back(mid(part));
-  return x;
-}
 
 std::string planar(const std::string& base_tolerance, const std::string& error) {
   return replaced(
@@ -162,41 +90,22 @@ std::string in_space(const std::string& base_tolerance, const std::string& error
       "[motion.legs]", "[motion.legs]\nerror = { legs = " + error + " }");
 }
 
-struct SpatialRobot {
-  std::array<std::array<double, 3>, 6> a{{{0, 0, 0},
-                                          {1.107915, 0, 0},
-                                          {0.549094, 0.756063, 0},
-                                          {0.735077, -0.223935, 0.525991},
-                                          {0.514188, -0.526063, -0.368418},
-                                          {0.590473, 0.094733, -0.205018}}},
-      b{{{0, 0, 0},
-         {0.542805, 0, 0},
-         {0.956919, -0.528915, 0},
-         {0.665885, -0.353482, 1.402538},
-         {0.478359, 1.158742, 0.107672},
-         {-0.137087, -0.235121, 0.353913}}};
-  std::array<double, 6> length{1.0729, 1.1026, 1.4031, 1.7041, 2.679, 1.4815};
-
-  /// x, y, z and a quaternion of length 1.
-  Numbers operator()(const Numbers& x) const {
-    const double w = x[3], p = x[4], q = x[5], r = x[6];
-    const double R[3][3] = {{1 - 2 * (q * q + r * r), 2 * (p * q - w * r), 2 * (p * r + w * q)},
-                            {2 * (p * q + w * r), 1 - 2 * (p * p + r * r), 2 * (q * r - w * p)},
-                            {2 * (p * r - w * q), 2 * (q * r + w * p), 1 - 2 * (p * p + q * q)}};
-    Numbers value;
-    for (std::size_t i = 0; i < 6; ++i) {
-      double square = -length[i] * length[i];
-      for (std::size_t k = 0; k < 3; ++k) {
-        double part = x[k] - a[i][k];
-        for (std::size_t j = 0; j < 3; ++j) part += R[k][j] * b[i][j];
-        square += part * part;
-      }
-      value.push_back(square);
-    }
-    value.push_back(w * w + p * p + q * q + r * r - 1);
-    return value;
-  }
-};
+/// Dietmaier's platform with those lengths.
+SpatialRobot dietmaier() {
+  return {{{{0, 0, 0},
+            {1.107915, 0, 0},
+            {0.549094, 0.756063, 0},
+            {0.735077, -0.223935, 0.525991},
+            {0.514188, -0.526063, -0.368418},
+            {0.590473, 0.094733, -0.205018}}},
+          {{{0, 0, 0},
+            {0.542805, 0, 0},
+            {0.956919, -0.528915, 0},
+            {0.665885, -0.353482, 1.402538},
+            {0.478359, 1.158742, 0.107672},
+            {-0.137087, -0.235121, 0.353913}}},
+          {1.0729, 1.1026, 1.4031, 1.7041, 2.679, 1.4815}};
+}
 
 TEST(ListsWithTolerancesInSpace, HaveAPoseInEachTubeAtEachCorner) {
   const std::string model = in_space("1e-8", "1e-8");
@@ -207,7 +116,7 @@ TEST(ListsWithTolerancesInSpace, HaveAPoseInEachTubeAtEachCorner) {
   RandomSource random(4);
   const auto side = [&](double size) { return random.between(-1, 1) < 0 ? -size : size; };
   for (int round = 0; round < 5; ++round) {
-    SpatialRobot robot;
+    SpatialRobot robot = dietmaier();
     for (auto* anchors : {&robot.a, &robot.b})
       for (auto& anchor : *anchors)
         for (double& x : anchor) x += side(1e-8);
