@@ -2,12 +2,14 @@
 #include "runtime/verifier/arm_equations.hpp"
 
 #include <cmath>
+#include <map>
 
 #include "runtime/verifier/algebra.hpp"
 #include "runtime/verifier/evaluation.hpp"
 #include "runtime/verifier/middle_angle.hpp"
 #include "runtime/verifier/proof.hpp"
 #include "runtime/verifier/rigid_motion.hpp"
+#include "runtime/verifier/variety.hpp"
 
 namespace regulus::verifier {
 namespace {
@@ -35,15 +37,18 @@ struct Loop {
 class ArmEquations {
  public:
   ArmEquations(Question& q, std::size_t pair)
-      : q_(q), arm_(*q.solutions->arm), a_(q.graph), pair_(pair), zero_(a_.zero()) {}
+      : q_(q), arm_(*q.solutions->arm), a_(q.graph), pair_(pair), zero_(a_.zero()) {
+    q_.alpha = a_.number(0);
+    for (const Interval place : enclose_variety(q_).outer)
+      places_.emplace_back(place, kBitsOfNumbers);
+  }
 
   /// The six equations: the end's origin is at its place, and E = R(q)·R*ᵀ is symmetric.
   NodeId form_all() {
     read_joints();
     PlacementNodes end = a_.at_rest();
     for (std::size_t i = 0; i < kJointsOfArm; ++i)
-      end = a_.product(a_.product(end, before_[i]),
-                       {a_.turn(axis_[i], q_.graph.add(Op::kVariable, int(i))), zero_});
+      end = a_.product(a_.product(end, before_[i]), {a_.turn(axis_[i], angle(i)), zero_});
     const VectorNodes gap = a_.difference(end.p, target_.p);
     const MatrixNodes E = a_.product(end.R, a_.transposed(target_.R));
     ClosureLines closure;
@@ -57,7 +62,6 @@ class ArmEquations {
       closure.radius.push_back(q_.graph.add(Op::kPi));
     }
     q_.closure = std::move(closure);
-    q_.alpha = a_.number(0);
     return a_.sum(a_.sum(E[0][0], E[1][1]), E[2][2]);
   }
 
@@ -68,6 +72,11 @@ class ArmEquations {
   }
 
  private:
+  /// The unknown with a number.
+  NodeId angle(std::size_t number) {
+    return q_.graph.add(Op::kVariable, int(q_.variables.size() + number));
+  }
+
   // The arm.
 
   static PlacementNodes frame(const std::array<NodeId, 9>& R, const std::array<NodeId, 3>& p) {
@@ -81,7 +90,7 @@ class ArmEquations {
         if (!is_equal(a_.dot(R[i], R[j]), i == j ? 1 : 0))
           throw Unfinished(what + " is not shown to be a rotation");
     const auto volume =
-        evaluate(q_.graph, {a_.dot(R[0], a_.cross(R[1], R[2]))}, {}, kBitsOfNumbers);
+        evaluate(q_.graph, {a_.dot(R[0], a_.cross(R[1], R[2]))}, places_, kBitsOfNumbers);
     if (!volume || arb_is_positive((*volume)[0].get()) == 0)
       throw Unfinished(what + " is not shown not to mirror");
   }
@@ -109,14 +118,29 @@ class ArmEquations {
       axis_.push_back(joint.axis);
       since = a_.at_rest();
     }
-    target_ = arm_.tool.empty() ? placed_by_values() : placed_by_tool(since);
+    target_ = arm_.tool.empty() ? placed_by_values(since) : placed_by_tool(since);
   }
 
-  PlacementNodes placed_by_values() {
+  /// The last joint that moves is where it is if the uncertain quantities are in the middles of their ranges. `behind`:
+  /// from the last free joint to it.
+  PlacementNodes placed_by_values(const PlacementNodes& behind) {
     PlacementNodes end = a_.at_rest();
     for (std::size_t i = 0; i < kJointsOfArm; ++i)
       end = a_.product(a_.product(end, before_[i]), {a_.turn(axis_[i], arm_.values[i]), zero_});
-    return end;
+    if (q_.variables.empty()) return end;
+    end = a_.product(end, behind);
+    for (VectorNodes& row : end.R) row = in_middle(row);
+    end.p = in_middle(end.p);
+    return a_.product(end, a_.inverse(behind));
+  }
+
+  VectorNodes in_middle(VectorNodes v) {
+    std::map<NodeId, NodeId> middles;
+    for (std::size_t k = 0; k < q_.variables.size(); ++k)
+      middles.emplace(q_.graph.add(Op::kVariable, int(k)),
+                      a_.quotient(a_.sum(q_.variables[k].lo, q_.variables[k].hi), a_.number(2)));
+    for (NodeId& node : v) node = replaced(q_.graph, node, middles);
+    return v;
   }
 
   /// Returns the frame that the last free joint turns.
@@ -159,7 +183,7 @@ class ArmEquations {
   }
 
   Three approx(const VectorNodes& v) {
-    const auto values = evaluate(q_.graph, {v[0], v[1], v[2]}, {}, kBitsOfNumbers);
+    const auto values = evaluate(q_.graph, {v[0], v[1], v[2]}, places_, kBitsOfNumbers);
     if (!values) throw Unfinished("a number of the arm has no certain value");
     return {mid((*values)[0].enclosure()), mid((*values)[1].enclosure()),
             mid((*values)[2].enclosure())};
@@ -253,9 +277,9 @@ class ArmEquations {
   }
 
   /// Returns the sum of a form times 1, cos, sin of one variable and 1, cos, sin of another.
-  NodeId expression(const Number& form, int first, int second) {
-    const auto powers = [this](int variable) {
-      const NodeId x = q_.graph.add(Op::kVariable, variable);
+  NodeId expression(const Number& form, std::size_t first, std::size_t second) {
+    const auto powers = [this](std::size_t variable) {
+      const NodeId x = angle(variable);
       return VectorNodes{a_.number(1), a_.cosine(x), a_.sine(x)};
     };
     const VectorNodes u = powers(first), v = powers(second);
@@ -321,6 +345,7 @@ class ArmEquations {
   GraphAlgebra a_;
   const std::size_t pair_;
   const VectorNodes zero_;
+  std::vector<Ball> places_;  ///< of the uncertain quantities
   std::vector<PlacementNodes> before_;
   std::vector<VectorNodes> axis_;
   PlacementNodes target_{};

@@ -34,8 +34,7 @@ class SolutionReader {
       values_ = kValuesInPlane;
       legs_ = kLegsInPlane;
     }
-    if (legs_ != 0 && q_.variables.empty() && (reader_.is("joint") || reader_.is("held-joint")))
-      read_arm();
+    if (legs_ != 0 && (reader_.is("joint") || reader_.is("held-joint"))) read_arm();
     while (reader_.is("leg")) read_leg();
     if (s_.legs.size() != legs_)
       throw Rejection("expected " + std::to_string(legs_) + " lines 'leg E | … | E'");
@@ -60,8 +59,8 @@ class SolutionReader {
       arm.values = reader_.list("joint-value", kJointsOfArm);
       return;
     }
-    arm.tip = constants("tip", "tip ", kNumbersOfFrame);
-    arm.tool = constants("tool", "tool ", kNumbersOfTool);
+    arm.tip = numbers("tip", "tip ", kNumbersOfFrame, kNumbersOfFrame);
+    arm.tool = numbers("tool", "tool ", kNumbersOfTool, 0);
   }
 
   /// Reads `joint`, or `held-joint` with a value behind the other numbers.
@@ -69,25 +68,29 @@ class SolutionReader {
     if (arm.joints.size() == kMostJoints) throw Rejection("there are too many joints");
     const bool is_held = reader_.is("held-joint");
     const std::string number = std::to_string(arm.joints.size());
-    const std::vector<NodeId> numbers =
-        constants(is_held ? "held-joint" : "joint", "joint " + number + '_',
-                  kNumbersOfJoint + (is_held ? 1 : 0));
+    const std::vector<NodeId> all =
+        numbers(is_held ? "held-joint" : "joint", "joint " + number + '_',
+                kNumbersOfJoint + (is_held ? 1 : 0), kNumbersOfJoint);
     ArmJointLine joint;
-    std::copy_n(numbers.begin(), 9, joint.rotation.begin());
-    std::copy_n(numbers.begin() + 9, 3, joint.place.begin());
-    std::copy_n(numbers.begin() + 12, 3, joint.axis.begin());
-    if (is_held) joint.held = numbers.back();
+    std::copy_n(all.begin(), 9, joint.rotation.begin());
+    std::copy_n(all.begin() + 9, 3, joint.place.begin());
+    std::copy_n(all.begin() + 12, 3, joint.axis.begin());
+    if (is_held) joint.held = all.back();
     arm.joints.push_back(joint);
   }
 
-  /// Reads a line `KEY E | E | …`. The stated values are KIND and the number of each.
-  std::vector<NodeId> constants(const char* key, const std::string& kind, std::size_t count) {
+  /// Reads a line `KEY E | E | …`. The stated values are KIND and the number of each. The first `uncertain` ones may
+  /// depend on the constants of the robot.
+  std::vector<NodeId> numbers(const char* key, const std::string& kind, std::size_t count,
+                              std::size_t uncertain) {
+    const Scope none;
     std::string_view rest = reader_.rest_of(key);
     std::vector<NodeId> result;
     const std::size_t space = kind.find(' ');
     for (std::size_t i = 0; i < count && !rest.empty(); ++i)
-      result.push_back(constant(kind.substr(0, space).c_str(),
-                                kind.substr(space + 1) + std::to_string(i), rest));
+      result.push_back(reader_.expression(kind.substr(0, space).c_str(),
+                                          kind.substr(space + 1) + std::to_string(i), part(rest),
+                                          i < uncertain ? q_.actual : none));
     if (!rest.empty() || result.size() != count)
       throw Rejection("expected " + std::to_string(count) + " expressions after '" + key + "'");
     reader_.advance();

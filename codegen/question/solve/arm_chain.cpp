@@ -6,6 +6,7 @@
 #include "codegen/model/mechanism/rotation.hpp"
 #include "codegen/model/place.hpp"
 #include "codegen/question/solve/nominal.hpp"
+#include "codegen/question/solve/platform_legs.hpp"
 #include "runtime/interval/elementary.hpp"
 
 namespace regulus {
@@ -89,29 +90,42 @@ LinkFrame ArmJoint::moved(const Interval& value) const noexcept {
 
 namespace {
 
-Interval enclosed(const GiNaC::ex& number) {
-  return enclose_constant(number, "a number of the arm");
-}
+/// Encloses numbers of an arm.
+class ArmNumbers {
+ public:
+  ArmNumbers(const Model& model, ArmGeometry geometry)
+      : model_(model), geometry_(geometry), nominal_(model) {}
 
-LinkFrame enclosed(const Placement& placement, const NominalGeometry& nominal) {
-  LinkFrame frame;
-  for (unsigned i = 0; i < 3; ++i) {
-    frame.d[i] = enclosed(nominal.at(placement.p[i]));
-    for (unsigned j = 0; j < 3; ++j) frame.R[3 * i + j] = enclosed(nominal.at(placement.R(i, j)));
+  [[nodiscard]] Interval enclose(const GiNaC::ex& number) const {
+    constexpr const char* kWhat = "a number of the arm";
+    return geometry_ == ArmGeometry::kNominal ? enclose_constant(nominal_.at(number), kWhat)
+                                              : enclose_uncertain(model_, number, kWhat);
   }
-  return frame;
-}
+  [[nodiscard]] LinkFrame enclose(const Placement& placement) const {
+    LinkFrame frame;
+    for (unsigned i = 0; i < 3; ++i) {
+      frame.d[i] = enclose(placement.p[i]);
+      for (unsigned j = 0; j < 3; ++j) frame.R[3 * i + j] = enclose(placement.R(i, j));
+    }
+    return frame;
+  }
+
+ private:
+  const Model& model_;
+  const ArmGeometry geometry_;
+  const NominalGeometry nominal_;
+};
 
 }  // namespace
 
-ArmChain enclose_chain(const Model& model) {
-  const NominalGeometry nominal(model);
+ArmChain enclose_chain(const Model& model, ArmGeometry geometry) {
+  const ArmNumbers numbers(model, geometry);
   ArmChain chain;
   for (const SerialJoint& joint : model.arm->joints) {
     ArmJoint& enclosing = chain.emplace_back();
     enclosing.turns = joint.kind == JointKind::kRevolute;
-    enclosing.origin = enclosed(joint.origin, nominal);
-    for (std::size_t i = 0; i < 3; ++i) enclosing.axis[i] = enclosed(nominal.at(joint.axis[i]));
+    enclosing.origin = numbers.enclose(joint.origin);
+    for (std::size_t i = 0; i < 3; ++i) enclosing.axis[i] = numbers.enclose(joint.axis[i]);
   }
   return chain;
 }
@@ -132,11 +146,12 @@ std::vector<Interval> enclose_values(const Model& model, const Motion& motion) {
   return values;
 }
 
-LinkFrame enclose_target(const Model& model, const std::vector<GiNaC::ex>& tool) {
-  const NominalGeometry nominal(model);
+LinkFrame enclose_target(const Model& model, const std::vector<GiNaC::ex>& tool,
+                         ArmGeometry geometry) {
   const Placement place{rotation_roll_pitch_yaw(tool[3], tool[4], tool[5]),
                         {tool[0], tool[1], tool[2]}};
-  return compose(enclosed(place, nominal), inverse(enclosed(model.arm->tool, nominal)));
+  return compose(ArmNumbers(model, ArmGeometry::kNominal).enclose(place),
+                 inverse(ArmNumbers(model, geometry).enclose(model.arm->tool)));
 }
 
 ArmPosture posture_at(const ArmChain& chain, std::span<const Interval> values) {

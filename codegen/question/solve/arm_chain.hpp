@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -46,17 +47,21 @@ struct ArmJoint {
 
 using ArmChain = std::vector<ArmJoint>;
 
-/// Encloses the arm, its geometry at its nominal values.
+/// Which values the geometry of an arm has.
+enum class ArmGeometry : std::uint8_t { kNominal, kWithinTolerances };
+
+/// Encloses the arm, for all of these values.
 ///
 /// Throws    InputError if a number of it has no certain value.
-[[nodiscard]] ArmChain enclose_chain(const Model& model);
+[[nodiscard]] ArmChain enclose_chain(const Model& model, ArmGeometry geometry);
 
 /// Encloses the value of each joint, turns in radians. A joint without a value has 0: it is free to
 /// bring the tool to its place.
 [[nodiscard]] std::vector<Interval> enclose_values(const Model& model, const Motion& motion);
 
 /// Encloses the frame of the last joint when the tool is at x, y, z, roll, pitch, yaw.
-[[nodiscard]] LinkFrame enclose_target(const Model& model, const std::vector<GiNaC::ex>& tool);
+[[nodiscard]] LinkFrame enclose_target(const Model& model, const std::vector<GiNaC::ex>& tool,
+                                       ArmGeometry geometry);
 
 /// The frame that the last joint moves, and each joint's axis and origin, all in the base.
 struct ArmPosture {

@@ -12,8 +12,8 @@
 #include "codegen/model/degrees.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/model/place.hpp"
-#include "codegen/question/engine/settings.hpp"
 #include "codegen/question/solve/arm_system.hpp"
+#include "codegen/question/solve/platform_legs.hpp"
 #include "codegen/question/solve/root_search.hpp"
 #include "codegen/question/solve/system_solutions.hpp"
 #include "codegen/support/errors.hpp"
@@ -26,7 +26,6 @@ namespace {
 constexpr const char* kTheorem =
     "by the theorem that six joints that turn have at most 16 isolated complex postures (Primrose "
     "1986; Lee & Liang 1988; Raghavan & Roth 1993), of which 16 are certain";
-
 constexpr std::size_t kWays = 3;
 /// Each way to choose opposite joints gets so many boxes at first, and then all that are left.
 constexpr std::uint64_t kFirstBoxes = 3000;
@@ -35,9 +34,7 @@ constexpr std::uint64_t kBoxesAfterProblem = 4000;
 constexpr double kOverlapOfTurn = 0x1p-8;  ///< of the search over a turn, in radians
 /// E is no half turn if 3 less its trace is below this.
 constexpr double kHalfTurn = 4;
-
 const Interval kTurn = Interval(2.0) * kPi;
-
 /// The four joints of OppositeAxes among six, and the other two.
 constexpr std::array<std::size_t, 4> kSearched = {0, 1, 3, 4};
 constexpr std::array<std::size_t, 2> kFollowing = {2, 5};
@@ -45,7 +42,12 @@ constexpr std::array<std::size_t, 2> kFollowing = {2, 5};
 class ArmSolver {
  public:
   ArmSolver(const Request& request, const SolveRun& run)
-      : model_(request.model), run_(run), chain_(enclose_chain(model_)) {
+      : model_(request.model),
+        run_(run),
+        geometry_(has_tolerances(request) && !has_errors(request.motion)
+                      ? ArmGeometry::kWithinTolerances
+                      : ArmGeometry::kNominal),
+        chain_(enclose_chain(model_, geometry_)) {
     const FloatingPointScope nearest(FloatingPointRounding::kNearest);
     for (const SerialJoint& joint : model_.arm->joints)
       if (joint.follows)
@@ -55,8 +57,8 @@ class ArmSolver {
     const std::vector<Interval> values = enclose_values(model_, request.motion);
     free_.resize(chain_.size());
     std::iota(free_.begin(), free_.end(), std::size_t{0});
-    target_ =
-        is_by_tool ? enclose_target(model_, request.motion.tool) : posture_at(chain_, values).end;
+    target_ = is_by_tool ? enclose_target(model_, request.motion.tool, geometry_)
+                         : posture_at(enclose_chain(model_, ArmGeometry::kNominal), values).end;
     for (const std::string& name : held) hold(name, values);
     if (chain_.size() != kJoints)
       throw UsageError(fmt::format(
@@ -74,11 +76,8 @@ class ArmSolver {
 
   Solutions solve() {
     run_.begin();
-    settings_.threads = settings_from(run_.search).threads;
-    settings_.interrupt = run_.interrupt;
+    settings_ = root_settings_of(run_);
     settings_.boxes_after_problem = kBoxesAfterProblem;
-    if (run_.search.max_boxes != 0) settings_.max_boxes = run_.search.max_boxes;
-    if (run_.search.time_limit != 0) settings_.time_limit = run_.search.time_limit;
     const FloatingPointScope nearest(FloatingPointRounding::kNearest);
     const bool all_turn = std::ranges::all_of(chain_, &ArmJoint::turns);
     Attempt best = all_turn ? by_opposite_axes() : by_all_joints();
@@ -149,11 +148,12 @@ class ArmSolver {
     free_.erase(at);
   }
 
+  [[nodiscard]] bool varies() const { return geometry_ != ArmGeometry::kNominal; }
+
   /// The whole arm near a posture. Nothing of the question but its sizes is read.
   [[nodiscard]] RootJudge judge_of_arm() const {
-    return RootJudge({problem_, {0, 0, kJoints, 0}, [this] {
-                        return std::make_unique<WholeArm>(chain_, target_);
-                      }});
+    const auto arm = [this] { return std::make_unique<WholeArm>(chain_, target_, varies()); };
+    return RootJudge({problem_, {0, 0, kJoints, 0}, arm});
   }
 
   /// True if E at a solution of WholeArm is the unit matrix, and not a half turn.
@@ -166,6 +166,7 @@ class ArmSolver {
 
   /// All postures, if as many as the theorem allows are certain among complex numbers.
   std::optional<Attempt> by_counting() {
+    if (varies()) return std::nullopt;
     ArmToEnd arm;
     for (std::size_t k = 0; k < kJoints; ++k)
       arm.joints[k] = {{chain_[k].origin.R, chain_[k].origin.d}, chain_[k].axis};
@@ -320,7 +321,9 @@ class ArmSolver {
         place += fmt::format("{}{} = {:.6g}{}", place.empty() ? ", near " : ", ",
                              solutions_.unknowns[k].name, mid(in_unit(k, value)),
                              unit_suffix(solutions_.unknowns[k].unit));
-    return "several postures meet, or there are infinitely many" + place;
+    return (varies() ? "within the tolerances postures may meet"
+                     : "several postures meet, or there are infinitely many") +
+           place;
   }
 
   /// A box of four joints as one of all six.
@@ -378,6 +381,7 @@ class ArmSolver {
 
   const Model& model_;
   const SolveRun& run_;
+  const ArmGeometry geometry_;
   ArmChain chain_;
   LinkFrame target_;
   std::vector<std::size_t> free_;  ///< by joint of the chain: its number in the pose

@@ -10,6 +10,9 @@ namespace regulus {
 /// choose two opposite ones, until a list is whole; each solution of these equations is shown to be
 /// a posture, or to be none. Where joints slide, all six are searched.
 ///
+/// The geometry is anywhere within its tolerances, and each posture in the list stands for one at each of
+/// its values; the place is that of the nominal geometry. With control errors all is nominal.
+///
 /// Requires  request.model.arm; the motion has values.
 /// Throws    UsageError for an arm that has not six joints that are free to move.
 [[nodiscard]] Solutions solve_arm(const Request& request, const SolveRun& run);

@@ -2,6 +2,7 @@
 #include "codegen/question/solve/arm_system.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "runtime/interval/elementary.hpp"
 
@@ -14,6 +15,11 @@ constexpr std::size_t kFour = 4;
 Vector3 axial(const Matrix3& M) {
   const Interval half(0.5);
   return {half * (M[7] - M[5]), half * (M[2] - M[6]), half * (M[3] - M[1])};
+}
+
+/// [z]×A.
+Matrix3 across(const Vector3& z, const Matrix3& A) {
+  return times({0.0, -z[2], z[1], z[2], 0.0, -z[0], -z[1], z[0], 0.0}, A);
 }
 
 /// A vector of bilinear forms.
@@ -134,12 +140,34 @@ std::optional<RootSystem::Values> WholeArm::at(std::size_t lane) const {
   values.by_unknown = jacobian_at(chain_, posture);
   for (std::size_t k = 0; k < chain_.size(); ++k) {
     const Vector3& z = posture.axes[k];
-    const Vector3 rate = axial(times({0.0, -z[2], z[1], z[2], 0.0, -z[0], -z[1], z[0], 0.0}, E));
+    const Vector3 rate = axial(across(z, E));
     for (std::size_t i = 0; i < 3; ++i)
       values.by_unknown[(3 + i) * chain_.size() + k] = chain_[k].turns ? rate[i] : Interval(0.0);
   }
   values.also = {Interval(3.0) - (E[0] + E[4] + E[8])};
+  if (has_rates_ && are_rates_needed_) add_rates(values, posture, E);
   return values;
+}
+
+void WholeArm::add_rates(Values& values, const ArmPosture& posture, const Matrix3& E) const {
+  const std::size_t n = chain_.size();
+  values.rates_by_unknown.assign(n * n * n, Interval(0.0));
+  for (std::size_t k = 0; k < n; ++k) {
+    const Vector3 v = {values.by_unknown[k], values.by_unknown[n + k],
+                       values.by_unknown[2 * n + k]};
+    for (std::size_t j = 0; j <= k; ++j) {
+      if (!chain_[j].turns) continue;
+      const Vector3 of_place = cross(posture.axes[j], v);
+      const Vector3 of_turn = chain_[k].turns
+                                  ? axial(across(posture.axes[j], across(posture.axes[k], E)))
+                                  : Vector3{0.0, 0.0, 0.0};
+      for (std::size_t i = 0; i < 3; ++i)
+        for (const auto& [by, column] : {std::pair{j, k}, {k, j}}) {
+          values.rates_by_unknown[(by * n + i) * n + column] = of_place[i];
+          values.rates_by_unknown[(by * n + 3 + i) * n + column] = of_turn[i];
+        }
+    }
+  }
 }
 
 OppositeAxes::OppositeAxes(const ArmChain& chain, const LinkFrame& target) {

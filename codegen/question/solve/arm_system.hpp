@@ -13,20 +13,30 @@ inline constexpr std::size_t kJoints = 6;
 /// All six joints: the end's origin is at that of the frame, and E = R(q)·R*ᵀ has no axial vector.
 /// Then E is the unit matrix or a half turn; at the first the derivatives are regular exactly where the
 /// forward Jacobian is. Its trace tells them apart.
+///
+/// With z_k the axes, v_k the velocities of the end's origin, and j ≤ k, the second derivatives by joints that turn
+/// are z_j × v_k and the axial vector of [z_j]×[z_k]×E: what is behind joint j turns with it, as one body.
 class WholeArm final : public RootSystem {
  public:
-  WholeArm(const ArmChain& chain, const LinkFrame& target) : chain_(chain), target_(target) {}
+  /// `has_rates`: with second derivatives, where they are asked for.
+  WholeArm(const ArmChain& chain, const LinkFrame& target, bool has_rates = false)
+      : chain_(chain), target_(target), has_rates_(has_rates) {}
 
-  void evaluate(std::span<const Box> boxes, bool) override {
+  void evaluate(std::span<const Box> boxes, bool are_rates_needed) override {
     boxes_.assign(boxes.begin(), boxes.end());
+    are_rates_needed_ = are_rates_needed;
   }
   /// `also`: 3 less the trace of E.
   [[nodiscard]] std::optional<Values> at(std::size_t lane) const override;
 
  private:
+  void add_rates(Values& values, const ArmPosture& posture, const Matrix3& E) const;
+
   const ArmChain& chain_;
   const LinkFrame& target_;
+  const bool has_rates_;
   std::vector<Box> boxes_;
+  bool are_rates_needed_ = false;
 };
 
 /// Σ k_ij·u_i·v_j with u = (1, cos a, sin a) and v = (1, cos b, sin b).

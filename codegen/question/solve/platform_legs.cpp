@@ -172,9 +172,12 @@ GoughLegs enclose_uncertain_legs(const Request& request) {
   return legs;
 }
 
+bool has_errors(const Motion& motion) {
+  return !std::ranges::all_of(motion.error, [](const ex& x) { return x.is_zero(); });
+}
+
 bool has_tolerances(const Request& request) {
-  const auto is_zero = [](const ex& x) { return x.is_zero(); };
-  return !std::ranges::all_of(request.motion.error, is_zero) ||
+  return has_errors(request.motion) ||
          std::ranges::any_of(request.model.geometry, [](const GeometryParameter& g) {
            return !g.tolerance.is_zero() || g.ball >= 0;
          });

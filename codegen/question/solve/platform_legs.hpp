@@ -29,6 +29,8 @@ namespace regulus {
 /// poses within the control errors. The legs of enclose_legs() are among these.
 [[nodiscard]] GoughLegs enclose_uncertain_legs(const Request& request);
 
+/// True if the motion has an error that is not 0.
+[[nodiscard]] bool has_errors(const Motion& motion);
 /// True if the model or the motion has a tolerance or an error that is not 0.
 [[nodiscard]] bool has_tolerances(const Request& request);
 

@@ -86,15 +86,6 @@ void list(Solutions& solutions, const GoughLegs& legs, const std::vector<GoughPo
   sort_by_values(solutions.found);
 }
 
-RootSettings settings_of(const SolveRun& run) {
-  RootSettings settings;
-  settings.threads = settings_from(run.search).threads;
-  settings.interrupt = run.interrupt;
-  if (run.search.max_boxes != 0) settings.max_boxes = run.search.max_boxes;
-  if (run.search.time_limit != 0) settings.time_limit = run.search.time_limit;
-  return settings;
-}
-
 std::string place_of(const GoughPose& pose) {
   return fmt::format("x = {:.6g}, y = {:.6g}, z = {:.6g}", mid(pose.position[0]),
                      mid(pose.position[1]), mid(pose.position[2]));
@@ -117,7 +108,7 @@ std::string obstacle_of(const PoseList& list, const GoughPoses& counted) {
 /// For a platform that has fewer complex poses than the theorem allows. Returns the poses if these are all.
 std::vector<GoughPose> search_poses(Solutions& solutions, const GoughLegs& legs,
                                     const GoughPoses& counted, const SolveRun& run) {
-  PoseList found = search_poses(legs, settings_of(run), run.progress);
+  PoseList found = search_poses(legs, root_settings_of(run), run.progress);
   solutions.boxes = found.boxes;
   solutions.stopped_by = found.stopped_by;
   if (found.is_complete) {
@@ -188,7 +179,7 @@ Solutions poses_in_space(const Request& request, const SolveRun& run) {
   }
   if (has_tolerances(request)) {
     solutions.is_nominal = solutions.completeness != Completeness::kComplete;
-    RootSettings left = settings_of(run);
+    RootSettings left = root_settings_of(run);
     left.time_limit -= seconds_since(start);
     if (!solutions.is_nominal) follow(solutions, request, legs, poses, left, run.progress);
   }

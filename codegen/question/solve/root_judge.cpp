@@ -129,6 +129,15 @@ std::vector<double> impact_of(std::span<const Interval> mean, std::span<const In
   return impact;
 }
 
+/// True if a solution may be farther than a part of the radius, whatever the box is: the equations have
+/// uncertain numbers, and the tube of the solution may be cut by the box.
+bool is_blurred(std::span<const Interval> steps, std::span<const double> radius) {
+  constexpr double kPart = 0.25;
+  for (std::size_t i = 0; i < radius.size(); ++i)
+    if (rad_ru(steps[i]) > kPart * radius[i]) return true;
+  return false;
+}
+
 /// The test of branch_tube.hpp without variables.
 TubeImage image_about(const std::vector<double>& center, const std::vector<double>& radius,
                       std::span<const double> inverse, const RootSystem::Values& at_center,
@@ -255,7 +264,9 @@ void RootJudge::find_roots(std::span<Trial> trials) {
     if (!K) continue;
     const TubeImage image = image_about(trial.center, radii[i], *K, *at_center[i], *over);
     if (!has_one_solution({{}, trial.center, {}, radii[i]}, image)) {
-      if (std::ranges::max(radii[i]) < kSmallRadius) small.push_back(&trial);
+      if (std::ranges::max(radii[i]) < kSmallRadius ||
+          is_blurred(product(*K, at_center[i]->value, n), radii[i]))
+        small.push_back(&trial);
       continue;
     }
     Root& root = trial.finding->root.emplace();
@@ -268,7 +279,7 @@ void RootJudge::find_roots(std::span<Trial> trials) {
   for (Trial* const trial : small) find_root_about(*trial);
 }
 
-/// The box is so small that rounding alone may fail the test: it is tried with more room.
+/// The box is so small that rounding, or what is uncertain, may fail the test: it is tried with more room.
 void RootJudge::find_root_about(Trial& trial) {
   auto root = root_near(trial.box, trial.center);
   if (!root || !root->is(trial.unknowns(question_.shape))) return;
@@ -337,15 +348,11 @@ void RootJudge::sharpen(const Box& variables, Root& root) {
 
 std::optional<Root> RootJudge::root_near(const Box& variables, std::vector<double> near) {
   const std::size_t n = question_.shape.unknowns, m = question_.shape.variables;
-  const auto box_about = [&](double radius) {
-    return with_unknowns(variables, m, n, [&](std::size_t i) {
-      return radius == 0 ? Interval(near[i]) : Interval(near[i]) + Interval(-radius, radius);
-    });
-  };
   std::optional<RootSystem::Values> at_center;
   std::optional<std::vector<double>> K;
   for (int i = 0; i < kStepsToRoot; ++i) {
-    const std::vector<Box> points = {box_about(0)};
+    const std::vector<Box> points = {
+        with_unknowns(variables, m, n, [&](std::size_t j) { return Interval(near[j]); })};
     system_->evaluate(points, false);
     at_center = system_->at(0);
     if (!at_center) return std::nullopt;
@@ -355,12 +362,25 @@ std::optional<Root> RootJudge::root_near(const Box& variables, std::vector<doubl
     const std::vector<Interval> steps = product(*K, at_center->value, n);
     for (std::size_t j = 0; j < n; ++j) near[j] -= mid(steps[j]);
   }
-  for (const double size : {0x1p-8, 0x1p-14, 0x1p-22, 0x1p-32}) {
-    const std::vector<Box> boxes = {box_about(size)};
+  // Where numbers are uncertain, wide boxes, and then those that are as the tube of the solution.
+  const std::vector<Interval> steps = product(*K, at_center->value, n);
+  const bool is_uncertain = is_blurred(steps, std::vector<double>(n, kSmallRadius));
+  std::vector<std::vector<double>> radii;
+  for (int halving = 3; is_uncertain && halving < 8; ++halving)
+    radii.emplace_back(n, std::ldexp(1.0, -halving));
+  for (const double size : {0x1p-8, 0x1p-14, 0x1p-22, 0x1p-32}) radii.emplace_back(n, size);
+  for (const double factor : {2.0, 1.5, 3.0}) {
+    if (!is_uncertain) break;
+    std::vector<double>& radius = radii.emplace_back();
+    for (const Interval& step : steps) radius.push_back(std::fmax(factor * mag(step), 0x1p-32));
+  }
+  for (const std::vector<double>& radius : radii) {
+    const std::vector<Box> boxes = {with_unknowns(variables, m, n, [&](std::size_t i) {
+      return Interval(near[i]) + Interval(-radius[i], radius[i]);
+    })};
     system_->evaluate(boxes, true);
     const auto over = system_->at(0);
     if (!over) continue;
-    const std::vector<double> radius(n, size);
     const TubeImage image = image_about(near, radius, *K, *at_center, *over);
     if (!has_one_solution({{}, near, {}, radius}, image)) continue;
     Root root{near, radius, {}};

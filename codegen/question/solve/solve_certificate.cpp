@@ -213,11 +213,12 @@ std::string expressions(const std::vector<ex>& values) {
 }
 
 /// The rotation row by row, and the place.
-std::vector<ex> numbers_of(const Placement& placement, const NominalGeometry& nominal) {
+template <class Stated>
+std::vector<ex> numbers_of(const Placement& placement, const Stated& stated) {
   std::vector<ex> numbers;
   for (unsigned i = 0; i < 3; ++i)
-    for (unsigned j = 0; j < 3; ++j) numbers.push_back(nominal.at(placement.R(i, j)));
-  for (const ex& x : placement.p) numbers.push_back(nominal.at(x));
+    for (unsigned j = 0; j < 3; ++j) numbers.push_back(stated(placement.R(i, j)));
+  for (const ex& x : placement.p) numbers.push_back(stated(x));
   return numbers;
 }
 
@@ -227,11 +228,13 @@ std::string arm_lines(const Request& request, const Solutions& solutions) {
   const NominalGeometry nominal(model);
   const bool is_by_tool = !request.motion.tool.empty();
   const std::vector<ex> pose = is_by_tool ? request.motion.pose : pose_of(request.motion);
-  std::string joints, values;
+  const bool varies = has_tolerances(request);
+  std::string joints = varies ? geometry_lines(model, uncertain_names(request)) : "", values;
+  const auto stated = [&](const ex& x) { return varies ? x : nominal.at(x); };
   for (std::size_t k = 0; k < model.arm->joints.size(); ++k) {
     const SerialJoint& joint = model.arm->joints[k];
-    std::vector<ex> numbers = numbers_of(joint.origin, nominal);
-    for (const ex& x : joint.axis) numbers.push_back(nominal.at(x));
+    std::vector<ex> numbers = numbers_of(joint.origin, stated);
+    for (const ex& x : joint.axis) numbers.push_back(stated(x));
     const bool is_free = std::ranges::any_of(solutions.unknowns, [&](const SolvedUnknown& unknown) {
       return unknown.name == model.pose[k].name;
     });
@@ -242,7 +245,7 @@ std::string arm_lines(const Request& request, const Solutions& solutions) {
     if (is_free) values += "joint-value " + expression_text(value) + '\n';
   }
   if (!is_by_tool) return joints + values;
-  return joints + "tip " + expressions(numbers_of(model.arm->tool, nominal)) + "\ntool " +
+  return joints + "tip " + expressions(numbers_of(model.arm->tool, stated)) + "\ntool " +
          expressions(request.motion.tool) + '\n';
 }
 
@@ -261,7 +264,7 @@ std::string posture_lines(const Solutions& solutions) {
 
 std::string head_of_arm(const Request& request, const Solutions& solutions) {
   return head_of_robot(request, solutions, format::kOfArm, arm_lines(request, solutions),
-                       posture_lines(solutions));
+                       posture_lines(solutions), uncertain_names(request).size());
 }
 
 // A closure.

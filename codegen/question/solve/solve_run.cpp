@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "codegen/question/engine/settings.hpp"
 #include "codegen/question/solve/arm_postures.hpp"
 #include "codegen/question/solve/platform_legs.hpp"
 #include "codegen/question/solve/platform_poses.hpp"
@@ -59,21 +60,29 @@ SolvedNoun noun_of(const Request& request) {
 
 namespace {
 
-/// An arm without its tolerances.
-Solutions solve_nominal_arm(const Request& request, const SolveRun& run) {
+Solutions postures_of(const Request& request, const SolveRun& run) {
   Solutions solutions = solve_arm(request, run);
-  solutions.is_nominal = has_tolerances(request);
+  solutions.is_nominal = has_errors(request.motion);
   return solutions;
 }
 
 }  // namespace
+
+RootSettings root_settings_of(const SolveRun& run) {
+  RootSettings settings;
+  settings.threads = settings_from(run.search).threads;
+  settings.interrupt = run.interrupt;
+  if (run.search.max_boxes != 0) settings.max_boxes = run.search.max_boxes;
+  if (run.search.time_limit != 0) settings.time_limit = run.search.time_limit;
+  return settings;
+}
 
 Solutions solve(const Request& request, const SolveRun& run) {
   const FloatingPointScope nearest(FloatingPointRounding::kNearest);
   if (!run.held.empty() && !request.model.arm)
     throw UsageError("only an arm of [serial] has joints that can be held");
   if (!request.model.legs.empty()) return solve_platform(request, run);
-  if (request.model.arm) return solve_nominal_arm(request, run);
+  if (request.model.arm) return postures_of(request, run);
   if (!request.model.closure)
     throw UsageError(
         "the solutions of this model cannot be asked for: give its equations in [closure], or legs "

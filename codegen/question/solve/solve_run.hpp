@@ -6,6 +6,7 @@
 
 #include "codegen/model/place.hpp"
 #include "codegen/question/engine/pipeline.hpp"
+#include "codegen/question/solve/root_search.hpp"
 #include "codegen/question/solve/solutions.hpp"
 #include "runtime/problem/observer.hpp"
 
@@ -34,6 +35,9 @@ struct SolveRun {
     if (begin_search) begin_search();
   }
 };
+
+/// Returns the settings of a search of this run.
+[[nodiscard]] RootSettings root_settings_of(const SolveRun& run);
 
 /// Finds all solutions.
 ///

@@ -29,7 +29,7 @@ class PlaceComparison {
     if (section_ == nullptr) comparer_.refuse_model("it has none of [gough], [legs] and [serial]");
     const Scope stated = std::exchange(q_.actual, {});
     name_constants();
-    if (q_.solutions->arm) return compare_arm();
+    if (q_.solutions->arm) return compare_arm(stated);
     const std::vector<SectionLeg> legs = section_->telescopic_legs(comparer_);
     if (legs.size() != q_.solutions->legs.size())
       comparer_.refuse_model("it has " + std::to_string(legs.size()) + " legs, and not " +
@@ -95,12 +95,12 @@ class PlaceComparison {
 
   // An arm.
 
-  void compare_arm() {
+  void compare_arm(const Scope& scope) {
     require_known_keys();
-    require_no_tolerances();
+    q_.variables.empty() ? require_no_tolerances() : require_no_errors();
     const bool is_by_tool = has(motion_ + "tool[0]");
     const bool has_values = name_joints(is_by_tool);
-    const SectionArm arm = section_->arm(comparer_);
+    const SectionArm arm = read_arm(scope);
     const ArmLines& stated = *q_.solutions->arm;
     if (arm.joints.size() != stated.joints.size())
       comparer_.refuse_model("its arm has " + std::to_string(arm.joints.size()) +
@@ -140,6 +140,16 @@ class PlaceComparison {
     for (const auto& [name, value] : values)
       q_.actual.insert_or_assign(name, has_all ? value : q_.graph.number(Rational(0L)));
     return has_all;
+  }
+
+  /// By the constants of the certificate if these have tolerances.
+  SectionArm read_arm(const Scope& stated) {
+    if (q_.variables.empty()) return section_->arm(comparer_);
+    const Scope nominal = q_.actual;
+    for (const auto& [name, node] : stated) q_.actual.insert_or_assign(name, node);
+    SectionArm arm = section_->arm(comparer_);
+    q_.actual = nominal;
+    return arm;
   }
 
   void compare_joint(const SectionJoint& joint, std::size_t number) {
@@ -330,6 +340,18 @@ class PlaceComparison {
     compare_errors_of_lengths(legs);
   }
 
+  /// Postures are without control errors.
+  void require_no_errors() {
+    for (const auto& [place, value] : values_)
+      if (place.starts_with(motion_ + "error") && !is_zero(value))
+        comparer_.leave_out(comparer_.place_of(place), "the claim is without control errors");
+  }
+
+  static bool is_zero(const WrittenValue& value) {
+    return !value.is_string && !value.text.empty() &&
+           value.text.find_first_not_of("0.") == std::string::npos;
+  }
+
   /// The claim is about one platform.
   void require_no_tolerances() {
     for (const auto& [place, value] : values_) {
@@ -338,9 +360,7 @@ class PlaceComparison {
       const bool is_spread = is_of_robot && (place.find("tolerance") != std::string::npos ||
                                              place.find(".radius") != std::string::npos);
       const bool is_error = place.starts_with(motion_ + "error");
-      const bool is_zero = !value.is_string && !value.text.empty() &&
-                           value.text.find_first_not_of("0.") == std::string::npos;
-      if ((is_spread || is_error) && !is_zero)
+      if ((is_spread || is_error) && !is_zero(value))
         comparer_.leave_out(comparer_.place_of(place),
                             "the claim is without tolerances and errors");
     }

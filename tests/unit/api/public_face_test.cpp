@@ -50,7 +50,11 @@ TEST(PublicFace, SolutionsSayWhichToleranceTheyLeaveOut) {
   const char* const kLeftOut = "with every tolerance and control error at 0, ";
   EXPECT_THAT(regulus::solve(robot, at).report, Not(HasSubstr(kLeftOut)));
   EXPECT_THAT(regulus::solve(robot.tolerance("base", "1e-7"), at).report, Not(HasSubstr(kLeftOut)));
-  EXPECT_THAT(regulus::solve(arm.tolerance("links", "0.01"), joints).report, HasSubstr(kLeftOut));
+  EXPECT_THAT(regulus::solve(arm.tolerance("links", "1e-6"), joints).report,
+              Not(HasSubstr(kLeftOut)));
+  Question swept = Question::of_file(REGULUS_SOURCE_DIR "/models/puma_560_serial.toml", "sweep");
+  EXPECT_THAT(regulus::solve(swept, {.search = {}, .at = {"T=0.25"}, .hold = {}}).report,
+              HasSubstr(kLeftOut));
 }
 
 TEST(PublicFace, SolutionsOfAMotionWithConstraintsAreRefused) {
