@@ -17,6 +17,8 @@
 //     static Finding take(ByteReader&, const Question&)      throws MalformedMessage
 //     static double& bound(Finding&)
 //                   if there is one: a bound over the box, which holds over each part of it, too
+//     static void inherit(Finding& own, Finding& above)
+//                   if there is more that a part of the box has: own may lack it
 #pragma once
 
 #include <algorithm>

@@ -28,6 +28,9 @@
 //                                          a leaf, or an open box that has a finding
 //     void reopen(TreeBox)                 a box that is not judged yet
 //     void resume_own(span<const uint64_t>)                     throws SavedTreeError
+//     size_t reopened(span<const uint64_t> own, size_t open)
+//                                          if only so many open boxes, the last ones, are not judged
+//     void revise(const Box&, Finding&)    if not all findings are of use
 //
 // Rounds, and so the boxes of a search, do not depend on threads, workers or time.
 #pragma once
@@ -116,6 +119,8 @@ class BoxCourse {
 
   void announce();
   void count(std::uint64_t boxes) { boxes_ += boxes; }
+  /// For a goal that continues: so many were judged, which are not those of the tree.
+  void recount(std::uint64_t boxes) { boxes_ = boxes; }
   [[nodiscard]] std::uint64_t left() const {
     return settings_.max_boxes - std::min(boxes_, settings_.max_boxes);
   }
@@ -211,9 +216,10 @@ class BoxSearch {
   /// Nothing rests on the text but the splits.
   bool continue_from(const SavedTree& from) {
     const RestoredTree tree(from, problem_.outer, goal_.splittable());
-    const std::size_t judged = tree.leaves().size() - (Goal::kJudgesWhenMade ? 0 : tree.open());
+    const std::size_t judged = tree.leaves().size() - reopened(from, tree.open());
     course_.count(tree.size() - (tree.leaves().size() - judged));
-    TreeProof<Judge> proof(tree, judges_, [this] { return course_.must_pause(); });
+    TreeProof<Judge> proof(
+        tree, judges_, [this] { return course_.must_pause(); }, revise());
     if (!proof.prove(judged, from.shown)) {
       if (!course_.must_pause())
         course_.note_lack_of_memory(), static_cast<void>(course_.must_pause());
@@ -227,6 +233,19 @@ class BoxSearch {
     repeat(tree, proof);
     course_.note_saved();
     return true;
+  }
+
+  [[nodiscard]] std::size_t reopened(const SavedTree& from, std::size_t open) const {
+    if constexpr (requires { goal_.reopened(from.own, open); })
+      return std::min(open, goal_.reopened(from.own, open));
+    else
+      return Goal::kJudgesWhenMade ? 0 : open;
+  }
+  [[nodiscard]] typename TreeProof<Judge>::Revise revise() const {
+    if constexpr (requires(Finding & finding) { goal_.revise(boxes_.front(), finding); })
+      return [this](const std::vector<Interval>& box, Finding& f) { goal_.revise(box, f); };
+    else
+      return {};
   }
 
   /// Tells of the splits and leaves in their order.

@@ -13,15 +13,20 @@ namespace regulus {
 /// Judges leaves of a tree again. If findings have a bound, a box above a leaf may have a smaller
 /// one, which holds for the leaf, too: while the bound of the text is smaller than what was found,
 /// the next box above is judged as well. So each bound is that of the text if the text is true, and
-/// is proved in any case.
+/// is proved in any case. Judge::inherit() says what else of a box above holds for a leaf.
 template <class Judge>
 class TreeProof {
  public:
   using Finding = typename Judge::Finding;
+  using Revise = std::function<void(const std::vector<Interval>& box, Finding&)>;
 
-  /// All must outlive this object.
-  TreeProof(const RestoredTree& tree, BoxJudges<Judge>& judges, std::function<bool()> must_stop)
-      : tree_(tree), judges_(judges), must_stop_(std::move(must_stop)) {}
+  /// All must outlive this object. `revise`: takes from each finding what is of no use; may be empty.
+  TreeProof(const RestoredTree& tree, BoxJudges<Judge>& judges, std::function<bool()> must_stop,
+            Revise revise = {})
+      : tree_(tree),
+        judges_(judges),
+        must_stop_(std::move(must_stop)),
+        revise_(std::move(revise)) {}
 
   /// Judges the first `count` leaves, and the boxes that showed more.
   ///
@@ -64,10 +69,7 @@ class TreeProof {
         if (climbers.empty()) break;
         for (Climber& c : climbers) c.box = tree_.parent(c.box);
         if (!judge_above(climbers)) return false;
-        for (const Climber& c : climbers) {
-          double& bound = Judge::bound(leaves_[c.leaf]);
-          bound = std::min(bound, above_.at(c.box));
-        }
+        for (const Climber& c : climbers) inherit(leaves_[c.leaf], above_.at(c.box));
       }
     }
     return true;
@@ -77,12 +79,17 @@ class TreeProof {
     return c.box == 0 || Judge::bound(leaves_[c.leaf]) <= tree_.leaves()[c.leaf].bound;
   }
 
+  static void inherit(Finding& own, Finding& above) {
+    if constexpr (requires { Judge::inherit(own, above); }) Judge::inherit(own, above);
+    Judge::bound(own) = std::min(Judge::bound(own), Judge::bound(above));
+  }
+
   bool judge_above(const std::vector<Climber>& climbers) {
     std::vector<BoxId> boxes;
     for (const Climber& c : climbers)
-      if (above_.emplace(c.box, kFar).second) boxes.push_back(c.box);
+      if (above_.try_emplace(c.box).second) boxes.push_back(c.box);
     return judge(boxes, kFar,
-                 [&](std::size_t i, Finding& found) { above_[boxes[i]] = Judge::bound(found); });
+                 [&](std::size_t i, Finding& found) { above_.at(boxes[i]) = std::move(found); });
   }
 
   /// Calls keep(i, finding) for each box.
@@ -95,7 +102,10 @@ class TreeProof {
       for (std::size_t i = 0; i < count; ++i) boxes.push_back(tree_.box(ids[from + i]));
       std::vector<Finding> findings(count);
       if (!judges_.judge(boxes, findings, horizon)) return false;
-      for (std::size_t i = 0; i < count; ++i) keep(from + i, findings[i]);
+      for (std::size_t i = 0; i < count; ++i) {
+        if (revise_) revise_(boxes[i], findings[i]);
+        keep(from + i, findings[i]);
+      }
     }
     return true;
   }
@@ -103,8 +113,9 @@ class TreeProof {
   const RestoredTree& tree_;
   BoxJudges<Judge>& judges_;
   const std::function<bool()> must_stop_;
+  const Revise revise_;
   std::vector<Finding> leaves_, shown_;
-  std::unordered_map<BoxId, double> above_;  ///< bounds over boxes that were split
+  std::unordered_map<BoxId, Finding> above_;  ///< about boxes that were split
 };
 
 }  // namespace regulus
