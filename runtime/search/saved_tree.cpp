@@ -18,8 +18,9 @@ void add_bounded(std::string& text, BoxId box, double bound) {
     return;
   }
   char digits[40];
-  const auto end = std::to_chars(digits, digits + sizeof digits, bound, std::chars_format::hex).ptr;
-  text += "=0x";
+  const auto end =
+      std::to_chars(digits, digits + sizeof digits, std::fabs(bound), std::chars_format::hex).ptr;
+  text += std::signbit(bound) ? "=-0x" : "=0x";
   text.append(digits, end) += ' ';
 }
 
@@ -38,13 +39,15 @@ std::uint64_t take_number(std::string_view& rest, std::string_view word) {
 
 double read_bound(std::string_view digits, std::string_view word) {
   double bound = 0;
+  const bool is_negative = digits.starts_with('-');
+  digits.remove_prefix(is_negative ? 1 : 0);
   if (!digits.starts_with("0x")) refuse_word(word, "a hexadecimal number");
   digits.remove_prefix(2);
   const auto [end, error] =
       std::from_chars(digits.data(), digits.data() + digits.size(), bound, std::chars_format::hex);
   if (error != std::errc{} || end != digits.data() + digits.size() || !(bound >= 0))
     refuse_word(word, "a hexadecimal number");
-  return bound;
+  return is_negative ? -bound : bound;
 }
 
 /// Calls read(word) for each word.

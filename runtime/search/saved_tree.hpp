@@ -17,7 +17,7 @@ namespace regulus {
 ///
 ///     12:3             box 12 was halved in variable 3, into the next two numbers
 ///     13=0x1.8p+2      box 13 is not split any more, and has this bound
-///     14-              box 14 is not split any more, and has no bound
+///     14-              box 14 is not split any more, and has no bound; before 0x there may be a sign
 ///
 /// Nothing but the splits is a fact: a search that continues judges these boxes again.
 struct SavedTree {

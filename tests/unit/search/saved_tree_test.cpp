@@ -47,7 +47,7 @@ TEST(SavedTree, RefusesOtherTexts) {
   };
   EXPECT_NO_THROW(make("0:0", "1- 2=0x1p+0"));
   for (const char* steps : {"", "0:2", "0:0 0:0", "3:0 0:0", "0:0 1=0x1p+0 1-", "0:0 1~", "0:0 1-x",
-                            "0:-1", "x", ":", "-", "0:0 1=1.5", "0:0 1=-0x1p+0", "0:0 1=0xnan"})
+                            "0:-1", "x", ":", "-", "0:0 1=1.5", "0:0 1=0x-1p+0", "0:0 1=0xnan"})
     EXPECT_THROW(make(steps, "2-"), SavedTreeError) << steps;
   EXPECT_THROW(make("0:0", "1-"), SavedTreeError);
   EXPECT_THROW(make("0:0", "1- 2- 2-"), SavedTreeError);
