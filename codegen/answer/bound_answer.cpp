@@ -199,7 +199,7 @@ std::unique_ptr<BoundAnswer> ask(const AskBound& asked, const Services& services
   BoundQuestion question = read_bound_question(asked.model, asked.quantity, asked.limit,
                                                watch_of(services, asked.search));
   if (question.limit && !services.checkpoint.path.empty() &&
-      question.quantity.kind != QuantityKind::kCondition2)
+      question.quantity.kind != QuantityKind::kCondition2 && !question.request.model.closure)
     throw UsageError(services.dashes +
                      "checkpoint: with a limit there is one search and no bracket to continue");
   set_outputs_aside(asked.model, asked.search, services,

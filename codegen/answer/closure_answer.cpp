@@ -36,11 +36,15 @@ class CheckpointOfBranch {
                      const SearchOptions& search)
       : services_(services), prepared_(prepared), search_(search) {}
 
-  [[nodiscard]] MakeCheckpoint maker() {
-    return [this](const BranchSettings& settings) {
-      return &checkpoint_.emplace(services_.checkpoint, [&] {
-        return checkpointed_question(prepared_, search_, settings);
-      });
+  [[nodiscard]] KeepBranch keeper() {
+    return [this](BranchSettings settings, const SearchOfBranch& search) {
+      checkpoint_.emplace(services_.checkpoint,
+                          [&] { return checkpointed_question(prepared_, search_, settings); });
+      if (checkpoint_->file() == nullptr) return search(settings);
+      settings.save_every = checkpoint_->interval();
+      BranchResult result = checkpoint_->file()->continue_search(settings, search);
+      checkpoint_->finish(result.stopped_by.has_value());
+      return result;
     };
   }
   [[nodiscard]] std::string line() const { return checkpoint_ ? checkpoint_->line() : ""; }
@@ -64,7 +68,7 @@ class ClosureCheck final : public CheckAnswer {
     SearchDisplay display(display_of(services));
     CheckpointOfBranch checkpoint(services, prepared_, search_);
     found_ = check_closure(prepared_, search_, watch_of(services, search_), display.observer(),
-                           checkpoint.maker());
+                           checkpoint.keeper());
     checkpoint_line_ = checkpoint.line();
     const ProofPlacing placing{nullptr, services.shard_size};
     proof = found_.is_refuted()
@@ -115,7 +119,7 @@ class ClosurePaving final : public PavingAnswer {
     SearchDisplay display(display_of(services));
     CheckpointOfBranch checkpoint(services, prepared_, search_);
     found_ = pave_closure(prepared_, search_, options_.resolution, watch_of(services, search_),
-                          display.observer(), checkpoint.maker());
+                          display.observer(), checkpoint.keeper());
     checkpoint_line_ = checkpoint.line();
     std::optional<PavingTree> tree;
     if (services.tree != nullptr) tree.emplace(problem_, 0);

@@ -25,5 +25,12 @@ struct Request;
 [[nodiscard]] std::unique_ptr<MarginAnswer> answer_closure(const MarginQuestion& question,
                                                            Request request, const AskMargin& asked,
                                                            const Services& services);
+[[nodiscard]] std::unique_ptr<LoadAnswer> answer_closure(Request request, double model_seconds,
+                                                         const AskLoad& asked,
+                                                         const Services& services);
+[[nodiscard]] std::unique_ptr<LoadPavingAnswer> answer_closure(Request request,
+                                                               double model_seconds,
+                                                               const AskLoadPaving& asked,
+                                                               const Services& services);
 
 }  // namespace regulus

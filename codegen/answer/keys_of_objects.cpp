@@ -243,6 +243,8 @@ constexpr Key kComponentMargin[] = {
 constexpr Key kForceWitness[] = {
     {"parameters", "range{}"},
     {"uncertain", "range{}"},
+    {"unknowns?", "range{}", "of a closure: the configuration"},
+    {"motor?", "text", "of a closure: whose force is beyond its limits"},
     {"wrench", "enclosure[]"},
     {"wrench_units", "text[]", "by component"},
     {"direction", "approx[]"},

@@ -219,7 +219,7 @@ std::vector<ObjectKind> kinds_of_other_answers() {
        "complete|none|incomplete"},
       {"forces",
        "check --load and locate --load",
-       {kForces, kSubject, kNonempty, kBlocking, kForceShares, kCertificate},
+       {kForces, kSubject, kNonempty, kBlocking, kForceShares, kClosure, kCertificate},
        kOfForces},
       {"path_forces",
        "check --load of a motion along way-points",

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/answer/ask.hpp"
+#include "codegen/answer/closure_answer.hpp"
 #include "codegen/answer/lines_file.hpp"
 #include "codegen/answer/outputs.hpp"
 #include "codegen/answer/picture/pictures.hpp"
@@ -14,6 +15,7 @@
 #include "codegen/answer/report/paving_options.hpp"
 #include "codegen/answer/report/progress.hpp"
 #include "codegen/answer/report/report_text.hpp"
+#include "codegen/question/closure/closure_run.hpp"
 #include "codegen/question/load/feasibility_report.hpp"
 #include "codegen/question/load/force_certificate.hpp"
 #include "codegen/question/load/way_force_paving.hpp"
@@ -256,7 +258,11 @@ std::unique_ptr<LoadAnswer> ask(const AskLoad& asked, const Services& services) 
   set_outputs_aside(asked.model, asked.search, services);
   Stopwatch watch;
   std::optional<Request> along = read_trajectory(asked.model, watch_of(services, asked.search));
-  if (!along) return std::make_unique<VarietyLoad>(asked, services);
+  if (!along) {
+    std::optional<Request> closed = read_closure(asked.model, watch_of(services, asked.search));
+    if (!closed) return std::make_unique<VarietyLoad>(asked, services);
+    return answer_closure(std::move(*closed), watch.lap(), asked, services);
+  }
   services.begin_search();
   return std::make_unique<WayLoad>(std::move(*along), watch.lap(), asked, services);
 }
@@ -268,7 +274,11 @@ std::unique_ptr<LoadPavingAnswer> ask(const AskLoadPaving& asked, const Services
   set_outputs_aside(asked.model, asked.search, services);
   Stopwatch watch;
   std::optional<Request> along = read_trajectory(asked.model, watch_of(services, asked.search));
-  if (!along) return std::make_unique<VarietyLoadPaving>(asked, services);
+  if (!along) {
+    std::optional<Request> closed = read_closure(asked.model, watch_of(services, asked.search));
+    if (!closed) return std::make_unique<VarietyLoadPaving>(asked, services);
+    return answer_closure(std::move(*closed), watch.lap(), asked, services);
+  }
   services.begin_search();
   return std::make_unique<WayLoadPaving>(std::move(*along), watch.lap(), asked, services);
 }

@@ -9,7 +9,9 @@
 #include "codegen/question/bound/bound_question.hpp"
 #include "codegen/question/bound/bracket_question.hpp"
 #include "codegen/question/bound/datasheet.hpp"
+#include "codegen/question/closure/branch_load.hpp"
 #include "codegen/question/closure/closure_run.hpp"
+#include "codegen/question/closure/value_judge.hpp"
 #include "codegen/question/condition/box_judge.hpp"
 #include "codegen/question/condition/condition_kernel.hpp"
 #include "codegen/question/condition/path_judge.hpp"
@@ -65,6 +67,19 @@ Formed about_branch(PreparedClosure closed) {
   question.judges = [branch](const Problem& problem, const Settings&) {
     return unit_judges<TubeJudge>(
         {problem, branch->scaling, branch->shape, branch->near_start, branch->ranges});
+  };
+  return question;
+}
+
+Formed about_values(PreparedClosure closed, BranchValue of) {
+  const auto value = std::make_shared<const BranchValue>(std::move(of));
+  Formed question{std::move(closed.preparation), closed.problem};
+  const auto branch = std::make_shared<const PreparedClosure>(std::move(closed));
+  question.judges = [branch, value](const Problem& problem, const Settings&) {
+    return unit_judges<ValueJudge>(
+        {problem,
+         {problem, branch->scaling, branch->shape, branch->near_start, branch->ranges},
+         *value});
   };
   return question;
 }
@@ -133,6 +148,8 @@ class Topics {
     if (!is_told_) return std::nullopt;
     Request request = read_asked(model, asked.quantity);
     const Quantity quantity = quantity_of(request.model, asked.quantity);
+    if (request.model.closure)
+      return on_branch(at_value(question, request), component_of(quantity), asked.search);
     question = question_within_limit(std::move(question), component_of(quantity),
                                      read_limit(asked.limit, quantity));
     set_ends(question, topic_);
@@ -142,6 +159,8 @@ class Topics {
   Found operator()(const AskBound& asked) const {
     if (!is_told_) return std::nullopt;
     const BoundQuestion question = read_bound_question(asked.model, asked.quantity, asked.limit);
+    if (question.request.model.closure)
+      return on_branch(question.request, component_of(question.quantity), asked.search);
     if (is_about_condition(topic_)) return condition(question.request, asked.search);
     return bounded(question.request, question.quantity, question.limit, asked.search);
   }
@@ -150,7 +169,9 @@ class Topics {
     if (!is_told_) return std::nullopt;
     const Request request = read_request(asked.model);
     if (is_about_condition(topic_)) return condition(request, asked.search);
-    return bounded(request, quantity_of_part(request, topic_.part), std::nullopt, asked.search);
+    const Quantity quantity = quantity_of_part(request, topic_.part);
+    if (request.model.closure) return on_branch(request, component_of(quantity), asked.search);
+    return bounded(request, quantity, std::nullopt, asked.search);
   }
 
   Found operator()(const AskSolve&) const { return std::nullopt; }
@@ -202,6 +223,13 @@ class Topics {
 
   template <class AskOfLoad>
   [[nodiscard]] Found loaded(const AskOfLoad& asked) const {
+    if (auto closed = read_closure(asked.model, {})) {
+      if (!is_told_) return std::nullopt;
+      PreparedBranchLoad prepared =
+          prepare_branch_load(std::move(*closed), 0, asked.load, forming(asked.search), {});
+      BranchValue value = prepared.value();
+      return on_branch(std::move(prepared.closure), std::move(value));
+    }
     std::optional<Request> along = read_trajectory(asked.model);
     if (!along) return about_forces(prepare_forces(asked.model, asked.load, asked.search, {}));
     if (!is_told_) return std::nullopt;
@@ -216,6 +244,30 @@ class Topics {
     return about_branch(prepare_closure(std::move(request), 0, forming(search), {}));
   }
 
+  /// What is asked of values is asked about the branch first.
+  [[nodiscard]] Found on_branch(PreparedClosure closed, BranchValue value) const {
+    return topic_.kind == TopicKind::kQuestion ? about_values(std::move(closed), std::move(value))
+                                               : about_branch(std::move(closed));
+  }
+
+  /// The component is of a model that outlives this call.
+  [[nodiscard]] Found on_branch(Request request, const Component& component,
+                                const SearchOptions& search) const {
+    DerivativesBy by = BranchValue::needed(component.kind);
+    if (topic_.kind == TopicKind::kBranch && by == DerivativesBy::kVariablesAndNominal)
+      by = DerivativesBy::kVariables;
+    PreparedClosure closed = prepare_closure(std::move(request), 0, forming(search), {}, by);
+    BranchValue value(closed.request.model, component);
+    return on_branch(std::move(closed), std::move(value));
+  }
+
+  /// Throws    cluster::MalformedMessage for a topic without a value.
+  [[nodiscard]] Request at_value(const MarginQuestion& question, Request request) const {
+    if (!topic_.value) throw cluster::MalformedMessage();
+    const MarginValue value = value_at(question, *topic_.value);
+    return MarginRequest(std::move(request), question).at(value);
+  }
+
   /// Along way-points, and of a closure, the searches are about one value of the bracket after the
   /// other.
   [[nodiscard]] Found grown(const MarginQuestion& question, Request request,
@@ -223,10 +275,8 @@ class Topics {
     const bool is_closed = request.model.closure.has_value();
     if (is_closed || request.motion.trajectory) {
       if (!is_told_) return std::nullopt;
-      if (!topic_.value) throw cluster::MalformedMessage();
-      const MarginValue value = value_at(question, *topic_.value);
-      Request at_value = MarginRequest(std::move(request), question).at(value);
-      return is_closed ? on_branch(std::move(at_value), search) : on_way(at_value, search);
+      Request grown = at_value(question, std::move(request));
+      return is_closed ? on_branch(std::move(grown), search) : on_way(grown, search);
     }
     return Formed{std::move(
         PreparedMargin(question, std::move(request), 0, compiled_first(forming(search)), {})

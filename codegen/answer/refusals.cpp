@@ -29,17 +29,10 @@ constexpr std::string_view kNoPageOfTexts =
     "out";
 constexpr std::string_view kNoTheorem =
     "Coq has theorems about the rank of a matrix, and none about this; regulus-verify proves it";
-constexpr std::string_view kNoLoadOfClosures =
-    "forces within limits are not checked over a branch; bound force says what the motors of a "
-    "[closure] need";
 constexpr std::string_view kNoCondition2OfClosures =
     "singular values of a matrix over a branch are not bounded; leave the norm out, for the "
     "maximum "
     "norm";
-constexpr std::string_view kNoCheckpointOfClosures =
-    "bounds over a branch keep no checkpoint; leave it out";
-constexpr std::string_view kNoRanksOfClosures =
-    "bounds over a branch are searched in one process only; use regulus";
 constexpr std::string_view kNoWayOfClosures =
     "a model with [closure] has no motions along way-points; give the motion by ranges";
 constexpr std::string_view kNoTheoremOfClosures =
@@ -48,6 +41,9 @@ constexpr std::string_view kNoShardsOfClosures =
     "the boxes of a branch are linked, so its proof is one file; leave the shards out";
 constexpr std::string_view kNoProofOfPavings =
     "a paving of a [closure] has no proof; check has one of the whole motion";
+constexpr std::string_view kNoProofOfLoadPavings =
+    "a paving of a load on a [closure] has no proof; check with the load has one of the whole "
+    "motion";
 constexpr std::string_view kNoFiniteErrors =
     "finite errors are bounded over ranges alone; leave finite out, for errors to first order";
 constexpr std::string_view kNoWayTheorem =
@@ -91,27 +87,21 @@ constexpr Refusal kRefusals[] = {
     {kClosureMargin, kTheorem, kNoTheoremOfClosures},
     {kClosureLimitMargin, kShards, kNoShardsOfClosures},
     {kClosureLimitMargin, kTheorem, kNoTheoremOfClosures},
-    {kClosureLimitMargin, kRanks, kNoRanksOfClosures},
     {kClosureBound, kShards, kNoShardsOfClosures},
     {kClosureBound, kTheorem, kNoTheoremOfClosures},
-    {kClosureBound, kCheckpoint, kNoCheckpointOfClosures},
-    {kClosureBound, kRanks, kNoRanksOfClosures},
     {kClosureCondition2, kAnswer, kNoCondition2OfClosures},
-    {kClosureLoad, kAnswer, kNoLoadOfClosures},
-    {kClosureLoadPaving, kAnswer, kNoLoadOfClosures},
+    {kClosureLoad, kShards, kNoShardsOfClosures},
+    {kClosureLoad, kTheorem, kNoTheoremOfClosures},
+    {kClosureLoadPaving, kProof, kNoProofOfLoadPavings},
+    {kClosureLoadPaving, kShards, kNoProofOfLoadPavings, false},
+    {kClosureLoadPaving, kTheorem, kNoProofOfLoadPavings, false},
     {kClosureDatasheet, kShards, kNoShardsOfClosures},
     {kClosureDatasheet, kTheorem, kNoTheoremOfClosures},
-    {kClosureDatasheet, kCheckpoint, kNoCheckpointOfClosures},
-    {kClosureDatasheet, kRanks, kNoRanksOfClosures},
     {kFiniteErrors, kShards, kNoShardsOfClosures},
     {kFiniteErrors, kTheorem, kNoTheoremOfClosures},
-    {kFiniteErrors, kCheckpoint, kNoCheckpointOfClosures},
-    {kFiniteErrors, kRanks, kNoRanksOfClosures},
     {kWayFiniteErrors, kAnswer, kNoFiniteErrors},
     {kClosureFiniteErrors, kShards, kNoShardsOfClosures},
     {kClosureFiniteErrors, kTheorem, kNoTheoremOfClosures},
-    {kClosureFiniteErrors, kCheckpoint, kNoCheckpointOfClosures},
-    {kClosureFiniteErrors, kRanks, kNoRanksOfClosures},
     {kWaySolve, kAnswer, kNoWayOfSolutions},
     {kSolve, kShards, kNoShardsOfSolutions},
     {kSolve, kTheorem, kNoTheoremOfSolutions},
@@ -145,6 +135,7 @@ constexpr Refusal kRefusals[] = {
     {kClosureBound, kPicture, kNoBoxes, false},
     {kClosureLimitMargin, kPicture, kNoBoxes, false},
     {kClosureDatasheet, kPicture, kNoBoxes, false},
+    {kClosureLoad, kPicture, kNoBoxes, false},
 };
 
 constexpr OptionRefusal kOptionsOfLoads[] = {

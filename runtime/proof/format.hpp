@@ -52,6 +52,7 @@ inline constexpr const char* kEndOfRoot = "-";  ///< in a shard: the end of a ra
 
 // The quantities of a claim about a bound, and its sides.
 inline constexpr const char* kForce = "force";
+inline constexpr const char* kForceLimits = "force-limits";  ///< over a branch: all forces
 inline constexpr const char* kError = "error";
 inline constexpr const char* kFiniteError = "finite-error";  ///< over a branch
 inline constexpr const char* kSpeed = "speed";
@@ -184,13 +185,21 @@ struct ClaimedBound {
 /// Returns a claim about a bound in words; `set`: of the matrix of the model.
 [[nodiscard]] inline std::string describe_bound_claim(const ClaimedSet& set, const ClaimedBound& b,
                                                       bool is_attained) {
+  const std::string set_of = describe_place(set, !is_attained) + " of the variety";
+  if (b.quantity == kForceLimits)
+    return std::string("on the branch through the start, ") +
+           (is_attained
+                ? "the force of some motor under the load " + b.set + " is beyond its limits "
+                : "the forces of all motors under the load " + b.set +
+                      " are within their limits ") +
+           set_of + (is_attained ? " and some" : " and every") + " vector of it";
   const std::string name =
       b.is_of_closure ? describe_quantity_over_branch(b) : describe_quantity(b);
   const std::string branch = b.is_of_closure ? "on the branch through the start, " : "";
   const std::string value = b.side == kAbsolute ? '|' + name + '|' : name;
   const std::string vectors =
       b.set.empty() ? "" : std::string(is_attained ? " and some" : " and every") + " vector of it";
-  const std::string place = ' ' + describe_place(set, !is_attained) + " of the variety" + vectors;
+  const std::string place = ' ' + set_of + vectors;
   if (b.bound.empty()) return value + " has no bound: the matrix of the model is singular" + place;
   const char* const beyond =
       is_attained ? (b.side == kLeast ? " <= " : " >= ") : (b.side == kLeast ? " > " : " < ");

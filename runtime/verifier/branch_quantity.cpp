@@ -44,9 +44,11 @@ BranchQuantity::BranchQuantity(Question& q)
     : quantity_(*q.quantity),
       n_(q.closure->equations.size()),
       motors_(q.closure->poses.size()),
-      by_motor_(q, q.quantity->by_motor),
-      bound_(constant_of(q.graph, q.quantity->bound)) {
+      by_motor_(q, q.quantity->by_motor) {
   const QuantityLines& lines = quantity_;
+  if (lines.bound != kNoNode) bound_ = constant_of(q.graph, lines.bound);
+  for (const NodeId node : lines.least) least_.push_back(constant_of(q.graph, node));
+  for (const NodeId node : lines.largest) largest_.push_back(constant_of(q.graph, node));
   of_motors_ = sizes_of(q.graph, lines.stiffness, true);
   for (const auto* list : {&lines.errors, &lines.speeds})
     if (!list->empty()) of_motors_ = sizes_of(q.graph, *list, false);
@@ -60,11 +62,29 @@ BranchQuantity::BranchQuantity(Question& q)
 
 /// The largest value of all loads and errors; of a least one −q.
 bool BranchQuantity::keeps_bound(const BranchTest& test) {
+  if (!least_.empty()) {
+    const std::vector<Work> all = forces(test);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const Interval most = all[k].middle + all[k].spread, least = all[k].middle - all[k].spread;
+      if (!is_bounded(most) || !is_bounded(least)) return false;
+      if (!(most.hi <= largest_[k].lo && least.lo >= least_[k].hi)) return false;
+    }
+    return !all.empty();
+  }
   const Interval f = largest(test);
   return is_bounded(f) && f.hi < (quantity_.side == format::kLeast ? -bound_.hi : bound_.lo);
 }
 
 bool BranchQuantity::attains_bound(const BranchTest& test) {
+  if (!least_.empty()) {
+    const std::vector<Work> all = forces(test);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const Interval most = all[k].middle + all[k].spread, least = all[k].middle - all[k].spread;
+      if (is_bounded(most) && most.lo > largest_[k].hi) return true;
+      if (is_bounded(least) && least.hi < least_[k].lo) return true;
+    }
+    return false;
+  }
   const Interval f = largest(test);
   return is_bounded(f) && f.lo >= (quantity_.side == format::kLeast ? -bound_.lo : bound_.hi);
 }
@@ -157,8 +177,7 @@ Interval BranchQuantity::condition(const BranchTest& test, const Domination& dom
   return of_matrix * of_inverse;
 }
 
-/// The largest along·w over the load, with the sign of the side, or of its magnitude.
-Interval BranchQuantity::of_load(const std::vector<Interval>& along) const {
+BranchQuantity::Work BranchQuantity::work(const std::vector<Interval>& along) const {
   Interval middle, spread;
   for (std::size_t i = 0; i < n_; ++i) {
     middle = middle + along[i] * middle_[i];
@@ -167,9 +186,15 @@ Interval BranchQuantity::of_load(const std::vector<Interval>& along) const {
   for (const Ball& ball : balls_) {
     Interval squares;
     for (const std::size_t i : ball.members) squares = squares + square(along[i]);
-    if (!is_bounded(squares)) return everything();
+    if (!is_bounded(squares)) return {everything(), everything()};
     spread = spread + ball.radius * sqrt(squares);
   }
+  return {middle, spread};
+}
+
+/// The largest along·w over the load, with the sign of the side, or of its magnitude.
+Interval BranchQuantity::of_load(const std::vector<Interval>& along) const {
+  const auto [middle, spread] = work(along);
   if (!is_bounded(middle) || !is_bounded(spread)) return everything();
   return (quantity_.side == format::kAbsolute ? magnitude(middle)
           : quantity_.side == format::kLeast  ? -middle
@@ -190,6 +215,30 @@ std::vector<Interval> BranchQuantity::compliance(const std::vector<Interval>& J)
   return row;
 }
 
+/// Encloses J; empty: nothing is known.
+std::vector<Interval> BranchQuantity::rates(const BranchTest& test, const Domination& domination) {
+  if (!by_motor_.run(test.whole())) return {};
+  std::vector<Interval> B;
+  for (const NodeId node : quantity_.by_motor) B.push_back(by_motor_.value(node));
+  return is_moderate(B) ? derivatives(test, domination, B, motors_) : std::vector<Interval>{};
+}
+
+/// The work of the load along each motor; empty: nothing is known.
+std::vector<BranchQuantity::Work> BranchQuantity::forces(const BranchTest& test) {
+  const auto domination = dominate(test);
+  if (!domination) return {};
+  const std::vector<Interval> J = rates(test, *domination);
+  if (J.empty()) return {};
+  std::vector<Work> all;
+  std::vector<Interval> along(n_);
+  for (std::size_t k = 0; k < motors_; ++k) {
+    for (std::size_t i = 0; i < n_; ++i) along[i] = J[i * motors_ + k];
+    all.push_back(work(along));
+    if (!is_bounded(all.back().middle) || !is_bounded(all.back().spread)) return {};
+  }
+  return all;
+}
+
 Interval BranchQuantity::largest(const BranchTest& test) {
   if (quantity_.kind == format::kFiniteError) {
     const std::size_t own = quantity_.columns.front();
@@ -207,11 +256,7 @@ Interval BranchQuantity::largest(const BranchTest& test) {
            : quantity_.side == format::kLeast  ? -det
                                                : det;
   }
-  if (!by_motor_.run(test.whole())) return everything();
-  std::vector<Interval> B;
-  for (const NodeId node : quantity_.by_motor) B.push_back(by_motor_.value(node));
-  if (!is_moderate(B)) return everything();
-  const std::vector<Interval> J = derivatives(test, *domination, B, motors_);
+  const std::vector<Interval> J = rates(test, *domination);
   if (J.empty()) return everything();
   std::vector<Interval> along(n_);
   if (kind == format::kForce) {

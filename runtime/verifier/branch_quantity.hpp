@@ -45,7 +45,15 @@ class BranchQuantity {
     std::vector<std::size_t> members;
   };
 
+  /// along·w is within middle ± spread for the wrenches w of the load, and these are attained.
+  struct Work {
+    Interval middle, spread;
+  };
+
   [[nodiscard]] Interval largest(const BranchTest& test);
+  [[nodiscard]] std::vector<Interval> rates(const BranchTest& test, const Domination& domination);
+  [[nodiscard]] std::vector<Work> forces(const BranchTest& test);
+  [[nodiscard]] Work work(const std::vector<Interval>& along) const;
   [[nodiscard]] std::optional<Domination> dominate(const BranchTest& test);
   [[nodiscard]] std::vector<Interval> derivatives(const BranchTest& test,
                                                   const Domination& domination,
@@ -59,8 +67,8 @@ class BranchQuantity {
   const QuantityLines& quantity_;
   const std::size_t n_, motors_;
   Evaluation by_motor_;
-  Interval bound_;
-  std::vector<Interval> of_motors_, factors_, middle_, spread_;
+  Interval bound_;  ///< of a quantity without limits
+  std::vector<Interval> of_motors_, factors_, middle_, spread_, least_, largest_;
   std::vector<Ball> balls_;
   Matrix P_;  ///< |KΦ_p − I| ≤ P, column by column
 };

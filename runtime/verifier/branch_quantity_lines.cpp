@@ -22,6 +22,7 @@ class BranchQuantityReader {
 
   void read() {
     quantity_.kind = words_.quantity = lines_.take("quantity");
+    if (is_of({format::kForceLimits})) return read_limits();
     quantity_.side = words_.side = lines_.take("side");
     require_side();
     const std::size_t motors = closure_.poses.size();
@@ -36,11 +37,26 @@ class BranchQuantityReader {
     if (is_of({format::kCondition})) quantity_.factors = lines_.list("factor", q_.columns);
     words_.bound = lines_.take("bound");
     quantity_.bound = parse(words_.bound, {}, q_.graph);
+    finish();
+  }
+
+ private:
+  void read_limits() {
+    read_load();
+    for (std::size_t k = 0; k < closure_.poses.size(); ++k) {
+      const auto [least, largest] = lines_.two_parts("limits", " : ");
+      quantity_.least.push_back(lines_.constant("least", k, least));
+      quantity_.largest.push_back(lines_.constant("largest", k, largest));
+      lines_.advance();
+    }
+    finish();
+  }
+
+  void finish() {
     quantity_.claim = format::describe_bound_claim(q_.claimed_set(), words_, q_.singular);
     if (has_branch_rates(quantity_.kind)) derive_by_motors();
   }
 
- private:
   [[nodiscard]] bool is_of(std::initializer_list<const char*> kinds) const {
     return std::ranges::find(kinds, quantity_.kind) != kinds.end();
   }
@@ -111,8 +127,8 @@ class BranchQuantityReader {
 }  // namespace
 
 bool has_branch_rates(const std::string& kind) {
-  return kind == format::kForce || kind == format::kError || kind == format::kSpeed ||
-         kind == format::kDeflection;
+  return kind == format::kForce || kind == format::kForceLimits || kind == format::kError ||
+         kind == format::kSpeed || kind == format::kDeflection;
 }
 
 bool is_finite_error(const Question& question) {

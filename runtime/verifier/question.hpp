@@ -91,12 +91,13 @@ struct QuantityLines {
   std::vector<std::size_t> columns;  ///< from 0; several: the norm of these components
   std::string set_kind;              ///< "load" or "twist"
   std::optional<VectorSetLines> set;
-  bool has_norms = false;          ///< of a speed: the balls of the set enter as norms
-  std::vector<NodeId> errors;      ///< of the motors, by row
-  std::vector<NodeId> speeds;      ///< the same
-  std::vector<NodeId> stiffness;   ///< by row
-  std::vector<NodeId> factors;     ///< by column: C of J⁻¹C
-  std::vector<Rational> combined;  ///< a regular matrix, row-major; empty: none
+  bool has_norms = false;              ///< of a speed: the balls of the set enter as norms
+  std::vector<NodeId> errors;          ///< of the motors, by row
+  std::vector<NodeId> speeds;          ///< the same
+  std::vector<NodeId> stiffness;       ///< by row
+  std::vector<NodeId> factors;         ///< by column: C of J⁻¹C
+  std::vector<NodeId> least, largest;  ///< over a branch: the limits of the forces, by motor
+  std::vector<Rational> combined;      ///< a regular matrix, row-major; empty: none
   NodeId expression = kNoNode;
   std::vector<NodeId> expression_defined;
   NodeId reference = kNoNode;  ///< y

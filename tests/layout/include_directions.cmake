@@ -55,7 +55,10 @@ set(lent
     bound/bound_run.hpp
     bound/limit_margin.hpp
     bound/way_place.hpp
-    condition/condition_run.hpp)
+    condition/condition_run.hpp
+    load/feasibility_report.hpp
+    load/feasibility_search.hpp
+    load/force_problem.hpp)
 
 # What the verifier and what prints for Coq see.
 set(only_runtime/verifier runtime/files/ runtime/proof/format.hpp)

@@ -18,7 +18,6 @@
 #include "codegen/question/closure/uncertain_values.hpp"
 #include "codegen/question/closure/value_certificate.hpp"
 #include "codegen/question/closure/value_search.hpp"
-#include "runtime/interval/floating_point_scope.hpp"
 
 namespace regulus {
 namespace {
@@ -92,10 +91,17 @@ class ComponentOverBranch {
     SearchDisplay display(settings_.output);
     SystemBoxes system(prepared_.problem, prepared_.scaling, prepared_.shape);
     const IsPossible is_possible = [&](const std::vector<Interval>& point) {
-      return is_in_motion(system, point);
+      return is_in_motion(prepared_, system, point);
     };
-    found_ = search_value(question, branch_.searched.branch.tree, aim(), limits, is_possible,
+    const auto search_with = [&](const BoxSearchSettings& chosen) {
+      return search_value(question, branch_.searched.branch.tree, aim(), chosen, is_possible,
                           display.observer());
+    };
+    found_ =
+        settings_.checkpoint == nullptr
+            ? search_with(limits)
+            : settings_.checkpoint->file().continue_search(
+                  limits, search_with, "values of " + settings_.part + result_.component.label);
     result_.boxes = found_.boxes;
     result_.seconds.search = found_.seconds;
     if (!found_.place) return;
@@ -109,20 +115,6 @@ class ComponentOverBranch {
     aim.below = value_.is_least() ? -limit.hi : limit.lo;
     aim.from = value_.is_least() ? -limit.lo : limit.hi;
     return aim;
-  }
-
-  /// Constraints are met for certain, and the uncertain quantities have such values.
-  [[nodiscard]] bool is_in_motion(SystemBoxes& system, const std::vector<Interval>& point) const {
-    std::vector<double> uncertain;
-    for (std::size_t k = prepared_.shape.parameters; k < prepared_.shape.variables; ++k) {
-      if (!is_thin(point[k])) return false;
-      uncertain.push_back(point[k].lo);
-    }
-    if (!are_possible(prepared_, uncertain)) return false;
-    if (prepared_.request.motion.constraints.empty() && prepared_.request.motion.reach.empty())
-      return true;
-    const FloatingPointScope nearest(FloatingPointRounding::kNearest);
-    return system.is_certain(point);
   }
 
   void bracket() {
@@ -182,6 +174,17 @@ class ComponentOverBranch {
   ComponentBound result_;
 };
 
+/// The branch is kept beside the values, for each set of derivatives.
+KeepBranch keep_branch(BracketCheckpoint* checkpoint, DerivativesBy by) {
+  if (checkpoint == nullptr) return {};
+  const char* const name = by == DerivativesBy::kVariablesAndPose      ? "branch and motors"
+                           : by == DerivativesBy::kVariablesAndNominal ? "branch and its copy"
+                                                                       : "branch";
+  return [checkpoint, name](const BranchSettings& settings, const SearchOfBranch& search) {
+    return checkpoint->file().continue_search(settings, search, name);
+  };
+}
+
 /// Without a proof of the branch no value has a bound.
 ComponentBound without_branch(const PreparedClosure& prepared, const ClosureFinding& found,
                               const Component& component, const BoundSettings& settings) {
@@ -219,7 +222,19 @@ ComponentBound without_branch(const PreparedClosure& prepared, const ClosureFind
 
 }  // namespace
 
-std::shared_ptr<BranchBounds::Branch> BranchBounds::branch(const Request& request, DerivativesBy by,
+void BranchBounds::turn(const Request& request, const Component& component,
+                        const BoundSettings& settings, TopicKind kind) const {
+  SearchTopic topic;
+  topic.part = settings.part;
+  topic.component = component.label;
+  topic.kind = kind;
+  topic.value = value_;
+  turn_to(settings.search.workers, std::move(topic), request.motion);
+}
+
+std::shared_ptr<BranchBounds::Branch> BranchBounds::branch(const Request& request,
+                                                           const Component& component,
+                                                           DerivativesBy by,
                                                            const BoundSettings& settings,
                                                            const TimeBudget& budget) {
   if (const auto known = branches_.find(by); known != branches_.end()) return known->second;
@@ -228,12 +243,16 @@ std::shared_ptr<BranchBounds::Branch> BranchBounds::branch(const Request& reques
   const SearchOptions search = limited(settings.search, std::fmax(budget.left(), budget.all() / 2));
   auto made = std::make_shared<Branch>(Branch{prepare_closure(request, 0, search, watch, by), {}});
   SearchDisplay display(settings.output);
-  if (by == DerivativesBy::kVariablesAndNominal)
+  const bool has_nominal = by == DerivativesBy::kVariablesAndNominal;
+  turn(request, component, settings,
+       has_nominal ? TopicKind::kBranchWithNominal : TopicKind::kBranch);
+  const KeepBranch keep = keep_branch(settings.checkpoint, by);
+  if (has_nominal)
     made->found.searched =
         run_closure(made->prepared, settings_of(made->prepared, search, settings.interrupt),
-                    display.observer());
+                    display.observer(), keep);
   else
-    made->found = check_closure(made->prepared, search, watch, display.observer());
+    made->found = check_closure(made->prepared, search, watch, display.observer(), keep);
   if (!made->found.searched.branch.stopped_by) branches_.emplace(by, made);
   return made;
 }
@@ -245,7 +264,7 @@ ComponentBound BranchBounds::bound(const Request& request, const Component& comp
   StageSeconds seconds;
   const auto found = [&](DerivativesBy wanted) {
     const bool is_first = !branches_.contains(wanted);
-    const auto branch = this->branch(request, wanted, settings, budget);
+    const auto branch = this->branch(request, component, wanted, settings, budget);
     if (is_first) {
       boxes += branch->found.searched.branch.boxes;
       seconds += branch->prepared.preparation.seconds_spent();
@@ -256,6 +275,7 @@ ComponentBound BranchBounds::bound(const Request& request, const Component& comp
   std::shared_ptr<Branch> branch;
   if (by == DerivativesBy::kVariablesAndNominal) branch = found(DerivativesBy::kVariables);
   if (!branch || branch->found.searched.is_proved()) branch = found(by);
+  turn(request, component, settings, TopicKind::kQuestion);
   ComponentBound result =
       branch->found.searched.is_proved()
           ? ComponentOverBranch(branch->prepared, branch->found, component, settings).run(budget)

@@ -6,16 +6,21 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "codegen/question/bound/bound_run.hpp"
 #include "codegen/question/closure/branch_value.hpp"
 #include "codegen/question/closure/closure_report.hpp"
+#include "codegen/question/engine/search_topic.hpp"
 
 namespace regulus {
 
 /// The searches of one request, whose components share the branch.
 class BranchBounds {
  public:
+  /// `value`: what the request is asked at, of a bracket; for other processes.
+  explicit BranchBounds(std::optional<double> value = {}) : value_(value) {}
+
   /// Brackets the component, or compares it with the limit of the settings.
   ///
   /// Requires  request.model.closure; the same request each time.
@@ -28,10 +33,14 @@ class BranchBounds {
     PreparedClosure prepared;
     ClosureFinding found;
   };
-  [[nodiscard]] std::shared_ptr<Branch> branch(const Request& request, DerivativesBy by,
-                                               const BoundSettings& settings,
+  [[nodiscard]] std::shared_ptr<Branch> branch(const Request& request, const Component& component,
+                                               DerivativesBy by, const BoundSettings& settings,
                                                const TimeBudget& budget);
+  /// Tells other processes what the next search is about.
+  void turn(const Request& request, const Component& component, const BoundSettings& settings,
+            TopicKind kind) const;
 
+  const std::optional<double> value_;
   std::map<DerivativesBy, std::shared_ptr<Branch>> branches_;
 };
 

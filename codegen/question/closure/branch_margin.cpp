@@ -27,7 +27,7 @@ class LimitAttempts final : public Attempts {
     const TimeBudget budget(planned.seconds);
     Stopwatch watch;
     const ComponentBound found =
-        BranchBounds().bound(request_.at(value), component_, settings, budget);
+        BranchBounds(value.approx).bound(request_.at(value), component_, settings, budget);
     seconds_ += found.seconds;
     MarginStep step{value, {}, ""};
     step.result.statistics.boxes = found.boxes;

@@ -272,6 +272,17 @@ std::vector<std::size_t> BranchTree::leaves_at(std::span<const Interval> place) 
   return found;
 }
 
+std::optional<std::size_t> BranchTree::leaf_with(std::span<const Interval> box) const {
+  BoxId at = 0;
+  while (node(at).variable != kNone) {
+    const Node& cut = node(at);
+    const bool is_above = box[cut.variable].lo >= cut.at;
+    if (!is_above && box[cut.variable].hi > cut.at) return std::nullopt;
+    at = is_above ? cut.lower + 1 : cut.lower;
+  }
+  return node(at).leaf == kNone ? std::nullopt : std::optional(node(at).leaf);
+}
+
 BranchResult search_branch(const ClosureQuestion& question, const BranchSettings& settings,
                            Observer* progress) {
   BranchTree tree;

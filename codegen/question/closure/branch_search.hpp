@@ -57,6 +57,8 @@ class BranchTree {
                                                const std::vector<Interval>& face)>& visit) const;
   /// Returns the leaves in which a place may lie. Shape: an interval for each variable.
   [[nodiscard]] std::vector<std::size_t> leaves_at(std::span<const Interval> place) const;
+  /// Returns the leaf that a box is a part of; nullopt if it is a part of none.
+  [[nodiscard]] std::optional<std::size_t> leaf_with(std::span<const Interval> box) const;
 
  private:
   std::vector<Node> nodes_ = std::vector<Node>(1);

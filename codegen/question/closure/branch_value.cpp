@@ -58,13 +58,32 @@ BranchValue::BranchValue(const Model& model, const Component& c)
       is_negative_(c.sign < 0 || traits_of(c.kind).is_always_least),
       by_motor_(enclosed(data_of_motors(model.actuators, c.kind))) {
   if (kind_ == QuantityKind::kCondition) factors_ = enclosed(column_scales(model));
-  if (c.set == nullptr) return;
-  for (const GeometryParameter& entry : c.set->entries) {
+  if (c.set != nullptr) take_load(*c.set);
+}
+
+BranchValue::BranchValue(const Model& model, const VectorSet& load)
+    : kind_(QuantityKind::kForce),
+      row_(0),
+      column_(0),
+      unknowns_(model.closure->unknowns.size()),
+      motors_(model.pose.size()),
+      sign_(1),
+      is_absolute_(false),
+      is_negative_(false) {
+  take_load(load);
+  for (const Range& limit : model.actuators.force) {
+    least_.push_back(enclose_constant(limit.lo, "the least force"));
+    most_.push_back(enclose_constant(limit.hi, "the largest force"));
+  }
+}
+
+void BranchValue::take_load(const VectorSet& set) {
+  for (const GeometryParameter& entry : set.entries) {
     middle_.push_back(enclose_constant(entry.value, entry.name));
     spread_.push_back(entry.ball < 0 ? enclose_constant(entry.tolerance, entry.name)
                                      : Interval(0.0));
   }
-  for (const ToleranceBall& ball : c.set->balls)
+  for (const ToleranceBall& ball : set.balls)
     balls_.push_back({enclose_constant(ball.radius, "a radius"), ball.members});
 }
 
@@ -84,11 +103,10 @@ Interval BranchValue::largest(const BranchRates& rates, const SystemBoxes::Syste
     return is_absolute_ ? abs(det) : Interval(sign_) * det;
   }
   const std::vector<Interval> J = rates.derivatives(over.by_pose, motors_);
-  std::vector<Interval> along(unknowns_);
+  if (!least_.empty()) return beyond_limits(J, nullptr);
   switch (kind_) {
     case QuantityKind::kForce:
-      for (std::size_t i = 0; i < unknowns_; ++i) along[i] = J[i * motors_ + row_];
-      return of_load(along);
+      return of_load(along_motor(J, row_));
     case QuantityKind::kDeflection:
       return of_load(compliance(J));
     default:
@@ -131,8 +149,40 @@ std::vector<double> BranchValue::impact_on_distance(const TubeImage& image, std:
   return impact;
 }
 
-/// The largest value of along·w over the load, with the sign, or of its magnitude.
-Interval BranchValue::of_load(std::span<const Interval> along) const {
+ForceBeyond BranchValue::farthest_beyond(const BranchRates& rates,
+                                         const SystemBoxes::System& over) const {
+  ForceBeyond farthest;
+  static_cast<void>(beyond_limits(rates.derivatives(over.by_pose, motors_), &farthest));
+  return farthest;
+}
+
+std::vector<Interval> BranchValue::along_motor(const std::vector<Interval>& J,
+                                               std::size_t k) const {
+  std::vector<Interval> along(unknowns_);
+  for (std::size_t i = 0; i < unknowns_; ++i) along[i] = J[i * motors_ + k];
+  return along;
+}
+
+/// `farthest`: null, or where the motor with the largest part is put.
+Interval BranchValue::beyond_limits(const std::vector<Interval>& J, ForceBeyond* farthest) const {
+  double lo = -kInfinity, hi = -kInfinity;
+  for (std::size_t k = 0; k < motors_; ++k) {
+    const std::vector<Interval> along = along_motor(J, k);
+    const Work work = this->work(along);
+    const double room = mid(most_[k]) - mid(least_[k]);
+    const Interval unit(room > 0 && room < kInfinity ? room : 1.0);
+    for (const bool is_above : {true, false}) {
+      const Interval force = is_above ? work.middle + work.spread : work.middle - work.spread;
+      const Interval part = (is_above ? force - most_[k] : least_[k] - force) / unit;
+      if (!(part.hi < kInfinity) || !(part.lo > -kInfinity)) return {-kInfinity, kInfinity};
+      if (farthest != nullptr && part.lo > lo) *farthest = {k, is_above, force, along};
+      lo = std::max(lo, part.lo), hi = std::max(hi, part.hi);
+    }
+  }
+  return {lo, hi};
+}
+
+BranchValue::Work BranchValue::work(std::span<const Interval> along) const {
   Interval middle(0.0), spread(0.0);
   for (std::size_t i = 0; i < along.size(); ++i) {
     middle += along[i] * middle_[i];
@@ -143,7 +193,13 @@ Interval BranchValue::of_load(std::span<const Interval> along) const {
     for (const std::size_t i : ball.members) squares += sqr(along[i]);
     spread += ball.radius * sqrt(squares);
   }
-  return (is_absolute_ ? abs(middle) : Interval(sign_) * middle) + spread;
+  return {middle, spread};
+}
+
+/// The largest value of along·w over the load, with the sign, or of its magnitude.
+Interval BranchValue::of_load(std::span<const Interval> along) const {
+  const Work work = this->work(along);
+  return (is_absolute_ ? abs(work.middle) : Interval(sign_) * work.middle) + work.spread;
 }
 
 Interval BranchValue::of_motors(const std::vector<Interval>& J) const {

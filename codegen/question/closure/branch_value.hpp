@@ -10,6 +10,9 @@
 //   deflection          Σ_j G_ij w_j with G = J diag(1/c) Jᵀ, c the stiffness of the motors
 //   finite error        |p_i − p°_i|, p° the copy of the unknowns without errors
 //                       (DerivativesBy::kVariablesAndNominal)
+//
+// Of a load within limits, f is how far the farthest force is beyond its limits, in parts of their
+// distance: every force is within them if f ≤ 0, and some force is not if f > 0.
 #pragma once
 
 #include <span>
@@ -22,8 +25,20 @@
 
 namespace regulus {
 
+/// The farthest force beyond its limits, or the nearest to one.
+struct ForceBeyond {
+  std::size_t motor = 0;
+  bool is_above = true;         ///< it is about the largest force; otherwise about the least
+  Interval force;               ///< encloses the extreme one of the load
+  std::vector<Interval> along;  ///< the column of J
+};
+
 class BranchValue {
  public:
+  /// A load within the limits of the forces.
+  ///
+  /// Requires  the model has a closure, and limits.
+  BranchValue(const Model& model, const VectorSet& load);
   /// Requires  `component` is of the model, which has a closure.
   BranchValue(const Model& model, const Component& component);
 
@@ -48,6 +63,9 @@ class BranchValue {
                                              std::span<const Interval> box) const;
   /// Returns how much each variable adds to what is not known of the distance.
   [[nodiscard]] std::vector<double> impact_on_distance(const TubeImage& image, std::size_t m) const;
+  /// Requires  this is a load within limits.
+  [[nodiscard]] ForceBeyond farthest_beyond(const BranchRates& rates,
+                                            const SystemBoxes::System& over) const;
 
   /// Returns the value of the quantity that f means, or f of a value.
   [[nodiscard]] double value_of(double f) const { return is_negative_ ? -f : f; }
@@ -55,7 +73,16 @@ class BranchValue {
   [[nodiscard]] bool is_least() const { return is_negative_; }
 
  private:
+  /// along·w is within middle ± spread, and these ends are those of wrenches of the load.
+  struct Work {
+    Interval middle, spread;
+  };
+  void take_load(const VectorSet& set);
+  [[nodiscard]] Work work(std::span<const Interval> along) const;
   [[nodiscard]] Interval of_load(std::span<const Interval> along) const;
+  [[nodiscard]] std::vector<Interval> along_motor(const std::vector<Interval>& J,
+                                                  std::size_t k) const;
+  [[nodiscard]] Interval beyond_limits(const std::vector<Interval>& J, ForceBeyond* farthest) const;
   [[nodiscard]] Interval of_motors(const std::vector<Interval>& J) const;
   [[nodiscard]] Interval condition(const BranchRates& rates, const SystemBoxes::System& over) const;
   [[nodiscard]] std::vector<Interval> compliance(const std::vector<Interval>& J) const;
@@ -72,6 +99,8 @@ class BranchValue {
   };
   std::vector<Ball> balls_;
   std::vector<Interval> factors_;  ///< of the columns
+  std::vector<Interval> least_,
+      most_;  ///< the limits, by motor; empty: it is no load within limits
 };
 
 }  // namespace regulus

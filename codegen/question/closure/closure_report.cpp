@@ -186,7 +186,7 @@ std::string reason_of(const ClosureFinding& found) {
 
 ClosureFinding check_closure(PreparedClosure& prepared, const SearchOptions& search,
                              const FormingWatch& watch, Observer* progress,
-                             const MakeCheckpoint& checkpoint) {
+                             const KeepBranch& keep) {
   ClosureFinding found;
   BranchSettings settings = settings_of(prepared, search, watch.interrupt);
   const Deadline deadline(settings);
@@ -207,21 +207,19 @@ ClosureFinding check_closure(PreparedClosure& prepared, const SearchOptions& sea
       found.folds = {std::move(*fold)};
     return found.is_refuted();
   };
-  found.searched =
-      run_closure(prepared, settings, progress, checkpoint ? checkpoint(settings) : nullptr);
+  found.searched = run_closure(prepared, settings, progress, keep);
   return found;
 }
 
 ClosureFinding pave_closure(PreparedClosure& prepared, const SearchOptions& search,
                             double resolution, const FormingWatch& watch, Observer* progress,
-                            const MakeCheckpoint& checkpoint) {
+                            const KeepBranch& keep) {
   ClosureFinding found;
   BranchSettings settings = settings_of(prepared, search, watch.interrupt);
   settings.paves = true;
   settings.min_relative_width = resolution;
   const Deadline deadline(settings);
-  found.searched =
-      run_closure(prepared, settings, progress, checkpoint ? checkpoint(settings) : nullptr);
+  found.searched = run_closure(prepared, settings, progress, keep);
   if (prepared.shape.parameters != 1) return found;
   for (const double end : beyond_the_branch(prepared, found.searched))
     if (auto fold = find_fold(prepared, {end}, {}, within(search, deadline), watch))

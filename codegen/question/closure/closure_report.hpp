@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,20 +26,16 @@ struct ClosureFinding {
   [[nodiscard]] bool is_refuted() const { return reached() != nullptr; }
 };
 
-/// The files of a search beside its answer; null: none.
-using MakeCheckpoint = std::function<SearchCheckpoint*(const BranchSettings&)>;
-
 /// Asks whether the branch is regular all over the motion. `progress` may be null.
 [[nodiscard]] ClosureFinding check_closure(PreparedClosure& prepared, const SearchOptions& search,
                                            const FormingWatch& watch, Observer* progress,
-                                           const MakeCheckpoint& checkpoint = {});
+                                           const KeepBranch& keep = {});
 
 /// Decides every box of the motion, down to so small a part of each range, and looks for the ends of
 /// the branch in a motion of one parameter.
 [[nodiscard]] ClosureFinding pave_closure(PreparedClosure& prepared, const SearchOptions& search,
                                           double resolution, const FormingWatch& watch,
-                                          Observer* progress,
-                                          const MakeCheckpoint& checkpoint = {});
+                                          Observer* progress, const KeepBranch& keep = {});
 
 /// Tells the splits of a paving, without their boxes, and its leaves: free if they are on the branch,
 /// outside, or undecided.

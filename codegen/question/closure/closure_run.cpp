@@ -141,22 +141,16 @@ BranchSettings settings_of(const PreparedSystem& prepared, const SearchOptions& 
 }
 
 ClosureResult run_closure(PreparedClosure& prepared, const BranchSettings& settings,
-                          Observer* progress, SearchCheckpoint* checkpoint) {
+                          Observer* progress, const KeepBranch& keep) {
   const ClosureQuestion question = prepared.question();
   const Deadline deadline(settings);
   BranchSettings first = settings;
   first.time_limit *= kPartOfSearch;
-  const auto search = [&](const BranchSettings& chosen) {
+  const SearchOfBranch search = [&](const BranchSettings& chosen) {
     return search_branch(question, chosen, progress);
   };
   ClosureResult result;
-  if (checkpoint != nullptr && checkpoint->file() != nullptr) {
-    first.save_every = checkpoint->interval();
-    result.branch = checkpoint->file()->continue_search(first, search);
-    checkpoint->finish(result.branch.stopped_by.has_value());
-  } else {
-    result.branch = search(first);
-  }
+  result.branch = keep ? keep(first, search) : search(first);
   Stopwatch watch;
   if (settings.paves || (result.branch.is_complete && !result.branch.is_empty))
     result.links = link_branch(question, result.branch.tree, prepared.start,

@@ -4,11 +4,11 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
-#include "codegen/answer/report/search_checkpoint.hpp"
 #include "codegen/question/closure/branch_links.hpp"
 #include "codegen/question/engine/pipeline.hpp"
 
@@ -97,10 +97,14 @@ class Deadline {
   const std::atomic<bool>* const interrupt_;
 };
 
+/// Runs the search with these settings, and keeps it in a file, for the option --checkpoint.
+using SearchOfBranch = std::function<BranchResult(const BranchSettings&)>;
+using KeepBranch = std::function<BranchResult(const BranchSettings&, const SearchOfBranch&)>;
+
 /// Searches, and links what it finds, if the search is complete or paves. `progress` may be null.
-/// `checkpoint`: as for searches of boxes; null: none.
+/// `keep`: empty means that no file has the search.
 [[nodiscard]] ClosureResult run_closure(PreparedClosure& prepared, const BranchSettings& settings,
-                                        Observer* progress, SearchCheckpoint* checkpoint = nullptr);
+                                        Observer* progress, const KeepBranch& keep = {});
 
 /// Returns everything that the boxes depend on, for a checkpoint.
 [[nodiscard]] nlohmann::ordered_json checkpointed_question(const PreparedClosure& prepared,

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "codegen/answer/certificate/certificate_question.hpp"
+#include "runtime/interval/floating_point_scope.hpp"
 
 namespace regulus {
 namespace {
@@ -61,6 +62,20 @@ bool are_possible(const PreparedClosure& prepared, const std::vector<double>& un
       return false;
   }
   return true;
+}
+
+bool is_in_motion(const PreparedClosure& prepared, SystemBoxes& system,
+                  const std::vector<Interval>& point) {
+  std::vector<double> uncertain;
+  for (std::size_t k = prepared.shape.parameters; k < prepared.shape.variables; ++k) {
+    if (!is_thin(point[k])) return false;
+    uncertain.push_back(point[k].lo);
+  }
+  if (!are_possible(prepared, uncertain)) return false;
+  if (prepared.request.motion.constraints.empty() && prepared.request.motion.reach.empty())
+    return true;
+  const FloatingPointScope nearest(FloatingPointRounding::kNearest);
+  return system.is_certain(point);
 }
 
 void aim_at_balls(const PreparedClosure& prepared, const std::vector<double>& along, bool is_with,

@@ -19,6 +19,11 @@ namespace regulus {
 [[nodiscard]] bool are_possible(const PreparedClosure& prepared,
                                 const std::vector<double>& uncertain);
 
+/// True if a point, of the variables and then the unknowns, meets the constraints for certain, and the
+/// uncertain quantities have such values.
+[[nodiscard]] bool is_in_motion(const PreparedClosure& prepared, SystemBoxes& system,
+                                const std::vector<Interval>& point);
+
 /// Replaces points in balls by the farthest ones in the direction of `along`, or against it.
 ///
 /// Shape     along: by variable; corner: as `uncertain` above.

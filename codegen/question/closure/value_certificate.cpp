@@ -16,14 +16,19 @@ namespace {
 
 using GiNaC::ex;
 
-/// The lines about a quantity over a branch.
+/// The lines about a quantity over a branch, and its words.
+struct ValueLines {
+  std::string text;
+  format::ClaimedBound words;
+};
+
 class ValueText {
  public:
   ValueText(const Model& model, const Component& component) : model_(model), c_(component) {
     words_.is_of_closure = true;
   }
 
-  std::string text(const ex& bound) {
+  ValueLines lines(const ex& bound) && {
     const ClosureTraits& traits = closure_traits_of(c_.kind);
     put("quantity", words_.quantity = traits_of(c_.kind).certified);
     put("side", words_.side = side());
@@ -41,11 +46,8 @@ class ValueText {
       put_each("stiffness", model_.actuators.stiffness);
     if (c_.kind == QuantityKind::kCondition) put_each("factor", column_scales(model_));
     put("bound", words_.bound = expression_text(bound));
-    return std::move(text_);
+    return {std::move(text_), std::move(words_)};
   }
-
-  /// After text().
-  [[nodiscard]] const format::ClaimedBound& words() const { return words_; }
 
  private:
   [[nodiscard]] const char* side() const {
@@ -64,15 +66,22 @@ class ValueText {
   std::string text_;
 };
 
-CertifiedQuestion question_of(const PreparedClosure& prepared, const Component& component,
-                              const ex& bound) {
+ValueLines lines_of_limits(const Model& model, const VectorSet& load) {
+  ValueLines lines;
+  lines.words.is_of_closure = true;
+  lines.words.quantity = format::kForceLimits;
+  lines.words.set = load.name;
+  lines.text = std::string("quantity ") + format::kForceLimits + '\n' + load_lines(model, load);
+  return lines;
+}
+
+CertifiedQuestion question_of(const PreparedClosure& prepared, const ValueLines& lines) {
   const std::set<std::string> uncertain = uncertain_names(prepared.preparation.labels);
   CertifiedQuestion question = certified_question(prepared.request, uncertain);
-  ValueText text(prepared.request.model, component);
-  question.text += text.text(bound);
+  question.text += lines.text;
   const format::ClaimedSet set = claimed_set(prepared.request, uncertain);
-  question.no_singularity = format::describe_bound_claim(set, text.words(), false);
-  question.singularity = format::describe_bound_claim(set, text.words(), true);
+  question.no_singularity = format::describe_bound_claim(set, lines.words, false);
+  question.singularity = format::describe_bound_claim(set, lines.words, true);
   return question;
 }
 
@@ -84,7 +93,31 @@ std::string value_line(std::span<const Interval> place) {
   return line + '\n';
 }
 
+/// `place`: of an attained end; empty: the tree shows the other one. Throws FileError.
+void write_value(const std::string& path, const CertifiedQuestion& question, const BranchTree& tree,
+                 std::span<const Interval> place, const ProofPlacing& placing) {
+  const auto file = with_file_errors([&] { return std::make_shared<ProofFile>(path); });
+  file->begin(question.head(!place.empty()) + (place.empty() ? "" : value_line(place)));
+  write_tree(*file, tree);
+  with_file_errors([&] { file->complete(); });
+  put_in_place(file, placing);
+}
+
 }  // namespace
+
+ProofStatus certify_forces(const std::string& path, const PreparedClosure& prepared,
+                           const VectorSet& load, const BranchTree& tree,
+                           std::span<const Interval> place, const ProofPlacing& placing) {
+  ProofStatus status(path);
+  if (!status.is_wanted()) return status;
+  const CertifiedQuestion question =
+      question_of(prepared, lines_of_limits(prepared.request.model, load));
+  status.set_obstacle(certificate_obstacle(question, !place.empty()));
+  if (!status.obstacle().empty()) return status;
+  status.attempt([&] { write_value(path, question, tree, place, placing); });
+  if (status.obstacle().empty()) status.set_written();
+  return status;
+}
 
 void certify_value(EndProofs& proofs, const PreparedClosure& prepared, const Component& component,
                    const ex& bound, const BranchTree& tree, std::span<const Interval> place) {
@@ -93,17 +126,13 @@ void certify_value(EndProofs& proofs, const PreparedClosure& prepared, const Com
   const auto refuse = [&](const std::string& why) {
     is_attained ? proofs.set_no_singular(why) : proofs.set_no_safe(why);
   };
-  const CertifiedQuestion question = question_of(prepared, component, bound);
+  const CertifiedQuestion question =
+      question_of(prepared, ValueText(prepared.request.model, component).lines(bound));
   if (const std::string why = certificate_obstacle(question, is_attained); !why.empty())
     return refuse(why);
   try {
-    const auto file = with_file_errors([&] {
-      return std::make_shared<ProofFile>(is_attained ? proofs.singular_file() : proofs.safe_file());
-    });
-    file->begin(question.head(is_attained) + (is_attained ? value_line(place) : ""));
-    write_tree(*file, tree);
-    with_file_errors([&] { file->complete(); });
-    put_in_place(file, {proofs.placing().held, 0});
+    write_value(is_attained ? proofs.singular_file() : proofs.safe_file(), question, tree, place,
+                {proofs.placing().held, 0});
     const std::string number = formula_text(bound);
     if (is_attained)
       proofs.set_singular("attains " + number);

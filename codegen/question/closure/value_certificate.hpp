@@ -16,4 +16,11 @@ namespace regulus {
 void certify_value(EndProofs& proofs, const PreparedClosure& prepared, const Component& component,
                    const GiNaC::ex& bound, const BranchTree& tree, std::span<const Interval> place);
 
+/// Writes the proof that every force is within its limits over the tubes of a tree, or, at a place, that
+/// some force is not. An empty `path` means no certificate. Requires the same.
+[[nodiscard]] ProofStatus certify_forces(const std::string& path, const PreparedClosure& prepared,
+                                         const VectorSet& load, const BranchTree& tree,
+                                         std::span<const Interval> place,
+                                         const ProofPlacing& placing);
+
 }  // namespace regulus

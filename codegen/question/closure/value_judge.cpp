@@ -81,9 +81,11 @@ void ValueJudge::judge(std::span<const Box> boxes, std::span<ValueFinding> findi
   }
   if (tubes.empty()) return;
   const std::vector<Interval> values = values_of(tubes, of);
-  for (std::size_t i = 0; i < tubes.size(); ++i)
+  for (std::size_t i = 0; i < tubes.size(); ++i) {
     if (values[i].hi < kInfinity) of[i]->upper = values[i].hi;
-  judge_middles(tubes, of);
+    if (values[i].lo > -kInfinity) of[i]->lower = values[i].lo;
+  }
+  if (horizon < kInfinity) judge_middles(tubes, of);
 }
 
 /// A variable whose only value is no double keeps its enclosure.
@@ -147,6 +149,7 @@ void ValueJudge::put(cluster::ByteWriter& to, const ValueFinding& finding) {
   middle.tube = finding.middle;
   TubeJudge::put(to, middle);
   to.put(finding.upper);
+  to.put(finding.lower);
   to.put(finding.attained);
   to.put_list(std::span<const double>(finding.impact));
   to.put_list(std::span<const double>(finding.near_center));
@@ -157,6 +160,7 @@ ValueFinding ValueJudge::take(cluster::ByteReader& from, const ValueQuestion& qu
   finding.tube = TubeJudge::take(from, question.closure);
   finding.middle = TubeJudge::take(from, question.closure).tube;
   finding.upper = from.take<double>();
+  finding.lower = from.take<double>();
   finding.attained = from.take<double>();
   finding.impact = from.take_list<double>();
   finding.near_center = from.take_list<double>();
@@ -164,7 +168,7 @@ ValueFinding ValueJudge::take(cluster::ByteReader& from, const ValueQuestion& qu
   if (!is_near ||
       (!finding.near_center.empty() &&
        finding.near_center.size() != question.closure.shape.unknowns) ||
-      std::isnan(finding.upper) || std::isnan(finding.attained) ||
+      std::isnan(finding.upper) || std::isnan(finding.lower) || std::isnan(finding.attained) ||
       (!finding.impact.empty() && finding.impact.size() != question.closure.shape.variables))
     throw cluster::MalformedMessage();
   return finding;

@@ -16,6 +16,7 @@ struct ValueQuestion {
 struct ValueFinding {
   TubeFinding tube;
   double upper = kInfinity;      ///< f is at most that over the tube
+  double lower = -kInfinity;     ///< and at least that
   std::vector<double> impact{};  ///< by variable: what a split makes smaller
   /// By unknown, of a distance: the solution at the tube's centre is so near to it. Empty: within the
   /// tube's radius.
@@ -39,8 +40,13 @@ class ValueJudge {
         system_(question.problem, question.closure.scaling, question.closure.shape),
         finder_(system_, question.closure.shape, question.closure.ranges) {}
 
+  /// Without a middle if `horizon` is infinite.
   void judge(std::span<const Box> boxes, std::span<ValueFinding> findings, double horizon);
 
+  [[nodiscard]] static double& bound(ValueFinding& finding) { return finding.upper; }
+  static void inherit(ValueFinding& own, const ValueFinding& above) {
+    if (!own.tube.tube) own.tube.tube = above.tube.tube;
+  }
   static void put(cluster::ByteWriter& to, const ValueFinding& finding);
   /// Throws    MalformedMessage.
   [[nodiscard]] static ValueFinding take(cluster::ByteReader& from, const ValueQuestion& question);

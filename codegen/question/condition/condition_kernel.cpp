@@ -72,7 +72,9 @@ SearchTopic topic_of(const ConditionKernel& kernel) {
   return topic;
 }
 
-bool is_about_condition(const SearchTopic& topic) { return topic.kind != TopicKind::kQuestion; }
+bool is_about_condition(const SearchTopic& topic) {
+  return topic.kind == TopicKind::kExpandedMatrix || topic.kind == TopicKind::kMatrixWithSlopes;
+}
 
 PreparedSearch prepare_condition(const SearchTopic& topic, const Request& request,
                                  const SearchOptions& search) {

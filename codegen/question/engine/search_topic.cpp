@@ -40,7 +40,7 @@ SearchTopic read_topic(std::string_view text) {
   cluster::ByteReader bytes(text);
   SearchTopic topic;
   topic.kind = bytes.take<TopicKind>();
-  if (topic.kind > TopicKind::kMatrixWithSlopes) throw cluster::MalformedMessage();
+  if (topic.kind > TopicKind::kBranchWithNominal) throw cluster::MalformedMessage();
   topic.part = bytes.take_text();
   topic.component = bytes.take_text();
   topic.reference = bytes.take<double>();

@@ -14,9 +14,11 @@ struct Motion;
 
 /// The kernel that searches need.
 enum class TopicKind : std::uint8_t {
-  kQuestion,          ///< of the question, of a bound: of its bordered matrix
-  kExpandedMatrix,    ///< of the matrix itself, with Taylor's expansion (condition_kernel.hpp)
-  kMatrixWithSlopes,  ///< the same, with slopes of its entries
+  kQuestion,           ///< of the question, of a bound: of its bordered matrix
+  kExpandedMatrix,     ///< of the matrix itself, with Taylor's expansion (condition_kernel.hpp)
+  kMatrixWithSlopes,   ///< the same, with slopes of its entries
+  kBranch,             ///< of a bound of a closure: the branch alone, without a quantity
+  kBranchWithNominal,  ///< the same with a copy without errors, of a finite error
 };
 
 /// For a process that has the same model and words. Each question sets the members that it needs.

@@ -49,14 +49,18 @@ std::vector<double> middles(const std::vector<Interval>& values) {
   return result;
 }
 
-Json json_limits(const PreparedForces& prepared) {
+Json json_limits(const LoadWords& words) {
   Json limits = Json::array();
-  for (const Interval& limit : prepared.forces.certain) limits.push_back(json_interval(limit));
+  for (const Interval& limit : words.limits) limits.push_back(json_interval(limit));
   return limits;
 }
 
 std::string describe_uncertain(const PreparedSearch& p) {
   return uncertain_count(p) > 0 ? ", for every value of the uncertain quantities" : "";
+}
+
+const char* on_branch(const PreparedSearch& p) {
+  return p.labels.is_branch ? "on the branch through the start, " : "";
 }
 
 void tell_witness(const PreparedForces& prepared, const FeasibilityResult& result, Facts& facts) {
@@ -87,18 +91,6 @@ void tell_reason(const PreparedForces& prepared, const FeasibilityResult& result
     facts.say("warning", "no pose was found that certainly meets the constraints");
 }
 
-void tell_volumes(const PreparedForces& prepared, const ForceVolumes& volumes, Facts& facts) {
-  Json kinds = Json::object();
-  for (const ForceClaim claim : kEveryForceClaim) {
-    const std::uint64_t boxes = volumes.of(claim).boxes;
-    kinds[name(claim)] = {{"boxes", boxes}, {"fraction", json_interval(volumes.fraction(claim))}};
-    if (claim != ForceClaim::kOutside || prepared.preparation.labels.constraints > 0)
-      facts.say(name(claim),
-                fmt::format("{} in {}", volumes.percentage(claim), counted(boxes, "box", "boxes")));
-  }
-  facts.add("boxes_by_claim", std::move(kinds));
-}
-
 }  // namespace
 
 Claim stand_in(ForceClaim claim) noexcept {
@@ -121,12 +113,12 @@ const char* word_of_stand_in(Claim claim) noexcept {
   return "none";
 }
 
-std::string describe_limits(const PreparedForces& prepared) {
-  const auto& limits = prepared.forces.certain;
+std::string describe_limits(const LoadWords& words) {
+  const auto& limits = words.limits;
   const bool same = std::ranges::all_of(limits, [&](Interval x) { return x == limits.front(); });
   if (!same) return "within their limits";
   return fmt::format("within [{:.6g}, {:.6g}]{}", limits.front().lo, limits.front().hi,
-                     unit_suffix(prepared.force_unit));
+                     unit_suffix(words.force_unit));
 }
 
 void say_shortage(const PreparedForces& prepared, const ForceWitness& witness, Facts& facts) {
@@ -139,16 +131,16 @@ void say_shortage(const PreparedForces& prepared, const ForceWitness& witness, F
                             format_direction(model, s)));
 }
 
-void tell_load(const PreparedForces& prepared, Facts& facts) {
-  facts.tell("load", prepared.load, "load",
-             fmt::format("{}, forces {}", prepared.load, describe_limits(prepared)));
-  facts.add("forces", json_limits(prepared)).add("force_unit", prepared.force_unit);
+void tell_load(const LoadWords& words, Facts& facts) {
+  facts.tell("load", words.load, "load",
+             fmt::format("{}, forces {}", words.load, describe_limits(words)));
+  facts.add("forces", json_limits(words)).add("force_unit", words.force_unit);
 }
 
-std::string describe_claim(const PreparedForces& prepared) {
-  const PreparedSearch& p = prepared.preparation;
-  return fmt::format("at every {}{}, forces {} hold every wrench of {}", describe_pose(p),
-                     describe_uncertain(p), describe_limits(prepared), prepared.load);
+std::string describe_claim(const LoadWords& words) {
+  const PreparedSearch& p = words.preparation;
+  return fmt::format("{}at every {}{}, forces {} hold every wrench of {}", on_branch(p),
+                     describe_pose(p), describe_uncertain(p), describe_limits(words), words.load);
 }
 
 std::string describe_reason(const PreparedForces& prepared, const FeasibilityResult& result) {
@@ -204,15 +196,15 @@ const char* name(ForceClaim claim) noexcept {
   return "";
 }
 
-std::string describe_claim(const PreparedForces& prepared, ForceClaim claim) {
-  const PreparedSearch& p = prepared.preparation;
+std::string describe_claim(const LoadWords& words, ForceClaim claim) {
+  const PreparedSearch& p = words.preparation;
   switch (claim) {
     case ForceClaim::kFeasible:
-      return fmt::format("at every pose of the box{}, forces {} hold every wrench of {}",
-                         describe_uncertain(p), describe_limits(prepared), prepared.load);
+      return fmt::format("{}at every pose of the box{}, forces {} hold every wrench of {}",
+                         on_branch(p), describe_uncertain(p), describe_limits(words), words.load);
     case ForceClaim::kInfeasible:
-      return fmt::format("at every pose of the box{}, {} has a wrench that no forces {} hold",
-                         describe_uncertain(p), prepared.load, describe_limits(prepared));
+      return fmt::format("{}at every pose of the box{}, {} has a wrench that no forces {} hold",
+                         on_branch(p), describe_uncertain(p), words.load, describe_limits(words));
     case ForceClaim::kUndecided:
       return "neither was shown";
     case ForceClaim::kOutside:
@@ -235,6 +227,18 @@ std::string ForceVolumes::percentage(ForceClaim claim) const {
 
 Interval ForceVolumes::fraction(ForceClaim claim) const noexcept {
   return volumes_.fraction(of(claim));
+}
+
+void tell_volumes(const LoadWords& words, const ForceVolumes& volumes, Facts& facts) {
+  Json kinds = Json::object();
+  for (const ForceClaim claim : kEveryForceClaim) {
+    const std::uint64_t boxes = volumes.of(claim).boxes;
+    kinds[name(claim)] = {{"boxes", boxes}, {"fraction", json_interval(volumes.fraction(claim))}};
+    if (claim != ForceClaim::kOutside || words.preparation.labels.constraints > 0)
+      facts.say(name(claim),
+                fmt::format("{} in {}", volumes.percentage(claim), counted(boxes, "box", "boxes")));
+  }
+  facts.add("boxes_by_claim", std::move(kinds));
 }
 
 void tell_forces(const PreparedForces& prepared, const FeasibilityResult& result,
@@ -260,27 +264,26 @@ void tell_forces(const PreparedForces& prepared, const FeasibilityResult& result
     add_search(prepared.search, json_question(p, prepared.search), facts);
 }
 
-Json json_forces_header(const PreparedForces& prepared, double resolution) {
-  const PreparedSearch& p = prepared.preparation;
+Json json_forces_header(const LoadWords& words, double resolution) {
+  const PreparedSearch& p = words.preparation;
   Json claims = Json::object();
   for (const ForceClaim claim : kEveryForceClaim)
-    claims[name(claim)] = describe_claim(prepared, claim);
+    claims[name(claim)] = describe_claim(words, claim);
   return {{"regulus_forces", kFormatVersion},
           {"model", p.labels.model},
           {"model_sha256", p.labels.model_sha256},
           {"motion", p.labels.motion},
-          {"load", prepared.load},
-          {"forces", json_limits(prepared)},
-          {"force_unit", prepared.force_unit},
+          {"load", words.load},
+          {"forces", json_limits(words)},
+          {"force_unit", words.force_unit},
           {"parameters", json_parameters(p, p.variety.outer)},
           {"uncertain", json_uncertain(p, p.variety.outer)},
           {"resolution", resolution},
           {"kinds", claims}};
 }
 
-Json json_forces_box(const PreparedForces& prepared, std::span<const Interval> box,
-                     ForceClaim claim) {
-  return {{"kind", name(claim)}, {"box", json_parameters(prepared.preparation, box)}};
+Json json_forces_box(const LoadWords& words, std::span<const Interval> box, ForceClaim claim) {
+  return {{"kind", name(claim)}, {"box", json_parameters(words.preparation, box)}};
 }
 
 }  // namespace regulus

@@ -12,17 +12,30 @@
 
 namespace regulus {
 
+/// A load and the limits of the forces, for words.
+struct LoadWords {
+  LoadWords(const PreparedSearch& of, const std::string& name, const std::string& unit,
+            const std::vector<Interval>& ranges)
+      : preparation(of), load(name), force_unit(unit), limits(ranges) {}
+  LoadWords(const PreparedForces& forces)
+      : LoadWords(forces.preparation, forces.load, forces.force_unit, forces.forces.certain) {}
+
+  const PreparedSearch& preparation;
+  const std::string &load, &force_unit;
+  const std::vector<Interval>& limits;
+};
+
 /// Returns the claim about a box, as a sentence.
-[[nodiscard]] std::string describe_claim(const PreparedForces& prepared, ForceClaim claim);
+[[nodiscard]] std::string describe_claim(const LoadWords& words, ForceClaim claim);
 
 /// Returns "within [1, 500] N", or "within their limits" if these differ.
-[[nodiscard]] std::string describe_limits(const PreparedForces& prepared);
+[[nodiscard]] std::string describe_limits(const LoadWords& words);
 /// Tells the load, and the limits of the forces.
-void tell_load(const PreparedForces& prepared, Facts& facts);
+void tell_load(const LoadWords& words, Facts& facts);
 /// Tells people why a load is not held at a place.
 void say_shortage(const PreparedForces& prepared, const ForceWitness& witness, Facts& facts);
 /// Returns the claim of FEASIBLE.
-[[nodiscard]] std::string describe_claim(const PreparedForces& prepared);
+[[nodiscard]] std::string describe_claim(const LoadWords& words);
 /// Returns why neither answer was shown.
 [[nodiscard]] std::string describe_reason(const PreparedForces& prepared,
                                           const FeasibilityResult& result);
@@ -54,14 +67,16 @@ class ForceVolumes {
   Volumes volumes_;
 };
 
+/// Tells how much of a motion has each claim.
+void tell_volumes(const LoadWords& words, const ForceVolumes& volumes, Facts& facts);
+
 /// Tells the question, the claim and the place where it fails; `volumes`: of a paving, or null.
 void tell_forces(const PreparedForces& prepared, const FeasibilityResult& result,
                  const ForceVolumes* volumes, Facts& facts);
 
 /// Returns the first line of a paving, and the line of a box.
-[[nodiscard]] nlohmann::ordered_json json_forces_header(const PreparedForces& prepared,
-                                                        double resolution);
-[[nodiscard]] nlohmann::ordered_json json_forces_box(const PreparedForces& prepared,
+[[nodiscard]] nlohmann::ordered_json json_forces_header(const LoadWords& words, double resolution);
+[[nodiscard]] nlohmann::ordered_json json_forces_box(const LoadWords& words,
                                                      std::span<const Interval> box,
                                                      ForceClaim claim);
 

@@ -34,18 +34,26 @@ void append_component(std::vector<std::vector<Interval>>& corners, const Geometr
 
 }  // namespace
 
-ForceProblem force_problem(const Model& model, const VectorSet& load) {
+std::vector<Interval> certain_limits(const Model& model) {
   if (model.actuators.force.empty())
     throw UsageError(
         "--load: the model does not say how large the forces of the motors may be; add [actuators] "
         "force = [LEAST, LARGEST]");
+  std::vector<Interval> limits;
+  for (const Range& limit : model.actuators.force)
+    limits.push_back(within(enclose_constant(limit.lo, "the least force"),
+                            enclose_constant(limit.hi, "the largest force")));
+  return limits;
+}
+
+ForceProblem force_problem(const Model& model, const VectorSet& load) {
   ForceProblem problem;
+  problem.certain = certain_limits(model);
   problem.rows = model.matrix.rows();
   problem.columns = model.matrix.cols();
   for (const Range& limit : model.actuators.force) {
     const Interval lower = enclose_constant(limit.lo, "the least force");
     const Interval upper = enclose_constant(limit.hi, "the largest force");
-    problem.certain.push_back(within(lower, upper));
     problem.possible.push_back(hull(lower, upper));
   }
   std::size_t ranges = 0;

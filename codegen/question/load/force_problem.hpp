@@ -35,6 +35,10 @@ struct ForceProblem {
 /// A load that varies in more components is refused, because its corners would be too many.
 inline constexpr std::size_t kMostLoadRanges = 10;
 
+/// Returns forces that are certainly within the limits, by motor. Throws UsageError if the model gives
+/// none.
+[[nodiscard]] std::vector<Interval> certain_limits(const Model& model);
+
 /// Throws    UsageError if the model gives no limits of force, or the load has too many ranges.
 /// Rounding  `certain` inward, all else outward.
 [[nodiscard]] ForceProblem force_problem(const Model& model, const VectorSet& load);

@@ -25,7 +25,7 @@ class LoadComparison {
 
   bool run() {
     if (!compare_set(*q_.load, kLoad)) return false;
-    compare_limits();
+    compare_limits(q_.rows);
     return true;
   }
 
@@ -36,6 +36,7 @@ class LoadComparison {
     compare_of_motors("speed", "motor-speed ", quantity.speeds.size());
     compare_of_motors("stiffness", "stiffness ", quantity.stiffness.size());
     compare_factors(quantity.factors);
+    compare_limits(quantity.least.size());
     return !quantity.set ||
            compare_set(*quantity.set, quantity.set_kind == "load" ? kLoad : kTwist);
   }
@@ -120,10 +121,10 @@ class LoadComparison {
   }
 
   /// The limits are one range for all rows, or a list of ranges.
-  void compare_limits() {
+  void compare_limits(std::size_t count) {
     const std::string force = "actuators.force";
     const bool is_list = values_.contains(force + "[0][0]");
-    for (std::size_t i = 0; i < q_.rows; ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
       const std::string place = is_list ? force + at(i) : force;
       if (!values_.contains(place + "[0]")) comparer_.refuse("least " + std::to_string(i));
       if (!values_.contains(place + "[1]")) comparer_.refuse("largest " + std::to_string(i));

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is told about a load over a branch.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "codegen/answer/report/number_text.hpp"
+#include "codegen/answer/report/place_text.hpp"
+#include "codegen/answer/report/question_report.hpp"
+#include "codegen/answer/report/search_facts.hpp"
+#include "codegen/answer/report/vector_text.hpp"
+#include "codegen/kernel/formulation/variety.hpp"
+#include "codegen/question/closure/branch_load.hpp"
+
+namespace regulus {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<std::string> units_of_unknowns(const PreparedBranchLoad& prepared) {
+  std::vector<std::string> units;
+  for (const PoseParameter& unknown : prepared.closure.request.model.closure->unknowns)
+    units.push_back(unknown.unit);
+  return units;
+}
+
+/// The force unit is that of the motors. It does not tell the units of a load on the unknowns.
+std::vector<std::string> units_of_load(const PreparedBranchLoad& prepared) {
+  return std::vector<std::string>(prepared.closure.shape.unknowns, "1");
+}
+
+/// Returns the wrench of the load, without its balls, for which the force is farthest.
+std::vector<Interval> wrench_of(const PreparedBranchLoad& prepared, const ForceBeyond& beyond) {
+  std::vector<Interval> wrench;
+  for (std::size_t i = 0; i < prepared.set().entries.size(); ++i) {
+    const GeometryParameter& entry = prepared.set().entries[i];
+    const GiNaC::ex spread = entry.ball < 0 ? entry.tolerance : GiNaC::ex(0);
+    const bool adds = (mid(beyond.along[i]) > 0) == beyond.is_above;
+    wrench.push_back(
+        enclose_constant(adds ? entry.value + spread : entry.value - spread, entry.name));
+  }
+  return wrench;
+}
+
+/// The direction is that of the unknowns when the motor moves by 1, to the side of the limit. Along it
+/// the work of the load is the force.
+Json json_shortage(const PreparedBranchLoad& prepared, const BranchShortage& s) {
+  const PreparedSearch& p = prepared.closure.preparation;
+  const Model& model = prepared.closure.request.model;
+  Json unknowns = Json::object(), wrench = Json::array(), direction = Json::array();
+  for (std::size_t i = 0; i < s.unknowns.size(); ++i)
+    unknowns[model.closure->unknowns[i].name] = json_interval(s.unknowns[i]);
+  for (const Interval& w : wrench_of(prepared, s.beyond)) wrench.push_back(json_interval(w));
+  const double side = s.beyond.is_above ? 1 : -1;
+  for (const Interval& y : s.beyond.along) direction.push_back(side * mid(y));
+  const Interval limit = prepared.limits[s.beyond.motor];
+  return {{"parameters", json_parameters(p, s.place)},
+          {"uncertain", json_uncertain(p, s.place)},
+          {"unknowns", std::move(unknowns)},
+          {"motor", model.pose[s.beyond.motor].name},
+          {"wrench", std::move(wrench)},
+          {"wrench_units", units_of_load(prepared)},
+          {"direction", std::move(direction)},
+          {"direction_units", units_of_unknowns(prepared)},
+          {"needed", json_interval(Interval(side) * s.beyond.force)},
+          {"possible", json_interval(Interval(s.beyond.is_above ? limit.hi : -limit.lo))},
+          {"work_unit", prepared.force_unit}};
+}
+
+void say_shortage(const PreparedBranchLoad& prepared, const BranchShortage& s, Facts& facts) {
+  const Model& model = prepared.closure.request.model;
+  std::string configuration;
+  for (std::size_t i = 0; i < s.unknowns.size(); ++i) {
+    const PoseParameter& unknown = model.closure->unknowns[i];
+    configuration += fmt::format("{}{} = {:.9g}{}", configuration.empty() ? "where " : ", ",
+                                 unknown.name, mid(s.unknowns[i]), unit_suffix(unknown.unit));
+  }
+  facts.say("", configuration);
+  facts.say("", describe_uncertain_values(prepared.closure.preparation, s.place));
+  std::vector<double> wrench;
+  for (const Interval& w : wrench_of(prepared, s.beyond)) wrench.push_back(mid(w));
+  const Interval limit = prepared.limits[s.beyond.motor];
+  const std::string unit = unit_suffix(prepared.force_unit);
+  facts.say("", fmt::format("{} has a wrench near {},\nfor which {} needs {:.6g}{}, with limits "
+                            "[{:.6g}, {:.6g}]{}",
+                            prepared.load, vector_text(wrench, units_of_load(prepared)),
+                            model.pose[s.beyond.motor].name, mid(s.beyond.force), unit, limit.lo,
+                            limit.hi, unit));
+}
+
+void tell_shortage(const PreparedBranchLoad& prepared, const BranchLoadResult& result,
+                   Facts& facts) {
+  facts.add("witness", nullptr);
+  if (!result.shortage) return;
+  const BranchShortage& shortage = *result.shortage;
+  facts.tell("witness", json_shortage(prepared, shortage), "at",
+             describe_place(prepared.closure.preparation, shortage.place));
+  say_shortage(prepared, shortage, facts);
+}
+
+void tell_reason(const PreparedBranchLoad& prepared, const BranchLoadResult& result, Facts& facts) {
+  facts.add("reason", nullptr).add("blocking_box", nullptr);
+  const bool is_decided = result.verdict != FeasibilityVerdict::kPossibleProblem;
+  if (!is_decided) facts.tell("reason", result.reason, "reason", result.reason);
+  const std::vector<Interval>& box = result.branch.searched.branch.blocking_box;
+  if (!is_decided && !box.empty())
+    facts.tell("blocking_box", json_parameters(prepared.closure.preparation, box), "blocked by",
+               describe_short_place(prepared.closure.preparation, box));
+  // Without constraints the motion has every place of its ranges; a place of a witness has met them.
+  const Motion& motion = prepared.closure.request.motion;
+  const bool is_inhabited = result.shortage || (motion.constraints.empty() && motion.reach.empty());
+  facts.add("nonempty", result.is_empty ? Json(false) : is_inhabited ? Json(true) : Json(nullptr));
+}
+
+}  // namespace
+
+void tell_branch_load(const PreparedBranchLoad& prepared, const BranchLoadResult& result,
+                      const ForceVolumes* volumes, Facts& facts) {
+  const PreparedSearch& p = prepared.closure.preparation;
+  facts.add("verdict", json_word(result.verdict));
+  tell_question(p, prepared.closure.request, facts);
+  tell_branch(prepared.closure, result.branch, facts);
+  tell_load(prepared.words(), facts);
+  if (volumes != nullptr) tell_volumes(prepared.words(), *volumes, facts);
+  facts.tell("boxes", result.boxes, "boxes", fmt::format("{} evaluated", result.boxes));
+  tell_time(p.seconds_spent(), facts);
+  facts.add("stopped_by", result.stopped_by ? Json(describe(*result.stopped_by)) : Json(nullptr));
+  if (result.stopped_by && result.verdict != FeasibilityVerdict::kPossibleProblem)
+    facts.say("stopped", describe(*result.stopped_by));
+  facts.add("claim", nullptr);
+  if (result.verdict == FeasibilityVerdict::kFeasible) {
+    const std::string claim = describe_claim(prepared.words());
+    facts.tell("claim", claim, "proved", claim);
+  }
+  tell_shortage(prepared, result, facts);
+  tell_reason(prepared, result, facts);
+  if (facts.are_for_programs())
+    add_search(prepared.search, json_question(prepared.closure.request, prepared.search), facts);
+}
+
+}  // namespace regulus

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/question/closure/load_paving.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace regulus {
+namespace {
+
+constexpr std::size_t kBoxesOfRound = 256;
+constexpr double kSlackOfWidth = 1 + 0x1p-30;
+
+/// The goal of the search: box_search.hpp. The boxes of the branch are judged, and halved where neither
+/// is shown. The last box that was made is judged first.
+class LoadPavingGoal {
+ public:
+  static constexpr bool kJudgesWhenMade = false;
+
+  LoadPavingGoal(BoxCourse& course, const ValueQuestion& question, const ClosureResult& branch,
+                 double resolution, const IsPossible& is_possible, const ForceListener& listener)
+      : course_(course),
+        question_(question),
+        branch_(branch),
+        resolution_(resolution),
+        is_possible_(is_possible),
+        listener_(listener) {
+    for (std::size_t k = 0; k < question.closure.shape.parameters; ++k)
+      ranges_.push_back(width_ru(question.problem.outer[k]));
+  }
+
+  /// The splits of the branch are made again.
+  void start(TreeBox root) {
+    const BranchTree& tree = branch_.branch.tree;
+    std::vector<std::pair<TreeBox, BoxId>> waiting;
+    waiting.emplace_back(std::move(root), 0);
+    while (!waiting.empty()) {
+      auto [box, id] = std::move(waiting.back());
+      waiting.pop_back();
+      const BranchTree::Node& node = tree.node(id);
+      if (node.variable == BranchTree::kNone) {
+        reopen(std::move(box));
+        continue;
+      }
+      auto [lower, upper] = course_.split(std::move(box), node.variable);
+      waiting.emplace_back(std::move(upper), node.lower + 1);
+      waiting.emplace_back(std::move(lower), node.lower);
+    }
+  }
+
+  [[nodiscard]] bool has_ended() const { return open_.empty(); }
+  void fill(std::vector<std::vector<Interval>>& boxes, std::uint64_t left) {
+    round_.clear();
+    std::size_t count = std::min(kBoxesOfRound, open_.size());
+    if (count > left) {
+      course_.save_last([this](SavedTree& tree) { describe(tree); });
+      count = left;
+    }
+    take_last(open_, count, round_, boxes);
+  }
+  [[nodiscard]] double horizon() const { return 0; }
+  [[nodiscard]] std::size_t open() const { return open_.size(); }
+
+  void conclude(std::span<ValueFinding> findings) {
+    for (std::size_t i = round_.size(); i-- > 0;) {
+      note_value(round_[i].id, findings[i]);
+      conclude(std::move(round_[i]), findings[i]);
+    }
+  }
+
+  [[nodiscard]] std::size_t splittable() const { return ranges_.size(); }
+  void describe(SavedTree& tree) const {
+    for (const TreeBox& box : open_) tree.add_open(box.id, kInfinity);
+    if (result_.place) tree.shown = {shown_in_};
+  }
+  void recall(const TreeBox& box, ValueFinding& finding) { note_value(box.id, finding); }
+  void resume_own(std::span<const std::uint64_t>) {}
+  void resume(TreeBox box, ValueFinding& finding, bool) {
+    if (is_decided_by_branch(box))
+      reopen(std::move(box));
+    else
+      conclude(std::move(box), finding);
+  }
+  /// A box that is not on the branch needs no finding.
+  void reopen(TreeBox box) {
+    const std::optional<std::size_t> leaf = leaf_of(box.box);
+    if (!leaf) throw SavedTreeError("a box is not a part of one of the branch");
+    if (branch_.branch.tree.leaves()[*leaf].is_outside) return leave(box, ForceClaim::kOutside);
+    if (!is_on_branch(*leaf)) return leave(box, ForceClaim::kUndecided);
+    open_.push_back(std::move(box));
+  }
+
+  LoadPaving finish() {
+    result_.is_feasible = open_.empty() && is_feasible_ && !course_.lacks_memory();
+    result_.is_empty = open_.empty() && is_empty_;
+    for (const TreeBox& box : open_) {
+      course_.leave_open(box, Rule::kBlocked);
+      listener_(box.box, ForceClaim::kUndecided);
+    }
+    result_.stopped_by = course_.stopped_by();
+    result_.boxes = course_.boxes();
+    result_.seconds = course_.seconds();
+    course_.tell_end();
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] std::optional<std::size_t> leaf_of(std::span<const Interval> box) const {
+    return branch_.branch.tree.leaf_with(box);
+  }
+  [[nodiscard]] bool is_on_branch(std::size_t leaf) const {
+    return leaf < branch_.links.on_branch.size() && branch_.links.on_branch[leaf] != 0 &&
+           branch_.branch.tree.leaves()[leaf].tube.has_value();
+  }
+  [[nodiscard]] bool is_decided_by_branch(const TreeBox& box) const {
+    const std::optional<std::size_t> leaf = leaf_of(box.box);
+    return !leaf || !is_on_branch(*leaf);
+  }
+  /// The tube's solution over its own centre is that of the branch, so it is over all of its box.
+  [[nodiscard]] bool is_of_leaf(const BranchTube& tube, std::size_t leaf) const {
+    std::vector<Interval> place;
+    for (const double x : tube.at) place.emplace_back(x);
+    return certain_holds(*branch_.branch.tree.leaves()[leaf].tube, place, enclose(tube, place));
+  }
+
+  void conclude(TreeBox box, const ValueFinding& finding) {
+    const std::size_t leaf = leaf_of(box.box).value();
+    if (finding.tube.is_outside) return leave(box, ForceClaim::kOutside);
+    const bool is_known = finding.tube.tube && is_of_leaf(*finding.tube.tube, leaf);
+    if (is_known && finding.upper <= 0) return leave(box, ForceClaim::kFeasible);
+    if (is_known && finding.lower > 0) return leave(box, ForceClaim::kInfeasible);
+    const auto variable = choose_variable(std::span(box.box).first(ranges_.size()), ranges_, {},
+                                          resolution_ * kSlackOfWidth);
+    if (!variable) return leave(box, ForceClaim::kUndecided);
+    auto [lower, upper] = course_.split(std::move(box), *variable);
+    open_.push_back(std::move(upper));
+    open_.push_back(std::move(lower));
+  }
+
+  void leave(const TreeBox& box, ForceClaim claim) {
+    is_feasible_ =
+        is_feasible_ && (claim == ForceClaim::kFeasible || claim == ForceClaim::kOutside);
+    is_empty_ = is_empty_ && claim == ForceClaim::kOutside;
+    const Rule rule = claim == ForceClaim::kFeasible     ? Rule::kHMatrix
+                      : claim == ForceClaim::kInfeasible ? Rule::kWitness
+                      : claim == ForceClaim::kOutside    ? Rule::kOutside
+                                                         : Rule::kBlocked;
+    course_.leaf(box, rule);
+    listener_(box.box, claim);
+  }
+
+  /// Keeps the first place where a force is certainly beyond its limits.
+  void note_value(BoxId id, const ValueFinding& finding) {
+    if (result_.place || !finding.middle || !(finding.attained > 0)) return;
+    const BranchTube& tube = *finding.middle;
+    std::vector<Interval> place;
+    for (std::size_t k = 0; k < tube.at.size(); ++k) {
+      const std::optional<Interval>& inner = question_.problem.inner[k];
+      place.push_back(inner ? Interval(tube.at[k]) : question_.problem.outer[k]);
+      if (inner && !certain_subset(place[k], *inner)) return;
+    }
+    std::vector<Interval> point = place;
+    for (const Interval& p : enclose(tube, place)) point.push_back(p);
+    if (!is_possible_(point)) return;
+    const std::vector<std::size_t> leaves = branch_.branch.tree.leaves_at(place);
+    if (leaves.empty() || !std::ranges::all_of(leaves, [&](std::size_t leaf) {
+          return is_on_branch(leaf) && is_of_leaf(tube, leaf);
+        }))
+      return;
+    result_.place = tube;
+    result_.at = std::move(place);
+    shown_in_ = id;
+  }
+
+  BoxCourse& course_;
+  const ValueQuestion& question_;
+  const ClosureResult& branch_;
+  const double resolution_;
+  const IsPossible& is_possible_;
+  const ForceListener& listener_;
+  std::vector<double> ranges_;  ///< of the motion parameters
+  std::vector<TreeBox> open_, round_;
+  bool is_feasible_ = true, is_empty_ = true;
+  BoxId shown_in_ = 0;
+  LoadPaving result_;
+};
+
+}  // namespace
+
+LoadPaving pave_forces(const ValueQuestion& question, const ClosureResult& branch,
+                       double resolution, const BoxSearchSettings& settings,
+                       const IsPossible& is_possible, const ForceListener& listener,
+                       Observer* progress) {
+  BoxCourse course(question.problem, settings, progress);
+  LoadPavingGoal goal(course, question, branch, resolution, is_possible, listener);
+  BoxSearch<ValueJudge, LoadPavingGoal>(question, kBoxesOfRound, course, goal).run();
+  return goal.finish();
+}
+
+}  // namespace regulus

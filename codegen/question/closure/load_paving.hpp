@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Decides for each box of a motion whether the motors of a closure hold a load on the branch.
+#pragma once
+
+#include "codegen/question/closure/closure_run.hpp"
+#include "codegen/question/closure/value_search.hpp"
+#include "codegen/question/load/feasibility_search.hpp"
+
+namespace regulus {
+
+struct LoadPaving {
+  bool is_feasible = false;           ///< every box is feasible or outside
+  bool is_empty = false;              ///< every box is outside
+  std::optional<BranchTube> place{};  ///< over a place where a force is beyond its limits
+  std::vector<Interval> at{};         ///< that place, by variable
+  std::optional<Reason> stopped_by{};
+  std::uint64_t boxes = 0;
+  double seconds = 0;
+};
+
+/// A box that is not on the branch for certain is undecided; so is one that `resolution`, as a part of
+/// each range, does not let split. `question.value`: a load within limits.
+///
+/// Throws    the exceptions of the workers; SavedTreeError if `settings.from` is no tree of this search.
+[[nodiscard]] LoadPaving pave_forces(const ValueQuestion& question, const ClosureResult& branch,
+                                     double resolution, const BoxSearchSettings& settings,
+                                     const IsPossible& is_possible, const ForceListener& listener,
+                                     Observer* progress);
+
+}  // namespace regulus
