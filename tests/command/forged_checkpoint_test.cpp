@@ -71,6 +71,26 @@ struct Kind {
 
 void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
 
+/// A linkage whose load is beyond a limit in a part of its motion.
+constexpr const char* kBars = R"toml(regulus = 1
+name = "bars"
+[pose]
+theta = "rad"
+[closure]
+unknowns = { phi = "rad", psi = "rad" }
+equations = [
+  "0.2*cos(theta) + 0.35355*cos(phi) - 0.45 - 0.25*cos(psi)",
+  "0.2*sin(theta) + 0.35355*sin(phi) - 0.25*sin(psi)",
+]
+start = { theta = 0, phi = 0.7854, psi = 1.5708 }
+[actuators]
+force = [-4.1, 2.5]
+[load.push]
+wrench = [[-1, 3], 2]
+[motion.all]
+theta = [-1, 1.5]
+)toml";
+
 const std::vector<std::pair<std::string, double>> kZero = {{"x", std::sqrt(2.0)},
                                                            {"y", std::sqrt(3.0)}};
 const std::string kFourBar = model_path("four_bar");
@@ -84,6 +104,14 @@ bool is_open_at_zero(const Told& told) {
 bool is_open_at_toggles(const Told& told) {
   return claims_none(told, {{"theta", kToggle}}, {"free", "outside"}) &&
          claims_none(told, {{"theta", -kToggle}}, {"free", "outside"});
+}
+/// It is 4.39706 at ±2 rad.
+bool is_condition_of_bars(const Told& told) {
+  return told.report.at("proved").is_null() || told.report.at("proved") >= 4.397;
+}
+/// The load needs −4.1659 at −0.2 rad, and at least −4.1 from −0.05 rad on.
+bool is_open_beyond_the_limit(const Told& told) {
+  return claims_none(told, {{"theta", -0.2}}, {"feasible", "outside"});
 }
 IsTrue is_proved_up_to(const char* key, double most) {
   return [=](const Told& told) { return is_at_most(told, key, most); };
@@ -138,19 +166,34 @@ std::vector<Kind> kinds() {
       bar("locate_closure", "locate", "--resolution 1/256", is_open_at_toggles),
       bar("margin_closure", "margin", "--scale 0.5:1 --gap 0.05",
           is_proved_up_to("certified", kToggle / (140 * std::numbers::pi / 180))),
+      {"bound_closure",
+       {"bound", kFourBar, "turn", "condition", "--gap", "0.01", "--range", "theta=-2:2"},
+       "theta=-1:1",
+       is_condition_of_bars},
+      {"check_load_closure",
+       {"check", "bars", "all", "--load", "push"},
+       "theta=-0.05:1.5",
+       is_not_feasible},
+      {"locate_load_closure",
+       {"locate", "bars", "all", "--load", "push", "--resolution", "1/256"},
+       "theta=-0.05:1.5",
+       is_open_beyond_the_limit},
   };
 }
 
 class ForgedCheckpoint : public testing::TestWithParam<Kind> {
  protected:
-  ForgedCheckpoint() { std::ofstream(path("touch")) << kTouch; }
+  ForgedCheckpoint() {
+    std::ofstream(path("touch")) << kTouch;
+    std::ofstream(path("bars")) << kBars;
+  }
 
   [[nodiscard]] std::string path(const std::string& name) const { return folder_.path() / name; }
 
   [[nodiscard]] CommandResult run(const std::vector<std::string>& more) const {
     std::vector<std::string> words{kCommand};
     for (const std::string& word : GetParam().words)
-      words.push_back(word == "touch" ? path("touch") : word);
+      words.push_back(word == "touch" || word == "bars" ? path(word) : word);
     if (std::ranges::find(more, "--range") != more.end())
       if (const auto range = std::ranges::find(words, "--range"); range != words.end())
         words.erase(range, range + 2);

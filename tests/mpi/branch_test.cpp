@@ -42,5 +42,75 @@ TEST_F(RanksOnABranch, BracketAsOneThreadDoes) {
   EXPECT_EQ(run_command(ranks(2, margin)).output, one.output) << one.errors;
 }
 
+/// A linkage with a load, whose uncertain links leave many boxes undecided.
+constexpr const char* kBars = R"toml(regulus = 1
+name = "bars"
+[pose]
+theta = "rad"
+[geometry]
+crank = { value = "0.2", tolerance = "0.01", group = "links" }
+rod = { value = "0.35355", tolerance = "0.01", group = "links" }
+[closure]
+unknowns = { phi = "rad", psi = "rad" }
+equations = [
+  "crank*cos(theta) + rod*cos(phi) - 0.45 - 0.25*cos(psi)",
+  "crank*sin(theta) + rod*sin(phi) - 0.25*sin(psi)",
+]
+start = { theta = 0, phi = 0.7854, psi = 1.5708 }
+[actuators]
+error = 0.01
+force = [-1, 1]
+[load.L]
+wrench = [[-1, 3], 2]
+[motion.m]
+theta = [-1, 1.5]
+)toml";
+
+/// Its search of values is shared after 16 384 boxes; the branch has few.
+TEST_F(RanksOnABranch, BoundAsOneThreadDoes) {
+  std::ofstream(file("bars.toml")) << kBars;
+  const Words bound = {"bound",   file("bars.toml"), "m",    "error",       "--freedom",
+                       "phi",     "--gap",           "1e-9", "--max-boxes", "18000",
+                       "--quiet", "--certificate"};
+  const CommandResult one = run_command(one_thread(joined(bound, {file("one")})));
+  const CommandResult many = run_command(ranks(2, joined(bound, {file("many")})));
+  EXPECT_EQ(many.output, one.output) << many.errors;
+  EXPECT_GT(text_of(file("one.safe")).size(), 1'000'000U);
+  for (const char* end : {".safe", ".singular"})
+    EXPECT_TRUE(text_of(file(std::string("many") + end)) == text_of(file(std::string("one") + end)))
+        << end;
+}
+
+TEST_F(RanksOnABranch, CompareAndSumUpAsOneThreadDoes) {
+  std::ofstream(file("bars.toml")) << kBars;
+  for (const Words& asked :
+       {Words{"margin", file("bars.toml"), "m", "--scale", "0.5:1.2", "--quantity", "error",
+              "--limit", "0.02", "--gap", "0.1", "--quiet"},
+        Words{"bound", file("bars.toml"), "m", "force", "--limit", "9", "--quiet"},
+        Words{"check", file("bars.toml"), "m", "--load", "L", "--quiet"}}) {
+    const CommandResult one = run_command(one_thread(asked));
+    EXPECT_LE(one.exit_code, 2) << one.errors;
+    const CommandResult many = run_command(ranks(2, asked));
+    EXPECT_EQ(many.output, one.output) << many.errors;
+    EXPECT_EQ(many.exit_code, one.exit_code) << many.errors;
+  }
+  const Words sheet = {"datasheet", file("bars.toml"), "m", "--gap", "0.05", "--markdown"};
+  EXPECT_EQ(run_command(ranks(2, sheet)).exit_code, run_command(one_thread(sheet)).exit_code);
+}
+
+TEST_F(RanksOnABranch, PaveALoadAsOneThreadDoes) {
+  std::ofstream(file("bars.toml")) << kBars;
+  const Words locate = {"locate",       file("bars.toml"), "m",           "--load", "L",
+                        "--resolution", "1/100000",        "--max-boxes", "18000",  "--output"};
+  const auto boxes_of = [this](const std::string& name) {
+    const std::string lines = text_of(file(name));
+    return lines.substr(0, lines.rfind("{\"summary\""));
+  };
+  static_cast<void>(run_command(one_thread(joined(locate, {file("one")}))));
+  EXPECT_GT(boxes_of("one").size(), 500'000U);
+  const CommandResult many = run_command(ranks(2, joined(locate, {file("many")})));
+  EXPECT_TRUE(boxes_of("many") == boxes_of("one")) << many.errors;
+}
+
 }  // namespace
 }  // namespace regulus::test

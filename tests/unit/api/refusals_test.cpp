@@ -96,8 +96,8 @@ TEST(Refusals, OfALoadNameTheThreshold) {
             "alpha: forces have no threshold; change the limits in [actuators]");
 }
 
-Question crank() {
-  return Question::of_text(R"toml(regulus = 1
+std::string crank_text() {
+  return R"toml(regulus = 1
 name = "crank"
 [pose]
 x = "m"
@@ -107,9 +107,9 @@ equations = ["x - 2*sin(phi)"]
 start = { x = 0, phi = 0 }
 [motion.m]
 x = [-1, 1]
-)toml",
-                           "crank");
+)toml";
 }
+Question crank() { return Question::of_text(crank_text(), "crank"); }
 
 /// A question about a closure, by its kind, and how C++ asks it.
 struct AskOfClosure {
@@ -120,10 +120,13 @@ struct AskOfClosure {
 TEST(Refusals, OfAClosureAreThoseOfTheTable) {
   using regulus::Kind;
   const AskOfClosure all[] = {
-      {Kind::kClosureLoad,
-       [](const Question& q) { static_cast<void>(regulus::check_load(q, "")); }},
-      {Kind::kClosureLoadPaving,
-       [](const Question& q) { static_cast<void>(regulus::locate_load(q)); }},
+      {Kind::kClosureCondition2,
+       [](const Question& q) {
+         regulus::BoundOptions options;
+         options.quantity.quantity = "condition";
+         options.quantity.norm = "2";
+         static_cast<void>(regulus::bound(q, options));
+       }},
   };
   for (const AskOfClosure& one : all) {
     const auto why = regulus::refusal(one.kind, regulus::Service::kAnswer);
@@ -147,6 +150,23 @@ TEST(Refusals, OfQuantitiesOfAClosureSayWhy) {
   EXPECT_THAT(why("speed"), HasSubstr("the largest speed of each motor"));
   EXPECT_THAT(why("force"), HasSubstr("the model has no [load.NAME]"));
   EXPECT_EQ(why("determinant"), "no error");
+}
+
+TEST(Refusals, OfALoadOnAClosureSayWhatTheModelLacks) {
+  EXPECT_THAT(message_of([] { static_cast<void>(regulus::check_load(crank(), "")); }),
+              HasSubstr("the model has no [load.NAME]"));
+  const Question loaded = Question::of_text(crank_text() + "[load.L]\nwrench = [1]\n", "crank");
+  EXPECT_THAT(message_of([&] { static_cast<void>(regulus::check_load(loaded, "")); }),
+              HasSubstr("add [actuators] force = [LEAST, LARGEST]"));
+  EXPECT_THAT(message_of([&] { static_cast<void>(regulus::locate_load(loaded)); }),
+              HasSubstr("add [actuators] force = [LEAST, LARGEST]"));
+}
+
+TEST(Refusals, OfPavingsOfALoadOnAClosureHaveNoProof) {
+  regulus::LocateLoadOptions options;
+  options.certificate = "c.cert";
+  EXPECT_THAT(message_of([&] { static_cast<void>(regulus::locate_load(crank(), options)); }),
+              HasSubstr("a paving of a load on a [closure] has no proof"));
 }
 
 TEST(Refusals, OfAClosureNameTheOption) {

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Loads within limits over a branch, against statics by virtual work in closed form.
+#include "codegen/question/closure/branch_load.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "codegen/question/closure/value_certificate.hpp"
+#include "tests/property/closure/checked_closures.hpp"
+#include "tests/property/closure/four_bars.hpp"
+
+namespace regulus {
+namespace {
+
+using test::FourBar;
+
+/// Crank a at θ, rod b at φ to a slider at (x, e): x = a·cos θ + √(b² − (e − a·sin θ)²).
+struct SliderCrank {
+  double a, b, e;
+
+  [[nodiscard]] double rise(double theta) const { return e - a * std::sin(theta); }
+  [[nodiscard]] double phi(double theta) const { return std::asin(rise(theta) / b); }
+  [[nodiscard]] double x(double theta) const {
+    return a * std::cos(theta) + std::sqrt(b * b - rise(theta) * rise(theta));
+  }
+  /// dx/dθ and dφ/dθ.
+  [[nodiscard]] std::pair<double, double> speeds(double theta) const {
+    const double root = std::sqrt(b * b - rise(theta) * rise(theta));
+    return {-a * std::sin(theta) + rise(theta) * a * std::cos(theta) / root,
+            -a * std::cos(theta) / root};
+  }
+  [[nodiscard]] std::string text(double start, double from, double to) const {
+    return fmt::format(
+        "regulus = 1\nname = \"slider\"\n[pose]\ntheta = \"rad\"\n[closure]\nunknowns = {{ x = "
+        "\"m\", phi = \"rad\" }}\nequations = [\"{0:.17g}*cos(theta) + {1:.17g}*cos(phi) - x\", "
+        "\"{0:.17g}*sin(theta) + {1:.17g}*sin(phi) - {2:.17g}\"]\nstart = {{ theta = \"{3:.17g}\", "
+        "x = \"{4:.17g}\", phi = \"{5:.17g}\" }}\n[closure.radius]\nx = \"1e-4\"\nphi = "
+        "\"1e-4\"\n[motion.m]\ntheta = [\"{6:.17g}\", \"{7:.17g}\"]\n",
+        a, b, e, start, x(start), phi(start), from, to);
+  }
+};
+
+/// The ends of the torque over all wrenches of the load, at one angle.
+using Torque = std::function<std::pair<double, double>(double theta)>;
+
+struct LoadCase {
+  std::string text;  ///< without limits
+  double from, to;
+  Torque torque;
+};
+
+/// [load.L] wrench = [[−1, 3], 2]: the first component has a range.
+std::pair<double, double> of_load(double first, double second) {
+  const double middle = first + 2 * second, spread = 2 * std::fabs(first);
+  return {middle - spread, middle + spread};
+}
+
+std::vector<LoadCase> load_cases(unsigned seed, std::size_t wanted) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> angle(-3, 3), reach(0.1, 0.6), length(0.2, 1);
+  std::vector<LoadCase> found;
+  while (found.size() < wanted) {
+    const FourBar bar = test::random_four_bar(random);
+    const double start = angle(random), from = start - reach(random), to = start + reach(random);
+    bool is_regular = true;
+    for (int i = 0; i <= 40; ++i)
+      is_regular = is_regular && bar.is_between_toggles(from + (to - from) * i / 40, 0.08);
+    if (!is_regular) continue;
+    found.push_back({bar.text(start, from, to), from, to, [bar](double theta) {
+                       constexpr double h = 1e-6;
+                       const FourBar::Angles above = bar.at(theta + h), below = bar.at(theta - h);
+                       const auto rate = [](double x) {
+                         return std::remainder(x, 2 * std::numbers::pi) / (2 * h);
+                       };
+                       return of_load(rate(above.phi - below.phi), rate(above.psi - below.psi));
+                     }});
+    const SliderCrank slider{length(random), 1.2 + length(random), length(random) - 0.6};
+    if (slider.a + std::fabs(slider.e) > 0.9 * slider.b) continue;
+    found.push_back({slider.text(start, from, to), from, to, [slider](double theta) {
+                       const auto [x, phi] = slider.speeds(theta);
+                       return of_load(x, phi);
+                     }});
+  }
+  return found;
+}
+
+/// The least and the largest torque of samples.
+struct Extremes {
+  double least = INFINITY, largest = -INFINITY;
+};
+Extremes extremes_of(const LoadCase& c) {
+  Extremes seen;
+  for (int i = 0; i <= 2000; ++i) {
+    const auto [lo, hi] = c.torque(c.from + (c.to - c.from) * i / 2000);
+    seen = {std::fmin(seen.least, lo), std::fmax(seen.largest, hi)};
+  }
+  return seen;
+}
+
+std::string with_limits(const LoadCase& c, double least, double largest) {
+  return c.text + fmt::format(
+                      "[actuators]\nforce = [\"{:.17g}\", \"{:.17g}\"]\n[load.L]\nwrench = "
+                      "[[-1, 3], 2]\n",
+                      least, largest);
+}
+
+struct CheckedLoad {
+  PreparedBranchLoad prepared;
+  BranchLoadResult result;
+  std::string proof;
+};
+
+PreparedBranchLoad prepared_of(const std::string& text) {
+  ModelOptions options;
+  options.motion = "m";
+  return prepare_branch_load(read_request(text, options), 0, "", test::usual_options(), {});
+}
+
+CheckedLoad checked_load(const std::string& text) {
+  CheckedLoad c{prepared_of(text), {}, {}};
+  c.result = check_branch_load(c.prepared, {});
+  const bool is_feasible = c.result.verdict == FeasibilityVerdict::kFeasible;
+  if (!c.result.reason.empty()) return c;
+  const test::TemporaryDirectory directory;
+  const std::string path = (directory.path() / "certificate").string();
+  const ProofStatus status =
+      certify_forces(path, c.prepared.closure, c.prepared.set(),
+                     is_feasible ? c.result.tree : c.result.branch.searched.branch.tree,
+                     is_feasible ? std::vector<Interval>{} : c.result.shortage->place, {});
+  EXPECT_TRUE(status.is_written()) << status.obstacle();
+  std::ostringstream read;
+  read << std::ifstream(path).rdbuf();
+  c.proof = read.str();
+  return c;
+}
+
+verifier::Outcome outcome_of(const std::string& proof, const std::string& model = "") {
+  return test::verified(proof, model).outcome;
+}
+
+std::string with_other(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+/// Its proof is not one for other limits and another load, in the file or in the proof.
+void expect_bound_to_its_data(const CheckedLoad& c, const std::string& text, bool is_feasible) {
+  EXPECT_EQ(outcome_of(c.proof, text), verifier::Outcome::kVerified)
+      << describe(test::verified(c.proof, text)) << c.proof.substr(0, 2000);
+  const std::string force = text.substr(text.find("force = "), 12);
+  for (const std::string& other :
+       {with_other(text, "[-1, 3]", "[-1, 4]"), with_other(text, "3], 2]", "3], 1]"),
+        with_other(text, force, "force = [\"1e3*" + force.substr(10))})
+    EXPECT_EQ(outcome_of(c.proof, other), verifier::Outcome::kRejected) << other;
+  if (!is_feasible) return;
+  // The same tree does not show forces within less.
+  const std::size_t at = c.proof.find("\nlimits ") + 8;
+  const std::string limits = c.proof.substr(at, c.proof.find('\n', at) - at);
+  EXPECT_NE(outcome_of(with_other(c.proof, limits, "0 : 1/1000")), verifier::Outcome::kVerified);
+  EXPECT_NE(outcome_of(with_other(c.proof, "\nlimits " + limits, "")),
+            verifier::Outcome::kVerified);
+}
+
+TEST(LoadsOverABranch, AreHeldWithinWhatVirtualWorkNeeds) {
+  for (const LoadCase& c : load_cases(3, 4)) {
+    SCOPED_TRACE(c.text);
+    const Extremes seen = extremes_of(c);
+    const double room = 0.05 * (seen.largest - seen.least) + 0.01;
+    const std::string text = with_limits(c, seen.least - room, seen.largest + room);
+    const CheckedLoad held = checked_load(text);
+    EXPECT_EQ(held.result.verdict, FeasibilityVerdict::kFeasible) << held.result.reason;
+    expect_bound_to_its_data(held, text, true);
+  }
+}
+
+TEST(LoadsOverABranch, AreNotHeldBeyondALimit) {
+  for (const LoadCase& c : load_cases(4, 4))
+    for (const bool is_above : {true, false}) {
+      SCOPED_TRACE(c.text);
+      const Extremes seen = extremes_of(c);
+      const double room = 0.05 * (seen.largest - seen.least) + 0.01;
+      const double least = is_above ? seen.least - room : seen.least + room,
+                   largest = is_above ? seen.largest - room : seen.largest + room;
+      const std::string text = with_limits(c, least, largest);
+      const CheckedLoad beyond = checked_load(text);
+      ASSERT_EQ(beyond.result.verdict, FeasibilityVerdict::kInfeasible) << beyond.result.reason;
+      const BranchShortage& shortage = *beyond.result.shortage;
+      const double theta = mid(shortage.place[0]);
+      EXPECT_GE(theta, c.from);
+      EXPECT_LE(theta, c.to);
+      const auto [lo, hi] = c.torque(theta);
+      EXPECT_EQ(shortage.beyond.is_above, is_above);
+      EXPECT_NEAR(mid(shortage.beyond.force), is_above ? hi : lo, 1e-6 * (1 + std::fabs(hi - lo)));
+      EXPECT_TRUE(is_above ? hi > largest : lo < least);
+      expect_bound_to_its_data(beyond, text, false);
+    }
+}
+
+/// Forces that are at a limit all the way are within it.
+TEST(LoadsOverABranch, MayBeAtTheLimit) {
+  const FourBar bar{0.2, 0.35355, 0.25, 0.45};
+  const std::string text =
+      bar.text(0, -1, 1) + "[actuators]\nforce = [0, 0]\n[load.L]\nwrench = [0, 0]\n";
+  const CheckedLoad held = checked_load(text);
+  EXPECT_EQ(held.result.verdict, FeasibilityVerdict::kFeasible) << held.result.reason;
+  EXPECT_EQ(outcome_of(held.proof, text), verifier::Outcome::kVerified);
+}
+
+TEST(LoadsOverABranch, ArePossibleWhereTheBranchEnds) {
+  const FourBar bar{0.2, 0.35355, 0.25, 0.45};
+  const CheckedLoad open = checked_load(
+      bar.text(0, -2.4, 2.4) + "[actuators]\nforce = [-1e9, 1e9]\n[load.L]\nwrench = [1, 1]\n");
+  EXPECT_EQ(open.result.verdict, FeasibilityVerdict::kPossibleProblem);
+  EXPECT_NE(open.result.reason.find("the branch ends"), std::string::npos);
+}
+
+/// Every box keeps what it says at its ends and in its middle.
+TEST(LoadsOverABranch, PaveTheirMotion) {
+  for (const LoadCase& c : load_cases(5, 4)) {
+    SCOPED_TRACE(c.text);
+    const Extremes seen = extremes_of(c);
+    const double half = (seen.largest + seen.least) / 2;
+    const double least = seen.least - 1, largest = half + 0.2 * (seen.largest - half);
+    PreparedBranchLoad prepared = prepared_of(with_limits(c, least, largest));
+    double feasible = 0, infeasible = 0, all = 0;
+    const auto listener = [&](std::span<const Interval> box, ForceClaim claim) {
+      const double width = box[0].hi - box[0].lo;
+      all += width;
+      for (const double theta : {box[0].lo, mid(box[0]), box[0].hi}) {
+        const auto [lo, hi] = c.torque(theta);
+        if (claim == ForceClaim::kFeasible) {
+          EXPECT_LE(hi, largest + 1e-6);
+          EXPECT_GE(lo, least - 1e-6);
+        } else if (claim == ForceClaim::kInfeasible) {
+          EXPECT_GE(hi, largest - 1e-6);
+        }
+      }
+      feasible += claim == ForceClaim::kFeasible ? width : 0;
+      infeasible += claim == ForceClaim::kInfeasible ? width : 0;
+    };
+    const BranchLoadResult paved = pave_branch_load(prepared, 0x1p-10, {}, listener, nullptr);
+    EXPECT_EQ(paved.verdict, FeasibilityVerdict::kInfeasible) << paved.reason;
+    EXPECT_NEAR(all, c.to - c.from, 1e-9);
+    EXPECT_GT(feasible + infeasible, 0.97 * all);
+    EXPECT_GT(infeasible, 0);
+  }
+}
+
+}  // namespace
+}  // namespace regulus
