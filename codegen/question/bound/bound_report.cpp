@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -102,6 +103,9 @@ std::string claim_words(const Request& request, const Component& c) {
   if (is_uncertain) words += ", every value of the uncertain quantities";
   if (c.set) words += ", every value of " + c.set->name;
   if (traits_of(c.kind).data == NeededData::kMotorErrors) words += ", every error of the motors";
+  const auto is_zero = [](const GiNaC::ex& e) { return e.is_zero(); };
+  if (c.kind == QuantityKind::kFiniteError && !std::ranges::all_of(request.motion.error, is_zero))
+    words += ", every error within its range";
   return words;
 }
 

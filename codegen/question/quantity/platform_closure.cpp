@@ -103,7 +103,7 @@ class PlatformClosure {
 
   /// Adds a pose parameter that is commanded to be 0.
   ex error_of_leg(std::size_t k) {
-    const std::string name = "error_of_leg_" + std::to_string(k + 1);
+    const std::string name = "leg_" + std::to_string(k + 1);
     const std::vector<ex>& errors = given_.model.actuators.error;
     const PoseParameter error{GiNaC::realsymbol(name), name, given_.model.pose[0].unit};
     request_.model.pose.push_back(error);
