@@ -6,12 +6,12 @@
 
 #include "runtime/verifier/derivative.hpp"
 #include "runtime/verifier/outside.hpp"
-#include "runtime/verifier/quotients.hpp"
 #include "runtime/verifier/rounding.hpp"
 #include "runtime/verifier/slopes.hpp"
 
 namespace regulus::verifier {
 namespace {
+
 constexpr int kMostSteps = 30;
 constexpr double kSmallStep = 0x1p-36;    ///< of Newton's method, in parts of the scale
 constexpr double kSmallRadius = 0x1p-20;  ///< of a small box, in parts of the scale
@@ -264,52 +264,7 @@ bool BranchTest::has_no_solution(const Box& place, const TubeNumbers& tube) {
   return false;
 }
 
-/// From v + M(p − c) = 0, row by row: p_j − c_j = −(v_i + Σ_{k≠j} M_ik(p_k − c_k))/M_ij.
-bool BranchTest::narrow_by_rows(const Values& values, const Values& M,
-                                const std::vector<double>& center, Box& unknowns) const {
-  std::vector<Interval> step;
-  for (std::size_t k = 0; k < n_; ++k) step.push_back(unknowns[k] - point(center[k]));
-  for (std::size_t i = 0; i < n_; ++i)
-    for (std::size_t j = 0; j < n_; ++j) {
-      Interval rest = values[i];
-      for (std::size_t k = 0; k < n_; ++k)
-        if (k != j) rest = rest + M[i * n_ + k] * step[k];
-      if (!is_bounded(rest)) continue;
-      if (!narrow_to_quotients(-rest, M[i * n_ + j], step[j])) return false;
-      const Interval left = step[j] + point(center[j]);
-      unknowns[j] = {std::max(unknowns[j].lo, left.lo), std::min(unknowns[j].hi, left.hi)};
-      if (!(unknowns[j].lo <= unknowns[j].hi)) return false;
-    }
-  return true;
-}
-
-/// The second derivative of equation j by two unknowns.
-Interval BranchTest::second(std::size_t j, std::size_t k, std::size_t l) const {
-  const std::size_t triangle = all_ * (all_ + 1) / 2, row = m_ + std::min(k, l),
-                    column = m_ + std::max(k, l);
-  return second_values_[j * triangle + row * all_ - row * (row + 1) / 2 + column];
-}
-
-/// Encloses the means of Φ_p along the segments from c: those over the box, and those at c and half of
-/// what they change by. Φ_p(c + td) is in Φ_p(c) + t·H·d, with H in the enclosure over the box, and the
-/// mean of t is 1/2.
-BranchTest::Values BranchTest::mean_derivatives(const std::vector<Interval>& step) const {
-  Values M;
-  for (std::size_t j = 0; j < n_; ++j)
-    for (std::size_t l = 0; l < n_; ++l) {
-      Interval over = first_values_[j * all_ + m_ + l];
-      if (!second_values_.empty()) {
-        Interval near = center_[j * all_ + m_ + l], change;
-        for (std::size_t k = 0; k < n_; ++k) change = change + second(j, k, l) * step[k];
-        near = near + 0.5 * change;
-        if (is_bounded(near)) over = {std::max(over.lo, near.lo), std::min(over.hi, near.hi)};
-      }
-      M.push_back(over);
-    }
-  return M;
-}
-
-/// Φ(x, c) + M(p − c) = 0 with M as above, as it is and times K.
+/// Φ(x, c) + M(p − c) = 0 with M = mean_derivatives(), as it is and times K.
 bool BranchTest::narrow_to_solutions(const Box& places, Box& unknowns) {
   shares_.clear();
   std::vector<double> center;
