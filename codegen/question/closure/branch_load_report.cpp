@@ -32,7 +32,7 @@ std::vector<std::string> units_of_load(const PreparedBranchLoad& prepared) {
 /// Returns the wrench of the load, without its balls, for which the force is farthest.
 std::vector<Interval> wrench_of(const PreparedBranchLoad& prepared, const ForceBeyond& beyond) {
   std::vector<Interval> wrench;
-  for (std::size_t i = 0; i < prepared.set().entries.size(); ++i) {
+  for (std::size_t i = 0; i < beyond.along.size(); ++i) {
     const GeometryParameter& entry = prepared.set().entries[i];
     const GiNaC::ex spread = entry.ball < 0 ? entry.tolerance : GiNaC::ex(0);
     const bool adds = (mid(beyond.along[i]) > 0) == beyond.is_above;
@@ -77,6 +77,7 @@ void say_shortage(const PreparedBranchLoad& prepared, const BranchShortage& s, F
   }
   facts.say("", configuration);
   facts.say("", describe_uncertain_values(prepared.closure.preparation, s.place));
+  if (s.beyond.along.empty()) return;
   std::vector<double> wrench;
   for (const Interval& w : wrench_of(prepared, s.beyond)) wrench.push_back(mid(w));
   const Interval limit = prepared.limits[s.beyond.motor];
