@@ -109,7 +109,7 @@ bool is_open_at_toggles(const Told& told) {
 bool is_condition_of_bars(const Told& told) {
   return told.report.at("proved").is_null() || told.report.at("proved") >= 4.397;
 }
-/// The load needs −4.1659 at −0.2 rad, and at least −4.1 from −0.05 rad on.
+/// The load needs −4.1659 at −0.2 rad, and at least −4.1 from −0.01 rad on.
 bool is_open_beyond_the_limit(const Told& told) {
   return claims_none(told, {{"theta", -0.2}}, {"feasible", "outside"});
 }
@@ -172,11 +172,11 @@ std::vector<Kind> kinds() {
        is_condition_of_bars},
       {"check_load_closure",
        {"check", "bars", "all", "--load", "push"},
-       "theta=-0.05:1.5",
+       "theta=-0.01:1.5",
        is_not_feasible},
       {"locate_load_closure",
        {"locate", "bars", "all", "--load", "push", "--resolution", "1/256"},
-       "theta=-0.05:1.5",
+       "theta=-0.01:1.5",
        is_open_beyond_the_limit},
   };
 }
