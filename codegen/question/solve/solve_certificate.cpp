@@ -386,8 +386,9 @@ ProofStatus certify_solutions(const std::string& path, const Request& request,
                       : is_counted ? root_lines(roots_of(solutions))
                                    : "end\n";
   Trial trial = trial_of(head, proof);
-  if (solutions.is_counted && varies && !trial.is_verified) {
-    // Legs that meet in the middle of the tolerances have 16 complex poses there, and others elsewhere.
+  if (is_counted && varies && !trial.is_verified) {
+    // A search proves wider tubes. And legs that meet in the middle of the tolerances have 16 complex poses there, and
+    // others elsewhere.
     proof = "end\n";
     trial = trial_of(head, proof);
   }

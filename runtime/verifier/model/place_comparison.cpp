@@ -146,7 +146,10 @@ class PlaceComparison {
   SectionArm read_arm(const Scope& stated) {
     if (q_.variables.empty()) return section_->arm(comparer_);
     const Scope nominal = q_.actual;
-    for (const auto& [name, node] : stated) q_.actual.insert_or_assign(name, node);
+    const auto poses = section_->pose();
+    for (const auto& [name, node] : stated)
+      if (std::ranges::find(poses, name, &SectionPose::name) == poses.end())
+        q_.actual.insert_or_assign(name, node);
     SectionArm arm = section_->arm(comparer_);
     q_.actual = nominal;
     return arm;

@@ -35,13 +35,13 @@ struct Certified {
 };
 
 inline Certified certified(const std::string& model, const std::vector<std::string>& at = {},
-                           const std::string& motion = "") {
+                           const std::string& motion = "", double seconds = 10) {
   const TemporaryDirectory directory;
   const std::string path = (directory.path() / "certificate").string();
   SearchOptions search;
   search.engine = Engine::kInterpreted;
   search.threads = 1;
-  search.time_limit = 10;
+  search.time_limit = seconds;
   ModelOptions options;
   options.text = model;
   options.at = at;
