@@ -1,5 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 From Regulus Require Import Search Singularity Threshold Forces Geometry Matrices Legs.
+From Regulus Require Import Existence Branches.
 Definition theorems := (check_correct, check_tree_correct, check_pieces_correct,
   check_piece_trees_correct, check_singularity_correct, check_determinant_correct,
   check_determinant_tree_correct,
@@ -9,5 +10,5 @@ Definition theorems := (check_correct, check_tree_correct, check_pieces_correct,
   full_rank_of_claim, cube_of_ball, degrees_of_degrees, inverse_of_root,
   full_rank_of_names, above_of_names, singular_of_names, small_of_names, angle_45, angle_to_180,
   root_of_multiple, inverse_of_multiple, crank_fits, carriage_fits, named_point,
-  linear_roll_pitch_yaw, linear_euler_zxz, linear_quaternion, linear_about_z).
+  exactly_one, check_closure_correct, linear_roll_pitch_yaw, linear_euler_zxz, linear_quaternion, linear_about_z).
 Print Assumptions theorems.

@@ -1,0 +1,87 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
+(** What a certificate claims of a mechanism that is closed by equations. These are the definitions to
+    read, with those of Questions.v and Expressions.v. *)
+From Coq Require Import Reals QArith List.
+From Regulus Require Import Expressions LinearAlgebra Questions.
+Import ListNotations.
+Open Scope R_scope.
+
+Record closure := Closure {
+  (** The variables x, the definitions that use no unknowns, and the set. There is no matrix. *)
+  places : question;
+  (** The number of unknowns: the next names after those of [places]. *)
+  unknowns : nat;
+  (** Definitions that use unknowns. *)
+  further : list expression;
+  (** As many as unknowns. Each is 0 in a configuration. *)
+  equations : list expression;
+  (** More expressions that must have a value. *)
+  also : list expression;
+  (** Where the mechanism starts: a value for each variable. *)
+  start : list expression;
+  (** For each unknown its value at the start, roughly, and a radius about it. *)
+  near : list (expression * expression) }.
+
+(** The values of all names where the variables are x and the unknowns p. *)
+Definition names_at (c : closure) (x p : list R) : list R :=
+  extend (extend x (definitions (places c)) ++ p) (further c).
+
+Definition equation_at (c : closure) (x p : list R) (i : nat) : R :=
+  value (names_at c x p) (nth i (equations c) no_entry).
+
+(** p is a configuration of the mechanism at x. *)
+Definition solves (c : closure) (x p : list R) : Prop :=
+  length p = unknowns c /\ forall i, (i < unknowns c)%nat -> equation_at c x p i = 0.
+
+(** Every expression of the model has a value. *)
+Definition has_values (c : closure) (x p : list R) : Prop :=
+  let names := extend x (definitions (places c)) in
+  all_defined x (definitions (places c)) /\
+  Forall (defined names) (also_defined (places c)) /\
+  all_defined (names ++ p) (further c) /\
+  Forall (defined (names_at c x p)) (equations c) /\
+  Forall (defined (names_at c x p)) (also c).
+
+(** The list with s in place j. *)
+Fixpoint put (j : nat) (s : R) (l : list R) : list R :=
+  match l, j with
+  | [], _ => []
+  | _ :: l', O => s :: l'
+  | x :: l', S j' => x :: put j' s l'
+  end.
+
+(** The derivatives of the equations by the unknowns exist, and their matrix is regular. *)
+Definition regular_at (c : closure) (x p : list R) : Prop :=
+  exists a : nat -> nat -> R,
+    (forall i j, (i < unknowns c)%nat -> (j < unknowns c)%nat ->
+       derivable_pt_lim (fun s => equation_at c x (put j s p) i) (nth j p 0) (a i j)) /\
+    full_column_rank (unknowns c) (unknowns c) a.
+
+(** Each number moves continuously. *)
+Definition continuous_motion (m : R -> list R) : Prop :=
+  forall k t, continuity_pt (fun t => nth k (m t) 0) t.
+
+Definition the_start (c : closure) : list R := map (value []) (start c).
+
+(** p is within the radii of the values at the start. *)
+Definition is_near (c : closure) (p : list R) : Prop :=
+  Forall2 (fun s u => Rabs (s - value [] (fst u)) <= value [] (snd u)) p (near c).
+
+Definition start_defined (c : closure) : Prop :=
+  Forall (defined []) (start c) /\
+  Forall (fun u => defined [] (fst u) /\ defined [] (snd u)) (near c).
+
+(** NO SINGULARITY of a closure: there is a configuration p x for each place x of the set. Everything
+    has a value there, and the equations are regular. At the start it is the only configuration near
+    the values that the model gives. However the mechanism moves in the set, p moves continuously,
+    and a configuration that moves continuously is p all the time if it is p once. *)
+Definition one_branch (c : closure) : Prop :=
+  ends_defined (places c) /\ length (equations c) = unknowns c /\ start_defined c /\
+  exists p : list R -> list R,
+    (forall x, in_set (places c) x ->
+       solves c x (p x) /\ has_values c x (p x) /\ regular_at c x (p x)) /\
+    (forall q, solves c (the_start c) q /\ is_near c q <-> q = p (the_start c)) /\
+    (forall m, continuous_motion m -> (forall t, in_set (places c) (m t)) ->
+       continuous_motion (fun t => p (m t)) /\
+       forall q, continuous_motion q -> (forall t, solves c (m t) (q t)) ->
+         forall t0, q t0 = p (m t0) -> forall t, q t = p (m t)).
