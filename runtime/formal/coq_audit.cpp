@@ -19,6 +19,9 @@ constexpr auto kImports = std::to_array<std::string_view>(
     {"From Coq Require Import List", "From Coq Require Import PrimFloat",
      "From Regulus Require Import Expressions Questions Search Singularity Threshold Forces",
      "From Regulus Require Import Notations", "Import ListNotations"});
+/// In place of the third one, of a closure.
+constexpr std::string_view kClosureImport =
+    "From Regulus Require Import Expressions Questions Search Closures Tubes Branches";
 
 /// The definitions of a file, but for those of its names.
 constexpr auto kDefinitions = std::to_array<std::string_view>(
@@ -26,13 +29,15 @@ constexpr auto kDefinitions = std::to_array<std::string_view>(
      "the_method : method", "pieces : list ( list expression )", "the_tree : tree",
      "the_trees : list tree", "negative : coordinates", "positive : coordinates",
      "the_point : coordinates", "the_scales : list expression", "the_threshold : expression",
-     "the_row : nat", "the_load : list expression", "the_limit : expression"});
+     "the_closure : closure", "the_tubes : tubes", "the_row : nat", "the_load : list expression",
+     "the_limit : expression"});
 
 /// The words of their bodies. Each has one meaning, that of the imports: no definition has its name.
 constexpr auto kWords = std::to_array<std::string_view>(
-    {"Question", "Method", "Name", "Leaf", "Split", "within", "nth",      "piece",
-     "no_entry", "pi",     "sqrt", "sin",  "cos",   "tan",    "asin",     "acos",
-     "atan",     "atan2",  "exp",  "log",  "abs",   "float",  "infinity", "neg_infinity"});
+    {"Closure", "Tube",  "Excluded", "Held",     "Cut",         "Question", "Method", "Name",
+     "Leaf",    "Split", "within",   "nth",      "piece",       "no_entry", "pi",     "sqrt",
+     "sin",     "cos",   "tan",      "asin",     "acos",        "atan",     "atan2",  "exp",
+     "log",     "abs",   "float",    "infinity", "neg_infinity"});
 
 constexpr std::string_view kSymbols = "()[];,+-*/^%";
 
@@ -64,7 +69,10 @@ class PlainReader {
   explicit PlainReader(std::string_view text) : sentences_(text) {}
 
   PlainTheorem read() {
-    for (const std::string_view import : kImports) sentences_.expect(import);
+    for (const std::string_view import : kImports) {
+      is_closure_ |= import == kImports[2] && sentences_.current() == kClosureImport;
+      sentences_.expect(is_closure_ && import == kImports[2] ? kClosureImport : import);
+    }
     while (!sentences_.at_end() && sentences_.words().front().text == "Definition") definition();
     PlainTheorem theorem = statement();
     proof();
@@ -112,6 +120,10 @@ class PlainReader {
     const std::string sentence = sentences_.current();
     if (!sentence.starts_with(kBegin)) fail("expected a definition, or the theorem the_claim");
     const std::string stated = sentence.substr(kBegin.size());
+    if (is_closure_) {
+      if (stated != "one_branch the_closure") fail("the statement is not that of a closure");
+      return {stated, "Regulus.Closures.one_branch" + with_paths("the_closure")};
+    }
     for (const Claim& claim : kClaims) {
       const std::string name(claim.name), arguments(claim.arguments);
       const std::string path = "Regulus.Questions." + name, own = with_paths(arguments);
@@ -144,6 +156,7 @@ class PlainReader {
   }
 
   PlainSentences sentences_;
+  bool is_closure_ = false;  ///< the imports are those of a closure
   std::set<std::string, std::less<>> defined_;
 };
 

@@ -9,6 +9,7 @@
 #include "runtime/formal/coq_expression.hpp"
 #include "runtime/formal/coq_force.hpp"
 #include "runtime/formal/coq_question.hpp"
+#include "runtime/formal/coq_tubes.hpp"
 #include "runtime/verifier/pieces.hpp"
 #include "runtime/verifier/proof.hpp"
 #include "runtime/verifier/question.hpp"
@@ -19,6 +20,12 @@ namespace {
 /// The most splits one after the other that Coq makes.
 constexpr int kDeepest = 60;
 
+/// The files of the library that a theorem needs.
+std::string imports(const Question& q) {
+  return q.closure ? "Expressions Questions Search Closures Tubes Branches"
+                   : "Expressions Questions Search Singularity Threshold Forces";
+}
+
 std::string heading(const Question& q, const std::string& claim) {
   return "(* A theorem for the verdict of a certificate.\n\n   model   " + coq_comment(q.model) +
          "\n   sha256  " + coq_comment(q.sha256) + "\n   motion  " + coq_comment(q.motion) +
@@ -26,7 +33,9 @@ std::string heading(const Question& q, const std::string& claim) {
          "\n\n   Check it with: coqc -Q FOLDER Regulus FILE. FOLDER has the compiled library. *)\n"
          "From Coq Require Import List.\n"
          "From Coq Require Import PrimFloat.\n"
-         "From Regulus Require Import Expressions Questions Search Singularity Threshold Forces.\n"
+         "From Regulus Require Import " +
+         imports(q) +
+         ".\n"
          "From Regulus Require Import Notations.\n"
          "Import ListNotations.\n\n";
 }
@@ -121,7 +130,6 @@ std::string regular_theorem(const Question& question, bool has_pieces) {
 void refuse_other_claims(const Question& question) {
   if (question.load)
     throw Unfinished("a claim about forces within limits cannot be written as a theorem");
-  if (question.closure) throw Unfinished("a claim about a closure cannot be written as a theorem");
   if (question.solutions)
     throw Unfinished("a claim about all solutions cannot be written as a theorem");
 }
@@ -133,6 +141,23 @@ void refuse_quantity(const Question& question) {
         "theorem about a force");
 }
 
+/// The theorem about one branch of a closure. Coq has the tubes of the certificate as hints.
+std::string closure_theorem(Lines& lines, const Question& question,
+                            const std::vector<std::string>& kept) {
+  if (question.singular)
+    throw Unfinished("there is no theorem about a singular configuration of a closure yet");
+  if (question.is_index) throw Unfinished("there is no theorem about a closure in shards");
+  if (question.quantity)
+    throw Unfinished("there is no theorem about the bound of a quantity over a branch yet");
+  const CoqQuestion coq = coq_question(kept, question);
+  return heading(question) + coq.text + coq_tubes(lines, question) +
+         "\n(** The variables of second order, and how often a box is halved whose tube is too "
+         "narrow. *)\nDefinition the_method : method := Method " +
+         std::to_string(coq.second_order) + " 6.\n" +
+         theorem("one_branch the_closure",
+                 "check_closure_correct the_closure the_method the_tubes");
+}
+
 /// The question has the constants of a piece as an argument; the theorem is about all pieces.
 std::string trajectory(Lines& lines) {
   const Pieces pieces = read_pieces(lines);
@@ -142,6 +167,7 @@ std::string trajectory(Lines& lines) {
   read_question(first, question);
   if (question.singular) throw Rejection("a singular pose lies on one piece: there are several");
   refuse_other_claims(question);
+  if (question.closure) throw Unfinished("there is no theorem about a closure along pieces");
   refuse_quantity(question);
   const CoqQuestion coq = coq_question(lines_of(pieces.question_of(0)), question, pieces.names);
   std::vector<CoqItem> values;
@@ -184,8 +210,11 @@ std::string read_and_write(Lines& lines, CoqStatement statement, Question& quest
   lines.keep();
   read_question(lines, question);
   refuse_other_claims(question);
+  if (statement == CoqStatement::kForce && question.closure)
+    throw Unfinished("there is no theorem about a force of a closure yet");
   if (statement == CoqStatement::kForce) return force(question, lines.take_kept());
   if (question.is_piecewise) return trajectory(lines);
+  if (question.closure) return closure_theorem(lines, question, kept = lines.take_kept());
   refuse_quantity(question);
   kept = lines.take_kept();
   const CoqQuestion coq = coq_question(kept, question);
@@ -217,6 +246,7 @@ std::string coq_proof(std::istream& certificate, CoqStatement statement, const C
   Question question;
   std::vector<std::string> lines;
   std::string text = proof_of(certificate, statement, question, lines);
+  if (question.closure) return text;
   try {
     robot.text = coq_geometry(question, lines, model);
   } catch (const std::runtime_error& why) {

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "runtime/formal/coq_expression.hpp"
+#include "runtime/verifier/proof.hpp"
 
 namespace regulus::verifier {
 
@@ -66,10 +67,12 @@ class QuestionWriter {
                  const std::vector<std::string>& piece_names)
       : lines_(std::move(lines)), q_(question), piece_names_(piece_names) {
     declare_variables();
+    if (q_.closure) sort_closure_lines();
     for (const std::string& line : lines_) read(line);
   }
 
   [[nodiscard]] std::string text() const {
+    if (q_.closure) return closure_text();
     std::string text =
         "(** The names: the variables, then the definitions of the question. *)\n" + names_text_ +
         "\n(** The question, in the order of its certificate: the ranges of the "
@@ -130,7 +133,74 @@ class QuestionWriter {
 
   void define(const std::string& identifier, const std::string& expression) {
     declare(identifier);
-    definitions_.push_back({identifier, expression});
+    (has_unknowns_ ? further_ : definitions_).push_back({identifier, expression});
+  }
+
+  /// The unknowns are names after the shared expressions that do not use them.
+  void sort_closure_lines() {
+    std::set<std::string, std::less<>> moving(q_.closure->names.begin(), q_.closure->names.end());
+    std::set<std::string, std::less<>> others;
+    for (const auto& [name, value] : q_.commanded) others.insert(name);
+    for (const auto& [name, text] : q_.closure->lets) {
+      if (!others.insert(name).second)
+        throw Unfinished("there is no theorem about a closure with two quantities of the name '" +
+                         name + "' yet");
+      if (uses_one_of(text, moving)) moving.insert(name);
+    }
+    const auto rank = [&moving](std::string_view line) {
+      const std::string_view key = take_until(line, " ");
+      if (key == "unknown" || key == "start") return 1;
+      if (key == "equation" || key == "defined") return 3;
+      return key == "let" && moving.contains(take_until(line, " = ")) ? 2 : 0;
+    };
+    std::ranges::stable_sort(lines_, std::ranges::less(), rank);
+  }
+
+  static bool uses_one_of(const std::string& text,
+                          const std::set<std::string, std::less<>>& names) {
+    const auto used = names_used({"entry " + text}, false);
+    return std::ranges::any_of(used, [&](const std::string& name) { return names.contains(name); });
+  }
+
+  void read_unknown(std::string_view rest) {
+    const std::string name(take_until(rest, " = "));
+    const std::string value = coq_expression(take_until(rest, " +- "), {});
+    has_unknowns_ = true;
+    actual_[name] = fresh(coq_identifier(name));
+    declare(actual_[name]);
+    near_.push_back({actual_[name], "(" + value + ", " + coq_expression(rest, {}) + ")"});
+  }
+
+  /// Uncertain quantities and errors start at their middles.
+  [[nodiscard]] std::vector<CoqItem> starts() const {
+    std::vector<CoqItem> items;
+    auto next = starts_.begin();
+    for (const Variable& v : q_.variables) {
+      const bool is_uncertain = v.kind == VariableKind::kUncertain;
+      items.push_back({"", v.kind == VariableKind::kParameter ? *next++
+                           : is_uncertain                     ? middles_.find(v.name)->second
+                                                              : "0"});
+    }
+    return items;
+  }
+
+  [[nodiscard]] std::string closure_text() const {
+    std::string text =
+        "(** The names: the variables, the definitions that use no unknowns, the unknowns, and the "
+        "other\n    definitions. *)\n" +
+        names_text_ +
+        "\n(** The mechanism. First the set: the ranges of the variables, the definitions, the "
+        "constraints, and more\n    expressions that must have a value. Then the number of "
+        "unknowns, the definitions that use them, the\n    equations, more expressions that must "
+        "have a value, the place of the start, and the values of the\n    unknowns there with "
+        "their radii. *)\nDefinition the_closure : closure := Closure\n  (Question\n";
+    for (const auto* list : {&ranges_, &definitions_, &constraints_, &defined_})
+      text += "  " + coq_list(*list, "   ") + "\n";
+    text += "  [] 0)\n  " + std::to_string(q_.closure->names.size()) + "\n";
+    const auto start = starts();
+    for (const auto* list : {&further_, &equations_, &also_, &start, &near_})
+      text += "  " + coq_list(*list, "   ") + (list == &near_ ? ".\n" : "\n");
+    return text;
   }
 
   void read(const std::string& line) {
@@ -148,6 +218,8 @@ class QuestionWriter {
       read_ball(rest);
     } else if (key == "pose") {
       read_pose(rest);
+    } else if (key == "unknown") {
+      read_unknown(rest);
     } else if (key == "alpha") {
       threshold_ = coq_expression(rest, {});
     } else if (key == "let") {
@@ -167,14 +239,18 @@ class QuestionWriter {
   }
 
   void read_list(std::string_view key, std::string_view rest) {
-    if (key == "entry")
+    if (key == "start")
+      starts_.push_back(coq_expression(rest, {}));
+    else if (key == "equation")
+      equations_.push_back({"", coq_expression(rest, actual_)});
+    else if (key == "entry")
       entries_.push_back({"", coq_expression(rest, actual_)});
     else if (key == "scale")
       scales_.push_back({"", coq_expression(rest, actual_)});
     else if (key == "load")
       loads_.push_back({"", coq_expression(rest, actual_)});
     else if (key == "defined")
-      defined_.push_back({"", coq_expression(rest, actual_)});
+      (q_.closure ? also_ : defined_).push_back({"", coq_expression(rest, actual_)});
     else if (key == "motion-defined")
       defined_.push_back({"", coq_expression(rest, commanded_)});
     else if (key == "reach")
@@ -254,7 +330,7 @@ class QuestionWriter {
     return coq_list(rows, "   ");
   }
 
-  const std::vector<std::string> lines_;
+  std::vector<std::string> lines_;
   const Question& q_;
   const std::vector<std::string> piece_names_;
   std::size_t next_name_ = 0, parameters_ = 0;
@@ -263,6 +339,9 @@ class QuestionWriter {
   std::set<std::string> declared_;
   CoqNames commanded_, actual_, pose_scope_, middles_, spreads_;
   std::string names_text_, threshold_;
+  bool has_unknowns_ = false;  ///< what is defined from now on may use them
+  std::vector<CoqItem> further_, equations_, also_, near_;  ///< of a closure
+  std::vector<std::string> starts_;
   std::vector<CoqItem> ranges_, definitions_, constraints_, defined_, entries_, scales_, loads_;
 };
 

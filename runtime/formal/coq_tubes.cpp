@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/formal/coq_tubes.hpp"
+
+#include <cstdio>
+#include <span>
+#include <vector>
+
+#include "runtime/proof/format.hpp"
+#include "runtime/verifier/proof.hpp"
+
+namespace regulus::verifier {
+namespace {
+
+std::string coq_double(std::string_view word) {
+  const double x = read_double(word);
+  char text[40];
+  std::snprintf(text, sizeof text, x < 0 ? "(%a)" : "%a", x);
+  return text;
+}
+
+using Words = std::span<const std::string_view>;
+
+std::string doubles(Words words) {
+  std::string text = "[";
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : "; ") + coq_double(words[i]);
+  return text + "]";
+}
+
+/// `numbers`: x0, c, S row by row, r.
+std::string tube(Words numbers, std::size_t m, std::size_t n) {
+  if (numbers.size() != m + 2 * n + n * m) throw Rejection("a tube has another number of numbers");
+  std::string rows;
+  for (std::size_t i = 0; i < n; ++i)
+    rows += (i == 0 ? "" : "; ") + doubles(numbers.subspan(m + n + i * m, m));
+  return "Held (Tube " + doubles(numbers.first(m)) + " " + doubles(numbers.subspan(m, n)) + " [" +
+         rows + "] " + doubles(numbers.last(n)) + ")";
+}
+
+/// A box: open, cut in two, or a leaf.
+struct Node {
+  std::string text;       ///< empty: the box is open
+  std::size_t lower = 0;  ///< the upper part is the next box; 0: a leaf
+  std::size_t depth = 0;
+};
+
+class TreeOfTubes {
+ public:
+  TreeOfTubes(Lines& lines, const Question& question)
+      : lines_(lines), m_(question.variables.size()), n_(question.closure->names.size()) {}
+
+  std::string text() {
+    while (lines_.next()) {
+      const auto words = words_of(lines_.text());
+      if (words.size() == 4 && words[0] == "s")
+        cut(words);
+      else if (words.size() >= 3 && words[0] == "l")
+        leaf(words);
+      else
+        break;
+    }
+    if (words_of(lines_.text()).empty() || words_of(lines_.text())[0] != "end")
+      throw Rejection("expected 's BOX VARIABLE AT', 'l BOX RULE' or 'end LEAVES'");
+    std::string text;
+    print(0, text);
+    return "\n(** Where the set is cut, and the tubes over its parts. They are hints: Coq checks "
+           "them. *)\nDefinition the_tubes : tubes := (\n  " +
+           text + ")%float.\n";
+  }
+
+ private:
+  static constexpr std::size_t kDeepest = 1000;  ///< as the verifier allows
+
+  Node& open_box(std::string_view word) {
+    const std::size_t number = read_count(word, std::size_t(-1));
+    if (number >= nodes_.size() || !nodes_[number].text.empty())
+      throw Rejection("box " + std::string(word) + " is not open");
+    return nodes_[number];
+  }
+
+  void cut(const std::vector<std::string_view>& words) {
+    Node& node = open_box(words[1]);
+    if (node.depth == kDeepest) throw Unfinished("too many splits are above a tube");
+    if (read_count(words[2], format::kMostVariables) >= m_)
+      throw Rejection("there is no variable " + std::string(words[2]));
+    node.text = "Cut " + std::string(words[2]) + " " + coq_double(words[3]);
+    node.lower = nodes_.size();
+    const Node part{"", 0, node.depth + 1};
+    nodes_.push_back(part), nodes_.push_back(part);
+  }
+
+  void leaf(const std::vector<std::string_view>& words) {
+    Node& node = open_box(words[1]);
+    if (words[2] == format::kOutsideLeaf && words.size() == 3)
+      node.text = "Excluded";
+    else if (words[2] == format::kTubeLeaf)
+      node.text = tube(Words(words).subspan(3), m_, n_);
+    else
+      throw Rejection("there is no rule '" + std::string(words[2]) + "'");
+  }
+
+  void print(std::size_t number, std::string& text) const {
+    const Node& node = nodes_[number];
+    if (node.text.empty()) throw Rejection("box " + std::to_string(number) + " has no leaf");
+    text += node.text;
+    if (node.lower == 0) return;
+    for (const std::size_t part : {node.lower, node.lower + 1}) {
+      text += "\n  (";
+      print(part, text);
+      text += ")";
+    }
+  }
+
+  Lines& lines_;
+  const std::size_t m_, n_;
+  std::vector<Node> nodes_{1};
+};
+
+}  // namespace
+
+std::string coq_tubes(Lines& lines, const Question& question) {
+  return TreeOfTubes(lines, question).text();
+}
+
+}  // namespace regulus::verifier
