@@ -36,7 +36,8 @@ constexpr std::string_view kNoCondition2OfClosures =
 constexpr std::string_view kNoWayOfClosures =
     "a model with [closure] has no motions along way-points; give the motion by ranges";
 constexpr std::string_view kNoTheoremOfClosures =
-    "Coq has no theorem about a [closure]; regulus-verify proves it";
+    "Coq has theorems about the branch of a [closure], and none about this; regulus-verify proves "
+    "it";
 constexpr std::string_view kNoShardsOfClosures =
     "the boxes of a branch are linked, so its proof is one file; leave the shards out";
 constexpr std::string_view kNoProofOfPavings =
@@ -79,7 +80,6 @@ constexpr Refusal kRefusals[] = {
     {kWayLoadPaving, kTheorem, kNoTheorem},
     {kWayDatasheet, kTheorem, kNoWayTheorem},
     {kClosureCheck, kShards, kNoShardsOfClosures},
-    {kClosureCheck, kTheorem, kNoTheoremOfClosures},
     {kClosurePaving, kProof, kNoProofOfPavings},
     {kClosurePaving, kShards, kNoProofOfPavings, false},
     {kClosurePaving, kTheorem, kNoProofOfPavings, false},

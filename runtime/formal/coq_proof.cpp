@@ -246,7 +246,12 @@ std::string coq_proof(std::istream& certificate, CoqStatement statement, const C
   Question question;
   std::vector<std::string> lines;
   std::string text = proof_of(certificate, statement, question, lines);
-  if (question.closure) return text;
+  if (question.closure) {
+    robot.reason =
+        "there is no theorem about a model file with [closure] yet: the_claim states the equations "
+        "of the certificate";
+    return text;
+  }
   try {
     robot.text = coq_geometry(question, lines, model);
   } catch (const std::runtime_error& why) {

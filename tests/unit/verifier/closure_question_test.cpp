@@ -65,11 +65,27 @@ TEST(AForgedClosure, InPiecesIsRefused) {
   EXPECT_TRUE(is(Outcome::kUnfinished, verify_text(pieces), "closure has no pieces"));
 }
 
-TEST(AForgedClosure, IsNoTheoremOfCoq) {
-  for (const auto statement : {verifier::CoqStatement::kClaim, verifier::CoqStatement::kForce}) {
-    std::istringstream stream(bar().text);
-    EXPECT_THROW(static_cast<void>(verifier::coq_proof(stream, statement)), verifier::Unfinished);
-  }
+TEST(AForgedClosure, IsATheoremAboutItsBranchAlone) {
+  std::istringstream branch(bar().text), force(bar().text);
+  const std::string text = verifier::coq_proof(branch, verifier::CoqStatement::kClaim);
+  EXPECT_NE(text.find("Theorem the_claim : one_branch the_closure."), std::string::npos) << text;
+  EXPECT_THROW(static_cast<void>(verifier::coq_proof(force, verifier::CoqStatement::kForce)),
+               verifier::Unfinished);
+}
+
+TEST(AForgedClosure, IsNoTheoremIfItsBoxesAreNoTree) {
+  const auto rejects = [](const std::string& tree) {
+    std::istringstream stream(scalar_question("x") + "proof\n" + tree);
+    EXPECT_THROW(static_cast<void>(verifier::coq_proof(stream, verifier::CoqStatement::kClaim)),
+                 verifier::Rejection)
+        << tree;
+  };
+  rejects("s 0 0 0\nl 1 tube 0 1 0 1\nend 1\n");
+  rejects("l 0 tube 0 1 0\nend 1\n");
+  rejects("l 0 tube 0 1 0 1\nl 0 tube 0 1 0 1\nend 1\n");
+  rejects("l 0 h-matrix\nend 1\n");
+  rejects("s 0 1 0\nend 1\n");
+  rejects("l 0 tube 0 1 0 1\n");
 }
 
 Verification compared(const std::string& certificate, const std::string& model, bool all = false) {
