@@ -1,13 +1,14 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(** Tubes over the parts of a set, and whether they hold one continuous configuration. Boxes that touch
-    must have the same configuration where they do. The theorem [check_branch_correct] at the end
-    says that the mechanism has one branch if the check answers true. *)
+(** Tubes over the parts of a set, and whether they hold one continuous configuration. Boxes that
+    touch must have the same configuration where they do. The theorem [check_closure_correct] at the
+    end says that the mechanism has one branch if the check answers true. *)
 From Coquelicot Require Import Coquelicot.
 From Coq Require Import Reals QArith Qreals Lra Lia List PArith Bool Classical.
 From Coq Require PrimFloat.
 From Interval Require Import Real.Xreal Interval.Interval.
 From Regulus Require Import Expressions Intervals Forms Evaluation Boxes Hints Regularity.
-From Regulus Require Import Continuity Existence Derivatives LinearAlgebra Questions Search Closures Tubes.
+From Regulus Require Import Continuity Existence Derivatives LinearAlgebra Questions Search
+  Closures Tubes.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -124,12 +125,14 @@ Section Check.
     assert (K : known (coordinate b x) (variables full b) x) by apply variables_known, B.
     pose proof (coordinate_in_unit_box b x B) as U.
     assert (G : encloses (form_range (subtract_forms
-        (axis_form s (variables full b) (length b) i) (axis_form t (variables full b) (length b) i)))
+        (axis_form s (variables full b) (length b) i) (axis_form t (variables full b) (length b)
+          i)))
         (axis s x i - axis t x i)).
     { apply (form_range_encloses (coordinate b x)); [exact U|].
       rewrite (proj1 B). apply subtract_forms_enclose; apply axis_form_encloses, K. }
     pose proof (is_not_positive_correct _ _ H (subtract_encloses _ _ _ _
-      (add_encloses _ _ _ _ (absolute_encloses _ _ G) D) (point_encloses (number (reach t) i)))) as Z.
+      (add_encloses _ _ _ _ (absolute_encloses _ _ G) D) (point_encloses (number (reach t) i)))) as
+        Z.
     replace (nth i p 0 - axis t x i) with ((nth i p 0 - axis s x i) + (axis s x i - axis t x i))
       by ring.
     eapply Rle_trans; [apply Rabs_triang|]. lra.
@@ -218,7 +221,8 @@ Section Check.
   Proof.
     induction g as [|t|k m l IHl u IHu]; intros b x H B N.
     - elim (N b); [left; reflexivity|exact B].
-    - simpl in *. unfold is_tested in H. destruct (test_tube c full t b) as [v|] eqn:T; [|discriminate].
+    - simpl in *. unfold is_tested in H. destruct (test_tube c full t b) as [v|] eqn:T;
+      [|discriminate].
       exists t, b, v. split; [left; reflexivity|]. split; [exact B|]. split; [exact T|reflexivity].
     - simpl in H. apply andb_prop in H as [H H3]. apply andb_prop in H as [H1 H2]. simpl.
       destruct (Rle_dec (nth k x 0) (real_of m)) as [L|L].
@@ -310,7 +314,8 @@ Proof.
   apply (continuity_pt_ext (fun r => real_of (number (axis_at t) i) + sum a (fun j =>
     real_of (get (tilt t) i j) * (nth j (m r) 0 - real_of (number (foot t) j))))).
   { intros r. unfold axis. rewrite L. reflexivity. }
-  apply (continuity_pt_plus (fun _ => real_of (number (axis_at t) i))); [apply continuous_constant|].
+  apply (continuity_pt_plus (fun _ => real_of (number (axis_at t) i))); [apply
+    continuous_constant|].
   apply (sum_continuous a (fun j r => real_of (get (tilt t) i j)
                                       * (nth j (m r) 0 - real_of (number (foot t) j)))).
   intros j _. apply (continuity_pt_mult (fun _ => real_of (get (tilt t) i j)));
@@ -338,7 +343,8 @@ Proof.
   - intros i I. destruct (Nat.eq_dec i n) as [->|D].
     + apply Rle_trans with (eps / f n * f n); [|right; field; lra].
       apply Rmult_le_compat_r; [left; apply H; lia|apply Rmin_r].
-    + eapply Rle_trans; [|apply (B i); lia]. apply Rmult_le_compat_r; [left; apply H; lia|apply Rmin_l].
+    + eapply Rle_trans; [|apply (B i); lia]. apply Rmult_le_compat_r; [left; apply H; lia|apply
+      Rmin_l].
 Qed.
 
 Section Leaf.
@@ -487,7 +493,8 @@ Section Branch.
     apply continuity_pt_locally. intros eps.
     assert (H : locally s (fun r => forall a, In a ls -> forall t v, fst a = Some t ->
       test_tube c full t (snd a) = Some v -> in_box (snd a) (m r) ->
-      forall i, (i < n)%nat -> Rabs (nth i (tube_solution c t v (m r)) 0 - nth i (p (m s)) 0) < eps)).
+      forall i, (i < n)%nat -> Rabs (nth i (tube_solution c t v (m r)) 0 - nth i (p (m s)) 0) <
+        eps)).
     { apply locally_in. intros [[t|] b] I; [|apply filter_forall; discriminate].
       destruct (test_tube c full t b) as [v|] eqn:T.
       - pose proof (leaf_continuous c full t b v T m s (fun k => C k s) (length_in_leaf _ _ I)
@@ -532,7 +539,8 @@ Section Branch.
       rewrite configuration_length. apply Sq. }
     destruct E as [i E].
     assert (K : continuity_pt (fun r => nth i (q r) 0 - nth i (p (m r)) 0) s).
-    { apply (continuity_pt_minus (fun r => nth i (q r) 0)); [apply Cq|apply configuration_continuous]. }
+    { apply (continuity_pt_minus (fun r => nth i (q r) 0)); [apply Cq|apply
+      configuration_continuous]. }
     rewrite continuity_pt_locally in K.
     assert (G : 0 < Rabs (nth i (q s) 0 - nth i (p (m s)) 0)) by (apply Rabs_pos_lt; lra).
     generalize (K (mkposreal _ G)). apply filter_imp. simpl. intros r X Y. rewrite Y in X.
@@ -670,7 +678,8 @@ Definition check_branch (c : closure) (full : nat) (around tight : tube) (g : tu
 Theorem check_branch_correct c full around tight g :
   check_branch c full around tight g = true -> one_branch c.
 Proof.
-  unfold check_branch. destruct (enclose_ranges (ranges (places c))) as [root|] eqn:R; [|discriminate].
+  unfold check_branch. destruct (enclose_ranges (ranges (places c))) as [root|] eqn:R;
+    [|discriminate].
   destruct (enclose_values (start c)) as [b|] eqn:S; [|discriminate].
   destruct (enclose_values (map fst (near c))) as [middles|] eqn:M; [|discriminate].
   destruct (enclose_values (map snd (near c))) as [radii|] eqn:D; [|discriminate].
@@ -741,7 +750,8 @@ Proof.
         (add_encloses _ _ _ _ (absolute_encloses _ _ (subtract_encloses _ _ _ _ (proj2 M2 i) A))
            (proj2 D2 i)) (point_encloses (number (reach around) i)))) as Z.
       set (y := nth i (map (value []) (map fst (near c))) 0) in *.
-      replace (nth i q 0 - axis around x0 i) with ((nth i q 0 - y) + (y - axis around x0 i)) by ring.
+      replace (nth i q 0 - axis around x0 i) with ((nth i q 0 - y) + (y - axis around x0 i)) by
+        ring.
       eapply Rle_trans; [apply Rabs_triang|]. lra. }
     intros q. split.
     + intros [Sq Nq].
@@ -751,7 +761,8 @@ Proof.
     + intros ->. exact P0.
   - intros m C I.
     assert (B : forall t, in_box root (m t)) by (intros; apply rooted, I).
-    assert (Hm : forall t, held_at c full (leaves_of g root) (m t) (configuration c full g root (m t)))
+    assert (Hm : forall t, held_at c full (leaves_of g root) (m t) (configuration c full g root (m
+      t)))
       by (intros; apply held, I).
     split; [exact (configuration_continuous c full g root H2 m C B Hm)|].
     intros q Cq Sq t0 E. exact (configuration_unique c full g root H2 m C B Hm q Cq Sq t0 E).
@@ -805,7 +816,8 @@ Definition around_start (c : closure) (middles radii : box) (m : nat) : tube :=
     (map (fun i => mul (I.upper i) 0x1.0001p+0) radii)%float.
 
 Definition newton_step (c : closure) (full : nat) (k : list (list F.type)) (b : box) (t : tube) :=
-  let names := tube_names c t (variables full b) (length b) (fun _ => constant_form Intervals.zero) in
+  let names := tube_names c t (variables full b) (length b) (fun _ => constant_form Intervals.zero)
+    in
   let f := map (fun e => I.midpoint (constant (form_of (evaluate names e)))) (equations c) in
   let change i := float_sum (map (fun l => mul (get k i l) (nth l f nan)) (seq 0 (unknowns c))) in
   Tube (foot t) (map (fun i => sub (number (axis_at t) i) (change i)) (seq 0 (unknowns c)))

@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(** What a certificate claims of a mechanism that is closed by equations. These are the definitions to
-    read, with those of Questions.v and Expressions.v. *)
+(** What a certificate claims of a mechanism that is closed by equations. These are the definitions
+    to read, with those of Questions.v and Expressions.v. *)
 From Coq Require Import Reals QArith List.
 From Regulus Require Import Expressions LinearAlgebra Questions.
 Import ListNotations.
@@ -71,7 +71,8 @@ Definition start_defined (c : closure) : Prop :=
   Forall (defined []) (start c) /\
   Forall (fun u => defined [] (fst u) /\ defined [] (snd u)) (near c).
 
-(** NO SINGULARITY of a closure: there is a configuration p x for each place x of the set. Everything
+(** NO SINGULARITY of a closure: there is a configuration p x for each place x of the set.
+  Everything
     has a value there, and the equations are regular. At the start it is the only configuration near
     the values that the model gives. However the mechanism moves in the set, p moves continuously,
     and a configuration that moves continuously is p all the time if it is p once. *)

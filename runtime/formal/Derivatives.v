@@ -181,38 +181,46 @@ Section Slope.
       + simpl in S. destruct S as (Sd & _ & Z). rewrite (value_same e) in Z by exact D.
         assert (0 < value (names s) e).
         { destruct P as [P|P]; [exact P|]. rewrite <- P, sqrt_0 in Z. lra. }
-        simpl. rewrite (value_same e) by exact D. 
-        eapply is_derive_value; [|apply (compose sqrt e); [apply is_derive_Reals, derivable_pt_lim_sqrt; assumption|apply IHe; assumption]].
+        simpl. rewrite (value_same e) by exact D.
+        eapply is_derive_value; [|apply (compose sqrt e); [apply is_derive_Reals,
+          derivable_pt_lim_sqrt; assumption|apply IHe; assumption]].
         simpl. unfold Q2R. simpl. pose proof (sqrt_lt_R0 _ H). field. lra.
       + apply constant_derive. simpl. rewrite E. reflexivity.
     - simpl in *. apply times_defined in S. rewrite times_value. simpl.
       rewrite (value_same e) by exact D.
-      eapply is_derive_value; [|apply (compose sin e); [apply is_derive_Reals, derivable_pt_lim_sin|apply IHe; assumption]].
+      eapply is_derive_value; [|apply (compose sin e); [apply is_derive_Reals,
+        derivable_pt_lim_sin|apply IHe; assumption]].
       ring.
     - simpl in *. apply times_defined in S. rewrite times_value. simpl.
       rewrite (value_same e) by exact D.
-      eapply is_derive_value; [|apply (compose cos e); [apply is_derive_Reals, derivable_pt_lim_cos|apply IHe; assumption]].
+      eapply is_derive_value; [|apply (compose cos e); [apply is_derive_Reals,
+        derivable_pt_lim_cos|apply IHe; assumption]].
       ring.
     - simpl in *.
       assert (S1 : slope_defined A (slope N moving e)).
       { destruct (slope N moving e); simpl in *; tauto. }
-      eapply is_derive_value; [|apply (compose atan e); [apply is_derive_Reals, derivable_pt_lim_atan|apply IHe; assumption]].
+      eapply is_derive_value; [|apply (compose atan e); [apply is_derive_Reals,
+        derivable_pt_lim_atan|apply IHe; assumption]].
       destruct (slope N moving e); simpl; [|ring]. rewrite (value_same e) by exact D.
       unfold Q2R, Rsqr. simpl. field. nra.
     - simpl in *. apply times_defined in S. rewrite times_value. simpl.
       rewrite (value_same e) by exact D.
-      eapply is_derive_value; [|apply (compose exp e); [apply is_derive_Reals, derivable_pt_lim_exp|apply IHe; assumption]].
+      eapply is_derive_value; [|apply (compose exp e); [apply is_derive_Reals,
+        derivable_pt_lim_exp|apply IHe; assumption]].
       ring.
     - destruct D as [D P]. simpl in S.
       assert (S1 : slope_defined A (slope N moving e)).
       { destruct (slope N moving e); simpl in *; tauto. }
-      eapply is_derive_value; [|apply (compose ln e); [apply is_derive_Reals, derivable_pt_lim_ln; assumption|apply IHe; assumption]].
-      simpl. destruct (slope N moving e); simpl; [|ring]. rewrite (value_same e) by exact D. field. lra.
+      eapply is_derive_value; [|apply (compose ln e); [apply is_derive_Reals, derivable_pt_lim_ln;
+        assumption|apply IHe; assumption]].
+      simpl. destruct (slope N moving e); simpl; [|ring]. rewrite (value_same e) by exact D. field.
+        lra.
     - simpl in *. destruct (slope N moving e) as [d|] eqn:E.
       + simpl in S. destruct S as ((_ & _ & Z) & Sd). rewrite (value_same e) in Z by exact D.
         simpl. rewrite (value_same e) by exact D.
         assert (value (names s) e <> 0) by (intros Q; apply Z; rewrite Q; apply Rabs_R0).
-        eapply is_derive_value; [|apply (compose Rabs e); [apply absolute_derive; assumption|apply IHe; assumption]].
+        eapply is_derive_value; [|apply (compose Rabs e); [apply absolute_derive; assumption|apply
+          IHe; assumption]].
         simpl. ring.
       + apply constant_derive. simpl. rewrite E. reflexivity.
   Qed.
@@ -220,7 +228,8 @@ End Slope.
 
 (** ** Definitions *)
 
-Lemma extend_app ds : forall names later, extend names (ds ++ later) = extend (extend names ds) later.
+Lemma extend_app ds : forall names later, extend names (ds ++ later) = extend (extend names ds)
+  later.
 Proof. induction ds as [|d ds IH]; intros names later; simpl; [reflexivity|apply IH]. Qed.
 
 Lemma extend_prefix ds : forall names, exists l, extend names ds = names ++ l.

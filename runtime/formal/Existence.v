@@ -179,7 +179,8 @@ Section OneSolution.
       is_derive (fun s => sum m (fun l => K i l * F (update p j s) l)) (p j)
         (sum m (fun l => K i l * D p l j))).
     { induction m as [|m IH]; intros M; simpl; [apply @is_derive_const|].
-      apply @is_derive_plus; [apply IH; lia|]. apply is_derive_scal. apply partial; [exact P|lia|exact J]. }
+      apply @is_derive_plus; [apply IH; lia|]. apply is_derive_scal. apply partial; [exact
+        P|lia|exact J]. }
     apply H. lia.
   Qed.
 
@@ -368,13 +369,15 @@ Section OneSolution.
     { apply is_lim_seq_ext with (sum_n (fun m => iterate (S m) i - iterate m i)); [|exact L].
       induction n0 as [|m IH]; [rewrite sum_O; simpl; ring|].
       rewrite sum_Sn, IH. unfold plus. simpl. ring. }
-    apply (is_lim_seq_incr_1 (fun m => iterate m i)) in C. unfold solution. rewrite (is_lim_seq_unique _ _ C). exact C.
+    apply (is_lim_seq_incr_1 (fun m => iterate m i)) in C. unfold solution. rewrite
+      (is_lim_seq_unique _ _ C). exact C.
   Qed.
 
   Lemma solution_strict i : (i < n)%nat ->
     Rabs (solution i) <= y i + sum n (fun j => e i j * r j).
   Proof.
-    intros I. assert (C := iterate_converges i I). apply (is_lim_seq_incr_1 (fun m => iterate m i)), is_lim_seq_abs in C.
+    intros I. assert (C := iterate_converges i I). apply (is_lim_seq_incr_1 (fun m => iterate m
+      i)), is_lim_seq_abs in C.
     simpl in C.
     apply (is_lim_seq_le (fun m => Rabs (step (iterate m) i))
              (fun _ => y i + sum n (fun j => e i j * r j)) (Rabs (solution i))
@@ -389,7 +392,8 @@ Section OneSolution.
     (forall j, (j < m)%nat -> is_lim_seq (u j) 0) -> is_lim_seq (fun k => sum m (fun j => u j k)) 0.
   Proof.
     induction m as [|m IH]; intros H; simpl; [apply is_lim_seq_const|].
-    replace 0 with (0 + 0) by ring. apply (is_lim_seq_plus' (fun k => sum m (fun j => u j k)) (u m));
+    replace 0 with (0 + 0) by ring. apply (is_lim_seq_plus' (fun k => sum m (fun j => u j k)) (u
+      m));
       [apply IH; auto|apply H; lia].
   Qed.
 

@@ -1,12 +1,13 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(** The test of a tube: over a box of places x, the unknowns are p = c + S (x - x0) + u, |u| <= r. With
-    K the inverse of the derivatives at the middle, KF(0) and KD - I are bounded over the tube, and
-    the theorem of Existence.v is applied at each x. *)
+(** The test of a tube: over a box of places x, the unknowns are p = c + S (x - x0) + u, |u| <= r.
+    With K the inverse of the derivatives at the middle, KF(0) and KD - I are bounded over the tube,
+    and the theorem of Existence.v is applied at each x. *)
 From Coquelicot Require Import Coquelicot.
 From Coq Require Import Reals QArith Qreals Lra Lia List PArith Bool.
 From Coq Require PrimFloat.
 From Regulus Require Import Expressions Intervals Forms Evaluation Boxes Hints Regularity.
-From Regulus Require Import Continuity Existence Derivatives LinearAlgebra Questions Search Closures.
+From Regulus Require Import Continuity Existence Derivatives LinearAlgebra Questions Search
+  Closures.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -20,14 +21,16 @@ Definition number (l : list F.type) (i : nat) : F.type := nth i l F.nan.
 
 Definition axis (t : tube) (x : list R) (i : nat) : R :=
   real_of (number (axis_at t) i)
-  + sum (length x) (fun j => real_of (get (tilt t) i j) * (nth j x 0 - real_of (number (foot t) j))).
+  + sum (length x) (fun j => real_of (get (tilt t) i j) * (nth j x 0 - real_of (number (foot t)
+    j))).
 
 (** The unknowns beside the axis. *)
 Definition beside (n : nat) (t : tube) (x : list R) (u : nat -> R) : list R :=
   map (fun i => axis t x i + u i) (seq 0 n).
 
 Definition in_tube (n : nat) (t : tube) (x p : list R) : Prop :=
-  length p = n /\ forall i, (i < n)%nat -> Rabs (nth i p 0 - axis t x i) <= real_of (number (reach t) i).
+  length p = n /\ forall i, (i < n)%nat -> Rabs (nth i p 0 - axis t x i) <= real_of (number (reach
+    t) i).
 
 (** ** Enclosures *)
 
@@ -160,7 +163,8 @@ Definition departure (n : nat) (t : tube) (v : tube_bounds) (i : nat) : interval
     (interval_sum n (fun j => multiply (point (bound_of (at_ (spreads v) i j)))
                                 (point (number (reach t) j)))).
 
-Definition entries (c : closure) (m : nat) (names : list (option enclosure)) : list (list (option enclosure)) :=
+Definition entries (c : closure) (m : nat) (names : list (option enclosure)) : list (list (option
+  enclosure)) :=
   map (fun j => let names' := evaluate_definitions names (slope_definitions c m j) in
                 if forallb is_known names' then map (evaluate names') (partial_expressions c m j)
                 else [])
@@ -251,7 +255,8 @@ Qed.
 Lemma beside_length n t x u : length (beside n t x u) = n.
 Proof. unfold beside. rewrite map_length, seq_length. reflexivity. Qed.
 
-Lemma beside_ext n t x u w : (forall i, (i < n)%nat -> u i = w i) -> beside n t x u = beside n t x w.
+Lemma beside_ext n t x u w : (forall i, (i < n)%nat -> u i = w i) -> beside n t x u = beside n t x
+  w.
 Proof.
   intros H. apply map_ext_in. intros i I. apply in_seq in I. rewrite H by lia. reflexivity.
 Qed.
@@ -289,7 +294,8 @@ Section Partial_derivative.
       rewrite Lb. reflexivity. }
     set (curve := fun s => base ++ beside n t x (update u j s)).
     assert (U : beside n t x (update u j (u j)) = beside n t x u).
-    { apply beside_ext. intros k _. unfold update. destruct (Nat.eqb_spec k j) as [->|]; reflexivity. }
+    { apply beside_ext. intros k _. unfold update. destruct (Nat.eqb_spec k j) as [->|];
+      reflexivity. }
     set (w := map Q2R (first_slopes c m j)).
     assert (Lw : length w = (before c m + n)%nat).
     { unfold w, first_slopes. rewrite map_length, app_length, repeat_length, map_length, seq_length.
@@ -318,7 +324,8 @@ Section Partial_derivative.
           rewrite beside_nth by exact J. unfold update. rewrite Nat.eqb_refl. reflexivity. }
         replace (nth (before c m + j) w 0) with 1.
         { auto_derive; [exact Logic.I|ring]. }
-        unfold w, first_slopes. rewrite map_app, app_nth2; rewrite map_length, repeat_length; [|lia].
+        unfold w, first_slopes. rewrite map_app, app_nth2; rewrite map_length, repeat_length;
+          [|lia].
         replace (before c m + j - before c m)%nat with j by lia. rewrite map_map.
         rewrite (nth_indep _ 0 (Q2R (if Nat.eqb j 0 then 1 # 1 else 0 # 1)))
           by (rewrite map_length, seq_length; exact J).
@@ -348,7 +355,8 @@ Section Partial_derivative.
     rewrite <- Ln in De |- *.
     set (mv := moving_names (length names) (first_moving c m j) (further c)) in *.
     set (eq := nth i (equations c) no_entry).
-    assert (Ei : nth i (map (fun e => slope_or_zero (slope (length names) mv e)) (equations c)) no_entry
+    assert (Ei : nth i (map (fun e => slope_or_zero (slope (length names) mv e)) (equations c))
+      no_entry
                  = slope_or_zero (slope (length names) mv eq)).
     { rewrite (nth_indep _ no_entry (slope_or_zero (slope (length names) mv no_entry)))
         by (rewrite map_length, has_all; exact I).
@@ -358,7 +366,8 @@ Section Partial_derivative.
               (slope_value (names ++ w') (slope (length names) mv eq))).
     apply (slope_correct (length names) mv (fun s => extend (curve s) (further c))).
     - intros k K. rewrite <- EL in *. apply app_nth1, K.
-    - intros k K. rewrite app_nth2 by lia. replace (length names + k - length names)%nat with k by lia.
+    - intros k K. rewrite app_nth2 by lia. replace (length names + k - length names)%nat with k by
+      lia.
       apply C', K.
     - apply C'.
     - rewrite <- EL. rewrite Forall_forall in equations_defined. apply equations_defined, nth_In.
@@ -645,7 +654,8 @@ Section At_place.
         with (solution n error_at inverse_of_middle i) by ring.
       apply (solution_strict n error_at slopes_at inverse_of_middle spread_of reach_of offset_of);
         try assumption; try exact error_ext; try exact contracts_here;
-        try exact offset_at_axis; intros; first [apply partial_inside|apply spread_inside|apply tests];
+        try exact offset_at_axis; intros; first [apply partial_inside|apply spread_inside|apply
+          tests];
         assumption.
   Qed.
 
@@ -664,7 +674,8 @@ Section At_place.
     change (error_at (solution n error_at inverse_of_middle) i = 0).
     apply (solution_solves n error_at slopes_at inverse_of_middle spread_of reach_of offset_of);
       try assumption; try exact error_ext; try exact contracts_here;
-      try exact offset_at_axis; intros; first [apply partial_inside|apply spread_inside|apply tests];
+      try exact offset_at_axis; intros; first [apply partial_inside|apply spread_inside|apply
+        tests];
       assumption.
   Qed.
 
@@ -697,7 +708,8 @@ Section At_place.
     { apply near_tube_solution with (u := fun i => nth i tube_solution 0 - axis t x i);
         try assumption; [apply distances_inside, solution_in_tube|]. intros l Ll. unfold image.
       rewrite sum_zero; [rewrite Rabs_R0; lra|]. intros h Hh.
-      rewrite (errors_vanish tube_solution solution_in_tube tube_solution_solves) by exact Hh. ring. }
+      rewrite (errors_vanish tube_solution solution_in_tube tube_solution_solves) by exact Hh.
+        ring. }
     rewrite Rmult_0_l in H.
     destruct (Req_dec (nth i p 0 - axis t x i - (nth i tube_solution 0 - axis t x i)) 0) as [Z|N];
       [lra|]. pose proof (Rabs_pos_lt _ N). lra.
@@ -705,7 +717,8 @@ Section At_place.
 
   Lemma regular_in_tube p : in_tube n t x p -> has_values c x p /\ regular_at c x p.
   Proof.
-    intros P. pose proof (distances_inside p P) as U. set (u := fun i => nth i p 0 - axis t x i) in *.
+    intros P. pose proof (distances_inside p P) as U. set (u := fun i => nth i p 0 - axis t x i) in
+      *.
     assert (E : beside n t x u = p) by apply beside_of, P.
     split; [rewrite <- E; apply values_inside, U|].
     exists (slopes_at u). split.

@@ -38,7 +38,8 @@ Proof. vm_compute. reflexivity. Qed.
 Goal check_closure (slider (-1) 1 (1/2) [] [] (p^2 - x - 1)) the_method true_tubes = false.
 Proof. vm_compute. reflexivity. Qed.
 (** 1/(p - 1) has no value at x = 0. *)
-Goal check_closure (slider (-1/4) 1 (1/2) [] [1/(p - 1)] (p^2 - x - 1)) the_method true_tubes = false.
+Goal check_closure (slider (-1/4) 1 (1/2) [] [1/(p - 1)] (p^2 - x - 1)) the_method true_tubes =
+  false.
 Proof. vm_compute. reflexivity. Qed.
 (** The root of p - 1 has no value at p = 1 and beyond. *)
 Goal check_closure (slider (-1/4) 1 (1/2) [] [] (p^2 - x - 1 + 0*sqrt(p - 1))) the_method true_tubes
@@ -55,16 +56,19 @@ Goal check_closure (slider (-1/4) 1 (1/2) [x + 1/32] [] (p^2 - x - 1)) the_metho
   (Cut 0 (-0x1p-5)%float lower Excluded) = false.
 Proof. vm_compute. reflexivity. Qed.
 (** As many equations as unknowns. *)
-Goal check_closure (Closure (Question [(-1/4, 1/4)] [] [] [] [] 0) 1 [] [p^2 - x - 1; p^2 - x - 1] []
+Goal check_closure (Closure (Question [(-1/4, 1/4)] [] [] [] [] 0) 1 [] [p^2 - x - 1; p^2 - x - 1]
+  []
   [0] [(1, 1/2)]) the_method true_tubes = false.
 Proof. vm_compute. reflexivity. Qed.
-Goal check_closure (Closure (Question [(-1/4, 1/4)] [] [] [] [] 0) 1 [] [p^2 - x - 1] [] [] [(1, 1/2)])
+Goal check_closure (Closure (Question [(-1/4, 1/4)] [] [] [] [] 0) 1 [] [p^2 - x - 1] [] [] [(1,
+  1/2)])
   the_method true_tubes = false.
 Proof. vm_compute. reflexivity. Qed.
 Goal check_closure (Closure (Question [(-1/4, 1/4)] [] [] [] [] 0) 1 [] [p^2 - x - 1] [] [0] [])
   the_method true_tubes = false.
 Proof. vm_compute. reflexivity. Qed.
 (** A start beyond the range. *)
-Goal check_closure (Closure (Question [(-1/4, 1/4)] [] [] [] [] 0) 1 [] [p^2 - x - 1] [] [1] [(1, 1/2)])
+Goal check_closure (Closure (Question [(-1/4, 1/4)] [] [] [] [] 0) 1 [] [p^2 - x - 1] [] [1] [(1,
+  1/2)])
   the_method true_tubes = false.
 Proof. vm_compute. reflexivity. Qed.
