@@ -7,8 +7,8 @@
 namespace regulus {
 namespace {
 
-constexpr std::size_t kBoxesOfRound = 256;
-constexpr double kSlackOfWidth = 1 + 0x1p-30;
+constexpr std::size_t kBoxesOfPavingRound = 256;
+constexpr double kSlackOfResolution = 1 + 0x1p-30;
 
 /// The goal of the search: box_search.hpp. The boxes of the branch are judged, and halved where neither
 /// is shown. The last box that was made is judged first.
@@ -50,7 +50,7 @@ class LoadPavingGoal {
   [[nodiscard]] bool has_ended() const { return open_.empty(); }
   void fill(std::vector<std::vector<Interval>>& boxes, std::uint64_t left) {
     round_.clear();
-    std::size_t count = std::min(kBoxesOfRound, open_.size());
+    std::size_t count = std::min(kBoxesOfPavingRound, open_.size());
     if (count > left) {
       course_.save_last([this](SavedTree& tree) { describe(tree); });
       count = left;
@@ -129,7 +129,7 @@ class LoadPavingGoal {
     if (is_known && finding.upper <= 0) return leave(box, ForceClaim::kFeasible);
     if (is_known && finding.lower > 0) return leave(box, ForceClaim::kInfeasible);
     const auto variable = choose_variable(std::span(box.box).first(ranges_.size()), ranges_, {},
-                                          resolution_ * kSlackOfWidth);
+                                          resolution_ * kSlackOfResolution);
     if (!variable) return leave(box, ForceClaim::kUndecided);
     auto [lower, upper] = course_.split(std::move(box), *variable);
     open_.push_back(std::move(upper));
@@ -192,7 +192,7 @@ LoadPaving pave_forces(const ValueQuestion& question, const ClosureResult& branc
                        Observer* progress) {
   BoxCourse course(question.problem, settings, progress);
   LoadPavingGoal goal(course, question, branch, resolution, is_possible, listener);
-  BoxSearch<ValueJudge, LoadPavingGoal>(question, kBoxesOfRound, course, goal).run();
+  BoxSearch<ValueJudge, LoadPavingGoal>(question, kBoxesOfPavingRound, course, goal).run();
   return goal.finish();
 }
 
