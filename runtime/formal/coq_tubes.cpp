@@ -38,7 +38,7 @@ std::string tube(Words numbers, std::size_t m, std::size_t n) {
 }
 
 /// A box: open, cut in two, or a leaf.
-struct Node {
+struct BoxOfTree {
   std::string text;       ///< empty: the box is open
   std::size_t lower = 0;  ///< the upper part is the next box; 0: a leaf
   std::size_t depth = 0;
@@ -71,7 +71,7 @@ class TreeOfTubes {
  private:
   static constexpr std::size_t kDeepest = 1000;  ///< as the verifier allows
 
-  Node& open_box(std::string_view word) {
+  BoxOfTree& open_box(std::string_view word) {
     const std::size_t number = read_count(word, std::size_t(-1));
     if (number >= nodes_.size() || !nodes_[number].text.empty())
       throw Rejection("box " + std::string(word) + " is not open");
@@ -79,18 +79,18 @@ class TreeOfTubes {
   }
 
   void cut(const std::vector<std::string_view>& words) {
-    Node& node = open_box(words[1]);
+    BoxOfTree& node = open_box(words[1]);
     if (node.depth == kDeepest) throw Unfinished("too many splits are above a tube");
     if (read_count(words[2], format::kMostVariables) >= m_)
       throw Rejection("there is no variable " + std::string(words[2]));
     node.text = "Cut " + std::string(words[2]) + " " + coq_double(words[3]);
     node.lower = nodes_.size();
-    const Node part{"", 0, node.depth + 1};
+    const BoxOfTree part{"", 0, node.depth + 1};
     nodes_.push_back(part), nodes_.push_back(part);
   }
 
   void leaf(const std::vector<std::string_view>& words) {
-    Node& node = open_box(words[1]);
+    BoxOfTree& node = open_box(words[1]);
     if (words[2] == format::kOutsideLeaf && words.size() == 3)
       node.text = "Excluded";
     else if (words[2] == format::kTubeLeaf)
@@ -100,7 +100,7 @@ class TreeOfTubes {
   }
 
   void print(std::size_t number, std::string& text) const {
-    const Node& node = nodes_[number];
+    const BoxOfTree& node = nodes_[number];
     if (node.text.empty()) throw Rejection("box " + std::to_string(number) + " has no leaf");
     text += node.text;
     if (node.lower == 0) return;
@@ -113,7 +113,7 @@ class TreeOfTubes {
 
   Lines& lines_;
   const std::size_t m_, n_;
-  std::vector<Node> nodes_{1};
+  std::vector<BoxOfTree> nodes_{1};
 };
 
 }  // namespace
