@@ -118,6 +118,12 @@ TEST_F(BranchCheckpoint, OfABoundLeadsToTheSameReport) {
   }
 }
 
+/// Two branches are kept, with and without the copy of the mechanism.
+TEST_F(BranchCheckpoint, OfAFiniteErrorLeadsToTheSameReport) {
+  expect_same_after_stops("bound", {"error", "--finite", "--gap", "1e-2", "--threads", "1"},
+                          {"3", "40", "100"});
+}
+
 TEST_F(BranchCheckpoint, OfALimitLeadsToTheSameReport) {
   const CommandResult bracket = ask("bound", {"condition", "--gap", "1e-4"});
   const double proved = json::parse(bracket.output).at("proved");

@@ -81,6 +81,20 @@ TEST_F(RanksOnABranch, BoundAsOneThreadDoes) {
         << end;
 }
 
+TEST_F(RanksOnABranch, BoundFiniteErrorsAsOneThreadDoes) {
+  std::ofstream(file("bars.toml")) << kBars;
+  const Words bound = {
+      "bound", file("bars.toml"), "m",     "error",   "--finite",     "--freedom", "phi", "--gap",
+      "1e-9",  "--max-boxes",     "18000", "--quiet", "--certificate"};
+  const CommandResult one = run_command(one_thread(joined(bound, {file("one")})));
+  const CommandResult many = run_command(ranks(2, joined(bound, {file("many")})));
+  EXPECT_EQ(many.output, one.output) << many.errors;
+  EXPECT_GT(text_of(file("one.safe")).size(), 1'000'000U);
+  for (const char* end : {".safe", ".singular"})
+    EXPECT_TRUE(text_of(file(std::string("many") + end)) == text_of(file(std::string("one") + end)))
+        << end;
+}
+
 TEST_F(RanksOnABranch, CompareAndSumUpAsOneThreadDoes) {
   std::ofstream(file("bars.toml")) << kBars;
   for (const Words& asked :

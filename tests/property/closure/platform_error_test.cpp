@@ -13,7 +13,7 @@
 #include "codegen/question/quantity/platform_closure.hpp"
 #include "tests/property/closure/checked_closures.hpp"
 
-namespace regulus {
+namespace regulus::platform_error_test {
 namespace {
 
 using verifier::Outcome;
@@ -286,4 +286,4 @@ TEST(PlatformError, IsThatOfLegsAndAnchors) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::platform_error_test

@@ -10,7 +10,7 @@
 #include "tests/property/solve/tubes.hpp"
 #include "tests/support/random_source.hpp"
 
-namespace regulus::test {
+namespace regulus::test::searched_tubes_test {
 namespace {
 
 /// A loaded machine needs more than other lists.
@@ -286,4 +286,4 @@ TEST(PosturesThatMeetWithinTolerances, AreNeverAll) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::test::searched_tubes_test
