@@ -73,21 +73,6 @@ TEST(AForgedClosure, IsATheoremAboutItsBranchAlone) {
                verifier::Unfinished);
 }
 
-TEST(AForgedClosure, IsNoTheoremIfItsBoxesAreNoTree) {
-  const auto rejects = [](const std::string& tree) {
-    std::istringstream stream(scalar_question("x") + "proof\n" + tree);
-    EXPECT_THROW(static_cast<void>(verifier::coq_proof(stream, verifier::CoqStatement::kClaim)),
-                 verifier::Rejection)
-        << tree;
-  };
-  rejects("s 0 0 0\nl 1 tube 0 1 0 1\nend 1\n");
-  rejects("l 0 tube 0 1 0\nend 1\n");
-  rejects("l 0 tube 0 1 0 1\nl 0 tube 0 1 0 1\nend 1\n");
-  rejects("l 0 h-matrix\nend 1\n");
-  rejects("s 0 1 0\nend 1\n");
-  rejects("l 0 tube 0 1 0 1\n");
-}
-
 Verification compared(const std::string& certificate, const std::string& model, bool all = false) {
   verifier::Options options;
   options.model_text = model;
