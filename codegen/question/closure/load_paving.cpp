@@ -73,7 +73,15 @@ class LoadPavingGoal {
     if (result_.place) tree.shown = {shown_in_};
   }
   void recall(const TreeBox& box, ValueFinding& finding) { note_value(box.id, finding); }
-  void resume_own(std::span<const std::uint64_t>) {}
+  /// The splits of the branch, and its leaves that need no finding, are no boxes of this search.
+  void resume_own(std::span<const std::uint64_t>) {
+    const BranchTree& tree = branch_.branch.tree;
+    std::uint64_t made = tree.splits().size();
+    for (std::size_t leaf = 0; leaf < tree.leaves().size(); ++leaf)
+      if (!is_on_branch(leaf)) ++made;
+    if (course_.boxes() < made) throw SavedTreeError("the tree is not one of this branch");
+    course_.recount(course_.boxes() - made);
+  }
   void resume(TreeBox box, ValueFinding& finding, bool) {
     if (is_decided_by_branch(box))
       reopen(std::move(box));

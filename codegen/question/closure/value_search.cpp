@@ -138,7 +138,7 @@ class ValueGoal {
   void revise(const std::vector<Interval>& box, ValueFinding& finding) const {
     const std::optional<std::size_t> leaf = branch_.leaf_with(box);
     if (!leaf || !branch_.leaves()[*leaf].tube || !finding.tube.tube ||
-        !is_on_branch(*finding.tube.tube, *leaf))
+        !is_on_branch(*finding.tube.tube, *leaf, finding.near_center))
       finding = {};
   }
   void recall(const TreeBox& box, ValueFinding& finding) { note_value(finding, box.id, 0); }

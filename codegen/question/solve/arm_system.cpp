@@ -173,7 +173,6 @@ void WholeArm::add_rates(Values& values, const ArmPosture& posture, const Matrix
 OppositeAxes::OppositeAxes(const ArmChain& chain, const LinkFrame& target) {
   const auto frame = [&](std::size_t joint) -> const LinkFrame& { return chain[joint - 1].origin; };
   const auto axis = [&](std::size_t joint) -> const Vector3& { return chain[joint - 1].axis; };
-  const Interval two(2.0);
 
   // The line in the frame of joint 1, then seen through joints 1 and 2.
   const LinkFrame back = inverse(frame(1));

@@ -331,16 +331,14 @@ INSTANTIATE_TEST_SUITE_P(OfEachClaim, Shards, testing::ValuesIn(claims_with_shar
 /// The proof of a branch links its boxes with each other.
 TEST(ShardsOfClaims, AreRefusedWhereThereIsNoProofABranchOrAList) {
   for (std::size_t k = 0; k < kKinds; ++k) {
-    const bool is_branch = Kind(k) == Kind::kClosureCheck || Kind(k) == Kind::kClosureMargin ||
-                           Kind(k) == Kind::kClosureBound || Kind(k) == Kind::kClosureDatasheet ||
-                           Kind(k) == Kind::kClosureLimitMargin;
+    const bool is_branch = Kind(k) == Kind::kFiniteErrors || Kind(k) >= Kind::kClosureCheck;
     // Of a list of solutions the proof has as many lines as there are roots.
     const bool is_list = Kind(k) == Kind::kSolve || Kind(k) == Kind::kClosureSolve;
     EXPECT_EQ(refusal(Kind(k), Service::kShards).has_value(),
               is_branch || is_list || refusal(Kind(k), Service::kProof).has_value())
         << name(Kind(k));
   }
-  // Finite errors have no proof; closures and lists of solutions are tried elsewhere.
+  // Closures, finite errors and lists of solutions are tried elsewhere.
   EXPECT_EQ((std::size(kClaims) + 2) * 3, kKinds);
 }
 

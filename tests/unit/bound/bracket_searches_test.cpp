@@ -192,13 +192,14 @@ TEST(ATopic, ReadsAsItWasWritten) {
 
 TEST(ATopic, NamesItsKind) {
   for (const TopicKind kind :
-       {TopicKind::kQuestion, TopicKind::kExpandedMatrix, TopicKind::kMatrixWithSlopes}) {
+       {TopicKind::kQuestion, TopicKind::kExpandedMatrix, TopicKind::kMatrixWithSlopes,
+        TopicKind::kBranch, TopicKind::kBranchWithNominal}) {
     SearchTopic topic;
     topic.kind = kind;
     EXPECT_EQ(read_topic(write_topic(topic)).kind, kind);
   }
   SearchTopic unknown;
-  unknown.kind = TopicKind(3);
+  unknown.kind = TopicKind(5);
   EXPECT_THROW(static_cast<void>(read_topic(write_topic(unknown))), cluster::MalformedMessage);
 }
 
