@@ -16,6 +16,7 @@
 #include "tests/support/command.hpp"
 #include "tests/support/damage.hpp"
 #include "tests/support/temporary_directory.hpp"
+#include "tests/support/trials.hpp"
 
 namespace regulus::test {
 namespace {
@@ -113,7 +114,7 @@ class BranchCheckpoint : public testing::Test {
 TEST_F(BranchCheckpoint, OfABoundLeadsToTheSameReport) {
   for (const char* quantity : {"condition", "error", "force"}) {
     std::filesystem::remove(file_);
-    expect_same_after_stops("bound", {quantity, "--gap", "2e-3", "--threads", "1"},
+    expect_same_after_stops("bound", {quantity, "--gap", "4e-3", "--threads", "1"},
                             {"3", "40", "100", "400"});
   }
 }
@@ -180,14 +181,14 @@ TEST_F(BranchCheckpoint, OfADatasheetKeepsAllQuantities) {
 
 /// A kill may come before the search begins, while it is saved, or between.
 TEST_F(BranchCheckpoint, SurvivesKills) {
-  const Words question{"error", "--gap", "5e-4", "--threads", "1"};
+  const Words question{"error", "--gap", "1e-3", "--threads", "1"};
   const CommandResult whole = ask("bound", question);
   ASSERT_EQ(whole.exit_code, 0) << whole.errors;
   Words saved = question;
   saved.insert(saved.end(), {"--checkpoint", file_});
   std::mt19937 random(1);
   int continued = 0;
-  for (int kill = 0; kill < 6; ++kill) {
+  for (int kill = 0; kill < trials(4, 12); ++kill) {
     continued += is_saved() ? 1 : 0;
     RunningCommand run(words("bound", saved));
     wait_until_saved();

@@ -89,7 +89,6 @@ TEST_F(RanksOnABranch, BoundFiniteErrorsAsOneThreadDoes) {
   const CommandResult one = run_command(one_thread(joined(bound, {file("one")})));
   const CommandResult many = run_command(ranks(2, joined(bound, {file("many")})));
   EXPECT_EQ(many.output, one.output) << many.errors;
-  EXPECT_GT(text_of(file("one.phi.safe")).size(), 1'000'000U);
   for (const char* end : {".phi.safe", ".phi.singular"})
     EXPECT_TRUE(text_of(file(std::string("many") + end)) == text_of(file(std::string("one") + end)))
         << end;

@@ -9,6 +9,7 @@
 
 #include "tests/property/solve/tubes.hpp"
 #include "tests/support/random_source.hpp"
+#include "tests/support/trials.hpp"
 
 namespace regulus::test::searched_tubes_test {
 namespace {
@@ -47,7 +48,7 @@ TEST(SearchedPosesWithTolerances, HaveAPoseInEachTubeAtEachCorner) {
   const auto tubes = tubes_of(made.text);
   ASSERT_GE(tubes.size(), 2U);
   RandomSource random(5);
-  for (int round = 0; round < 8; ++round) {
+  for (int round = 0; round < trials(3, 8); ++round) {
     SpatialRobot robot = robot_1();
     for (auto* anchors : {&robot.a, &robot.b})
       for (auto& anchor : *anchors)
@@ -172,7 +173,7 @@ TEST(PosturesWithTolerances, HaveAPostureInEachTubeAtEachCorner) {
   const auto tubes = tubes_of(made.text);
   ASSERT_EQ(tubes.size(), 8U);
   RandomSource random(6);
-  for (int round = 0; round < 20; ++round) {
+  for (int round = 0; round < trials(7, 20); ++round) {
     Puma arm;
     arm.place = place_of_tool();
     for (double* length : {&arm.a2, &arm.a3, &arm.d2, &arm.d3, &arm.d4})
@@ -225,7 +226,7 @@ TEST(PosturesWithTolerances, AreAtThePlaceOfTheNominalArm) {
   const auto tubes = tubes_of(made.text);
   RandomSource random(7);
   const Matrix4 place = Puma{}.end({0.3, 0.4, -0.7, 0.3, 0.9, -1.4});
-  for (int round = 0; round < 10; ++round) {
+  for (int round = 0; round < trials(4, 10); ++round) {
     Puma arm;
     arm.place = place;
     for (double* length : {&arm.a2, &arm.a3, &arm.d2, &arm.d3, &arm.d4})
