@@ -98,6 +98,8 @@ std::vector<Base> of_mechanisms() {
       {"force of a ball over a branch",
        kDriven,
        {"bound", "work", "force", "--load", "ball", "--leg", "1", "--signed", "--limit", "60"}},
+      {"load within limits over a branch", kDriven, {"check", "work", "--load", "pull"}},
+      {"load beyond limits over a branch", kDriven, {"check", "work", "--load", "hard"}},
       {"error over a branch",
        kDriven,
        {"bound", "work", "error", "--freedom", "phi", "--limit", "0.01"}},

@@ -54,10 +54,13 @@ start = { theta = 0.5, s = 0.383917, phi = -0.160497 }
 error = 0.001
 speed = 10
 stiffness = 2000
+force = [-90, 90]
 [load.pull]
 wrench = [[-500, 400], [-3, 5]]
 [load.ball]
 wrench = { value = [100, 1], radius = 5 }
+[load.hard]
+wrench = [5000, 0]
 [motion.work]
 theta = [0.4, 1.2]
 )toml";
