@@ -244,7 +244,7 @@ class Topics {
     return about_branch(prepare_closure(std::move(request), 0, forming(search), {}));
   }
 
-  /// What is asked of values is asked about the branch first.
+  /// A question about values has two searches: the first is of the branch alone.
   [[nodiscard]] Found on_branch(PreparedClosure closed, BranchValue value) const {
     return topic_.kind == TopicKind::kQuestion ? about_values(std::move(closed), std::move(value))
                                                : about_branch(std::move(closed));

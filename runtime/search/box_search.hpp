@@ -114,6 +114,15 @@ class BoxCourse {
   void leave_open(const TreeBox& box, Rule rule);
   /// Saves the search as it is now, and no more: a limit cuts the next round.
   void save_last(const Describe& describe);
+  /// Moves the last open boxes into a round: at most `most`, and `left`. The search is saved before a
+  /// limit cuts the round.
+  void take_round(std::vector<TreeBox>& open, std::size_t most, std::uint64_t left,
+                  std::vector<TreeBox>& round, std::vector<std::vector<Interval>>& boxes,
+                  const Describe& describe) {
+    std::size_t count = std::min(most, open.size());
+    if (count > left) save_last(describe), count = left;
+    take_last(open, count, round, boxes);
+  }
 
   // For the search.
 

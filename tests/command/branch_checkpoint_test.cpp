@@ -13,6 +13,7 @@
 #include <sstream>
 #include <thread>
 
+#include "tests/support/bars.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/damage.hpp"
 #include "tests/support/temporary_directory.hpp"
@@ -25,38 +26,11 @@ using nlohmann::json;
 using testing::HasSubstr;
 using Words = std::vector<std::string>;
 
-constexpr const char* kBars = R"toml(regulus = 1
-name = "bars"
-[pose]
-theta = "rad"
-[geometry]
-crank = { value = "0.2", tolerance = "0.002", group = "links" }
-rod = { value = "0.35355", tolerance = "0.002", group = "links" }
-[closure]
-unknowns = { phi = "rad", psi = "rad" }
-equations = [
-  "crank*cos(theta) + rod*cos(phi) - 0.45 - 0.25*cos(psi)",
-  "crank*sin(theta) + rod*sin(phi) - 0.25*sin(psi)",
-]
-start = { theta = 0, phi = 0.7854, psi = 1.5708 }
-[actuators]
-error = 0.01
-speed = 2
-force = FORCE
-[load.L]
-wrench = [[-1, 3], 2]
-[motion.m]
-theta = [-1, 1.5]
-)toml";
-
 class BranchCheckpoint : public testing::Test {
  protected:
   BranchCheckpoint() { write(with_force("[-4.6, 2.1]")); }
 
-  static std::string with_force(const std::string& limits) {
-    std::string text = kBars;
-    return text.replace(text.find("FORCE"), 5, limits);
-  }
+  static std::string with_force(const std::string& limits) { return bars("0.002", limits); }
 
   void write(const std::string& text) const { std::ofstream(model_) << text; }
   [[nodiscard]] Words words(const std::string& command, Words more) const {

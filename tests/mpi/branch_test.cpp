@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Ranks share the search over a branch of a closure.
 #include "tests/mpi/ranks.hpp"
+#include "tests/support/bars.hpp"
 
 namespace regulus::test {
 namespace {
@@ -42,29 +43,8 @@ TEST_F(RanksOnABranch, BracketAsOneThreadDoes) {
   EXPECT_EQ(run_command(ranks(2, margin)).output, one.output) << one.errors;
 }
 
-/// A linkage with a load, whose uncertain links leave many boxes undecided.
-constexpr const char* kBars = R"toml(regulus = 1
-name = "bars"
-[pose]
-theta = "rad"
-[geometry]
-crank = { value = "0.2", tolerance = "0.01", group = "links" }
-rod = { value = "0.35355", tolerance = "0.01", group = "links" }
-[closure]
-unknowns = { phi = "rad", psi = "rad" }
-equations = [
-  "crank*cos(theta) + rod*cos(phi) - 0.45 - 0.25*cos(psi)",
-  "crank*sin(theta) + rod*sin(phi) - 0.25*sin(psi)",
-]
-start = { theta = 0, phi = 0.7854, psi = 1.5708 }
-[actuators]
-error = 0.01
-force = [-1, 1]
-[load.L]
-wrench = [[-1, 3], 2]
-[motion.m]
-theta = [-1, 1.5]
-)toml";
+/// Its uncertain links leave many boxes undecided.
+const std::string kBars = bars("0.01", "[-1, 1]");
 
 /// Its search of values is shared after 16 384 boxes; the branch has few.
 TEST_F(RanksOnABranch, BoundAsOneThreadDoes) {

@@ -8,19 +8,25 @@
 namespace regulus {
 namespace {
 
-/// Returns the unit of a force on the platform; "1" if it does not follow from that of the motors.
-std::string force_unit_of(const Model& model) {
-  const Actuators& motors = model.actuators;
-  const std::string length = length_unit(model), turned = " " + length;
-  const auto all_are = [&](const std::string& unit) {
-    return std::ranges::all_of(motors.units, [&](const std::string& u) { return u == unit; });
-  };
-  if (all_are(length)) return motors.force_unit;
-  const bool is_torque = all_are("rad") && motors.force_unit.ends_with(turned);
-  return is_torque ? motors.force_unit.substr(0, motors.force_unit.size() - turned.size()) : "1";
+bool is_angle(const PoseParameter& p) { return p.unit == "rad" || is_in_degrees(p.unit); }
+
+/// True if all motors have coordinates in this unit. The motors of a closure move its pose parameters.
+bool are_all_in(const Model& model, const std::string& unit) {
+  if (!model.closure)
+    return std::ranges::all_of(model.actuators.units,
+                               [&](const std::string& u) { return u == unit; });
+  return std::ranges::all_of(
+      model.pose, [&](const PoseParameter& p) { return (is_angle(p) ? "rad" : p.unit) == unit; });
 }
 
-bool is_angle(const PoseParameter& p) { return p.unit == "rad" || is_in_degrees(p.unit); }
+/// Returns the unit of a force on the platform; "1" if it does not follow from that of the motors.
+std::string force_unit_of(const Model& model) {
+  const std::string &unit = model.actuators.force_unit, length = length_unit(model),
+                    turned = " " + length;
+  if (are_all_in(model, length)) return unit;
+  const bool is_torque = are_all_in(model, "rad") && unit.ends_with(turned);
+  return is_torque ? unit.substr(0, unit.size() - turned.size()) : "1";
+}
 
 }  // namespace
 
@@ -67,7 +73,12 @@ std::vector<std::string> units_of_wrench(const Model& model,
 
 std::string unit_of_work(const Model& model) {
   const std::string force = force_unit_of(model), length = length_unit(model);
-  return force == "1" || length == "1" ? "1" : force + " " + length;
+  if (force != "1" && length != "1") return force + " " + length;
+  // Without lengths a torque of the motors tells it.
+  const std::string& unit = model.actuators.force_unit;
+  const bool is_torque =
+      model.closure && are_all_in(model, "rad") && unit.find(' ') != std::string::npos;
+  return is_torque ? unit : "1";
 }
 
 }  // namespace regulus

@@ -203,7 +203,7 @@ ComponentBound without_branch(const PreparedClosure& prepared, const ClosureFind
   if (is_determinant) result.attained = end_at(0);
   const bool has_bound = is_determinant || component.kind == QuantityKind::kDeterminantMax;
   result.is_unbounded = !settings.limit && !has_bound;
-  // Where errors are finite, the configuration moves a finite way to where the branch ends.
+  // A finite error exceeds no limit there: the configuration has moved a finite way to the end.
   const bool exceeds_all = !has_bound && component.kind != QuantityKind::kFiniteError;
   if (settings.limit && (is_determinant || exceeds_all)) result.verdict = LimitVerdict::kExceeded;
   if (has_bound && !is_determinant) return result;
@@ -271,7 +271,7 @@ ComponentBound BranchBounds::bound(const Request& request, const Component& comp
     }
     return branch;
   };
-  // Whether the branch ends is a question about the mechanism alone, without its copy.
+  // The mechanism alone, without its copy, tells if the branch ends.
   std::shared_ptr<Branch> branch;
   if (by == DerivativesBy::kVariablesAndNominal) branch = found(DerivativesBy::kVariables);
   if (!branch || branch->found.searched.is_proved()) branch = found(by);

@@ -56,7 +56,7 @@ struct BranchLoadResult {
   std::uint64_t boxes = 0;
 };
 
-/// What a search is run with.
+/// The display, the interrupt and the file of a search.
 struct BranchLoadRun {
   OutputOptions output;
   const std::atomic<bool>* interrupt = nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is told about a load over a branch.
+// Tells the question and the answer about a load over a branch.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -10,7 +10,9 @@
 #include "codegen/answer/report/search_facts.hpp"
 #include "codegen/answer/report/vector_text.hpp"
 #include "codegen/kernel/formulation/variety.hpp"
+#include "codegen/model/mechanism/twist.hpp"
 #include "codegen/question/closure/branch_load.hpp"
+#include "runtime/interval/floating_point_scope.hpp"
 
 namespace regulus {
 namespace {
@@ -24,13 +26,15 @@ std::vector<std::string> units_of_unknowns(const PreparedBranchLoad& prepared) {
   return units;
 }
 
-/// The force unit is that of the motors. It does not tell the units of a load on the unknowns.
 std::vector<std::string> units_of_load(const PreparedBranchLoad& prepared) {
-  return std::vector<std::string>(prepared.closure.shape.unknowns, "1");
+  const Model& model = prepared.closure.request.model;
+  return units_of_wrench(model, twist_of(model));
 }
 
-/// Returns the wrench of the load, without its balls, for which the force is farthest.
+/// Encloses the wrench of the load for which the force is farthest: a corner of the ranges, and the point
+/// of each ball in the direction of J's column, or against it.
 std::vector<Interval> wrench_of(const PreparedBranchLoad& prepared, const ForceBeyond& beyond) {
+  const FloatingPointScope nearest(FloatingPointRounding::kNearest);
   std::vector<Interval> wrench;
   for (std::size_t i = 0; i < beyond.along.size(); ++i) {
     const GeometryParameter& entry = prepared.set().entries[i];
@@ -38,6 +42,15 @@ std::vector<Interval> wrench_of(const PreparedBranchLoad& prepared, const ForceB
     const bool adds = (mid(beyond.along[i]) > 0) == beyond.is_above;
     wrench.push_back(
         enclose_constant(adds ? entry.value + spread : entry.value - spread, entry.name));
+  }
+  const Interval side(beyond.is_above ? 1.0 : -1.0);
+  for (const ToleranceBall& ball : prepared.set().balls) {
+    Interval squares(0.0);
+    for (const std::size_t i : ball.members) squares += sqr(beyond.along[i]);
+    const Interval length = sqrt(squares);
+    if (!(length.lo > 0)) continue;  // then any point of the ball does
+    const Interval reach = side * enclose_constant(ball.radius, "a radius") / length;
+    for (const std::size_t i : ball.members) wrench[i] += reach * beyond.along[i];
   }
   return wrench;
 }

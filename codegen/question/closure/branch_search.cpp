@@ -39,12 +39,8 @@ class BranchGoal {
   void fill(std::vector<std::vector<Interval>>& boxes, std::uint64_t left) {
     round_.clear();
     result_.largest_open = std::max<std::uint64_t>(result_.largest_open, open_.size());
-    std::size_t count = std::min(kBoxesOfRound, open_.size());
-    if (count > left) {
-      course_.save_last([this](SavedTree& tree) { describe(tree); });
-      count = left;
-    }
-    take_last(open_, count, round_, boxes);
+    course_.take_round(open_, kBoxesOfRound, left, round_, boxes,
+                       [this](SavedTree& tree) { describe(tree); });
   }
 
   [[nodiscard]] double horizon() const { return 0; }

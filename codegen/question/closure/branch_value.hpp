@@ -11,8 +11,8 @@
 //   finite error        |p_i − p°_i|, p° the copy of the unknowns without errors
 //                       (DerivativesBy::kVariablesAndNominal)
 //
-// Of a load within limits, f is how far the farthest force is beyond its limits, in parts of their
-// distance: every force is within them if f ≤ 0, and some force is not if f > 0.
+// A load within limits has an f of its own: the farthest force is so far beyond its limits, in parts of
+// their distance. Every force is within them if f ≤ 0, and some force is not if f > 0.
 #pragma once
 
 #include <span>

@@ -50,12 +50,8 @@ class LoadPavingGoal {
   [[nodiscard]] bool has_ended() const { return open_.empty(); }
   void fill(std::vector<std::vector<Interval>>& boxes, std::uint64_t left) {
     round_.clear();
-    std::size_t count = std::min(kBoxesOfPavingRound, open_.size());
-    if (count > left) {
-      course_.save_last([this](SavedTree& tree) { describe(tree); });
-      count = left;
-    }
-    take_last(open_, count, round_, boxes);
+    course_.take_round(open_, kBoxesOfPavingRound, left, round_, boxes,
+                       [this](SavedTree& tree) { describe(tree); });
   }
   [[nodiscard]] double horizon() const { return 0; }
   [[nodiscard]] std::size_t open() const { return open_.size(); }

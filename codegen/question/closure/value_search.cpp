@@ -134,7 +134,7 @@ class ValueGoal {
     if (own.size() != kOwnNumbers) throw SavedTreeError("the numbers of the search are missing");
     return own[0];
   }
-  /// What is not about the branch is of no use.
+  /// Forgets a finding whose tube is not shown to be of the branch.
   void revise(const std::vector<Interval>& box, ValueFinding& finding) const {
     const std::optional<std::size_t> leaf = branch_.leaf_with(box);
     if (!leaf || !branch_.leaves()[*leaf].tube || !finding.tube.tube ||

@@ -34,12 +34,8 @@ class ForceGoal {
   void fill(std::vector<std::vector<Interval>>& boxes, std::uint64_t left) {
     round_.clear();
     if (has_looked_enough()) return;
-    std::size_t count = std::min(kBoxesOfRound, open_.size());
-    if (count > left) {
-      course_.save_last([this](SavedTree& tree) { describe(tree); });
-      count = left;
-    }
-    take_last(open_, count, round_, boxes);
+    course_.take_round(open_, kBoxesOfRound, left, round_, boxes,
+                       [this](SavedTree& tree) { describe(tree); });
   }
 
   [[nodiscard]] double horizon() const { return 0; }

@@ -362,7 +362,7 @@ std::optional<Root> RootJudge::root_near(const Box& variables, std::vector<doubl
     const std::vector<Interval> steps = product(*K, at_center->value, n);
     for (std::size_t j = 0; j < n; ++j) near[j] -= mid(steps[j]);
   }
-  // Where numbers are uncertain, wide boxes, and then those that are as the tube of the solution.
+  // Uncertain numbers need room: wide boxes are tried, and then boxes as large as the solution's tube.
   const std::vector<Interval> steps = product(*K, at_center->value, n);
   const bool is_uncertain = is_blurred(steps, std::vector<double>(n, kSmallRadius));
   std::vector<std::vector<double>> radii;

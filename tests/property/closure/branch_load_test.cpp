@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <random>
 
 #include "codegen/question/closure/value_certificate.hpp"
@@ -199,6 +200,42 @@ TEST(LoadsOverABranch, AreNotHeldBeyondALimit) {
       EXPECT_TRUE(is_above ? hi > largest : lo < least);
       expect_bound_to_its_data(beyond, text, false);
     }
+}
+
+/// The torque over a ball of wrenches is that at its middle, and on both sides the radius times the length of (dx/dθ,
+/// dφ/dθ). The report names the wrench of the ball that needs it.
+TEST(LoadsOverABranch, TakeBallsToTheirFarthestWrench) {
+  const SliderCrank slider{0.4, 1.5, 0.1};
+  constexpr double kRadius = 0.7, kTo = 0.8;
+  const auto [x, phi] = slider.speeds(kTo);
+  const double needed = x + 2 * phi - kRadius * std::hypot(x, phi);  // the least, at the end
+  const auto text = [&](double least) {
+    return slider.text(0.5, 0.3, kTo) +
+           fmt::format(
+               "[actuators]\nforce = [\"{:.17g}\", 9]\nforce_unit = \"N m\"\n[load.L]\nwrench = {{ "
+               "value = [1, 2], radius = 0.7 }}\n",
+               least);
+  };
+  const CheckedLoad held = checked_load(text(needed - 0.01));
+  EXPECT_EQ(held.result.verdict, FeasibilityVerdict::kFeasible) << held.result.reason;
+  EXPECT_EQ(outcome_of(held.proof, text(needed - 0.01)), verifier::Outcome::kVerified);
+  const CheckedLoad beyond = checked_load(text(needed + 0.01));
+  ASSERT_EQ(beyond.result.verdict, FeasibilityVerdict::kInfeasible) << beyond.result.reason;
+  EXPECT_EQ(outcome_of(beyond.proof, text(needed + 0.01)), verifier::Outcome::kVerified);
+
+  Facts facts(Readers::kPrograms);
+  tell_branch_load(beyond.prepared, beyond.result, nullptr, facts);
+  const auto witness = facts.object().at("witness");
+  EXPECT_EQ(witness.at("wrench_units"), (std::vector<std::string>{"N", "N m"}));
+  double work = 0, squares = 0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double w = witness.at("wrench")[i][0], direction = witness.at("direction")[i];
+    work += w * direction;
+    squares += (w - (i + 1.0)) * (w - (i + 1.0));
+  }
+  EXPECT_NEAR(std::sqrt(squares), kRadius, 1e-6);
+  EXPECT_NEAR(work, witness.at("needed")[0], 1e-6);
+  EXPECT_GT(work, double(witness.at("possible")[0]) + 1e-6);
 }
 
 /// Forces that are at a limit all the way are within it.
