@@ -254,7 +254,27 @@ TEST(PlatformError, IsVerifiedAndComparedWithItsModel) {
                    {"platform = [2, 2]", "platform = [2, 1]"},
                    {"base_tolerance = 0.001", "base_tolerance = 0.002"},
                    {"x = [4.9", "x = [4.8"},
-                   {"y = 5", "y = 4"}});
+                   {"y = 5", "y = 4"},
+                   {"\ny = 5", "\nerror = { x = \"1/1000\" }\ny = 5"}});
+}
+
+/// The equations are about the pose that is commanded, so a proof about one with errors is none.
+TEST(PlatformError, HasNoErrorsOfThePose) {
+  const std::string model =
+      planar("0.002", "x = 5\ny = 5\nphi = \"1/10\"\n", "base_tolerance = 0.001\n");
+  const test::TemporaryDirectory directory;
+  const ComponentBound c =
+      bound(model, "x_deviation", 0.1, (directory.path() / "bound").string()).components.at(0);
+  ASSERT_TRUE(c.proved) << c.reason;
+  std::string proof = text_of(c.proofs.safe());
+  const std::size_t sum = proof.find("\nsha256 ") + 8;
+  proof.replace(sum, proof.find('\n', sum) - sum, "-");  // or the file is another by its digest
+  proof = with_other(proof, "\npose x = 5\n", "\npose x = 5 +- 1/1000\n");
+  proof = with_other(proof, "of the 9 uncertain quantities", "of the 10 uncertain quantities");
+  const verifier::Verification v =
+      test::verified(proof, with_other(model, "\ny = 5", "\nerror = { x = \"1/1000\" }\ny = 5"));
+  EXPECT_EQ(v.outcome, Outcome::kUnfinished) << describe(v);
+  EXPECT_NE(describe(v).find("the pose has errors of its own"), std::string::npos) << describe(v);
 }
 
 TEST(PlatformError, OfAHexapodIsVerifiedAndComparedWithItsModel) {
