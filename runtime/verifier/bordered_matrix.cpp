@@ -277,8 +277,8 @@ class Border {
 
   /// The radius of a ball without variables is in no range that could be empty.
   void require_nonnegative(NodeId radius) const {
-    constexpr long kBits = 128;
-    const auto value = evaluate(q_.graph, {radius}, {}, kBits);
+    constexpr long kBitsOfBorder = 128;
+    const auto value = evaluate(q_.graph, {radius}, {}, kBitsOfBorder);
     if (!value || arb_is_nonnegative((*value)[0].get()) == 0)
       throw Rejection("the radius of a ball is not certainly positive or 0");
   }

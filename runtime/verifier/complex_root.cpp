@@ -9,7 +9,7 @@ namespace regulus::verifier {
 namespace {
 
 constexpr long kLeastBits = 128;
-constexpr int kMostSteps = 40;
+constexpr int kMostStepsOfRoot = 40;
 /// Distances that are tried for the reach, in parts of the scale: from 2^-20 on, each by 2^-12 smaller.
 constexpr int kFirstExponent = -20, kNextExponent = -12;
 constexpr int kMostContractions = 12;
@@ -111,7 +111,7 @@ class RootTest {
   [[nodiscard]] bool approach() {
     bool is_last = false;
     for (int step = 0; !is_last; ++step) {
-      if (step == kMostSteps || !evaluate_center()) return false;
+      if (step == kMostStepsOfRoot || !evaluate_center()) return false;
       is_last = is_near();
       acb_mat_sub(center_.get(), center_.get(), offset_.get(), bits_);
       acb_mat_get_mid(center_.get(), center_.get());

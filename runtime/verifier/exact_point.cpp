@@ -7,7 +7,7 @@
 namespace regulus::verifier {
 namespace {
 
-constexpr std::uint64_t kProducts = 1 << 20;
+constexpr std::uint64_t kProductsOfPoint = 1 << 20;
 constexpr std::uint64_t kProductsOfConstraint = 1 << 16;
 
 std::vector<NodeId> coordinates(Question& q, const ClaimedPoint& point) {
@@ -23,7 +23,7 @@ std::vector<NodeId> coordinates(Question& q, const ClaimedPoint& point) {
 ExactPoint::ExactPoint(Question& question, const ClaimedPoint& point)
     : q_(question),
       values_(coordinates(question, point)),
-      budget_(kProducts),
+      budget_(kProductsOfPoint),
       algebra_(question.graph, values_, Algebra::Form::kFull, budget_) {}
 
 bool ExactPoint::is_singular() {

@@ -62,11 +62,11 @@ Interval outward(const RationalRange& x) { return {enclose(x.lo).lo, enclose(x.h
 
 /// Uses Arb, whose value is exact if the root is a double. The root of intervals is not exact.
 Interval root(Interval x) {
-  constexpr long kBits = 64;
+  constexpr long kBitsOfRange = 64;
   if (!(x.lo >= 0.0)) return everything();
-  Ball lo(point(x.lo), kBits), hi(point(x.hi), kBits);
-  arb_sqrt(lo.get(), lo.get(), kBits);
-  arb_sqrt(hi.get(), hi.get(), kBits);
+  Ball lo(point(x.lo), kBitsOfRange), hi(point(x.hi), kBitsOfRange);
+  arb_sqrt(lo.get(), lo.get(), kBitsOfRange);
+  arb_sqrt(hi.get(), hi.get(), kBitsOfRange);
   return hull(lo.enclosure(), hi.enclosure());
 }
 

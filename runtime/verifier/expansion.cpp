@@ -12,7 +12,7 @@ constexpr int kMostFactors = 8;
 
 /// The factors, in the order of their nodes; repeated factors are adjacent.
 using Monomial = std::vector<NodeId>;
-using Polynomial = std::map<Monomial, NodeId>;
+using Expanded = std::map<Monomial, NodeId>;
 
 class Expander {
  public:
@@ -23,9 +23,9 @@ class Expander {
       for (const std::size_t k : variables) varies_[i] = varies_[i] || dependence.on(NodeId(i), k);
   }
 
-  const Polynomial& of(NodeId id) {
+  const Expanded& of(NodeId id) {
     if (const auto known = known_.find(id); known != known_.end()) return known->second;
-    Polynomial result = expand(id);
+    Expanded result = expand(id);
     return known_.emplace(id, std::move(result)).first->second;
   }
 
@@ -37,7 +37,7 @@ class Expander {
   }
 
  private:
-  Polynomial expand(NodeId id) {
+  Expanded expand(NodeId id) {
     const Node node = graph_.nodes()[std::size_t(id)];
     if (!varies_[std::size_t(id)]) return {{{}, id}};
     switch (node.op) {
@@ -59,14 +59,14 @@ class Expander {
     return itself(id);
   }
 
-  Polynomial itself(NodeId id) { return {{{id}, graph_.number("1")}}; }
+  Expanded itself(NodeId id) { return {{{id}, graph_.number("1")}}; }
 
-  Polynomial scaled(Polynomial p, Op op, NodeId factor) {
+  Expanded scaled(Expanded p, Op op, NodeId factor) {
     for (auto& [monomial, coefficient] : p) coefficient = graph_.add(op, coefficient, factor);
     return p;
   }
 
-  void add(Polynomial& p, const Monomial& monomial, NodeId coefficient, Op op = Op::kAdd) {
+  void add(Expanded& p, const Monomial& monomial, NodeId coefficient, Op op = Op::kAdd) {
     const auto [place, is_new] = p.emplace(monomial, coefficient);
     if (!is_new)
       place->second = graph_.add(op, place->second, coefficient);
@@ -74,15 +74,15 @@ class Expander {
       place->second = graph_.add(Op::kNegate, coefficient);
   }
 
-  Polynomial sum(Polynomial left, const Polynomial& right, Op op, NodeId id) {
+  Expanded sum(Expanded left, const Expanded& right, Op op, NodeId id) {
     if (left.size() + right.size() > kMostTermsOfAnEntry) return itself(id);
     for (const auto& [monomial, coefficient] : right) add(left, monomial, coefficient, op);
     return left;
   }
 
-  Polynomial product(const Polynomial& left, const Polynomial& right, NodeId id) {
+  Expanded product(const Expanded& left, const Expanded& right, NodeId id) {
     if (left.size() * right.size() > kMostTermsOfAnEntry) return itself(id);
-    Polynomial result;
+    Expanded result;
     for (const auto& [m1, c1] : left)
       for (const auto& [m2, c2] : right) {
         Monomial monomial(m1.size() + m2.size());
@@ -92,9 +92,9 @@ class Expander {
     return result;
   }
 
-  Polynomial power(const Node& node, NodeId id) {
+  Expanded power(const Node& node, NodeId id) {
     if (node.b > kMostFactors) return itself(id);
-    Polynomial result = of(node.a);
+    Expanded result = of(node.a);
     for (int i = 1; i < node.b; ++i) {
       result = product(result, of(node.a), id);
       if (result.size() == 1 && result.begin()->first == Monomial{id}) break;
@@ -104,7 +104,7 @@ class Expander {
 
   Graph& graph_;
   std::vector<bool> varies_;  ///< only asked about nodes from before the expansion
-  std::map<NodeId, Polynomial> known_;
+  std::map<NodeId, Expanded> known_;
 };
 
 }  // namespace

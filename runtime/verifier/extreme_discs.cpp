@@ -7,7 +7,7 @@
 namespace regulus::verifier {
 namespace {
 
-constexpr int kSteps = 30;             ///< of the iteration for weights
+constexpr int kStepsOfWeights = 30;    ///< of the iteration for weights
 constexpr double kShift = 0.3;         ///< keeps it from going to and fro
 constexpr double kLeastWeight = 1e-9;  ///< relative to the largest
 constexpr double kLeastSlack = 1e-6;   ///< the same
@@ -69,7 +69,7 @@ ExtremeDiscs::Weights ExtremeDiscs::find_weights(bool of_largest) const {
     for (std::size_t j = 0; j < n_; ++j) sum += off(i, j) * w.y[j];
     return sum;
   };
-  for (int step = 0; step < kSteps; ++step) {
+  for (int step = 0; step < kStepsOfWeights; ++step) {
     Doubles t(n_), d(n_);
     double largest = 1e-300;
     for (std::size_t i = 0; i < n_; ++i) {

@@ -15,7 +15,7 @@ namespace regulus::verifier {
 namespace {
 
 /// The parts into which an arc is cut are no smaller than this one of it.
-constexpr int kMostHalvings = 40;
+constexpr int kMostHalvingsOfFold = 40;
 
 /// Numbers of the curve: its coordinates are the part of the line, and the unknowns.
 using CurvePoint = std::vector<Interval>;
@@ -115,7 +115,7 @@ class FoldPath {
                      [](double r) { return r > 0.0; }))
       throw Rejection("a radius of a tube is not positive");
     require_on_line(part_of(arc));
-    prove(arc, arc.range, kMostHalvings);
+    prove(arc, arc.range, kMostHalvingsOfFold);
     last_ ? link(arc) : begin(arc);
     last_.emplace(std::move(arc));
   }

@@ -8,8 +8,8 @@ namespace regulus::verifier {
 namespace {
 
 constexpr double kFirstWeight = 4, kWeightGrowth = 8, kLastWeight = 1e6;
-constexpr int kSteps = 30;        ///< of Newton's method, for each weight
-constexpr double kCentred = 0.1;  ///< Newton decrement at which the next weight begins
+constexpr int kStepsOfNewton = 30;  ///< of Newton's method, for each weight
+constexpr double kCentred = 0.1;    ///< Newton decrement at which the next weight begins
 
 using Doubles = std::vector<double>;
 
@@ -34,7 +34,7 @@ class Barrier {
 
   void minimise() {
     for (double weight = kFirstWeight; weight < kLastWeight; weight *= kWeightGrowth)
-      for (int step = 0; step < kSteps; ++step)
+      for (int step = 0; step < kStepsOfNewton; ++step)
         if (!(move(weight) > kCentred)) break;
   }
 

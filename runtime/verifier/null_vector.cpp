@@ -13,8 +13,8 @@ namespace {
 
 /// Most boxes of directions for one box. A single pose cannot be split: it is worth more.
 constexpr std::size_t kMostDirections = 4000, kMostDirectionsOfAPose = 100'000;
-constexpr double kNarrowest = 0x1p-20;    ///< relative to v
-constexpr double kOutward = 1 + 0x1p-20;  ///< covers roundings of middles: radii are no smaller
+constexpr double kNarrowestRadius = 0x1p-20;  ///< relative to v
+constexpr double kOutward = 1 + 0x1p-20;      ///< covers roundings of middles: radii are no smaller
 
 }  // namespace
 
@@ -35,7 +35,7 @@ bool TouchedRows::has_no_null_vector(const std::vector<double>& v) const {
     std::size_t widest = 0;
     for (std::size_t s = 1; s < order(); ++s)
       if (y.radius[s] * v[widest] > y.radius[widest] * v[s]) widest = s;
-    if (boxes > most || y.radius[widest] < kNarrowest * v[widest]) return false;
+    if (boxes > most || y.radius[widest] < kNarrowestRadius * v[widest]) return false;
     const double half = y.radius[widest] = 0.5 * kOutward * y.radius[widest];
     waiting.push_back(y);
     waiting.back().middle[widest] -= half;

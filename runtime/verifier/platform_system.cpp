@@ -10,9 +10,9 @@
 namespace regulus::verifier {
 namespace {
 
-constexpr std::size_t kLegs = 6, kUnknowns = 12, kPosition = 9;
+constexpr std::size_t kLegsOfPlatform = 6, kUnknowns = 12, kPosition = 9;
 constexpr std::size_t kMostPoses = 40, kMostPosesOfPairs = 16;
-constexpr long kBitsOfNumbers = 1088, kBitsOfRoots = 256;
+constexpr long kBitsOfPlatform = 1088, kBitsOfRoots = 256;
 constexpr std::uint64_t kProductsOfAnchor = 1 << 16;  ///< to show that two anchors are one
 
 /// R row by row.
@@ -41,8 +41,8 @@ class PlatformSystem final : public CountedSystem {
       nodes.push_back(leg.square);
     }
     std::vector<Ball> variables;
-    for (const Interval x : places) variables.emplace_back(x, kBitsOfNumbers);
-    auto values = verifier::evaluate(q.graph, nodes, variables, kBitsOfNumbers);
+    for (const Interval x : places) variables.emplace_back(x, kBitsOfPlatform);
+    auto values = verifier::evaluate(q.graph, nodes, variables, kBitsOfPlatform);
     if (!values) throw Unfinished("a number of the legs has no certain value");
     numbers_ = std::move(*values);
     for (const Ball& number : numbers_) {
@@ -51,7 +51,7 @@ class PlatformSystem final : public CountedSystem {
     }
     are_in_pairs_ =
         meet_in_pairs(q.graph, &LegLine::base) || meet_in_pairs(q.graph, &LegLine::platform);
-    for (std::size_t i = 0; i < kLegs; ++i)
+    for (std::size_t i = 0; i < kLegsOfPlatform; ++i)
       for (std::size_t axis = 0; axis < 3; ++axis)
         size_ = std::max({size_, mag(enclosure(i, axis)), mag(enclosure(i, 3 + axis))});
     if (!places.empty()) one_ = std::make_unique<PlatformSystem>(*this, AtMiddle());
@@ -82,7 +82,7 @@ class PlatformSystem final : public CountedSystem {
     std::size_t row = 0;
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = i; j < 3; ++j) columns(z, i, j, row++, values, derivatives, bits);
-    for (std::size_t i = 0; i < kLegs; ++i) leg(z, i, row++, values, derivatives, bits);
+    for (std::size_t i = 0; i < kLegsOfPlatform; ++i) leg(z, i, row++, values, derivatives, bits);
   }
 
   /// From t and a quaternion up to a factor: R = I + 2(w[v]× + [v]×²)/q·q.
@@ -167,7 +167,7 @@ class PlatformSystem final : public CountedSystem {
         {{on(2, 3), twice(1, 2) - twice(0, 3), twice(1, 3) + twice(0, 2)},
          {twice(1, 2) + twice(0, 3), on(1, 3), twice(2, 3) - twice(0, 1)},
          {twice(1, 3) - twice(0, 2), twice(2, 3) + twice(0, 1), on(1, 2)}}};
-    for (std::size_t i = 0; i < kLegs; ++i) {
+    for (std::size_t i = 0; i < kLegsOfPlatform; ++i) {
       Interval excess = -enclosure(i, 6);
       for (std::size_t axis = 0; axis < 3; ++axis) {
         Interval part = x[axis] - enclosure(i, axis);
@@ -191,9 +191,9 @@ class PlatformSystem final : public CountedSystem {
 
   /// Each leg has one other with the same anchor there.
   bool meet_in_pairs(Graph& graph, std::array<NodeId, 3> LegLine::*anchor) const {
-    for (std::size_t i = 0; i < kLegs; ++i) {
+    for (std::size_t i = 0; i < kLegsOfPlatform; ++i) {
       std::size_t partners = 0;
-      for (std::size_t k = 0; k < kLegs; ++k) {
+      for (std::size_t k = 0; k < kLegsOfPlatform; ++k) {
         bool is_same = k != i;
         for (std::size_t axis = 0; is_same && axis < 3; ++axis)
           is_same = certain_equal(graph, (legs_[i].*anchor)[axis], (legs_[k].*anchor)[axis],

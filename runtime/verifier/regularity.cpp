@@ -10,7 +10,7 @@
 namespace regulus::verifier {
 namespace {
 
-constexpr long kBits = 64;
+constexpr long kBitsOfMatrix = 64;
 
 /// If their part is below this, the ranges of moving variables do not keep the box open.
 constexpr double kNoImpact = 0.02;
@@ -105,7 +105,7 @@ bool RegularityTest::is_regular_without_derivatives() {
     }
   if (!is_moderate(P_) || !of_motion_.find(P_)) return false;
   return !q_.has_threshold ||
-         exceeds_threshold(of_motion_.determinant(), determinant(K_, n, kBits).enclosure());
+         exceeds_threshold(of_motion_.determinant(), determinant(K_, n, kBitsOfMatrix).enclosure());
 }
 
 void RegularityTest::place_middle(const Box& box) {
@@ -146,7 +146,7 @@ Interval RegularityTest::determinant_of_K() const {
     exponent = exponent + point(middle_.radius[inverse_.moving()[p]]) * point(mag(trace));
   }
   exponent = exponent + square(point(f)) / (2.0 * (point(1.0) - point(f)));
-  return determinant(inverse_.K(), n, kBits).enclosure() * apply(Op::kExp, exponent);
+  return determinant(inverse_.K(), n, kBitsOfMatrix).enclosure() * apply(Op::kExp, exponent);
 }
 
 /// Returns, roughly, how much each variable keeps P, or T, from being dominated. If only the

@@ -7,13 +7,14 @@
 namespace regulus::verifier {
 namespace {
 
-constexpr std::uint64_t kPart = std::uint64_t{1} << 16;
+constexpr std::uint64_t kPartOfShard = std::uint64_t{1} << 16;
 
 std::string digest_of(const std::string& path) {
   InputFile bytes(path);
-  std::string part(kPart, '\0');
+  std::string part(kPartOfShard, '\0');
   Sha256 digest;
-  for (std::streamsize count; (count = bytes.sgetn(part.data(), std::streamsize(kPart))) > 0;)
+  for (std::streamsize count;
+       (count = bytes.sgetn(part.data(), std::streamsize(kPartOfShard))) > 0;)
     digest.add(std::string_view(part).substr(0, std::size_t(count)));
   return digest.text();
 }

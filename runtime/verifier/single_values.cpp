@@ -8,7 +8,7 @@ namespace regulus::verifier {
 namespace {
 
 constexpr std::uint64_t kProductsOfEnds = 1 << 16;
-constexpr long kBits = 256;  ///< of constants that must have a value
+constexpr long kBitsOfConstant = 256;  ///< of constants that must have a value
 constexpr int kMostSimplified = 1 << 10;
 
 /// Returns the expression of each variable that has one value only; kNoNode for the others, and for
@@ -74,7 +74,7 @@ class Rewriting {
     if (graph_.nodes()[std::size_t(id)].op == Op::kConstant || varies(id)) return id;
     if (simplified_.size() == kMostSimplified) return id;
     NodeId result = id;
-    if (evaluate(graph_, {id}, {}, kBits))
+    if (evaluate(graph_, {id}, {}, kBitsOfConstant))
       if (const auto value = exact_value(graph_, id)) result = graph_.number(*value);
     simplified_.emplace(id, result);
     return result;

@@ -14,7 +14,7 @@
 namespace regulus::verifier {
 namespace {
 
-constexpr long kMostBits = 1024;  // Numbers of the question are enclosed with some more.
+constexpr long kMostBitsOfCount = 1024;  // Numbers of the question are enclosed with some more.
 
 /// The first line of the proof has been read.
 class SolutionCount {
@@ -86,7 +86,7 @@ class SolutionCount {
     const ComplexMatrix place = system_->place_of(starts_[i]);
     const std::vector<double> scale = system_->scale_at(place);
     const ComplexSystem* one = system_->one();
-    const auto root = one == nullptr ? prove_root(*system_, place, scale, kMostBits)
+    const auto root = one == nullptr ? prove_root(*system_, place, scale, kMostBitsOfCount)
                                      : prove_tube(*one, *system_, place, scale);
     if (!root) give_up(lines_of_[i], "no simple root was found near this place");
     lines_.name_line(lines_of_[i]);

@@ -12,7 +12,7 @@ namespace regulus::verifier {
 namespace {
 
 constexpr std::size_t kLegsInSpace = 6, kValuesInSpace = 7, kValuesInPlane = 3;
-constexpr std::string_view kWithin = " +- ";
+constexpr std::string_view kPlusMinus = " +- ";
 /// A line `leg` has so many bars.
 constexpr std::ptrdiff_t kBarsInPlane = 4;
 constexpr std::size_t kMostJoints = 64, kNumbersOfJoint = 15, kNumbersOfFrame = 12,
@@ -131,11 +131,11 @@ class SolutionReader {
   NodeId square(const std::string& number, std::string_view rest) {
     if (rest.empty() || rest.find(" | ") != std::string_view::npos)
       throw Rejection("expected " + std::to_string(2 * axes_ + 1) + " expressions after 'leg'");
-    const std::size_t mark = rest.find(kWithin);
+    const std::size_t mark = rest.find(kPlusMinus);
     const NodeId middle = reader_.constant("square", number, rest.substr(0, mark));
     if (mark == std::string_view::npos) return middle;
     const NodeId spread =
-        reader_.constant("square-spread", number, rest.substr(mark + kWithin.size()));
+        reader_.constant("square-spread", number, rest.substr(mark + kPlusMinus.size()));
     if (q_.variables.size() == format::kMostVariables) throw Rejection("too many variables");
     const NodeId node = q_.graph.add(Op::kVariable, int(q_.variables.size()));
     q_.variables.push_back({"square " + number, VariableKind::kError,

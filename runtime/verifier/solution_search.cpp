@@ -12,7 +12,7 @@
 namespace regulus::verifier {
 namespace {
 
-constexpr long kBits = 128;
+constexpr long kBitsOfSearch = 128;
 constexpr std::size_t kStarts = 8;  ///< for each unknown that is not searched
 
 class SolutionSearch {
@@ -56,13 +56,13 @@ class SolutionSearch {
   void enclose_ranges() {
     for (std::size_t i = 0; i < q_.closure->names.size(); ++i) {
       const auto values =
-          evaluate(q_.graph, {q_.closure->middle[i], q_.closure->radius[i]}, {}, kBits);
+          evaluate(q_.graph, {q_.closure->middle[i], q_.closure->radius[i]}, {}, kBitsOfSearch);
       if (!values) throw Unfinished("a range has no certain value");
       if (arb_is_positive((*values)[1].get()) == 0)
         throw Rejection("a radius of the unknowns is not positive");
       Ball lo, hi;
-      arb_sub(lo.get(), (*values)[0].get(), (*values)[1].get(), kBits);
-      arb_add(hi.get(), (*values)[0].get(), (*values)[1].get(), kBits);
+      arb_sub(lo.get(), (*values)[0].get(), (*values)[1].get(), kBitsOfSearch);
+      arb_add(hi.get(), (*values)[0].get(), (*values)[1].get(), kBitsOfSearch);
       const Interval lower = lo.enclosure(), upper = hi.enclosure();
       if (!is_bounded(lower) || !is_bounded(upper)) throw Unfinished("a range is too large");
       outer_.push_back({lower.lo, upper.hi});

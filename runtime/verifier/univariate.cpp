@@ -6,7 +6,8 @@
 namespace regulus::verifier {
 namespace {
 
-constexpr std::size_t kMostBits = 1 << 18;  ///< degree times digits; Sturm's sequence grows with it
+constexpr std::size_t kMostBitsOfSequence =
+    1 << 18;  ///< degree times digits; Sturm's sequence grows with it
 
 /// Counts roots strictly between 0 and 1. `p` is squarefree, and not 0 at 0 or 1.
 long roots_inside_unit(const fmpz_poly_t p) {
@@ -52,7 +53,7 @@ bool Univariate::set(const Polynomial& p, int atom) {
     bits = std::max(bits, factor.bits());
     if (!powers.empty()) degree = std::max(degree, std::size_t(powers[0].second));
   }
-  if (bits * degree * degree > kMostBits) return false;
+  if (bits * degree * degree > kMostBitsOfSequence) return false;
   for (const auto& [powers, factor] : p.terms())
     fmpq_poly_set_coeff_fmpq(value_, powers.empty() ? 0 : powers[0].second, factor.get());
   return true;

@@ -10,11 +10,11 @@
 namespace regulus::verifier {
 namespace {
 
-constexpr long kBits = 128;
-constexpr long kMostBits = 4096;
+constexpr long kBitsOfVariety = 128;
+constexpr long kMostBitsOfVariety = 4096;
 
 Ball constant(const Question& q, NodeId node, const std::string& what) {
-  for (long bits = kBits; bits <= kMostBits; bits *= 4) {
+  for (long bits = kBitsOfVariety; bits <= kMostBitsOfVariety; bits *= 4) {
     const auto value = evaluate(q.graph, {node}, {}, bits);
     if (value && is_bounded((*value)[0].enclosure())) return (*value)[0];
   }
@@ -63,11 +63,12 @@ Distances distances(const Question& q, const BallOfVariables& ball, const Box& p
   Ball difference;
   for (std::size_t i = 0; i < ball.members.size(); ++i) {
     const Ball middle = constant(q, ball.middles[i], "the middle of a ball");
-    arb_sub(difference.get(), Ball(point[ball.members[i]], kBits).get(), middle.get(), kBits);
-    arb_addmul(result.of_point.get(), difference.get(), difference.get(), kBits);
+    arb_sub(difference.get(), Ball(point[ball.members[i]], kBitsOfVariety).get(), middle.get(),
+            kBitsOfVariety);
+    arb_addmul(result.of_point.get(), difference.get(), difference.get(), kBitsOfVariety);
   }
   const Ball radius = constant(q, ball.radius, "a radius");
-  arb_mul(result.most.get(), radius.get(), radius.get(), kBits);
+  arb_mul(result.most.get(), radius.get(), radius.get(), kBitsOfVariety);
   return result;
 }
 

@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::uint64_t kProductsOfView = 1 << 19;  ///< for the entries of both matrices
 constexpr std::uint64_t kProductsOfDeterminants = 1 << 23;
-constexpr long kBits = 512;
-constexpr int kPoints = 6;
+constexpr long kBitsOfArm = 512;
+constexpr int kPointsOfArm = 6;
 
 /// Six rows.
 std::vector<NodeId> entries_of(const TwistColumns& twists) {
@@ -264,13 +264,13 @@ class ArmComparison {
       for (std::size_t j = 0; j < joints_; ++j)
         jacobian.push_back(views_[view.view].jacobian[row * joints_ + j]);
     std::vector<std::pair<Ball, Ball>> determinants;
-    for (int number = 0; number < kPoints; ++number) {
-      const std::vector<Ball> at = some_point(q_, number, kBits);
-      const auto ours = evaluate(q_.graph, jacobian, at, kBits);
-      const auto theirs = evaluate(q_.graph, q_.matrix, at, kBits);
+    for (int number = 0; number < kPointsOfArm; ++number) {
+      const std::vector<Ball> at = some_point(q_, number, kBitsOfArm);
+      const auto ours = evaluate(q_.graph, jacobian, at, kBitsOfArm);
+      const auto theirs = evaluate(q_.graph, q_.matrix, at, kBitsOfArm);
       if (!ours || !theirs) continue;
-      const std::pair<Ball, Ball> now(determinant(*ours, joints_, kBits),
-                                      determinant(*theirs, joints_, kBits));
+      const std::pair<Ball, Ball> now(determinant(*ours, joints_, kBitsOfArm),
+                                      determinant(*theirs, joints_, kBitsOfArm));
       for (const auto& before : determinants)
         if (is_another_ratio(before, now)) return true;
       determinants.push_back(now);
@@ -285,10 +285,10 @@ class ArmComparison {
     if (views_.empty() ||
         (!is_transposed && (q_.rows != 6 || q_.columns != joints_ || joints_ == 6)))
       return false;
-    for (int number = 0; number < kPoints; ++number) {
-      const std::vector<Ball> at = some_point(q_, number, kBits);
-      const auto ours = evaluate(q_.graph, views_.front().jacobian, at, kBits);
-      auto theirs = evaluate(q_.graph, q_.matrix, at, kBits);
+    for (int number = 0; number < kPointsOfArm; ++number) {
+      const std::vector<Ball> at = some_point(q_, number, kBitsOfArm);
+      const auto ours = evaluate(q_.graph, views_.front().jacobian, at, kBitsOfArm);
+      auto theirs = evaluate(q_.graph, q_.matrix, at, kBitsOfArm);
       if (!ours || !theirs) continue;
       if (is_transposed) {
         const std::vector<Ball> rows = *theirs;
@@ -311,23 +311,23 @@ class ArmComparison {
       const auto at = [&](std::size_t row, std::size_t column) {
         return J[(row + k) * joints_ + column].get();
       };
-      arb_addmul(result.get(), at(first, i), at(3, j), kBits);
-      if (first == 0) arb_addmul(result.get(), at(3, i), at(0, j), kBits);
+      arb_addmul(result.get(), at(first, i), at(3, j), kBitsOfArm);
+      if (first == 0) arb_addmul(result.get(), at(3, i), at(0, j), kBitsOfArm);
     }
     return result;
   }
 
   static bool is_another_ratio(const std::pair<Ball, Ball>& x, const std::pair<Ball, Ball>& y) {
     Ball difference;
-    arb_mul(difference.get(), x.first.get(), y.second.get(), kBits);
-    arb_submul(difference.get(), x.second.get(), y.first.get(), kBits);
+    arb_mul(difference.get(), x.first.get(), y.second.get(), kBitsOfArm);
+    arb_submul(difference.get(), x.second.get(), y.first.get(), kBitsOfArm);
     return arb_contains_zero(difference.get()) == 0;
   }
 
   static bool is_another_size(const std::pair<Ball, Ball>& x) {
     Ball sum, difference;
-    arb_add(sum.get(), x.first.get(), x.second.get(), kBits);
-    arb_sub(difference.get(), x.first.get(), x.second.get(), kBits);
+    arb_add(sum.get(), x.first.get(), x.second.get(), kBitsOfArm);
+    arb_sub(difference.get(), x.first.get(), x.second.get(), kBitsOfArm);
     return arb_contains_zero(sum.get()) == 0 && arb_contains_zero(difference.get()) == 0;
   }
 

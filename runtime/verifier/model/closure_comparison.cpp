@@ -15,8 +15,8 @@
 namespace regulus::verifier {
 namespace {
 
-constexpr long kBits = 4096;
-constexpr long kMostTurns = 16;  ///< after which an unknown may repeat
+constexpr long kBitsOfClosure = 4096;
+constexpr long kMostTurnsOfUnknown = 16;  ///< after which an unknown may repeat
 constexpr double kMostTurnsOfAngle = 1e6;
 constexpr std::uint64_t kProductsOfTurns = 1 << 12;
 
@@ -50,7 +50,7 @@ class WholeTurns {
     const NodeId slope = by_.of(id), angle = graph_.add(Op::kMultiply, slope, step_);
     for (const NodeId part : ingredients(graph_, {slope}))
       if (graph_.nodes()[std::size_t(part)].op == Op::kVariable) return false;
-    const auto value = evaluate(graph_, {angle}, {}, kBits);
+    const auto value = evaluate(graph_, {angle}, {}, kBitsOfClosure);
     if (!value) return false;
     const double turns = std::round(mid((*value)[0].enclosure()) / (2 * std::numbers::pi));
     if (!(std::fabs(turns) < kMostTurnsOfAngle)) return false;
@@ -160,7 +160,7 @@ class ClosureComparison {
 
   /// Returns n for n half turns of an unknown; 0 for any other number.
   long half_turns_of(const std::string& name, NodeId radius) {
-    for (long n = 1; n <= kMostTurns; ++n)
+    for (long n = 1; n <= kMostTurnsOfUnknown; ++n)
       if (equality(q_, radius, half_turns(name, n)) == Equality::kEqual) return n;
     return 0;
   }
@@ -174,7 +174,7 @@ class ClosureComparison {
 
   /// Returns the least number of turns of an unknown that are seen to change no equation; 0: none.
   long fewest_turns(const std::string& name) {
-    for (long n = 1; n <= kMostTurns; ++n) {
+    for (long n = 1; n <= kMostTurnsOfUnknown; ++n) {
       WholeTurns turns(q_.graph, number_of(name), half_turns(name, 2 * n));
       if (std::ranges::all_of(closure_.equations, [&](NodeId e) { return turns.keep(e); }))
         return n;
@@ -199,7 +199,7 @@ class ClosureComparison {
   }
 
   [[nodiscard]] bool is_positive(NodeId node) const {
-    const auto value = evaluate(q_.graph, {node}, {}, kBits);
+    const auto value = evaluate(q_.graph, {node}, {}, kBitsOfClosure);
     return value && arb_is_positive((*value)[0].get()) != 0;
   }
 
@@ -239,7 +239,7 @@ class ClosureComparison {
   NodeId larger_of_one(NodeId value) {
     Graph& graph = q_.graph;
     const NodeId one = graph.number("1"), size = graph.add(Op::kAbs, value);
-    const auto above = evaluate(graph, {graph.add(Op::kSubtract, size, one)}, {}, kBits);
+    const auto above = evaluate(graph, {graph.add(Op::kSubtract, size, one)}, {}, kBitsOfClosure);
     if (above && arb_is_positive((*above)[0].get()) != 0) return size;
     return above && arb_is_nonpositive((*above)[0].get()) != 0 ? one : kNoNode;
   }

@@ -6,14 +6,14 @@
 namespace regulus::verifier {
 namespace {
 
-constexpr long kBits = 1024;
+constexpr long kBitsOfRow = 1024;
 
 }  // namespace
 
 ConstantSigns::Answer ConstantSigns::of(const Polynomial& p) {
   if (p.is_constant()) return p.is_zero() ? Answer::kZero : Answer::kNonzero;
   if (algebra_.vanishes(p)) return Answer::kZero;
-  const auto value = evaluate(graph_, {algebra_.expression(p)}, {}, kBits);
+  const auto value = evaluate(graph_, {algebra_.expression(p)}, {}, kBitsOfRow);
   return value && arb_contains_zero((*value)[0].get()) == 0 ? Answer::kNonzero : Answer::kUnknown;
 }
 

@@ -9,8 +9,8 @@
 namespace regulus::verifier {
 namespace {
 
-constexpr std::uint64_t kProducts = 1 << 22;  ///< for all conditions of a question
-constexpr long kBits = 2048;
+constexpr std::uint64_t kProductsOfConditions = 1 << 22;  ///< for all conditions of a question
+constexpr long kBitsOfValue = 2048;
 using Kind = Need::Kind;
 
 /// Returns p/|first factor|, or with the first factor 1.
@@ -20,7 +20,7 @@ Polynomial normalized(const Polynomial& p, bool any_sign) {
   return p.scaled(Rational(1) / size);
 }
 
-const char* words_of(Kind kind) {
+const char* words_of_need(Kind kind) {
   switch (kind) {
     case Kind::kNonzero:
       return "a division by an expression that may be 0";
@@ -62,7 +62,7 @@ std::vector<Need> Definedness::all_needs_of(NodeId root) {
 }
 
 bool Definedness::has_value(NodeId constant) const {
-  return evaluate(q_.graph, {constant}, {}, kBits).has_value();
+  return evaluate(q_.graph, {constant}, {}, kBitsOfValue).has_value();
 }
 
 bool Definedness::is_certain(const Need& need) {
@@ -101,7 +101,7 @@ void Definedness::begin_algebra() {
 }
 
 void Definedness::restart_algebra() {
-  budget_ = std::make_unique<AlgebraBudget>(kProducts);
+  budget_ = std::make_unique<AlgebraBudget>(kProductsOfConditions);
   algebra_ = std::make_unique<Algebra>(q_.graph, no_values_, Algebra::Form::kFull, *budget_);
   algebra_->keep_whole(poses_as_variables(q_));
 }
@@ -220,7 +220,7 @@ std::vector<std::string> Definedness::missing() {
     for (const Need& need : place.needs) {
       const Keys keys = keys_of(need);
       if (!std::includes(claimed.begin(), claimed.end(), keys.begin(), keys.end()))
-        sentences.insert(place.name + " has " + words_of(need.kind) +
+        sentences.insert(place.name + " has " + words_of_need(need.kind) +
                          ", and the certificate has no line 'defined' or 'motion-defined' for it");
       wanted.insert(keys.begin(), keys.end());
     }

@@ -12,8 +12,8 @@
 namespace regulus::verifier {
 namespace {
 
-constexpr std::uint64_t kProducts = 1 << 18;  ///< for one pair
-constexpr long kBits = 2048;                  ///< of values at points
+constexpr std::uint64_t kProductsOfPair = 1 << 18;  ///< for one pair
+constexpr long kBitsAtPoint = 2048;                 ///< of values at points
 constexpr int kPoints = 4;
 constexpr long kLargestRoot = 1000;  ///< the algebra takes all primes below out of other roots
 constexpr std::array kForms{Algebra::Form::kPlain, Algebra::Form::kFull};
@@ -65,7 +65,7 @@ class IndependentAtoms {
 
 Equality by_algebra(Question& q, NodeId difference, Algebra::Form form,
                     const std::vector<NodeId>& whole) {
-  AlgebraBudget budget(kProducts);
+  AlgebraBudget budget(kProductsOfPair);
   const std::vector<NodeId> none;
   try {
     Algebra algebra(q.graph, none, form, budget);
@@ -89,18 +89,18 @@ std::uint64_t next_number(std::uint64_t& state) {
 }
 
 /// Returns some point of the ranges.
-std::vector<Ball> point(const Question& q, std::uint64_t& state) {
+std::vector<Ball> random_point(const Question& q, std::uint64_t& state) {
   std::vector<Ball> result(q.variables.size());
   for (std::size_t k = 0; k < result.size(); ++k) {
     const Variable& v = q.variables[k];
     const ulong part = next_number(state) >> 32;
-    const auto ends = evaluate(q.graph, {v.lo, v.hi}, {}, kBits);
+    const auto ends = evaluate(q.graph, {v.lo, v.hi}, {}, kBitsAtPoint);
     if (!ends) continue;
     Ball& x = result[k];
-    arb_sub(x.get(), (*ends)[1].get(), (*ends)[0].get(), kBits);
-    arb_mul_ui(x.get(), x.get(), part, kBits);
+    arb_sub(x.get(), (*ends)[1].get(), (*ends)[0].get(), kBitsAtPoint);
+    arb_mul_ui(x.get(), x.get(), part, kBitsAtPoint);
     arb_mul_2exp_si(x.get(), x.get(), -32);
-    arb_add(x.get(), x.get(), (*ends)[0].get(), kBits);
+    arb_add(x.get(), x.get(), (*ends)[0].get(), kBitsAtPoint);
     arb_get_mid_arb(x.get(), x.get());
   }
   return result;
@@ -109,7 +109,7 @@ std::vector<Ball> point(const Question& q, std::uint64_t& state) {
 bool certain_nonzero_somewhere(const Question& q, NodeId difference) {
   std::uint64_t state = 0;
   for (int k = 0; k < kPoints; ++k) {
-    const auto value = evaluate(q.graph, {difference}, point(q, state), kBits);
+    const auto value = evaluate(q.graph, {difference}, random_point(q, state), kBitsAtPoint);
     if (value && arb_contains_zero((*value)[0].get()) == 0) return true;
   }
   return false;
@@ -156,7 +156,7 @@ bool certain_proportional(Question& q, NodeId a, NodeId b) {
   if (a == b) return true;
   const std::vector<NodeId> none, whole = poses_as_variables(q);
   for (const Algebra::Form form : kForms) try {
-      AlgebraBudget budget(kProducts);
+      AlgebraBudget budget(kProductsOfPair);
       Algebra algebra(q.graph, none, form, budget);
       algebra.keep_whole(whole);
       if (form == Algebra::Form::kFull) algebra.find_units({q.graph.add(Op::kSubtract, a, b)});

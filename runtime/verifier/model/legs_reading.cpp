@@ -13,26 +13,26 @@
 namespace regulus::verifier {
 namespace {
 
-constexpr std::string_view kAxes = "xyz", kLegs = "legs.leg[";
+constexpr std::string_view kAxisLetters = "xyz", kLegWord = "legs.leg[";
 
 /// Quantities of one kind: the letters of their names.
-struct Group {
+struct LegGroup {
   std::string letters;
   SectionTolerance tolerance;
 };
-const Group kBase{"a", {"legs.base_tolerance", "tolerance base"}};
-const Group kPlatform{"b", {"legs.platform_tolerance", "tolerance platform"}};
-const Group kCranks{"crank_", {"legs.crank_tolerance", "tolerance cranks"}};
-const Group kRods{"rod_", {"legs.rod_tolerance", "tolerance rods"}};
-const Group kAxisGroup{"n", {"legs.axis_tolerance", "tolerance axes"}};
-const Group kHinges{"h", {"legs.axis_tolerance", "tolerance axes"}};
+const LegGroup kBase{"a", {"legs.base_tolerance", "tolerance base"}};
+const LegGroup kPlatform{"b", {"legs.platform_tolerance", "tolerance platform"}};
+const LegGroup kCranks{"crank_", {"legs.crank_tolerance", "tolerance cranks"}};
+const LegGroup kRods{"rod_", {"legs.rod_tolerance", "tolerance rods"}};
+const LegGroup kAxisGroup{"n", {"legs.axis_tolerance", "tolerance axes"}};
+const LegGroup kHinges{"h", {"legs.axis_tolerance", "tolerance axes"}};
 
 class LegsReading final : public SectionReading {
  public:
   explicit LegsReading(const WrittenValues& values) : values_(values) {
-    for (auto at = values.lower_bound(kLegs); at != values.end() && at->first.starts_with(kLegs);
-         ++at)
-      count_ = std::max(count_, std::size_t(std::atoi(at->first.c_str() + kLegs.size())) + 1);
+    for (auto at = values.lower_bound(kLegWord);
+         at != values.end() && at->first.starts_with(kLegWord); ++at)
+      count_ = std::max(count_, std::size_t(std::atoi(at->first.c_str() + kLegWord.size())) + 1);
     is_planar_ = count_ > 0 && type_of(0).is_planar;
     orientation_ = text("legs.orientation", is_planar_ ? kAngleInPlane : "");
     is_in_degrees_ = text("legs.angle_unit", "rad") != "rad";
@@ -41,7 +41,8 @@ class LegsReading final : public SectionReading {
   [[nodiscard]] std::vector<SectionPose> pose() const override {
     const std::string unit = text("legs.unit", "1");
     std::vector<SectionPose> result;
-    for (std::size_t i = 0; i < axes(); ++i) result.push_back({std::string(1, kAxes[i]), unit});
+    for (std::size_t i = 0; i < axes(); ++i)
+      result.push_back({std::string(1, kAxisLetters[i]), unit});
     for (const std::string& name : angles())
       result.push_back({name, orientation_ == "quaternion" ? "1" : text("legs.angle_unit", "rad")});
     return result;
@@ -55,7 +56,7 @@ class LegsReading final : public SectionReading {
     const std::string_view before = name.substr(0, digits), after = name.substr(end);
     const int number = std::atoi(std::string(name.substr(digits)).c_str());
     if (number < 1 || std::size_t(number) > count_) return kNoNode;
-    const std::size_t axis = after.size() == 2 ? kAxes.find(after[1]) : kAxes.npos;
+    const std::size_t axis = after.size() == 2 ? kAxisLetters.find(after[1]) : kAxisLetters.npos;
     if (!after.empty() && axis >= axes()) return kNoNode;
     GraphAlgebra algebra(comparer.question().graph);
     const LegValues& leg = values_of(std::size_t(number) - 1, comparer, algebra);
@@ -144,7 +145,7 @@ class LegsReading final : public SectionReading {
     return found == values_.end() ? otherwise : found->second.text;
   }
   static std::string place(std::size_t leg) {
-    return std::string(kLegs) + std::to_string(leg) + ']';
+    return std::string(kLegWord) + std::to_string(leg) + ']';
   }
   [[nodiscard]] bool has(const std::string& place) const {
     const auto at = values_.lower_bound(place);
@@ -216,21 +217,21 @@ class LegsReading final : public SectionReading {
     return !values_.contains(place + ".group");
   }
 
-  NodeId quantity(const std::string& place, const std::string& name, const Group& group,
+  NodeId quantity(const std::string& place, const std::string& name, const LegGroup& group,
                   SectionComparer& comparer, std::vector<std::string>* names = nullptr) const {
     const SectionQuantity written = section_quantity(values_, place, group.tolerance);
     return SectionValues(comparer, is_in_degrees_)
         .quantity(written.value, name, written.tolerance, names);
   }
 
-  VectorNodes point(const std::string& list, const std::string& number, const Group& group,
+  VectorNodes point(const std::string& list, const std::string& number, const LegGroup& group,
                     SectionComparer& comparer, GraphAlgebra& algebra) {
     const SectionQuantity written = section_quantity(values_, list, group.tolerance,
                                                      text("legs.tolerance_shape", "box") == "ball");
     VectorNodes result = algebra.zero();
     std::vector<std::string> names;
     for (std::size_t i = 0; i < axes(); ++i) {
-      const std::string name = group.letters + number + '_' + kAxes[i];
+      const std::string name = group.letters + number + '_' + kAxisLetters[i];
       result[i] = SectionValues(comparer, is_in_degrees_)
                       .quantity(element(written.value, i), name, written.tolerance, &names);
     }
@@ -253,7 +254,7 @@ class LegsReading final : public SectionReading {
     return is_exact;
   }
 
-  VectorNodes axis(const std::string& list, const std::string& number, const Group& group,
+  VectorNodes axis(const std::string& list, const std::string& number, const LegGroup& group,
                    SectionComparer& comparer, GraphAlgebra& algebra) {
     if (is_exact_axis(list, comparer)) return algebra.unit(numbers(list, comparer, algebra));
     return point(list, number, group, comparer, algebra);
@@ -340,7 +341,8 @@ class LegsReading final : public SectionReading {
 
   LegAtPose at_pose(const LegValues& leg, const Scope& scope, GraphAlgebra& algebra) const {
     VectorNodes position = algebra.zero();
-    for (std::size_t i = 0; i < axes(); ++i) position[i] = pose_of(scope, std::string(1, kAxes[i]));
+    for (std::size_t i = 0; i < axes(); ++i)
+      position[i] = pose_of(scope, std::string(1, kAxisLetters[i]));
     return LegAtPose(leg, position, rotation(scope, algebra), algebra);
   }
 

@@ -14,7 +14,7 @@
 namespace regulus::verifier {
 namespace {
 
-std::string at(std::size_t i) { return '[' + std::to_string(i) + ']'; }
+std::string indexed(std::size_t i) { return '[' + std::to_string(i) + ']'; }
 
 bool has_below(const WrittenValues& values, const std::string& table) {
   const auto first = values.lower_bound(table);
@@ -104,8 +104,8 @@ class ModelComparison {
     const std::string value = is_table ? place + ".value" : place;
     std::vector<std::pair<std::string, std::string>> coordinates;  // place and name
     if (has(value)) coordinates.emplace_back(value, name);
-    for (std::size_t i = 0; has(value + at(i)); ++i)
-      coordinates.emplace_back(value + at(i), name + '_' + std::to_string(i + 1));
+    for (std::size_t i = 0; has(value + indexed(i)); ++i)
+      coordinates.emplace_back(value + indexed(i), name + '_' + std::to_string(i + 1));
     const bool is_ball = has(place + ".radius");
     const std::string spread = is_ball ? place + ".radius" : place + ".tolerance";
     const auto group = values_.find(place + ".group");
@@ -160,15 +160,15 @@ class ModelComparison {
   void compare_matrix() {
     require_shape();
     for (std::size_t e = 0; e < q_.matrix.size(); ++e)
-      comparer_.compare_at("matrix.rows" + at(e / q_.columns) + at(e % q_.columns),
+      comparer_.compare_at("matrix.rows" + indexed(e / q_.columns) + indexed(e % q_.columns),
                            "entry " + std::to_string(e), q_.actual);
     const std::string scales = "matrix.row_scale";
-    for (std::size_t i = 0; has(scales + at(i)); ++i) {
+    for (std::size_t i = 0; has(scales + indexed(i)); ++i) {
       const NodeId scale =
-          comparer_.compare_at(scales + at(i), "scale " + std::to_string(i), q_.actual);
+          comparer_.compare_at(scales + indexed(i), "scale " + std::to_string(i), q_.actual);
       if (scale == kNoNode) continue;
-      comparer_.definedness().require(scales + at(i), scale);
-      comparer_.definedness().require_positive(scales + at(i), scale);
+      comparer_.definedness().require(scales + indexed(i), scale);
+      comparer_.definedness().require_positive(scales + indexed(i), scale);
     }
     for (auto stated = q_.stated.lower_bound("scale ");
          stated != q_.stated.end() && stated->first.starts_with("scale "); ++stated)
@@ -182,8 +182,8 @@ class ModelComparison {
          known != values_.end() && known->first.starts_with(rows + '['); ++known)
       ++count;
     for (std::size_t e = 0; e < q_.matrix.size(); ++e)
-      count -= has(rows + at(e / q_.columns) + at(e % q_.columns));
-    if (count != 0 || !has(rows + at(q_.rows - 1) + at(q_.columns - 1)))
+      count -= has(rows + indexed(e / q_.columns) + indexed(e % q_.columns));
+    if (count != 0 || !has(rows + indexed(q_.rows - 1) + indexed(q_.columns - 1)))
       comparer_.refuse_model("the matrix of the file is not " + std::to_string(q_.rows) + " x " +
                              std::to_string(q_.columns) + ", as in the certificate");
   }

@@ -169,9 +169,9 @@ class TomlScanner {
   unsigned long code_point(std::size_t digits) {
     unsigned long value = 0;
     for (std::size_t i = 0; i < digits; ++i) {
-      constexpr std::string_view kDigits = "0123456789abcdef";
+      constexpr std::string_view kHexDigits = "0123456789abcdef";
       const char c = at_ < text_.size() ? text_[at_] : ' ';
-      const std::size_t digit = kDigits.find('A' <= c && c <= 'F' ? char(c - 'A' + 'a') : c);
+      const std::size_t digit = kHexDigits.find('A' <= c && c <= 'F' ? char(c - 'A' + 'a') : c);
       if (digit == std::string_view::npos) fail(std::to_string(digits) + " hexadecimal digits");
       value = 16 * value + digit;
       ++at_;

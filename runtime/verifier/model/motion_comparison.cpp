@@ -11,7 +11,7 @@
 namespace regulus::verifier {
 namespace {
 
-constexpr long kBits = 2048;
+constexpr long kBitsOfMotion = 2048;
 constexpr std::string_view kWithinRanges = "within-ranges", kReachable = "reachable";
 
 class MotionComparison {
@@ -138,7 +138,8 @@ class MotionComparison {
     if (comparer_.differences() == before) return;
     const auto found = q_.stated.find(stated);
     const NodeId now = found == q_.stated.end() ? q_.graph.number("0") : found->second.node;
-    const auto growth = evaluate(q_.graph, {q_.graph.add(Op::kSubtract, now, error)}, {}, kBits);
+    const auto growth =
+        evaluate(q_.graph, {q_.graph.add(Op::kSubtract, now, error)}, {}, kBitsOfMotion);
     if (!growth || arb_is_positive((*growth)[0].get()) == 0)
       comparer_.refuse(comparer_.place_of(motion_ + "error." + pose), "a smaller one");
   }

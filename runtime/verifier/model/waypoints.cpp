@@ -26,22 +26,22 @@ struct Unit {
   std::string_view name;
   long micrometres;
 };
-constexpr std::array<Unit, 7> kLengths = {{{"m", 1'000'000},
-                                           {"dm", 100'000},
-                                           {"cm", 10'000},
-                                           {"mm", 1'000},
-                                           {"um", 1},
-                                           {"µm", 1},
-                                           {"in", 25'400}}};
+constexpr std::array<Unit, 7> kLengthUnits = {{{"m", 1'000'000},
+                                               {"dm", 100'000},
+                                               {"cm", 10'000},
+                                               {"mm", 1'000},
+                                               {"um", 1},
+                                               {"µm", 1},
+                                               {"in", 25'400}}};
 
 long length_of(const std::string& unit) {
-  const auto found = std::find_if(kLengths.begin(), kLengths.end(),
+  const auto found = std::find_if(kLengthUnits.begin(), kLengthUnits.end(),
                                   [&unit](const Unit& known) { return known.name == unit; });
-  return found == kLengths.end() ? 0 : found->micrometres;
+  return found == kLengthUnits.end() ? 0 : found->micrometres;
 }
 
-bool is_degrees(const std::string& unit) { return unit == "deg" || unit == "°"; }
-bool is_angle(const std::string& unit) { return unit == "rad" || is_degrees(unit); }
+bool names_degrees(const std::string& unit) { return unit == "deg" || unit == "°"; }
+bool is_angle(const std::string& unit) { return unit == "rad" || names_degrees(unit); }
 
 NodeId whole(Graph& graph, long value) { return graph.number(std::to_string(value)); }
 
@@ -163,9 +163,10 @@ NodeId WaypointComparison::scaled(Graph& graph, NodeId number, const std::string
   const std::string given = table_.columns[*column(parameter)].unit;
   if (given.empty()) return number;
   const std::string wanted = unit_of_model(parameter);
-  if (given == wanted || (is_degrees(given) && is_degrees(wanted))) return number;
-  if (is_degrees(given) && wanted == "rad") return graph.add(Op::kMultiply, number, degree(graph));
-  if (given == "rad" && is_degrees(wanted)) return graph.add(Op::kDivide, number, degree(graph));
+  if (given == wanted || (names_degrees(given) && names_degrees(wanted))) return number;
+  if (names_degrees(given) && wanted == "rad")
+    return graph.add(Op::kMultiply, number, degree(graph));
+  if (given == "rad" && names_degrees(wanted)) return graph.add(Op::kDivide, number, degree(graph));
   if (length_of(given) == 0 || length_of(wanted) == 0)
     throw Unfinished("the unit '" + given + "' of the way-points is not that of the model, '" +
                      wanted + "'");

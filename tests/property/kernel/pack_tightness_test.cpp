@@ -105,8 +105,7 @@ class PackTightnessTest : public ::testing::TestWithParam<Op> {
 TEST_P(PackTightnessTest, IsWithinItsBudget) {
   const double most = limit(GetParam());
   CornerInputs inputs(7 + static_cast<unsigned>(GetParam()), -most, most);
-  constexpr std::size_t kGroups = 1024;
-  const Workload work(kGroups, inputs);
+  const Workload work(1024, inputs);
   PackOracle oracle;
   std::vector<std::optional<Tightest>> tightest(work.size());
   for (std::size_t i = 0; i < work.size(); ++i)

@@ -9,6 +9,7 @@
 #include "codegen/use/api/regulus.hpp"
 #include "tests/support/temporary_directory.hpp"
 
+namespace proofs_test {
 namespace {
 
 using regulus::Question;
@@ -165,3 +166,4 @@ TEST_F(Proofs, AreNotInShardsOfASizeThatHasNoMeaning) {
 }
 
 }  // namespace
+}  // namespace proofs_test

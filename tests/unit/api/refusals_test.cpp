@@ -12,6 +12,7 @@
 
 #include "codegen/use/api/regulus.hpp"
 
+namespace refusals_test {
 namespace {
 
 using regulus::Question;
@@ -205,3 +206,4 @@ TEST(WhatWorks, GivesEachReasonOnceAndNoneTwiceForOneCell) {
 }
 
 }  // namespace
+}  // namespace refusals_test
