@@ -14,7 +14,7 @@ constexpr unsigned kCode[] = {0b000000, 0b100011, 0b010101, 0b110110,
                               0b001110, 0b101101, 0b011011, 0b111000};
 constexpr unsigned kLeader[] = {0, 1, 2, 4, 8, 16, 32, 0b001001};
 
-constexpr int kMaxSweeps = 8;
+constexpr int kMaxSweepsOfDescent = 8;
 constexpr std::size_t kVariablesAtOnce = kLanes / 2;
 
 }  // namespace
@@ -177,7 +177,7 @@ void WitnessSearch::descend(std::span<const Interval> box, std::size_t most_star
 
 /// Moves from current_, where sign·det is `best`.
 void WitnessSearch::go_downhill(std::span<const Interval> box, double sign, double best) noexcept {
-  for (int sweep = 0; sweep < kMaxSweeps && best > 0.0 && !found_; ++sweep) {
+  for (int sweep = 0; sweep < kMaxSweepsOfDescent && best > 0.0 && !found_; ++sweep) {
     bool moved = false;
     for (std::size_t k = 0; k < variables_ && !found_; k += kVariablesAtOnce)
       if (step(box, k, sign, best)) moved = true;

@@ -8,7 +8,7 @@
 
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::expression_parser_test {
 namespace {
 
 using GiNaC::ex;
@@ -222,4 +222,4 @@ TEST(ParseConstant, RefusesWhatNoDoubleCanBound) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::expression_parser_test
