@@ -138,10 +138,10 @@ TEST_F(BranchCheckpoint, OfAPavedLoadLeadsToTheSameReport) {
 TEST_F(BranchCheckpoint, OfADatasheetKeepsAllQuantities) {
   const Words question{"--gap", "0.01", "--threads", "1"};
   const auto ends = [](const CommandResult& r) {
-    json ends;
+    json found;
     for (const json& bound : json::parse(r.output).at("bounds"))
-      ends.push_back({bound.at("quantity"), bound.at("proved"), bound.at("attained")});
-    return ends;
+      found.push_back({bound.at("quantity"), bound.at("proved"), bound.at("attained")});
+    return found;
   };
   const CommandResult whole = ask("datasheet", question);
   ASSERT_EQ(whole.exit_code, 0) << whole.errors << whole.output;

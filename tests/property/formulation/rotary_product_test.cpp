@@ -43,13 +43,6 @@ TEST(RotaryProductProperty, IsTheNumericProductOfRandomRobotsInThePlane) {
   EXPECT_GE(count.turned, 20);
 }
 
-TEST(RotaryProductProperty, IsTheNumericProductOfRandomRobotsOnRails) {
-  Count count;
-  compare_random("PUS", 1, 13, count);
-  EXPECT_GE(count.points, 3);
-  EXPECT_GE(count.steps, 8);
-}
-
 TEST(RotaryProductProperty, IsTheNumericProductOfTheModels) {
   Count count;
   Random random(14);
