@@ -207,7 +207,13 @@ std::unique_ptr<MarginAnswer> ask(const AskMargin& asked, const Services& servic
   ModelOptions model = asked.model;
   static_cast<void>(read_gap(asked.gap));
   MarginQuestion question = take_question(model, asked.size);
-  refuse_services(has_limit ? Kind::kLimitMargin : Kind::kMargin, model, asked.search, services);
+  const bool is_finite = has_limit && is_finite_error(asked.quantity);
+  refuse_services(is_finite   ? Kind::kFiniteErrors
+                  : has_limit ? Kind::kLimitMargin
+                              : Kind::kMargin,
+                  model, asked.search, services);
+  if (is_finite)
+    refuse_changed_options(option_refusals_of_closures(), model, asked.search, services.dashes);
   if (has_limit) return std::make_unique<MarginOfLimit>(question, model, asked, services);
   set_outputs_aside(model, asked.search, services, EndProofs::files(services.certificate));
   const FormingWatch watch = watch_of(services, asked.search);

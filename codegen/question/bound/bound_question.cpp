@@ -26,7 +26,9 @@ Request read_asked(ModelOptions model, const QuantityOptions& quantity, const Fo
   const std::string& text = quantity.quantity;
   if (!is_quantity(text)) model.asked = text;
   try {
-    return read_request(model, &watch);
+    Request request = read_request(model, &watch);
+    return is_finite_error(quantity) && !request.model.closure ? closure_of_platform(request)
+                                                               : request;
   } catch (const UsageError&) {
     if (model.asked.empty() || !is_word(text)) throw;
   }
@@ -36,18 +38,19 @@ Request read_asked(ModelOptions model, const QuantityOptions& quantity, const Fo
                                           fmt::join(quantity_words(), ", "))));
 }
 
-/// Finite errors are those of the motion and of the geometry.
-void require_errors(const Request& request, const Quantity& quantity) {
-  if (quantity.kind != QuantityKind::kFiniteError) return;
+bool has_finite_errors(const Request& request) {
   const auto is_zero = [](const GiNaC::ex& e) { return e.is_zero(); };
-  bool has_error = !std::ranges::all_of(request.motion.error, is_zero);
-  for (const GeometryParameter& g : request.model.geometry) {
+  return !std::ranges::all_of(request.motion.error, is_zero) ||
+         !std::ranges::all_of(request.model.geometry, is_zero, &GeometryParameter::tolerance);
+}
+
+void require_finite_errors(const Request& request, const Quantity& quantity) {
+  if (quantity.kind != QuantityKind::kFiniteError) return;
+  for (const GeometryParameter& g : request.model.geometry)
     if (g.ball >= 0 && !request.model.balls.at(std::size_t(g.ball)).radius.is_zero())
       throw UsageError("finite errors take tolerances that are ranges; the point of '" + g.name +
                        "' lies in a ball");
-    has_error = has_error || !g.tolerance.is_zero();
-  }
-  if (!has_error)
+  if (!has_finite_errors(request))
     throw UsageError(
         "nothing has an error: give the motion an `error`, the legs [actuators] error, or the "
         "geometry tolerances");
@@ -71,10 +74,8 @@ BoundQuestion read_bound_question(const ModelOptions& model, const QuantityOptio
                                  fmt::join(quantity_words(), ", ")));
   refuse_threshold(model);
   BoundQuestion question{read_asked(model, words, watch), {}, {}};
-  if (is_finite_error(words) && !question.request.model.closure)
-    question.request = closure_of_platform(question.request);
   question.quantity = quantity_of(question.request.model, words);
-  require_errors(question.request, question.quantity);
+  require_finite_errors(question.request, question.quantity);
   if (!limit.empty()) question.limit = read_limit(limit, question.quantity);
   return question;
 }

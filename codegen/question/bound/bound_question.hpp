@@ -22,6 +22,11 @@ struct BoundQuestion {
 [[nodiscard]] Request read_asked(ModelOptions model, const QuantityOptions& quantity,
                                  const FormingWatch& watch = {});
 
+/// Returns true if the motion or the geometry has errors that finite errors are about.
+[[nodiscard]] bool has_finite_errors(const Request& request);
+/// Throws    UsageError if the quantity is a finite error, and the errors are none or in balls.
+void require_finite_errors(const Request& request, const Quantity& quantity);
+
 /// Throws    UsageError for a text that is not a constant, or is not positive where it must be.
 [[nodiscard]] GiNaC::ex read_limit(const std::string& text, const Quantity& quantity);
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/model/exact/certain_sign.hpp"
+#include "codegen/question/bound/bound_question.hpp"
 #include "codegen/question/way/margin_checkpoint.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/time_budget.hpp"
@@ -36,18 +37,20 @@ bool is_symmetric(const std::vector<Range>& ranges) {
 /// The questions of a datasheet, in the order of its rows.
 class Questions {
  public:
-  explicit Questions(const Model& model) : model_(model) { collect(); }
+  explicit Questions(const Request& request) : model_(request.model) { collect(request); }
 
   std::vector<QuantityOptions> all;
 
  private:
-  void collect() {
+  void collect(const Request& request) {
     for (const VectorSet& load : model_.loads) add_forces(load.name);
     for (const VectorSet& load : model_.loads)
       if (!model_.actuators.stiffness.empty()) add("deflection").load = load.name;
     for (const VectorSet& twist : model_.twists) add("speed").twist = twist.name;
     if (model_.closure && !model_.actuators.speed.empty()) add("speed");
     if (!model_.actuators.error.empty()) add("error");
+    if (model_.closure && !request.motion.trajectory && has_finite_errors(request))
+      add("finite-error");
     add("sigma-min");
     add("sigma-max");
     add("condition").norm = "2";
@@ -137,11 +140,12 @@ std::string part_of(const AskedQuantity& asked) { return asked.name + ' '; }
 std::vector<AskedQuantity> quantities_of(const Request& request,
                                          std::vector<std::string>& left_out) {
   std::vector<AskedQuantity> quantities;
-  for (const QuantityOptions& question : Questions(request.model).all) try {
+  for (const QuantityOptions& question : Questions(request).all) try {
       Quantity quantity = quantity_of(request.model, question);
       if (quantity.kind == QuantityKind::kCondition && quantity.components.size() > kMostPairs)
         throw UsageError(fmt::format("condition: {} pairs of a row and a column; bound it alone",
                                      quantity.components.size()));
+      require_finite_errors(request, quantity);
       quantities.push_back({std::move(quantity), name_of(question)});
     } catch (const UsageError& error) {
       left_out.emplace_back(error.what());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/bound/limit_margin.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "codegen/answer/report/progress.hpp"
@@ -161,6 +163,23 @@ class LimitMarginRun {
   LimitMargin found_;
 };
 
+/// Forces, speeds and errors to first order are those at a pose. Errors of the pose itself are none of a
+/// platform on legs.
+void require_errors_that_count(const Request& request, const MarginQuestion& question) {
+  if (request.motion.trajectory) return;
+  if (!request.model.closure)
+    throw UsageError(
+        "--tube: a limit has no growing control error; let a tolerance, --scale or "
+        "--grow grow");
+  const std::size_t legs = request.model.legs.size();
+  if (legs == 0) return;
+  const std::vector<GiNaC::ex> errors = grown(request, question, decimal_value(1)).motion.error;
+  const auto is_zero = [](const GiNaC::ex& e) { return e.is_zero(); };
+  if (!std::all_of(errors.begin(), errors.end() - std::ptrdiff_t(legs), is_zero))
+    throw UsageError(fmt::format(
+        "--tube: finite errors of a platform are those of its legs; name leg_1 to leg_{}", legs));
+}
+
 }  // namespace
 
 LimitMargin limit_margin(const Request& request, const MarginQuestion& question, Quantity quantity,
@@ -171,10 +190,7 @@ LimitMargin limit_margin(const Request& request, const MarginQuestion& question,
         "after another, by regulus bound --limit");
   if (question.quantity == MarginQuantity::kAlpha)
     throw UsageError("--alpha: a limit has no threshold; let a tolerance, --scale or --grow grow");
-  if (question.quantity == MarginQuantity::kTube && !request.motion.trajectory)
-    throw UsageError(
-        "--tube: a limit has no growing control error; let a tolerance, --scale or "
-        "--grow grow");
+  if (question.quantity == MarginQuantity::kTube) require_errors_that_count(request, question);
   return LimitMarginRun(request, question, std::move(quantity), settings, listener).run();
 }
 

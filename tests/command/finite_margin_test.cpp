@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tests how far errors can grow while what they move keeps a limit, against closed forms.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/command.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace regulus::test::finite_margin_test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+/// q = sqrt(c·l) at l = 4 and c = 1: errors within ± v of l move it by at most 2 - sqrt(4 - v), and
+/// those of c by 2 - 2·sqrt(1 - v).
+constexpr const char* kRoot = R"(regulus = 1
+name = "root"
+[pose]
+l = "m"
+[geometry]
+c = { value = 1, tolerance = 0, group = "factor" }
+[closure]
+unknowns = { q = "m" }
+equations = ["q^2 - c*l"]
+start = { l = 4, q = 2 }
+[motion.rest]
+l = 4
+)";
+
+const std::string kOctahedral = std::string(REGULUS_SOURCE_DIR) + "/models/octahedral.toml";
+const std::string kLegs = "leg_1,leg_2,leg_3,leg_4,leg_5,leg_6";
+
+class FiniteMargin : public testing::Test {
+ protected:
+  FiniteMargin() { std::ofstream(model_) << kRoot; }
+
+  [[nodiscard]] static CommandResult margin(const std::string& model,
+                                            std::vector<std::string> words) {
+    for (const char* word : {"--quantity", "error", "--finite", "--threads", "1", "--quiet"})
+      words.emplace_back(word);
+    return regulus({"margin", model}, words);
+  }
+
+  static void expect_bracket(const std::string& model, std::vector<std::string> words,
+                             double critical, double slack = 0) {
+    words.insert(words.end(), {"--json", "--gap", "1e-2"});
+    const CommandResult result = margin(model, words);
+    ASSERT_EQ(result.exit_code, 0) << result.output << result.errors;
+    const json report = json::parse(result.output);
+    EXPECT_LE(report["certified"], critical);
+    EXPECT_GE(report["refuted"], critical * (1 - slack));
+    EXPECT_TRUE(report["closed"]) << result.output;
+  }
+
+  /// The verifier is told of what has grown.
+  static void expect_verified(const std::string& file, const std::string& model, int code) {
+    for (const char* end : {".safe", ".singular"}) {
+      const CommandResult verified = run_command({kVerify, file + end, "--model", model});
+      EXPECT_EQ(verified.exit_code, code) << end << verified.output << verified.errors;
+    }
+  }
+
+  TemporaryDirectory directory_;
+  std::string model_ = directory_.path() / "root.toml";
+};
+
+TEST_F(FiniteMargin, GrowsAControlError) {
+  expect_bracket(model_, {"rest", "--tube", "l=0:3", "--limit", "1/2"}, 1.75);
+}
+
+TEST_F(FiniteMargin, GrowsATolerance) {
+  expect_bracket(model_, {"rest", "--tolerance", "factor=0:1/2", "--limit", "1/2"}, 0.4375);
+}
+
+// All legs shorter by v: the platform stays level, and h - sqrt((ρ - v)² - d²) lower, with h = 10 and
+// d² = 76. By symmetry the derivatives of its height by the six lengths are equal.
+TEST_F(FiniteMargin, GrowsErrorsOfThePlatformsLegs) {
+  const double critical = std::sqrt(176) - std::sqrt(76 + (10 - 0.05) * (10 - 0.05));
+  expect_bracket(
+      kOctahedral,
+      {"level_89", "--range", "x=0:0", "--range", "y=0:0", "--range", "z=10:10", "--range",
+       "yaw=0:0", "--tube", kLegs + "=0:0.1", "--freedom", "z_deviation", "--limit", "0.05"},
+      critical, 1e-3);
+}
+
+TEST_F(FiniteMargin, ProvesBothEnds) {
+  const std::string file = directory_.path() / "proof";
+  const CommandResult result = margin(
+      model_, {"rest", "--tolerance", "factor=0:1/2", "--limit", "1/2", "--certificate", file});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  for (const char* end : {".safe", ".singular"}) {
+    const CommandResult verified = run_command({kVerify, file + end});
+    EXPECT_EQ(verified.exit_code, 0) << end << verified.output << verified.errors;
+  }
+}
+
+TEST_F(FiniteMargin, RefusesErrorsThatDoNotCount) {
+  const auto refused = [](const CommandResult& result, const char* why) {
+    EXPECT_EQ(result.exit_code, 64) << result.output;
+    EXPECT_THAT(result.errors, HasSubstr(why));
+  };
+  refused(margin(kOctahedral, {"level_89", "--tube", "x=0:0.1", "--limit", "0.05"}),
+          "name leg_1 to leg_6");
+  refused(margin(kOctahedral, {"level_89", "--tube", "0:0.1", "--limit", "0.05"}),
+          "name leg_1 to leg_6");
+  refused(margin(kOctahedral, {"level_89", "--tolerance", "base=0:0.1", "--limit", "0.05",
+                               "--certificate", "c", "--shard-size", "1k"}),
+          "the boxes of a branch are linked");
+  refused(regulus({"margin", kOctahedral, "level_89", "--tube", "x=0:0.1"},
+                  {"--quantity", "error", "--limit", "0.05"}),
+          "--tube");
+}
+
+}  // namespace
+}  // namespace regulus::test::finite_margin_test
