@@ -16,7 +16,7 @@ static_assert(kRules < 64);
 /// So many leaves that all threads are busy.
 constexpr std::size_t kLeavesAtOnce = 64 * kLanes;
 /// A test that was of use for a leaf is tried, whatever the search had learned when it came to it.
-const AdaptiveThreshold kUnlimited(std::numeric_limits<double>::max());
+const AdaptiveThreshold kEveryTest(std::numeric_limits<double>::max());
 
 struct Leaf {
   Rule rule;
@@ -125,7 +125,7 @@ class Retelling {
 
   void judge() {
     load();
-    told_.is_complete = told_.is_complete && !must_stop() && round_.decide(kUnlimited);
+    told_.is_complete = told_.is_complete && !must_stop() && round_.decide(kEveryTest);
   }
 
   void tell() {

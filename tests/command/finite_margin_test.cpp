@@ -57,14 +57,6 @@ class FiniteMargin : public testing::Test {
     EXPECT_TRUE(report["closed"]) << result.output;
   }
 
-  /// The verifier is told of what has grown.
-  static void expect_verified(const std::string& file, const std::string& model, int code) {
-    for (const char* end : {".safe", ".singular"}) {
-      const CommandResult verified = run_command({kVerify, file + end, "--model", model});
-      EXPECT_EQ(verified.exit_code, code) << end << verified.output << verified.errors;
-    }
-  }
-
   TemporaryDirectory directory_;
   std::string model_ = directory_.path() / "root.toml";
 };
@@ -88,15 +80,35 @@ TEST_F(FiniteMargin, GrowsErrorsOfThePlatformsLegs) {
       critical, 1e-3);
 }
 
+// The verifier is told that a tolerance is an option's.
 TEST_F(FiniteMargin, ProvesBothEnds) {
   const std::string file = directory_.path() / "proof";
   const CommandResult result = margin(
       model_, {"rest", "--tolerance", "factor=0:1/2", "--limit", "1/2", "--certificate", file});
   ASSERT_EQ(result.exit_code, 0) << result.errors;
-  for (const char* end : {".safe", ".singular"}) {
-    const CommandResult verified = run_command({kVerify, file + end});
-    EXPECT_EQ(verified.exit_code, 0) << end << verified.output << verified.errors;
+  for (const char* end : {".q.safe", ".q.singular"}) {
+    const CommandResult plain = run_command({kVerify, file + end, "--model", model_});
+    EXPECT_EQ(plain.exit_code, 1) << end << plain.output << plain.errors;
+    const CommandResult told =
+        run_command({kVerify, file + end, "--model", model_, "--allow-options"});
+    EXPECT_EQ(told.exit_code, 0) << end << told.output << told.errors;
   }
+}
+
+TEST_F(FiniteMargin, StandsInADatasheetWhereThereAreErrors) {
+  std::ofstream(model_, std::ios::app) << "error = { l = 0.5 }\n";
+  const CommandResult sheet =
+      regulus({"datasheet", model_}, {"rest", "--json", "--quiet", "--threads", "1"});
+  ASSERT_EQ(sheet.exit_code, 0) << sheet.errors;
+  const double moved = 2 - std::sqrt(3.5);
+  std::size_t rows = 0;
+  for (const json& row : json::parse(sheet.output).at("bounds")) {
+    if (row.at("quantity") != "finite error") continue;
+    ++rows;
+    EXPECT_LE(row.at("attained"), moved);
+    EXPECT_GE(row.at("proved"), moved);
+  }
+  EXPECT_EQ(rows, 1) << sheet.output;
 }
 
 TEST_F(FiniteMargin, RefusesErrorsThatDoNotCount) {
