@@ -138,8 +138,9 @@ TEST_F(BranchCheckpoint, OfAPavedLoadLeadsToTheSameReport) {
 TEST_F(BranchCheckpoint, OfADatasheetKeepsAllQuantities) {
   const Words question{"--gap", "0.01", "--threads", "1"};
   const auto ends = [](const CommandResult& r) {
+    const json sheet = json::parse(r.output);
     json found;
-    for (const json& bound : json::parse(r.output).at("bounds"))
+    for (const json& bound : sheet.at("bounds"))
       found.push_back({bound.at("quantity"), bound.at("proved"), bound.at("attained")});
     return found;
   };

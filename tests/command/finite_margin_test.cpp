@@ -128,7 +128,8 @@ TEST_F(FiniteMargin, StandsInADatasheetWhereThereAreErrors) {
   ASSERT_EQ(sheet.exit_code, 0) << sheet.errors;
   const double moved = 2 - std::sqrt(3.5);
   std::size_t rows = 0;
-  for (const json& bound : json::parse(sheet.output).at("bounds")) {
+  const json report = json::parse(sheet.output);
+  for (const json& bound : report.at("bounds")) {
     if (bound.at("quantity").at("kind") != "finite-error") continue;
     for (const json& row : bound.at("components")) {
       ++rows;
