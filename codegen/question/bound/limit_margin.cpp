@@ -165,7 +165,7 @@ class LimitMarginRun {
 
 LimitMargin limit_margin(const Request& request, const MarginQuestion& question, Quantity quantity,
                          const LimitMarginSettings& settings, const StepListener& listener) {
-  if (quantity.kind == QuantityKind::kCondition2)
+  if (quantity.kind == QuantityKind::kCondition2 && !request.model.closure)
     throw UsageError(
         "--norm 2: margin cannot use this condition number yet; compare with the limit at one size "
         "after another, by regulus bound --limit");

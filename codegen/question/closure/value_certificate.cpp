@@ -8,6 +8,7 @@
 #include "codegen/answer/certificate/load_question.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/question/closure/closure_certificate.hpp"
+#include "codegen/question/closure/singular_values.hpp"
 #include "codegen/question/quantity/inverse_in_one_unit.hpp"
 #include "codegen/question/quantity/quantity_traits.hpp"
 
@@ -44,7 +45,8 @@ class ValueText {
     if (traits.data == NeededData::kMotorSpeeds) put_each("motor-speed", model_.actuators.speed);
     if (traits.data == NeededData::kLoadAndStiffness)
       put_each("stiffness", model_.actuators.stiffness);
-    if (c_.kind == QuantityKind::kCondition) put_each("factor", column_scales(model_));
+    if (c_.kind == QuantityKind::kCondition || SingularValues::are_of(c_.kind))
+      put_each("factor", column_scales(model_));
     put("bound", words_.bound = expression_text(bound));
     return {std::move(text_), std::move(words_)};
   }
