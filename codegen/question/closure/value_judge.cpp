@@ -84,6 +84,7 @@ Interval ValueJudge::singular_value_of(const TubeTrial& trial, const TubeFinder:
   if (finding == nullptr) return {values.attained(measured), kInfinity};
   SingularValueFinding found = values.bound(trial, measured);
   finding->growth = std::move(found.growth);
+  finding->near_center = near_center(trial.tube, measured.image);
   finding->impact = found.impact.empty()
                         ? impact_of(trial.tube, measured.image, question_.closure.shape.variables)
                         : std::move(found.impact);

@@ -20,8 +20,8 @@ struct ValueFinding {
   std::vector<double> impact{};  ///< by variable: what a split makes smaller
   /// By variable: the slope of f, roughly; empty: not known. Only the judge needs it.
   std::vector<double> growth{};
-  /// By unknown, of a distance: the solution at the tube's centre is so near to it. Empty: within the
-  /// tube's radius.
+  /// By unknown, of a distance or a singular value: the solution at the tube's centre is so near to it.
+  /// Empty: within the tube's radius.
   std::vector<double> near_center{};
   /// A tube over a place of the box alone, its middle if possible, and what f is at least in it.
   std::optional<BranchTube> middle{};
