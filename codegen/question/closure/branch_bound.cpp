@@ -159,11 +159,11 @@ class ComponentOverBranch {
   }
 
   void certify_safe(const GiNaC::ex& bound) {
-    certify_value(result_.proofs, prepared_, result_.component, bound, found_.tree, {});
+    certify_value(result_.proofs, prepared_, result_.component, bound, found_.tree, std::nullopt);
   }
   void certify_attained(const GiNaC::ex& bound) {
     certify_value(result_.proofs, prepared_, result_.component, bound, branch_.searched.branch.tree,
-                  found_.at);
+                  std::span<const Interval>(found_.at));
   }
 
   PreparedClosure& prepared_;
