@@ -14,9 +14,9 @@ namespace {
 constexpr long kBitsOfSingularValues = 128;
 
 SingularClaim claim_of(const std::string& kind) {
-  return kind == format::kCondition2 ? SingularClaim::kRatio
-         : kind == format::kSigmaMax ? SingularClaim::kLargest
-                                     : SingularClaim::kLeast;
+  return kind == format::kCondition2 ? SingularClaim::kRatioBelow
+         : kind == format::kSigmaMax ? SingularClaim::kLargestBelow
+                                     : SingularClaim::kLeastAbove;
 }
 
 /// Encloses a constant, which must be positive.

@@ -40,7 +40,7 @@ BoxAnswer ConditionTest::decide(const Box& box) {
   const std::optional<RotatedMatrix> B = rotated(box, bases);
   if (!B) return BoxAnswer::kOpen;
   std::vector<double> parts;
-  if (keeps_singular_claim(SingularClaim::kRatio, *B, bases, m_, n_, bound_, parts))
+  if (keeps_singular_claim(SingularClaim::kRatioBelow, *B, bases, m_, n_, bound_, parts))
     return BoxAnswer::kProved;
   for (std::size_t k = 0; k < parts.size(); ++k) impact_[B->variable[k]] = parts[k];
   return BoxAnswer::kOpen;

@@ -30,9 +30,9 @@ void ExtremeDiscs::bound_entries() {
 }
 
 bool ExtremeDiscs::keep_claim() {
-  return claim_ == SingularClaim::kRatio     ? are_apart()
-         : claim_ == SingularClaim::kLargest ? are_below()
-                                             : are_above();
+  return claim_ == SingularClaim::kRatioBelow     ? are_apart()
+         : claim_ == SingularClaim::kLargestBelow ? are_below()
+                                                  : are_above();
 }
 
 bool ExtremeDiscs::are_below() {
@@ -124,7 +124,7 @@ ExtremeDiscs::Weights ExtremeDiscs::find_weights(bool of_largest) const {
       w.z[i] = (part + beside + kShift * w.z[i]) / (1.0 + kShift);
       w.y[i] = (part - beside + kShift * w.y[i]) / (1.0 + kShift);
     }
-    const double unit = claim_ == SingularClaim::kRatio ? mid(B_.center[n_ * n_ - 1]) : 1.0;
+    const double unit = claim_ == SingularClaim::kRatioBelow ? mid(B_.center[n_ * n_ - 1]) : 1.0;
     const double bound = T_ * std::fabs(unit);
     for (std::size_t i = n_; i < rows; ++i)
       w.z[i] = 2.0 * row_sum(i) / std::max(bound, 1e-300) + kLeastWeight;
@@ -174,9 +174,9 @@ bool ExtremeDiscs::is_apart(const Disc& high, const Disc& low) const {
 
 std::vector<double> ExtremeDiscs::parts() const {
   const std::size_t last = n_ - 1;
-  const bool has_high = claim_ != SingularClaim::kLeast,
-             has_low = claim_ != SingularClaim::kLargest;
-  const double part_of_low = claim_ == SingularClaim::kRatio ? T_ : 1.0;
+  const bool has_high = claim_ != SingularClaim::kLeastAbove,
+             has_low = claim_ != SingularClaim::kLargestBelow;
+  const double part_of_low = claim_ == SingularClaim::kRatioBelow ? T_ : 1.0;
   const double both = (has_high ? 1.0 : 0.0) + (has_low ? part_of_low : 0.0);
   Doubles result;
   for (std::size_t k = 0; k < B_.slopes.size(); ++k) {

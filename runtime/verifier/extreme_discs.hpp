@@ -9,9 +9,9 @@ namespace regulus::verifier {
 
 /// A claim about singular values and a number T.
 enum class SingularClaim {
-  kRatio,    ///< σ_max < T·σ_min
-  kLargest,  ///< σ_max < T
-  kLeast,    ///< σ_min > T
+  kRatioBelow,    ///< σ_max < T·σ_min
+  kLargestBelow,  ///< σ_max < T
+  kLeastAbove,    ///< σ_min > T
 };
 
 class ExtremeDiscs {

@@ -63,9 +63,9 @@ double bound_of_rotated(SingularClaim claim, const SingularBases& bases, std::si
   const Interval one = point(1.0);
   const Interval below = (one - point(left)) * (one - point(right)),
                  above = (one + point(left)) * (one + point(right));
-  if (claim == SingularClaim::kRatio) return (point(N.lo) * sqrt(below / above)).lo;
-  return claim == SingularClaim::kLargest ? (point(N.lo) * sqrt(below)).lo
-                                          : (point(N.hi) * sqrt(above)).hi;
+  if (claim == SingularClaim::kRatioBelow) return (point(N.lo) * sqrt(below / above)).lo;
+  return claim == SingularClaim::kLargestBelow ? (point(N.lo) * sqrt(below)).lo
+                                               : (point(N.hi) * sqrt(above)).hi;
 }
 
 bool keeps_singular_claim(SingularClaim claim, const RotatedMatrix& B, const SingularBases& bases,
@@ -90,12 +90,12 @@ bool breaks_singular_claim(SingularClaim claim, const std::vector<Ball>& A, std:
   const std::vector<double> V = approx_singular_bases(std::move(middle), rows, columns).V;
   if (V.empty() || arb_is_positive(N.get()) == 0) return false;
   Image high(A, V, columns, 0, bits), low(A, V, columns, columns - 1, bits);
-  if (claim == SingularClaim::kLargest) {  // |Au|² ≥ N²|u|²
+  if (claim == SingularClaim::kLargestBelow) {  // |Au|² ≥ N²|u|²
     times_square(high.length, N, bits);
     return arb_is_positive(high.length.get()) != 0 &&
            arb_ge(high.image.get(), high.length.get()) != 0;
   }
-  if (claim == SingularClaim::kLeast) {  // |Av|² ≤ N²|v|²
+  if (claim == SingularClaim::kLeastAbove) {  // |Av|² ≤ N²|v|²
     times_square(low.length, N, bits);
     return arb_is_positive(low.length.get()) != 0 && arb_le(low.image.get(), low.length.get()) != 0;
   }
@@ -109,7 +109,7 @@ bool breaks_singular_claim(SingularClaim claim, const std::vector<Ball>& A, std:
 bool has_ratio(const Question& q, const std::vector<Ball>& A, long bits) {
   const auto bound = evaluate(q.graph, {q.quantity->bound}, {}, bits);
   return bound &&
-         breaks_singular_claim(SingularClaim::kRatio, A, q.rows, q.columns, (*bound)[0], bits);
+         breaks_singular_claim(SingularClaim::kRatioBelow, A, q.rows, q.columns, (*bound)[0], bits);
 }
 
 }  // namespace regulus::verifier
