@@ -43,7 +43,7 @@ class ClosureLoad final : public LoadAnswer {
     if (result_.reason.empty())
       proof = certify_forces(services.certificate, prepared_.closure, prepared_.set(),
                              is_feasible ? result_.tree : result_.branch.searched.branch.tree,
-                             is_feasible ? std::vector<Interval>{} : result_.shortage->place,
+                             is_feasible ? std::nullopt : PlaceOfValue(result_.shortage->place),
                              {nullptr, services.shard_size});
     else if (!services.certificate.empty())
       proof = without_proof(services.certificate);

@@ -29,10 +29,6 @@ constexpr std::string_view kNoPageOfTexts =
     "out";
 constexpr std::string_view kNoTheorem =
     "Coq has theorems about the rank of a matrix, and none about this; regulus-verify proves it";
-constexpr std::string_view kNoCondition2OfClosures =
-    "singular values of a matrix over a branch are not bounded; leave the norm out, for the "
-    "maximum "
-    "norm";
 constexpr std::string_view kNoWayOfClosures =
     "a model with [closure] has no motions along way-points; give the motion by ranges";
 constexpr std::string_view kNoTheoremOfClosures =
@@ -89,7 +85,8 @@ constexpr Refusal kRefusals[] = {
     {kClosureLimitMargin, kTheorem, kNoTheoremOfClosures},
     {kClosureBound, kShards, kNoShardsOfClosures},
     {kClosureBound, kTheorem, kNoTheoremOfClosures},
-    {kClosureCondition2, kAnswer, kNoCondition2OfClosures},
+    {kClosureCondition2, kShards, kNoShardsOfClosures},
+    {kClosureCondition2, kTheorem, kNoTheoremOfClosures},
     {kClosureLoad, kShards, kNoShardsOfClosures},
     {kClosureLoad, kTheorem, kNoTheoremOfClosures},
     {kClosureLoadPaving, kProof, kNoProofOfLoadPavings},
@@ -133,6 +130,7 @@ constexpr Refusal kRefusals[] = {
     {kFiniteErrors, kPicture, kNoBoxes, false},
     {kClosureFiniteErrors, kPicture, kNoBoxes, false},
     {kClosureBound, kPicture, kNoBoxes, false},
+    {kClosureCondition2, kPicture, kNoBoxes, false},
     {kClosureLimitMargin, kPicture, kNoBoxes, false},
     {kClosureDatasheet, kPicture, kNoBoxes, false},
     {kClosureLoad, kPicture, kNoBoxes, false},

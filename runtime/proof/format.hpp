@@ -157,8 +157,11 @@ struct ClaimedBound {
   if (b.quantity == kDeflection)
     return "deflection of unknown " + b.columns + " under the load " + b.set;
   const std::string matrix = "the equations' derivatives by the unknowns";
-  if (b.quantity == kCondition)
-    return "condition number in the maximum norm of " + matrix + " with the factors of its columns";
+  const std::string scaled = matrix + " with the factors of its columns";
+  if (b.quantity == kCondition) return "condition number in the maximum norm of " + scaled;
+  if (b.quantity == kCondition2) return "condition number in the 2-norm of " + scaled;
+  if (b.quantity == kSigmaMin) return "least singular value of " + scaled;
+  if (b.quantity == kSigmaMax) return "largest singular value of " + scaled;
   return b.quantity == kDeterminant ? "|det of " + matrix + '|' : "det of " + matrix;
 }
 

@@ -26,10 +26,9 @@ bool BranchTest::narrow_by_rows(const Values& values, const Values& M,
   return true;
 }
 
-/// The second derivative of equation j by two unknowns.
-Interval BranchTest::second(std::size_t j, std::size_t k, std::size_t l) const {
-  const std::size_t triangle = all_ * (all_ + 1) / 2, row = m_ + std::min(k, l),
-                    column = m_ + std::max(k, l);
+/// The second derivative of equation j by two variables or unknowns.
+Interval BranchTest::second_at(std::size_t j, std::size_t a, std::size_t b) const {
+  const std::size_t triangle = all_ * (all_ + 1) / 2, row = std::min(a, b), column = std::max(a, b);
   return second_values_[j * triangle + row * all_ - row * (row + 1) / 2 + column];
 }
 

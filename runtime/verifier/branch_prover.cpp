@@ -13,6 +13,7 @@ BoxAnswer BranchProver::decide(const Box& box, LeafClaim claim) {
   const bool has_tube = test_.has_one_solution(box, *tube_);
   if (has_tube && (!quantity_ || quantity_->keeps_bound(test_))) return BoxAnswer::kProved;
   if (!test_.impact().empty()) impact_ = test_.impact();
+  if (quantity_ && !quantity_->impact().empty() && has_tube) impact_ = quantity_->impact();
   if (has_tube) return BoxAnswer::kOpen;
   Box middle;
   for (const Interval x : box) middle.push_back(point(mid(x)));

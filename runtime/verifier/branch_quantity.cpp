@@ -46,6 +46,10 @@ BranchQuantity::BranchQuantity(Question& q)
       motors_(q.closure->poses.size()),
       by_motor_(q, q.quantity->by_motor) {
   const QuantityLines& lines = quantity_;
+  if (is_singular_value(lines.kind)) {
+    singular_values_.emplace(q);
+    return;
+  }
   if (lines.bound != kNoNode) bound_ = constant_of(q.graph, lines.bound);
   for (const NodeId node : lines.least) least_.push_back(constant_of(q.graph, node));
   for (const NodeId node : lines.largest) largest_.push_back(constant_of(q.graph, node));
@@ -61,7 +65,8 @@ BranchQuantity::BranchQuantity(Question& q)
 }
 
 /// The largest value of all loads and errors; of a least one −q.
-bool BranchQuantity::keeps_bound(const BranchTest& test) {
+bool BranchQuantity::keeps_bound(BranchTest& test) {
+  if (singular_values_) return singular_values_->keeps_bound(test);
   if (!least_.empty()) {
     const std::vector<Work> all = forces(test);
     for (std::size_t k = 0; k < all.size(); ++k) {
@@ -76,6 +81,7 @@ bool BranchQuantity::keeps_bound(const BranchTest& test) {
 }
 
 bool BranchQuantity::attains_bound(const BranchTest& test) {
+  if (singular_values_) return singular_values_->attains_bound(test);
   if (!least_.empty()) {
     const std::vector<Work> all = forces(test);
     for (std::size_t k = 0; k < all.size(); ++k) {

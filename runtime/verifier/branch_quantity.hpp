@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/verifier/branch_singular_values.hpp"
 #include "runtime/verifier/branch_test.hpp"
 #include "runtime/verifier/domination.hpp"
 
@@ -35,7 +36,11 @@ class BranchQuantity {
 
   /// Ensures   true only if the bound holds at all configurations of the set over which the test was
   ///           last true, for all loads and errors.
-  [[nodiscard]] bool keeps_bound(const BranchTest& test);
+  [[nodiscard]] bool keeps_bound(BranchTest& test);
+  /// After it was false: roughly what each variable adds to what is not known; empty: see the test.
+  [[nodiscard]] std::vector<double> impact() const {
+    return singular_values_ ? singular_values_->impact() : std::vector<double>{};
+  }
   /// Ensures   true only if at each of these configurations some load and errors attain the bound.
   [[nodiscard]] bool attains_bound(const BranchTest& test);
 
@@ -70,6 +75,7 @@ class BranchQuantity {
   Interval bound_;  ///< of a quantity without limits
   std::vector<Interval> of_motors_, factors_, middle_, spread_, least_, largest_;
   std::vector<Ball> balls_;
+  std::optional<BranchSingularValues> singular_values_;
   Matrix P_;  ///< |KΦ_p − I| ≤ P, column by column
 };
 

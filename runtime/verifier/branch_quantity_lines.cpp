@@ -4,6 +4,7 @@
 #include <map>
 
 #include "runtime/verifier/branch_quantity.hpp"
+#include "runtime/verifier/branch_singular_values.hpp"
 #include "runtime/verifier/constant_lines.hpp"
 #include "runtime/verifier/derivative.hpp"
 #include "runtime/verifier/outside.hpp"
@@ -34,7 +35,8 @@ class BranchQuantityReader {
     if (is_of({format::kError})) quantity_.errors = lines_.list("motor-error", motors);
     if (is_of({format::kSpeed})) quantity_.speeds = lines_.list("motor-speed", motors);
     if (is_of({format::kDeflection})) quantity_.stiffness = lines_.list("stiffness", motors);
-    if (is_of({format::kCondition})) quantity_.factors = lines_.list("factor", q_.columns);
+    if (is_of({format::kCondition}) || is_singular_value(quantity_.kind))
+      quantity_.factors = lines_.list("factor", q_.columns);
     words_.bound = lines_.take("bound");
     quantity_.bound = parse(words_.bound, {}, q_.graph);
     finish();
@@ -64,11 +66,12 @@ class BranchQuantityReader {
   void require_side() const {
     const bool is_signed = is_of({format::kForce, format::kDeflection, format::kDeterminantMax});
     const bool is_known =
-        quantity_.side == format::kLeast     ? is_signed || is_of({format::kDeterminant})
+        quantity_.side == format::kLeast
+            ? is_signed || is_of({format::kDeterminant, format::kSigmaMin})
         : quantity_.side == format::kLargest ? is_signed
         : quantity_.side == format::kAbsolute
-            ? is_signed ||
-                  is_of({format::kError, format::kFiniteError, format::kSpeed, format::kCondition})
+            ? is_signed || is_of({format::kError, format::kFiniteError, format::kSpeed,
+                                  format::kCondition, format::kCondition2, format::kSigmaMax})
             : false;
     if (!is_known)
       throw Rejection("there is no quantity '" + quantity_.kind.substr(0, 40) +

@@ -216,6 +216,7 @@ Interval BranchTest::difference(std::size_t i, std::size_t j) const {
 bool BranchTest::has_one_solution(const Box& box, const TubeNumbers& tube) {
   impact_.clear();
   tube_ = &tube;
+  has_rates_ = false;
   if (!moves_) return false;
   const std::span<const double> radius = radius_of(tube);
   const bool is_tube = std::ranges::all_of(radius, [](double r) { return r > 0.0; });
@@ -241,7 +242,19 @@ bool BranchTest::has_one_solution(const Box& box, const TubeNumbers& tube) {
   if (!bound_center(joined(middle, middle_)) || !take(*over_, first_, whole_, first_values_))
     return false;
   if (is_in(tube, reach, false)) return true;
-  return rates_ && take(*rates_, second_, whole_, second_values_) && is_in(tube, reach, true);
+  return take_rates() && is_in(tube, reach, true);
+}
+
+bool BranchTest::take_rates() {
+  has_rates_ = has_rates_ || (rates_ && take(*rates_, second_, whole_, second_values_));
+  return has_rates_;
+}
+
+Interval BranchTest::rate(std::size_t equation, std::size_t unknown, std::size_t k) const {
+  Interval sum = second_at(equation, k, m_ + unknown);
+  for (std::size_t i = 0; i < n_ && k < m_; ++i)
+    sum = sum + slope(*tube_, i, k) * second_at(equation, m_ + i, m_ + unknown);
+  return sum;
 }
 
 bool BranchTest::has_no_solution(const Box& place, const TubeNumbers& tube) {
@@ -295,6 +308,7 @@ bool BranchTest::has_one_solution(const Box& place, const std::vector<double>& m
                                   const std::vector<double>& inner) {
   whole_ = joined(place, about(middle, outer));
   tube_ = nullptr;
+  has_rates_ = false;
   if (!is_moderate(outer) || !bound_center(joined(place, points_of(middle))) ||
       !take(*over_, first_, whole_, first_values_))
     return false;

@@ -43,6 +43,23 @@ class BranchTest {
     return K_[column * n_ + row];
   }
 
+  // After has_one_solution() of a tube: the equations' derivatives to the first order. The places are
+  // x̄ + δ and the unknowns c̄ + Sδ + ρ, where x̄ is the middle of the box and c̄ that of the tube there.
+
+  /// Encloses the derivatives of the derivatives over the tube. Returns false if nothing is known.
+  [[nodiscard]] bool take_rates();
+  /// Encloses the derivative at (x̄, c̄).
+  [[nodiscard]] Interval center_derivative(std::size_t equation, std::size_t unknown) const {
+    return center_[equation * all_ + m_ + unknown];
+  }
+  /// After take_rates(): encloses its derivative by δ_k, or by ρ_l with k = number of variables + l, over
+  /// the tube.
+  [[nodiscard]] Interval rate(std::size_t equation, std::size_t unknown, std::size_t k) const;
+  /// |δ_k| or |ρ_l| is at most that.
+  [[nodiscard]] double reach(std::size_t k) const {
+    return k < m_ ? mag(step_[k]) : radius_of(*tube_)[k - m_];
+  }
+
   /// Encloses the value of one unknown minus that of another at the places over which the test was
   /// last true.
   [[nodiscard]] Interval difference(std::size_t unknown, std::size_t other) const;
@@ -104,7 +121,10 @@ class BranchTest {
                            bool is_second_order);
   [[nodiscard]] bool is_in_box(const std::vector<double>& outer, const std::vector<double>& inner,
                                bool is_second_order) const;
-  [[nodiscard]] Interval second(std::size_t j, std::size_t k, std::size_t l) const;
+  [[nodiscard]] Interval second(std::size_t j, std::size_t k, std::size_t l) const {
+    return second_at(j, m_ + k, m_ + l);
+  }
+  [[nodiscard]] Interval second_at(std::size_t j, std::size_t a, std::size_t b) const;
 
   Question& q_;
   const bool moves_;
@@ -123,6 +143,7 @@ class BranchTest {
   Values value_;                         ///< K Φ at the centre, by unknown
   Values at_center_, center_, first_values_, second_values_;
   std::vector<double> impact_, shares_;
+  bool has_rates_ = false;  ///< second_values_ are of the last tube
 };
 
 }  // namespace regulus::verifier

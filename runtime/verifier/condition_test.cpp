@@ -1,34 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/verifier/condition_test.hpp"
 
-#include <algorithm>
-#include <cmath>
-
-#include "runtime/verifier/extreme_discs.hpp"
-#include "runtime/verifier/ratio.hpp"
-#include "runtime/verifier/rounding.hpp"
+#include "runtime/verifier/singular_claims.hpp"
 
 namespace regulus::verifier {
 namespace {
 
 constexpr long kBitsOfBound = 128;
 constexpr long kBitsOfContradiction = 128;
-
-/// Bounds ‖XᵀX − I‖ of a square matrix, row by row.
-double defect(const std::vector<double>& X, std::size_t order) {
-  double most = 0.0;
-  for (std::size_t j = 0; j < order; ++j) {
-    double sum = 0.0;
-    for (std::size_t l = 0; l < order; ++l) {
-      Interval entry = point(j == l ? -1.0 : 0.0);
-      for (std::size_t i = 0; i < order; ++i)
-        entry = entry + X[i * order + j] * point(X[i * order + l]);
-      sum = up(sum + mag(entry));
-    }
-    most = std::max(most, sum);
-  }
-  return most;
-}
 
 }  // namespace
 
@@ -59,36 +38,18 @@ BoxAnswer ConditionTest::decide(const Box& box) {
   const SingularBases bases = approx_singular_bases(std::move(A), m_, n_);
   if (bases.U.empty()) return BoxAnswer::kOpen;
   const std::optional<RotatedMatrix> B = rotated(box, bases);
-  return B && is_below(*B, ratio_of_rotated(bases)) ? BoxAnswer::kProved : BoxAnswer::kOpen;
+  if (!B) return BoxAnswer::kOpen;
+  std::vector<double> parts;
+  if (keeps_singular_claim(SingularClaim::kRatioBelow, *B, bases, m_, n_, bound_, parts))
+    return BoxAnswer::kProved;
+  for (std::size_t k = 0; k < parts.size(); ++k) impact_[B->variable[k]] = parts[k];
+  return BoxAnswer::kOpen;
 }
 
 std::optional<RotatedMatrix> ConditionTest::rotated(const Box& box, const SingularBases& bases) {
   if (auto B = terms_.rotate(box, middle_, bases)) return B;
   if (!slopes_.run(box, middle_)) return std::nullopt;
   return rotate(slopes_, bases, m_, n_);
-}
-
-bool ConditionTest::is_below(const RotatedMatrix& B, double ratio) {
-  const bool is_finite =
-      is_moderate(B.rest) && is_moderate(B.center) &&
-      std::all_of(B.slopes.begin(), B.slopes.end(), [](const auto& s) { return is_moderate(s); });
-  if (!is_finite || !(ratio > 0.0)) return false;
-  ExtremeDiscs discs(B, m_, n_, ratio);
-  if (discs.are_apart()) return true;
-  const std::vector<double> parts = discs.parts();
-  for (std::size_t k = 0; k < parts.size(); ++k) impact_[B.variable[k]] = parts[k];
-  return false;
-}
-
-/// κ(A) ≤ κ(B)·√((1 + ε)(1 + ε')/((1 − ε)(1 − ε'))). Returns the bound that κ(B) must keep, rounded
-/// downward; 0 if there is none.
-double ConditionTest::ratio_of_rotated(const SingularBases& bases) const {
-  const double left = defect(bases.U, m_), right = defect(bases.V, n_);
-  if (!(left < 0.5) || !(right < 0.5) || !(bound_.lo > 0.0)) return 0.0;
-  const Interval one = point(1.0);
-  const Interval square =
-      (one - point(left)) * (one - point(right)) / ((one + point(left)) * (one + point(right)));
-  return (point(bound_.lo) * sqrt(square)).lo;
 }
 
 bool ConditionTest::exceeds_at(const Box& point) const {

@@ -28,8 +28,6 @@ class ConditionTest {
 
  private:
   [[nodiscard]] std::optional<RotatedMatrix> rotated(const Box& box, const SingularBases& bases);
-  [[nodiscard]] bool is_below(const RotatedMatrix& B, double ratio);
-  [[nodiscard]] double ratio_of_rotated(const SingularBases& bases) const;
 
   const Question& q_;
   const Variety& variety_;

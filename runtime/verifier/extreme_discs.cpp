@@ -15,8 +15,8 @@ constexpr double kLeastSlack = 1e-6;   ///< the same
 }  // namespace
 
 ExtremeDiscs::ExtremeDiscs(const RotatedMatrix& B, std::size_t rows, std::size_t columns,
-                           double ratio)
-    : B_(B), m_(rows), n_(columns), T_(ratio) {
+                           SingularClaim claim, double bound)
+    : B_(B), m_(rows), n_(columns), claim_(claim), T_(bound) {
   bound_entries();
 }
 
@@ -27,6 +27,42 @@ void ExtremeDiscs::bound_entries() {
       sum = up(sum + up(mag(B_.slopes[k][e]) * B_.radius[k]));
     off_.push_back(sum);
   }
+}
+
+bool ExtremeDiscs::keep_claim() {
+  return claim_ == SingularClaim::kRatioBelow     ? are_apart()
+         : claim_ == SingularClaim::kLargestBelow ? are_below()
+                                                  : are_above();
+}
+
+bool ExtremeDiscs::are_below() {
+  high_slack_.clear();
+  for (std::size_t i = 0; i < n_; ++i) high_slack_.push_back(T_ - off_[i * n_ + i]);
+  high_ = find_weights(true);
+  const std::vector<Disc> highest = discs(high_, m_);
+  return std::all_of(highest.begin(), highest.end(), [&](const Disc& high) {
+    const double top = high.i < n_ ? up(high.alpha.hi * off_[high.i * n_ + high.i]) : 0.0;
+    return up(top + high.beta) < T_;
+  });
+}
+
+bool ExtremeDiscs::are_above() {
+  low_slack_.clear();
+  for (std::size_t i = 0; i < n_; ++i) low_slack_.push_back(least(i) - T_);
+  low_ = find_weights(false);
+  const std::vector<Disc> lowest = discs(low_, n_);
+  return std::all_of(lowest.begin(), lowest.end(), [&](const Disc& low) {
+    return least(low.i) > 0.0 && down(down(low.alpha.lo * least(low.i)) - low.beta) > T_;
+  });
+}
+
+/// B_ii is at least that all over the box.
+double ExtremeDiscs::least(std::size_t i) const {
+  const std::size_t e = i * n_ + i;
+  double least = down(B_.center[e].lo - B_.rest[e]);
+  for (std::size_t k = 0; k < B_.slopes.size(); ++k)
+    least = down(least - up(mag(B_.slopes[k][e]) * B_.radius[k]));
+  return least;
 }
 
 bool ExtremeDiscs::are_apart() {
@@ -88,7 +124,8 @@ ExtremeDiscs::Weights ExtremeDiscs::find_weights(bool of_largest) const {
       w.z[i] = (part + beside + kShift * w.z[i]) / (1.0 + kShift);
       w.y[i] = (part - beside + kShift * w.y[i]) / (1.0 + kShift);
     }
-    const double bound = T_ * std::fabs(mid(B_.center[n_ * n_ - 1]));
+    const double unit = claim_ == SingularClaim::kRatioBelow ? mid(B_.center[n_ * n_ - 1]) : 1.0;
+    const double bound = T_ * std::fabs(unit);
     for (std::size_t i = n_; i < rows; ++i)
       w.z[i] = 2.0 * row_sum(i) / std::max(bound, 1e-300) + kLeastWeight;
   }
@@ -137,6 +174,10 @@ bool ExtremeDiscs::is_apart(const Disc& high, const Disc& low) const {
 
 std::vector<double> ExtremeDiscs::parts() const {
   const std::size_t last = n_ - 1;
+  const bool has_high = claim_ != SingularClaim::kLeastAbove,
+             has_low = claim_ != SingularClaim::kLargestBelow;
+  const double part_of_low = claim_ == SingularClaim::kRatioBelow ? T_ : 1.0;
+  const double both = (has_high ? 1.0 : 0.0) + (has_low ? part_of_low : 0.0);
   Doubles result;
   for (std::size_t k = 0; k < B_.slopes.size(); ++k) {
     const auto size = [&](std::size_t i, std::size_t j) {
@@ -144,10 +185,13 @@ std::vector<double> ExtremeDiscs::parts() const {
     };
     double above = 0.0, below = 0.0;
     for (std::size_t j = 0; j < n_; ++j) {
-      above += size(0, j) * high_.y[j] / high_.z[0] + size(j, 0) * high_.z[j] / high_.y[0];
-      below += size(last, j) * low_.y[j] / low_.z[last] + size(j, last) * low_.z[j] / low_.y[last];
+      if (has_high)
+        above += size(0, j) * high_.y[j] / high_.z[0] + size(j, 0) * high_.z[j] / high_.y[0];
+      if (has_low)
+        below +=
+            size(last, j) * low_.y[j] / low_.z[last] + size(j, last) * low_.z[j] / low_.y[last];
     }
-    result.push_back(above + T_ * below + (1.0 + T_) * B_.share[k]);
+    result.push_back(above + part_of_low * below + both * B_.share[k]);
   }
   return result;
 }

@@ -7,15 +7,23 @@
 
 namespace regulus::verifier {
 
+/// A claim about singular values and a number T.
+enum class SingularClaim {
+  kRatioBelow,    ///< σ_max < T·σ_min
+  kLargestBelow,  ///< σ_max < T
+  kLeastAbove,    ///< σ_min > T
+};
+
 class ExtremeDiscs {
  public:
-  /// `B` must outlive this object; its numbers are moderate. `ratio`: positive.
-  ExtremeDiscs(const RotatedMatrix& B, std::size_t rows, std::size_t columns, double ratio);
+  /// `B` must outlive this object; its numbers are moderate. `bound`: T, positive.
+  ExtremeDiscs(const RotatedMatrix& B, std::size_t rows, std::size_t columns, SingularClaim claim,
+               double bound);
 
-  /// Returns true only if σ_max < ratio·σ_min all over the box.
-  [[nodiscard]] bool are_apart();
+  /// Returns true only if the claim holds all over the box.
+  [[nodiscard]] bool keep_claim();
 
-  /// After are_apart(): roughly what each variable adds to the bounds by errors of second order.
+  /// After keep_claim(): roughly what each variable adds to the bounds by errors of second order.
   [[nodiscard]] std::vector<double> parts() const;
 
  private:
@@ -36,6 +44,10 @@ class ExtremeDiscs {
     return i == j ? 0.0 : off_[i * n_ + j];
   }
   void bound_entries();
+  [[nodiscard]] bool are_apart();
+  [[nodiscard]] bool are_below();
+  [[nodiscard]] bool are_above();
+  [[nodiscard]] double least(std::size_t i) const;
   [[nodiscard]] double slack(std::size_t i, std::size_t l) const;
   [[nodiscard]] Weights find_weights(bool of_largest) const;
   [[nodiscard]] std::vector<Disc> discs(const Weights& weights, std::size_t rows) const;
@@ -47,8 +59,9 @@ class ExtremeDiscs {
 
   const RotatedMatrix& B_;
   const std::size_t m_, n_;
+  const SingularClaim claim_;
   const double T_;
-  Doubles off_;  ///< bounds of |B_ij| over the box, i ≠ j
+  Doubles off_;  ///< bounds of |B_ij| over the box
   Doubles high_slack_, low_slack_;
   Weights high_, low_;
 };

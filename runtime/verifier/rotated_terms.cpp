@@ -25,7 +25,15 @@ std::vector<std::size_t> variables_of(const Question& q) {
   return result;
 }
 
-/// Adds the contribution of an entry x = A_ij to UᵀAV.
+/// A value as a double and a bound of what is beside it, roundings of its products included.
+struct Spread {
+  explicit Spread(Interval value)
+      : middle(mid(value)), radius(radius_ru(value, middle) + kRounding * std::fabs(middle)) {}
+  double middle, radius;
+};
+
+}  // namespace
+
 void add_rotated(Intervals& sum, Interval x, const SingularBases& bases, std::size_t i,
                  std::size_t j, std::size_t rows, std::size_t columns) {
   if (is_zero(x)) return;
@@ -37,15 +45,6 @@ void add_rotated(Intervals& sum, Interval x, const SingularBases& bases, std::si
     }
   }
 }
-
-/// A value as a double and a bound of what is beside it, roundings of its products included.
-struct Spread {
-  explicit Spread(Interval value)
-      : middle(mid(value)), radius(radius_ru(value, middle) + kRounding * std::fabs(middle)) {}
-  double middle, radius;
-};
-
-}  // namespace
 
 RotatedMatrix rotate(const MatrixSlopes& slopes, const SingularBases& bases, std::size_t rows,
                      std::size_t columns) {

@@ -19,6 +19,10 @@ struct RotatedMatrix {
   std::vector<double> share;          ///< roughly what each adds to the entries of `rest`
 };
 
+/// Adds the contribution of an entry x = A_ij to UᵀAV.
+void add_rotated(std::vector<Interval>& sum, Interval x, const SingularBases& bases, std::size_t i,
+                 std::size_t j, std::size_t rows, std::size_t columns);
+
 /// Returns B from the slopes of A.
 ///
 /// Requires  slopes.run() was true.

@@ -10,8 +10,8 @@
 #include "runtime/verifier/exact_point.hpp"
 #include "runtime/verifier/linear_algebra.hpp"
 #include "runtime/verifier/proof.hpp"
-#include "runtime/verifier/ratio.hpp"
 #include "runtime/verifier/shortage.hpp"
+#include "runtime/verifier/singular_claims.hpp"
 #include "runtime/verifier/work_clock.hpp"
 
 namespace regulus::verifier {

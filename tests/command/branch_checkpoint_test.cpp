@@ -81,6 +81,27 @@ class BranchCheckpoint : public testing::Test {
     EXPECT_EQ(facts(ask(command, kept)), facts(whole));
   }
 
+  /// A kill may come before the search begins, while it is saved, or between.
+  void expect_survival(const Words& question) const {
+    std::filesystem::remove(file_);
+    const CommandResult whole = ask("bound", question);
+    ASSERT_EQ(whole.exit_code, 0) << whole.errors;
+    Words saved = question;
+    saved.insert(saved.end(), {"--checkpoint", file_});
+    std::mt19937 random(1);
+    int continued = 0;
+    for (int kill = 0; kill < trials(4, 12); ++kill) {
+      continued += is_saved() ? 1 : 0;
+      RunningCommand run(words("bound", saved));
+      wait_until_saved();
+      std::this_thread::sleep_for(std::chrono::milliseconds(random() % 300));
+      ::kill(run.pid(), SIGKILL);
+      static_cast<void>(run.wait());
+    }
+    EXPECT_GT(continued, 0);
+    EXPECT_EQ(facts(ask("bound", saved)), facts(whole));
+  }
+
   const TemporaryDirectory folder_;
   const std::string model_ = folder_.path() / "bars.toml", file_ = folder_.path() / "state";
 };
@@ -90,6 +111,15 @@ TEST_F(BranchCheckpoint, OfABoundLeadsToTheSameReport) {
     std::filesystem::remove(file_);
     expect_same_after_stops("bound", {quantity, "--gap", "4e-3", "--threads", "1"},
                             {"3", "40", "100", "400"});
+  }
+}
+
+TEST_F(BranchCheckpoint, OfSingularValuesLeadsToTheSameReport) {
+  for (const Words& quantity : {Words{"condition", "--norm", "2"}, Words{"sigma-max"}}) {
+    std::filesystem::remove(file_);
+    Words question = quantity;
+    question.insert(question.end(), {"--gap", "1e-5", "--threads", "1"});
+    expect_same_after_stops("bound", question, {"3", "40", "100"});
   }
 }
 
@@ -154,25 +184,9 @@ TEST_F(BranchCheckpoint, OfADatasheetKeepsAllQuantities) {
   EXPECT_EQ(ends(ask("datasheet", kept)), ends(whole));
 }
 
-/// A kill may come before the search begins, while it is saved, or between.
 TEST_F(BranchCheckpoint, SurvivesKills) {
-  const Words question{"error", "--gap", "1e-3", "--threads", "1"};
-  const CommandResult whole = ask("bound", question);
-  ASSERT_EQ(whole.exit_code, 0) << whole.errors;
-  Words saved = question;
-  saved.insert(saved.end(), {"--checkpoint", file_});
-  std::mt19937 random(1);
-  int continued = 0;
-  for (int kill = 0; kill < trials(4, 12); ++kill) {
-    continued += is_saved() ? 1 : 0;
-    RunningCommand run(words("bound", saved));
-    wait_until_saved();
-    std::this_thread::sleep_for(std::chrono::milliseconds(random() % 300));
-    ::kill(run.pid(), SIGKILL);
-    static_cast<void>(run.wait());
-  }
-  EXPECT_GT(continued, 0);
-  EXPECT_EQ(facts(ask("bound", saved)), facts(whole));
+  expect_survival({"error", "--gap", "1e-3", "--threads", "1"});
+  expect_survival({"condition", "--norm", "2", "--gap", "1e-6", "--threads", "1"});
 }
 
 /// The file names the question: its quantity, its motion, and the text of its model.

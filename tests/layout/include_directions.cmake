@@ -56,6 +56,10 @@ set(lent
     bound/limit_margin.hpp
     bound/way_place.hpp
     condition/condition_run.hpp
+    condition/condition_test.hpp
+    condition/rotated_boxes.hpp
+    condition/singular_value_test.hpp
+    condition/stretched_vectors.hpp
     load/feasibility_report.hpp
     load/feasibility_search.hpp
     load/force_problem.hpp)

@@ -320,7 +320,9 @@ TEST(Closures, AreShownOrRefusedByNameByEveryCommand) {
        "method: for a [closure]"},
       {{"bound", "MODEL", "inside", "error"}, 64, "add [actuators] error"},
       {{"bound", "MODEL", "inside", "crank*cos(theta)"}, 64, "[closure]"},
-      {{"datasheet", "MODEL", "inside"}, 0, "of a matrix over a branch are not bounded"},
+      {{"datasheet", "MODEL", "inside"},
+       0,
+       "condition number of the equations' derivatives in the 2-norm"},
   };
   for (const CommandOfClosure& command : all) {
     std::vector<std::string> words = {REGULUS_BINARY_DIR "/bin/regulus"};

@@ -61,6 +61,23 @@ TEST_F(RanksOnABranch, BoundAsOneThreadDoes) {
         << end;
 }
 
+TEST_F(RanksOnABranch, BoundSingularValuesAsOneThreadDoes) {
+  std::ofstream(file("bars.toml")) << kBars;
+  for (const Words& quantity : {Words{"condition", "--norm", "2"}, Words{"sigma-min"}}) {
+    Words bound = {"bound",       file("bars.toml"), "m",       "--gap",        "1e-12",
+                   "--max-boxes", "18000",           "--quiet", "--certificate"};
+    bound.insert(bound.begin() + 3, quantity.begin(), quantity.end());
+    const CommandResult one = run_command(one_thread(joined(bound, {file("one")})));
+    const CommandResult many = run_command(ranks(2, joined(bound, {file("many")})));
+    EXPECT_EQ(many.output, one.output) << many.errors;
+    EXPECT_GT(text_of(file("one.safe")).size(), 1'000'000U);
+    for (const char* end : {".safe", ".singular"})
+      EXPECT_TRUE(text_of(file(std::string("many") + end)) ==
+                  text_of(file(std::string("one") + end)))
+          << end;
+  }
+}
+
 TEST_F(RanksOnABranch, BoundFiniteErrorsAsOneThreadDoes) {
   std::ofstream(file("bars.toml")) << kBars;
   const Words bound = {
@@ -80,6 +97,8 @@ TEST_F(RanksOnABranch, CompareAndSumUpAsOneThreadDoes) {
        {Words{"margin", file("bars.toml"), "m", "--scale", "0.5:1.2", "--quantity", "error",
               "--limit", "0.02", "--gap", "0.1", "--quiet"},
         Words{"bound", file("bars.toml"), "m", "force", "--limit", "9", "--quiet"},
+        Words{"bound", file("bars.toml"), "m", "condition", "--norm", "2", "--limit", "9",
+              "--quiet"},
         Words{"check", file("bars.toml"), "m", "--load", "L", "--quiet"}}) {
     const CommandResult one = run_command(one_thread(asked));
     EXPECT_LE(one.exit_code, 2) << one.errors;

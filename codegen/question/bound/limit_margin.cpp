@@ -184,7 +184,7 @@ void require_errors_that_count(const Request& request, const MarginQuestion& que
 
 LimitMargin limit_margin(const Request& request, const MarginQuestion& question, Quantity quantity,
                          const LimitMarginSettings& settings, const StepListener& listener) {
-  if (quantity.kind == QuantityKind::kCondition2)
+  if (quantity.kind == QuantityKind::kCondition2 && !request.model.closure)
     throw UsageError(
         "--norm 2: margin cannot use this condition number yet; compare with the limit at one size "
         "after another, by regulus bound --limit");

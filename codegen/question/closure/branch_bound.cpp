@@ -159,11 +159,11 @@ class ComponentOverBranch {
   }
 
   void certify_safe(const GiNaC::ex& bound) {
-    certify_value(result_.proofs, prepared_, result_.component, bound, found_.tree, {});
+    certify_value(result_.proofs, prepared_, result_.component, bound, found_.tree, std::nullopt);
   }
   void certify_attained(const GiNaC::ex& bound) {
     certify_value(result_.proofs, prepared_, result_.component, bound, branch_.searched.branch.tree,
-                  found_.at);
+                  std::span<const Interval>(found_.at));
   }
 
   PreparedClosure& prepared_;
@@ -198,15 +198,18 @@ ComponentBound without_branch(const PreparedClosure& prepared, const ClosureFind
   }
   const Fold& fold = *found.reached();
   result.reason = "the branch ends in the motion";
-  // A is singular where the branch ends: its determinant is 0, and its inverse has no bound.
-  const bool is_determinant = component.kind == QuantityKind::kDeterminant;
-  if (is_determinant) result.attained = end_at(0);
-  const bool has_bound = is_determinant || component.kind == QuantityKind::kDeterminantMax;
+  // A is singular where the branch ends: its determinant and a singular value are 0, and its inverse
+  // has no bound.
+  const bool is_zero =
+      component.kind == QuantityKind::kDeterminant || component.kind == QuantityKind::kSigmaMin;
+  if (is_zero) result.attained = end_at(0);
+  const bool has_bound = is_zero || component.kind == QuantityKind::kDeterminantMax ||
+                         component.kind == QuantityKind::kSigmaMax;
   result.is_unbounded = !settings.limit && !has_bound;
   // A finite error exceeds no limit there: the configuration has moved a finite way to the end.
   const bool exceeds_all = !has_bound && component.kind != QuantityKind::kFiniteError;
-  if (settings.limit && (is_determinant || exceeds_all)) result.verdict = LimitVerdict::kExceeded;
-  if (has_bound && !is_determinant) return result;
+  if (settings.limit && (is_zero || exceeds_all)) result.verdict = LimitVerdict::kExceeded;
+  if (has_bound && !is_zero) return result;
   result.place = place_at(prepared, fold.place, fold.unknowns);
   if (!result.proofs.are_wanted()) return result;
   const ProofStatus written =

@@ -58,6 +58,8 @@ BranchValue::BranchValue(const Model& model, const Component& c)
       is_negative_(c.sign < 0 || traits_of(c.kind).is_always_least),
       by_motor_(enclosed(data_of_motors(model.actuators, c.kind))) {
   if (kind_ == QuantityKind::kCondition) factors_ = enclosed(column_scales(model));
+  if (SingularValues::are_of(kind_))
+    singular_values_.emplace(kind_, enclosed(column_scales(model)));
   if (c.set != nullptr) take_load(*c.set);
 }
 
@@ -91,7 +93,7 @@ DerivativesBy BranchValue::needed(QuantityKind kind) {
   if (kind == QuantityKind::kFiniteError) return DerivativesBy::kVariablesAndNominal;
   const bool is_of_matrix = kind == QuantityKind::kCondition ||
                             kind == QuantityKind::kDeterminant ||
-                            kind == QuantityKind::kDeterminantMax;
+                            kind == QuantityKind::kDeterminantMax || SingularValues::are_of(kind);
   return is_of_matrix ? DerivativesBy::kVariables : DerivativesBy::kVariablesAndPose;
 }
 

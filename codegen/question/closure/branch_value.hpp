@@ -8,6 +8,7 @@
 //   speed of unknown i  Σ_k |J_ik| s_k, s the largest speeds of the motors
 //   force of motor k    Σ_i J_ik w_i, w a load on the unknowns
 //   deflection          Σ_j G_ij w_j with G = J diag(1/c) Jᵀ, c the stiffness of the motors
+//   condition 2         σ_max/σ_min of AC, and sigma-max and sigma-min alone: singular_values.hpp
 //   finite error        |p_i − p°_i|, p° the copy of the unknowns without errors
 //                       (DerivativesBy::kVariablesAndNominal)
 //
@@ -15,10 +16,12 @@
 // their distance. Every force is within them if f ≤ 0, and some force is not if f > 0.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "codegen/question/closure/closed_system.hpp"
+#include "codegen/question/closure/singular_values.hpp"
 #include "codegen/question/quantity/quantity.hpp"
 #include "runtime/existence/branch_rates.hpp"
 #include "runtime/existence/branch_tube.hpp"
@@ -48,8 +51,14 @@ class BranchValue {
   /// Encloses f over a tube: the largest sign·q, or |q|, of all loads and errors; of a quantity whose
   /// least value is asked −q. Unbounded if nothing is known.
   ///
+  /// Requires  this is no distance, and has no singular values.
   /// Rounding  outward; MXCSR at nearest.
   [[nodiscard]] Interval largest(const BranchRates& rates, const SystemBoxes::System& over) const;
+
+  /// Null if f is no singular value.
+  [[nodiscard]] const SingularValues* singular_values() const {
+    return singular_values_ ? &*singular_values_ : nullptr;
+  }
 
   /// True for a finite error: f is the distance of two unknowns, and the tube itself bounds it.
   [[nodiscard]] bool is_distance() const { return kind_ == QuantityKind::kFiniteError; }
@@ -99,6 +108,7 @@ class BranchValue {
   };
   std::vector<Ball> balls_;
   std::vector<Interval> factors_;  ///< of the columns
+  std::optional<SingularValues> singular_values_;
   std::vector<Interval> least_,
       most_;  ///< the limits, by motor; empty: it is no load within limits
 };

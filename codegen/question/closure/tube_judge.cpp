@@ -138,7 +138,7 @@ std::vector<std::optional<TubeFinder::Measured>> TubeFinder::measure(
                  {center.value, over->by_unknown, over->by_variable, center.by_unknown,
                   center.by_variable, over->rates_by_unknown, over->rates_by_variable});
     if (!has_one_solution(tubes[lane].tube, image)) continue;
-    measured[lane] = {std::move(*inverse), std::move(image), std::move(*over)};
+    measured[lane] = {std::move(*inverse), std::move(image), std::move(*over), center.by_unknown};
   }
   return measured;
 }

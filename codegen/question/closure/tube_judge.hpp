@@ -58,6 +58,7 @@ class TubeFinder {
     std::vector<double> inverse;  ///< K of the test
     TubeImage image;
     SystemBoxes::System over;
+    std::vector<Interval> center_by_unknown;  ///< encloses Φ_p(x₀, c)
   };
   /// Evaluates at most kLanes tubes over their boxes, with other inverses than the trials'; nullopt:
   /// the test does not hold with them.

@@ -8,6 +8,7 @@
 #include "codegen/answer/certificate/load_question.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/question/closure/closure_certificate.hpp"
+#include "codegen/question/closure/singular_values.hpp"
 #include "codegen/question/quantity/inverse_in_one_unit.hpp"
 #include "codegen/question/quantity/quantity_traits.hpp"
 
@@ -44,7 +45,8 @@ class ValueText {
     if (traits.data == NeededData::kMotorSpeeds) put_each("motor-speed", model_.actuators.speed);
     if (traits.data == NeededData::kLoadAndStiffness)
       put_each("stiffness", model_.actuators.stiffness);
-    if (c_.kind == QuantityKind::kCondition) put_each("factor", column_scales(model_));
+    if (c_.kind == QuantityKind::kCondition || SingularValues::are_of(c_.kind))
+      put_each("factor", column_scales(model_));
     put("bound", words_.bound = expression_text(bound));
     return {std::move(text_), std::move(words_)};
   }
@@ -93,11 +95,11 @@ std::string value_line(std::span<const Interval> place) {
   return line + '\n';
 }
 
-/// `place`: of an attained end; empty: the tree shows the other one. Throws FileError.
+/// Throws FileError.
 void write_value(const std::string& path, const CertifiedQuestion& question, const BranchTree& tree,
-                 std::span<const Interval> place, const ProofPlacing& placing) {
+                 PlaceOfValue place, const ProofPlacing& placing) {
   const auto file = with_file_errors([&] { return std::make_shared<ProofFile>(path); });
-  file->begin(question.head(!place.empty()) + (place.empty() ? "" : value_line(place)));
+  file->begin(question.head(place.has_value()) + (place ? value_line(*place) : ""));
   write_tree(*file, tree);
   with_file_errors([&] { file->complete(); });
   put_in_place(file, placing);
@@ -106,13 +108,13 @@ void write_value(const std::string& path, const CertifiedQuestion& question, con
 }  // namespace
 
 ProofStatus certify_forces(const std::string& path, const PreparedClosure& prepared,
-                           const VectorSet& load, const BranchTree& tree,
-                           std::span<const Interval> place, const ProofPlacing& placing) {
+                           const VectorSet& load, const BranchTree& tree, PlaceOfValue place,
+                           const ProofPlacing& placing) {
   ProofStatus status(path);
   if (!status.is_wanted()) return status;
   const CertifiedQuestion question =
       question_of(prepared, lines_of_limits(prepared.request.model, load));
-  status.set_obstacle(certificate_obstacle(question, !place.empty()));
+  status.set_obstacle(certificate_obstacle(question, place.has_value()));
   if (!status.obstacle().empty()) return status;
   status.attempt([&] { write_value(path, question, tree, place, placing); });
   if (status.obstacle().empty()) status.set_written();
@@ -120,9 +122,9 @@ ProofStatus certify_forces(const std::string& path, const PreparedClosure& prepa
 }
 
 void certify_value(EndProofs& proofs, const PreparedClosure& prepared, const Component& component,
-                   const ex& bound, const BranchTree& tree, std::span<const Interval> place) {
+                   const ex& bound, const BranchTree& tree, PlaceOfValue place) {
   if (!proofs.are_wanted()) return;
-  const bool is_attained = !place.empty();
+  const bool is_attained = place.has_value();
   const auto refuse = [&](const std::string& why) {
     is_attained ? proofs.set_no_singular(why) : proofs.set_no_safe(why);
   };

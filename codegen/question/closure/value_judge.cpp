@@ -16,6 +16,14 @@ std::vector<double> impact_of(const BranchTube& tube, const TubeImage& image, st
   return impact;
 }
 
+std::vector<double> corner_towards(const std::vector<double>& growth,
+                                   std::span<const Interval> box) {
+  std::vector<double> corner;
+  for (std::size_t k = 0; k < growth.size(); ++k)
+    corner.push_back(growth[k] == 0 ? mid(box[k]) : growth[k] > 0 ? box[k].hi : box[k].lo);
+  return corner;
+}
+
 constexpr int kSteps = 8;
 
 /// At x₀ the solution c + ρ has 0 = KΦ(x₀, c) + (I + E)ρ, so that |ρ| ≤ |KΦ(x₀, c)| + |E||ρ|, and
@@ -56,12 +64,31 @@ std::vector<Interval> ValueJudge::values_of(std::span<const TubeTrial> tubes,
       values.emplace_back(-kInfinity, kInfinity);
       continue;
     }
+    if (question_.value.singular_values() != nullptr) {
+      values.push_back(singular_value_of(tubes[lane], *measured[lane],
+                                         findings.empty() ? nullptr : findings[lane]));
+      continue;
+    }
     const BranchRates rates(tube, measured[lane]->image, measured[lane]->inverse,
                             measured[lane]->over.by_unknown);
     values.push_back(question_.value.largest(rates, measured[lane]->over));
     if (!findings.empty()) findings[lane]->impact = impact_of(tube, measured[lane]->image, m);
   }
   return values;
+}
+
+/// `finding`: the tube is one of a box, and its upper end counts; null: its lower end.
+Interval ValueJudge::singular_value_of(const TubeTrial& trial, const TubeFinder::Measured& measured,
+                                       ValueFinding* finding) const {
+  const SingularValues& values = *question_.value.singular_values();
+  if (finding == nullptr) return {values.attained(measured), kInfinity};
+  SingularValueFinding found = values.bound(trial, measured);
+  finding->growth = std::move(found.growth);
+  finding->near_center = near_center(trial.tube, measured.image);
+  finding->impact = found.impact.empty()
+                        ? impact_of(trial.tube, measured.image, question_.closure.shape.variables)
+                        : std::move(found.impact);
+  return {-kInfinity, found.upper};
 }
 
 void ValueJudge::judge(std::span<const Box> boxes, std::span<ValueFinding> findings,
@@ -97,9 +124,12 @@ SystemBoxes::Box ValueJudge::middle_of(const Box& box, const std::vector<double>
 }
 
 /// Returns a place of the box where f may be large, and the unknowns there, nearly.
-BranchPoint ValueJudge::place_in(const TubeTrial& trial) const {
-  if (!question_.value.is_distance()) return {trial.tube.at, trial.tube.center};
-  BranchPoint point{question_.value.farthest(trial.tube, trial.box), {}};
+BranchPoint ValueJudge::place_in(const TubeTrial& trial, const ValueFinding& finding) const {
+  const bool is_distance = question_.value.is_distance();
+  if (!is_distance && finding.growth.empty()) return {trial.tube.at, trial.tube.center};
+  BranchPoint point{is_distance ? question_.value.farthest(trial.tube, trial.box)
+                                : corner_towards(finding.growth, trial.box),
+                    {}};
   std::vector<Interval> place;
   for (std::size_t k = 0; k < point.variables.size(); ++k) {
     const std::optional<Interval>& inner = question_.problem.inner[k];
@@ -114,7 +144,7 @@ BranchPoint ValueJudge::place_in(const TubeTrial& trial) const {
 void ValueJudge::judge_middles(std::span<const TubeTrial> tubes,
                                std::span<ValueFinding* const> findings) {
   std::vector<BranchPoint> near;
-  for (const TubeTrial& trial : tubes) near.push_back(place_in(trial));
+  for (std::size_t i = 0; i < tubes.size(); ++i) near.push_back(place_in(tubes[i], *findings[i]));
   const auto settled = settle(system_, question_.closure.shape, near);
   std::vector<TubeTrial> middles, proved;
   std::vector<ValueFinding*> of, of_proved;

@@ -18,8 +18,10 @@ struct ValueFinding {
   double upper = kInfinity;      ///< f is at most that over the tube
   double lower = -kInfinity;     ///< and at least that
   std::vector<double> impact{};  ///< by variable: what a split makes smaller
-  /// By unknown, of a distance: the solution at the tube's centre is so near to it. Empty: within the
-  /// tube's radius.
+  /// By variable: the slope of f, roughly; empty: not known. Only the judge needs it.
+  std::vector<double> growth{};
+  /// By unknown, of a distance or a singular value: the solution at the tube's centre is so near to it.
+  /// Empty: within the tube's radius.
   std::vector<double> near_center{};
   /// A tube over a place of the box alone, its middle if possible, and what f is at least in it.
   std::optional<BranchTube> middle{};
@@ -56,7 +58,10 @@ class ValueJudge {
                                                 std::span<ValueFinding* const> findings);
 
   void judge_middles(std::span<const TubeTrial> tubes, std::span<ValueFinding* const> findings);
-  [[nodiscard]] BranchPoint place_in(const TubeTrial& trial) const;
+  [[nodiscard]] BranchPoint place_in(const TubeTrial& trial, const ValueFinding& finding) const;
+  [[nodiscard]] Interval singular_value_of(const TubeTrial& trial,
+                                           const TubeFinder::Measured& measured,
+                                           ValueFinding* finding) const;
   [[nodiscard]] Box middle_of(const Box& box, const std::vector<double>& at) const;
 
   const ValueQuestion question_;

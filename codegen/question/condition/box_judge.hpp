@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "codegen/question/condition/condition_test.hpp"
+#include "codegen/question/condition/stretched_vectors.hpp"
 #include "runtime/cluster/bytes.hpp"
 
 namespace regulus {

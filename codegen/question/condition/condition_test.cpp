@@ -5,21 +5,15 @@
 #include <cmath>
 #include <optional>
 
+#include "codegen/question/condition/entry_bounds.hpp"
 #include "codegen/question/condition/extreme_values.hpp"
 
 namespace regulus {
 namespace {
 
 using Doubles = std::vector<double>;
-using Intervals = std::vector<Interval>;
 
 constexpr int kNewtonSteps = 40;
-
-Doubles middles(std::span<const Interval> A) {
-  Doubles result;
-  for (const Interval& a : A) result.push_back(mid(a));
-  return result;
-}
 
 /// A sum to nearest of numbers of both signs, with a bound of its error.
 class RoundSum {
@@ -47,10 +41,9 @@ class RoundSum {
 class BoxCondition {
  public:
   explicit BoxCondition(const RotatedBox& box)
-      : box_(box), m_(box.rows), n_(box.columns), p_(box.radius.size()) {}
+      : box_(box), m_(box.rows), n_(box.columns), p_(box.radius.size()), entries_(box) {}
 
   ConditionBound run() {
-    bound_entries();
     ConditionBound result;
     bound_discs(false);
     bool is_found = find_ratio();
@@ -66,7 +59,7 @@ class BoxCondition {
       result.growth.push_back(g(k, 0) / d(0) - g(k, n_ - 1) / d(n_ - 1));
     }
     if (!is_found || !proves_ratio()) return result;
-    const double upper = n_ == 1 ? next_up(1.0) : mul_ru(ratio_, box_.distortion);
+    const double upper = n_ == 1 ? next_up(1.0) : mul_ru(ratio_, box_.distortion.ratio);
     if (upper >= 1) result.upper = upper;
     return result;
   }
@@ -77,32 +70,6 @@ class BoxCondition {
     return box_.slopes[k].middle[i * n_ + i];
   }
 
-  /// o_ij and e_i, and the parts of both by variable.
-  void bound_entries() {
-    const std::size_t size = m_ * n_;
-    Doubles all(size);
-    for (std::size_t e = 0; e < size; ++e)
-      all[e] = box_.center.error[e] + (is_diagonal(e) ? 0 : std::fabs(box_.center.middle[e]));
-    for (std::size_t k = 0; k < p_; ++k) {
-      const RoundMatrix& slope = box_.slopes[k];
-      Doubles part(size);
-      for (std::size_t e = 0; e < size; ++e) {
-        part[e] = slope.error[e] + (is_diagonal(e) ? 0 : std::fabs(slope.middle[e]));
-        part[e] = part[e] * box_.radius[k] + (box_.rest.empty() ? 0 : box_.rest[k][e]);
-        all[e] += part[e];
-      }
-      parts_.push_back(std::move(part));
-    }
-    off_.assign(size, 0);
-    for (std::size_t e = 0; e < size; ++e)
-      if (is_diagonal(e))
-        error_.push_back(enlarged(all[e]));
-      else
-        off_[e] = enlarged(all[e]);
-  }
-
-  [[nodiscard]] bool is_diagonal(std::size_t e) const { return e / n_ == e % n_; }
-
   /// The weights let the discs beside the extreme ones reach as far as these. If they `share` the
   /// change of the other extreme value with δ, this leaves out what both have in common, which suits
   /// small boxes.
@@ -110,8 +77,8 @@ class BoxCondition {
     const double ratio = d(0) / d(n_ - 1);
     Reach high{Doubles(n_), Doubles(n_)}, low = high;
     for (std::size_t i = 0; i < n_; ++i) {
-      high.farthest[i] = high.goal[i] = d(i) + error_[i];
-      low.farthest[i] = low.goal[i] = d(i) - error_[i];
+      high.farthest[i] = high.goal[i] = d(i) + entries_.error[i];
+      low.farthest[i] = low.goal[i] = d(i) - entries_.error[i];
       for (std::size_t k = 0; k < p_; ++k) {
         const double most = g(k, 0) / ratio, least = ratio * g(k, n_ - 1), r = box_.radius[k];
         high.farthest[i] += std::fabs(g(k, i)) * r;
@@ -120,7 +87,7 @@ class BoxCondition {
         low.goal[i] -= (std::fabs(most - g(k, i)) - (share ? std::fabs(most) : 0)) * r;
       }
     }
-    values_.emplace(off_, m_, n_, high, low);
+    values_.emplace(entries_.off, m_, n_, high, low);
     top_ = values_->highest().front();
     low_ = values_->lowest()[n_ - 1];
     ratio_ = 1;
@@ -137,8 +104,8 @@ class BoxCondition {
   /// Newton's method from the left, up to the zero.
   [[nodiscard]] bool raise_ratio(const Disc& top, const Disc& low) {
     const std::size_t i = top.index, l = low.index;
-    const double highest = top.alpha * (d(i) + error_[i]) + top.beta;
-    const double lowest = low.alpha * (d(l) - error_[l]) - low.beta;
+    const double highest = top.alpha * (d(i) + entries_.error[i]) + top.beta;
+    const double lowest = low.alpha * (d(l) - entries_.error[l]) - low.beta;
     for (int step = 0; step < kNewtonSteps; ++step) {
       double value = highest - ratio_ * lowest, slope = -lowest;
       for (std::size_t k = 0; k < p_; ++k) {
@@ -176,7 +143,7 @@ class BoxCondition {
     RoundSum sum;
     const std::size_t l = low.index;
     sum.add(-low.alpha * d(l));
-    sum.add(low.alpha * error_[l]);
+    sum.add(low.alpha * entries_.error[l]);
     sum.add(low.beta);
     for (std::size_t k = 0; k < p_; ++k) sum.add(low.alpha * std::fabs(g(k, l)) * box_.radius[k]);
     return sum.is_certainly_negative();
@@ -186,10 +153,10 @@ class BoxCondition {
     RoundSum sum;
     const std::size_t i = top.index, l = low.index;
     sum.add(top.alpha * d(i));
-    sum.add(top.alpha * error_[i]);
+    sum.add(top.alpha * entries_.error[i]);
     sum.add(top.beta);
     sum.add(-ratio_ * low.alpha * d(l));
-    sum.add(ratio_ * low.alpha * error_[l]);
+    sum.add(ratio_ * low.alpha * entries_.error[l]);
     sum.add(ratio_ * low.beta);
     for (std::size_t k = 0; k < p_; ++k) {
       const double a = top.alpha * g(k, i), b = ratio_ * low.alpha * g(k, l), r = box_.radius[k];
@@ -200,58 +167,21 @@ class BoxCondition {
 
   /// Returns roughly what variable k adds to the excess by errors of second order.
   [[nodiscard]] double impact_of(std::size_t k) const {
-    const auto [above, below] = values_->shares(parts_[k]);
-    const auto error = [&](std::size_t i) { return parts_[k][i * n_ + i]; };
+    const auto [above, below] = values_->shares(entries_.parts[k]);
+    const auto error = [&](std::size_t i) { return entries_.parts[k][i * n_ + i]; };
     return above + error(top_.index) + (below + error(low_.index)) * d(0) / d(n_ - 1);
   }
 
   const RotatedBox& box_;
   const std::size_t m_, n_, p_;
-  Doubles off_, error_;         ///< o_ij, e_i
-  std::vector<Doubles> parts_;  ///< of both, by variable
+  const EntryBounds entries_;
   std::optional<ExtremeValues> values_;
   Disc top_{}, low_{};  ///< those that raised T last
   double ratio_ = 1;    ///< T
 };
 
-/// Encloses |Ax|².
-Interval square_of_image(std::span<const Interval> A, std::size_t rows, const Doubles& x) {
-  Interval sum(0.0);
-  for (std::size_t i = 0; i < rows; ++i) {
-    Interval image(0.0);
-    for (std::size_t j = 0; j < x.size(); ++j) image += A[i * x.size() + j] * Interval(x[j]);
-    sum += sqr(image);
-  }
-  return sum;
-}
-
-Interval square_of_length(const Doubles& x) {
-  Interval sum(0.0);
-  for (const double c : x) sum += sqr(Interval(c));
-  return sum;
-}
-
 }  // namespace
 
 ConditionBound bound_condition(const RotatedBox& box) { return BoxCondition(box).run(); }
-
-StretchedVectors attained_condition(std::span<const Interval> A, std::size_t rows,
-                                    std::size_t columns) {
-  StretchedVectors shown;
-  const auto found = approx_singular_vectors(middles(A), rows, columns);
-  if (!found) return shown;
-  for (std::size_t j = 0; j < columns; ++j) {
-    shown.most.push_back(found->right[j * columns]);
-    shown.least.push_back(found->right[j * columns + columns - 1]);
-  }
-  const Interval length = square_of_length(shown.least);
-  const Interval high = square_of_image(A, rows, shown.most) * length;
-  const Interval low = square_of_image(A, rows, shown.least) * square_of_length(shown.most);
-  if (low.hi == 0 && length.lo > 0)
-    shown.condition = kInfinity;
-  else if (high.lo > 0 && is_bounded(low))
-    shown.condition = std::max(1.0, sqrt_rd(div_rd(high.lo, low.hi)));
-  return shown;
-}
 
 }  // namespace regulus

@@ -31,8 +31,6 @@
 // an isolated singular value, good weights make β as small as the square of the box. The least T is
 // found by Newton's method on these functions of T, which are convex and decreasing; the
 // inequalities are then proved.
-//
-// Any two vectors u ≠ 0 and v with Av ≠ 0 show κ ≥ |Au|·|v|/(|Av|·|u|).
 #pragma once
 
 #include <span>
@@ -52,16 +50,5 @@ struct ConditionBound {
 /// Requires  every value that A takes is in `box`; at most 64 rows.
 /// Rounding  outward; MXCSR at nearest.
 [[nodiscard]] ConditionBound bound_condition(const RotatedBox& box);
-
-/// Vectors that show a condition number.
-struct StretchedVectors {
-  double condition = 1;             ///< κ ≥ condition; infinite: A is singular
-  std::vector<double> most, least;  ///< u and v
-};
-
-/// Shape     A row-major; encloses a matrix.
-/// Rounding  `condition` down; MXCSR at nearest.
-[[nodiscard]] StretchedVectors attained_condition(std::span<const Interval> A, std::size_t rows,
-                                                  std::size_t columns);
 
 }  // namespace regulus

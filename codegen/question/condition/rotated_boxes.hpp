@@ -20,7 +20,7 @@ struct RotatedBox {
   std::vector<double> radius;
   /// By variable, row-major: their sum bounds the rest. Empty: there is none.
   std::vector<std::vector<double>> rest;
-  double distortion = kInfinity;  ///< κ(A) ≤ distortion·κ(B)
+  Distortion distortion{};
 };
 
 /// Returns B for a matrix with slopes; nullopt if a number is not finite.

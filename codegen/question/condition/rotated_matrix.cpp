@@ -96,12 +96,12 @@ RoundMatrix Rotation::apply_right(std::span<const Interval> S) const {
   return result;
 }
 
-double Rotation::distortion() const {
+Distortion Rotation::distortion() const {
   const double left = error_of(U_, m_), right = error_of(V_, n_);
-  if (!(left < 0.5 && right < 0.5)) return kInfinity;
+  if (!(left < 0.5 && right < 0.5)) return {};
   const double above = mul_ru(add_ru(1, left), add_ru(1, right));
   const double below = mul_rd(sub_rd(1, left), sub_rd(1, right));
-  return sqrt_ru(div_ru(above, below));
+  return {sqrt_ru(div_ru(above, below)), sqrt_ru(div_ru(1, below)), sqrt_ru(above)};
 }
 
 }  // namespace regulus

@@ -16,6 +16,15 @@ struct RoundMatrix {
   std::vector<double> middle, error;
 };
 
+/// What a rotation does to singular values, for every A and B = UᵀAV; infinite if U or V is far from
+/// orthogonal. With |UᵀU − I| ≤ ε and |VᵀV − I| ≤ ε', |U|² ≤ 1 + ε and |U⁻¹|² ≤ 1/(1 − ε), and the same
+/// of V.
+struct Distortion {
+  double ratio = kInfinity;    ///< κ(A) ≤ ratio·κ(B)
+  double largest = kInfinity;  ///< σ_max(A) ≤ largest·σ_max(B)
+  double least = kInfinity;    ///< σ_min(B) ≤ least·σ_min(A)
+};
+
 class Rotation {
  public:
   /// Shape     left: rows × rows, right: columns × columns, at most 64 rows.
@@ -29,9 +38,7 @@ class Rotation {
   /// Encloses SV, for a matrix S = Uᵀ…, in the same way.
   [[nodiscard]] RoundMatrix apply_right(std::span<const Interval> S) const;
 
-  /// Returns a number q with κ(A) ≤ q·κ(UᵀAV) for every A; infinite if U or V is far from
-  /// orthogonal.
-  [[nodiscard]] double distortion() const;
+  [[nodiscard]] Distortion distortion() const;
 
  private:
   /// Returns UᵀSV to nearest, or with the magnitudes of U and V. A zero row of S costs little.

@@ -102,7 +102,7 @@ class Components {
     components_ = traits.components, data_ = traits.data, has_signs_ = traits.has_signs;
     quantity_.name = traits.description;
     if (quantity_.kind == QuantityKind::kForce || quantity_.kind == QuantityKind::kDeflection ||
-        quantity_.kind == QuantityKind::kCondition)
+        traits_->compares_units)
       require_radians();
   }
 

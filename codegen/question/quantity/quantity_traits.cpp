@@ -130,19 +130,15 @@ constexpr bool are_in_order() {
 }
 static_assert(are_in_order());
 
-constexpr const char* kOneNorm =
-    "singular values of a matrix over a branch are not bounded; ask for condition, in the maximum "
-    "norm, or determinant";
-
 /// In the order of QuantityKind.
 constexpr std::array<ClosureTraits, kTraits.size()> kOfClosures{{
     {"force of the motors", "", kRows, kLoad, true},
     {"first-order error", "", kFreedoms, kMotorErrors},
     {"speed of the unknowns for the speeds of the motors", "", kFreedoms, kMotorSpeeds},
-    {"", kOneNorm},
-    {"", kOneNorm},
+    {"least singular value of the equations' derivatives", ""},
+    {"largest singular value of the equations' derivatives", ""},
     {"condition number of the equations' derivatives in the maximum norm", ""},
-    {"", kOneNorm},
+    {"condition number of the equations' derivatives in the 2-norm", ""},
     {"deflection of the unknowns", "", kFreedoms, kLoadAndStiffness, true},
     {"least |det| of the equations' derivatives", ""},
     {"det of the equations' derivatives", "", kWhole, kNone, true},

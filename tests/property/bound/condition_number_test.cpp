@@ -11,6 +11,8 @@
 #include "codegen/model/file/model_file.hpp"
 #include "codegen/question/bound/bound_run.hpp"
 #include "codegen/question/condition/condition_test.hpp"
+#include "codegen/question/condition/singular_value_test.hpp"
+#include "codegen/question/condition/stretched_vectors.hpp"
 #include "codegen/support/errors.hpp"
 #include "tests/property/bound/condition_models.hpp"
 #include "tests/support/certificates.hpp"
@@ -228,6 +230,56 @@ TEST(ConditionNumber, OfNoMatrixInABoxIsBeyondItsBound) {
       ASSERT_LE(condition(random.sample()), upper * (1 + 1e-12)) << seed;
   }
   EXPECT_GT(bounded, 200);
+}
+
+TEST(SingularValues, OfNoMatrixInABoxAreBeyondTheirBounds) {
+  int below = 0, above = 0;
+  for (unsigned seed = 1; seed <= 400; ++seed) {
+    RandomBox random(seed);
+    const auto rotated = rotate(random.box, random.rows, random.columns);
+    ASSERT_TRUE(rotated);
+    const double largest = bound_singular_value(*rotated, Extreme::kLargest).value;
+    const double least = bound_singular_value(*rotated, Extreme::kLeast).value;
+    double seen_largest = 0, seen_least = kInfinity;
+    for (int i = 0; i < 100; ++i) {
+      const Eigen::VectorXd values =
+          Eigen::JacobiSVD<Eigen::MatrixXd>(random.sample()).singularValues();
+      seen_largest = std::max(seen_largest, values(0));
+      seen_least = std::min(seen_least, values(values.size() - 1));
+    }
+    ASSERT_LE(seen_largest, largest * (1 + 1e-12)) << seed;
+    ASSERT_GE(seen_least, least * (1 - 1e-12)) << seed;
+    below += largest < 1.5 * seen_largest ? 1 : 0;
+    above += least > seen_least / 1.5 ? 1 : 0;
+  }
+  EXPECT_GT(below, 200);
+  EXPECT_GT(above, 150);
+}
+
+/// Of one matrix the bounds are its singular values.
+TEST(SingularValues, OfAMatrixAreBoundedAndShown) {
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    RandomBox random(seed);
+    const Eigen::MatrixXd A = random.sample();
+    const Eigen::VectorXd values = Eigen::JacobiSVD<Eigen::MatrixXd>(A).singularValues();
+    BoxMatrix alone;
+    for (Eigen::Index e = 0; e < A.size(); ++e)
+      alone.center.emplace_back(A(e / A.cols(), e % A.cols()));
+    const auto rotated = rotate(alone, random.rows, random.columns);
+    ASSERT_TRUE(rotated);
+    const AttainedValues shown = attained_values(alone.center, random.rows, random.columns);
+    const double largest = values(0), least = values(values.size() - 1), room = 1e-10 * largest;
+    EXPECT_LE(shown.largest, largest * (1 + 1e-12)) << seed;
+    EXPECT_NEAR(shown.largest, largest, room) << seed;
+    EXPECT_GE(shown.least, least - 1e-12 * largest) << seed;
+    EXPECT_NEAR(shown.least, least, room) << seed;
+    const double above = bound_singular_value(*rotated, Extreme::kLargest).value;
+    EXPECT_GE(above, largest * (1 - 1e-12)) << seed;
+    EXPECT_NEAR(above, largest, room) << seed;
+    const double below = bound_singular_value(*rotated, Extreme::kLeast).value;
+    EXPECT_LE(below, least + 1e-12 * largest) << seed;
+    EXPECT_NEAR(below, least, room) << seed;
+  }
 }
 
 TEST(ConditionNumber, OfAMatrixIsShownByItsVectors) {

@@ -112,15 +112,6 @@ x = [-1, 1]
 }
 Question crank() { return Question::of_text(crank_text(), "crank"); }
 
-TEST(Refusals, OfSingularValuesOverABranchSayWhatIsBounded) {
-  regulus::BoundOptions options;
-  options.quantity.quantity = "condition";
-  options.quantity.norm = "2";
-  EXPECT_THAT(message_of([&] { static_cast<void>(regulus::bound(crank(), options)); }),
-              HasSubstr("singular values of a matrix over a branch are not bounded"));
-  EXPECT_TRUE(regulus::refusal(regulus::Kind::kClosureCondition2, regulus::Service::kAnswer));
-}
-
 TEST(Refusals, OfQuantitiesOfAClosureSayWhy) {
   const auto why = [](const char* quantity) {
     return message_of([quantity] {
@@ -131,7 +122,6 @@ TEST(Refusals, OfQuantitiesOfAClosureSayWhy) {
   };
   EXPECT_THAT(why("x"), HasSubstr("the branch changes nothing"));
   EXPECT_THAT(why("x + phi"), HasSubstr("depends on the unknowns of [closure]"));
-  EXPECT_THAT(why("sigma-min"), HasSubstr("singular values of a matrix over a branch"));
   EXPECT_THAT(why("error"), HasSubstr("the error of each motor"));
   EXPECT_THAT(why("speed"), HasSubstr("the largest speed of each motor"));
   EXPECT_THAT(why("force"), HasSubstr("the model has no [load.NAME]"));
