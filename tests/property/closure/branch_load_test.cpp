@@ -131,7 +131,7 @@ CheckedLoad checked_load(const std::string& text) {
   const ProofStatus status =
       certify_forces(path, c.prepared.closure, c.prepared.set(),
                      is_feasible ? c.result.tree : c.result.branch.searched.branch.tree,
-                     is_feasible ? std::vector<Interval>{} : c.result.shortage->place, {});
+                     is_feasible ? std::nullopt : PlaceOfValue(c.result.shortage->place), {});
   EXPECT_TRUE(status.is_written()) << status.obstacle();
   std::ostringstream read;
   read << std::ifstream(path).rdbuf();
