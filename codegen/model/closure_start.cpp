@@ -87,6 +87,10 @@ std::vector<ex> start_of(const Model& model, const Motion& motion) {
   return values;
 }
 
+void require_start(const Model& model, const Motion& motion) {
+  if (model.closure) (void)start_of(model, motion);
+}
+
 void require_way_from_start(const Model& model, const Motion& motion) {
   const std::vector<PieceOfPose>& first = motion.trajectory->pieces.front().pose;
   for (std::size_t i = 0; i < model.pose.size(); ++i)

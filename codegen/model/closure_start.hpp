@@ -17,6 +17,9 @@ namespace regulus {
 ///           the motion follows way-points.
 [[nodiscard]] std::vector<GiNaC::ex> start_of(const Model& model, const Motion& motion);
 
+/// The same for a check alone. A model without a closure has no start, and passes.
+void require_start(const Model& model, const Motion& motion);
+
 /// Proves that a motion along way-points begins at the start of the model's closure.
 ///
 /// Requires  the model has a closure, and the motion a trajectory.

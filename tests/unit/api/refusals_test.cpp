@@ -120,6 +120,19 @@ TEST(Refusals, OfSingularValuesOverABranchSayWhatIsBounded) {
   EXPECT_TRUE(regulus::refusal(regulus::Kind::kClosureCondition2, regulus::Service::kAnswer));
 }
 
+TEST(Refusals, OfAClosureAlongWayPointsSayWhatIsAsked) {
+  std::ofstream("crank_on_its_way.csv") << "x\n0\n1\n";
+  const std::string text = crank_text() + "[motion.way]\nwaypoints = \"crank_on_its_way.csv\"\n";
+  const Question along = Question::of_text(text, "way");
+  EXPECT_EQ(regulus::check(along).verdict, regulus::Verdict::kNoSingularity);
+  regulus::BoundOptions options;
+  options.quantity.quantity = "determinant";
+  EXPECT_THAT(message_of([&] { static_cast<void>(regulus::bound(along, options)); }),
+              HasSubstr("check, without a load, is the one question"));
+  EXPECT_THAT(message_of([&] { static_cast<void>(regulus::datasheet(along)); }),
+              HasSubstr("check, without a load, is the one question"));
+}
+
 TEST(Refusals, OfQuantitiesOfAClosureSayWhy) {
   const auto why = [](const char* quantity) {
     return message_of([quantity] {
