@@ -121,15 +121,15 @@ TEST(Refusals, OfSingularValuesOverABranchSayWhatIsBounded) {
 }
 
 TEST(Refusals, OfAClosureAlongWayPointsSayWhatIsAsked) {
-  std::ofstream("crank_on_its_way.csv") << "x\n0\n1\n";
-  const std::string text = crank_text() + "[motion.way]\nwaypoints = \"crank_on_its_way.csv\"\n";
-  const Question along = Question::of_text(text, "way");
+  const std::string file = testing::TempDir() + "crank_on_its_way.csv";
+  std::ofstream(file) << "x\n0\n1\n";
+  const Question along = crank().waypoints(file);
   EXPECT_EQ(regulus::check(along).verdict, regulus::Verdict::kNoSingularity);
   regulus::BoundOptions options;
   options.quantity.quantity = "determinant";
   EXPECT_THAT(message_of([&] { static_cast<void>(regulus::bound(along, options)); }),
               HasSubstr("check, without a load, is the one question"));
-  EXPECT_THAT(message_of([&] { static_cast<void>(regulus::datasheet(along)); }),
+  EXPECT_THAT(message_of([&] { static_cast<void>(regulus::locate(along)); }),
               HasSubstr("check, without a load, is the one question"));
 }
 
