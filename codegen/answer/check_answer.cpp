@@ -150,6 +150,8 @@ std::unique_ptr<CheckAnswer> ask(const AskCheck& asked, const Services& services
     if (!closed) return std::make_unique<VarietyCheck>(asked, services);
     return answer_closure(std::move(*closed), watch.lap(), asked, services);
   }
+  if (along->model.closure)
+    return answer_closure_way(std::move(*along), watch.lap(), asked, services);
   services.begin_search();
   return std::make_unique<WayCheck>(std::move(*along), watch.lap(), asked, services);
 }

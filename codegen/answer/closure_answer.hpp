@@ -18,6 +18,10 @@ struct Request;
 [[nodiscard]] std::unique_ptr<CheckAnswer> answer_closure(Request request, double model_seconds,
                                                           const AskCheck& asked,
                                                           const Services& services);
+/// The same of a motion along way-points.
+[[nodiscard]] std::unique_ptr<CheckAnswer> answer_closure_way(Request request, double model_seconds,
+                                                              const AskCheck& asked,
+                                                              const Services& services);
 [[nodiscard]] std::unique_ptr<PavingAnswer> answer_closure(Request request, double model_seconds,
                                                            const AskPaving& asked,
                                                            const Services& services);

@@ -29,8 +29,18 @@ constexpr std::string_view kNoPageOfTexts =
     "out";
 constexpr std::string_view kNoTheorem =
     "Coq has theorems about the rank of a matrix, and none about this; regulus-verify proves it";
-constexpr std::string_view kNoWayOfClosures =
-    "a model with [closure] has no motions along way-points; give the motion by ranges";
+constexpr std::string_view kOnlyCheckOfClosureWays =
+    "of a [closure] along way-points check, without a load, is the one question; give the motion "
+    "by "
+    "ranges, or by formulas";
+constexpr std::string_view kNoTheoremOfClosureWays =
+    "Coq has no theorem about a branch along way-points; regulus-verify proves it";
+constexpr std::string_view kNoCheckpointOfClosureWays =
+    "a branch along way-points keeps no checkpoint; leave it out";
+constexpr std::string_view kNoRanksOfClosureWays =
+    "the segments of a branch follow each other, so it has one process; use regulus";
+constexpr std::string_view kNoPageOfClosureWays =
+    "a page does not show a branch along way-points; leave it out";
 constexpr std::string_view kNoTheoremOfClosures =
     "Coq has theorems about the branch of a [closure], and none about this; regulus-verify proves "
     "it";
@@ -100,6 +110,21 @@ constexpr Refusal kRefusals[] = {
     {kClosureFiniteErrors, kShards, kNoShardsOfClosures},
     {kClosureFiniteErrors, kTheorem, kNoTheoremOfClosures},
     {kWaySolve, kAnswer, kNoWayOfSolutions},
+    {kClosureWayCheck, kShards, kNoShardsOfClosures},
+    {kClosureWayCheck, kTheorem, kNoTheoremOfClosureWays},
+    {kClosureWayCheck, kCheckpoint, kNoCheckpointOfClosureWays},
+    {kClosureWayCheck, kRanks, kNoRanksOfClosureWays},
+    {kClosureWayCheck, kPage, kNoPageOfClosureWays},
+    {kClosureWayPaving, kAnswer, kOnlyCheckOfClosureWays},
+    {kClosureWayMargin, kAnswer, kOnlyCheckOfClosureWays},
+    {kClosureWayLimitMargin, kAnswer, kOnlyCheckOfClosureWays},
+    {kClosureWayBound, kAnswer, kOnlyCheckOfClosureWays},
+    {kClosureWayLoad, kAnswer, kOnlyCheckOfClosureWays},
+    {kClosureWayLoadPaving, kAnswer, kOnlyCheckOfClosureWays},
+    {kClosureWayDatasheet, kAnswer, kOnlyCheckOfClosureWays},
+    {kClosureWayCondition2, kAnswer, kNoCondition2OfClosures},
+    {kClosureWayFiniteErrors, kAnswer, kNoFiniteErrors},
+    {kClosureWaySolve, kAnswer, kNoWayOfSolutions},
     {kSolve, kShards, kNoShardsOfSolutions},
     {kSolve, kTheorem, kNoTheoremOfSolutions},
     {kSolve, kCheckpoint, kNoCheckpointOfSolutions},
@@ -134,6 +159,7 @@ constexpr Refusal kRefusals[] = {
     {kClosureLimitMargin, kPicture, kNoBoxes, false},
     {kClosureDatasheet, kPicture, kNoBoxes, false},
     {kClosureLoad, kPicture, kNoBoxes, false},
+    {kClosureWayCheck, kPicture, kNoBoxes, false},
 };
 
 constexpr OptionRefusal kOptionsOfLoads[] = {
@@ -180,9 +206,10 @@ constexpr OptionRefusal kOptionsOfSolutions[] = {
 };
 
 /// The same question along way-points, and of a model with a closure.
-constexpr std::size_t kVarieties = kKinds / 3;
+constexpr std::size_t kAbouts = 4, kVarieties = kKinds / kAbouts;
 Kind along_way(Kind kind) { return Kind(std::size_t(kind) + kVarieties); }
 Kind of_closure(Kind kind) { return Kind(std::size_t(kind) + 2 * kVarieties); }
+Kind of_closure_along_way(Kind kind) { return Kind(std::size_t(kind) + 3 * kVarieties); }
 
 /// Returns the options that differ from their defaults, as the command calls them.
 std::vector<std::string_view> changed_options(const ModelOptions& model,
@@ -297,7 +324,8 @@ std::string name(Kind kind) {
       "datasheet",    "bound error --finite",
       "solve"};
   const auto number = std::size_t(kind);
-  static constexpr std::array<const char*, 3> kAbout = {"", ", along way-points", ", of a closure"};
+  static constexpr std::array<const char*, kAbouts> kAbout = {
+      "", ", along way-points", ", of a closure", ", of a closure along way-points"};
   return std::string(kNames[number % kVarieties]) + kAbout[number / kVarieties];
 }
 
@@ -322,9 +350,10 @@ void refuse_services(Kind kind, const ModelOptions& model, const SearchOptions& 
                      const Services& services) {
   const FormingWatch watch = watch_of(services, search);
   if (const auto closed = if_readable([&] { return read_closure(model, watch); })) {
-    refuse_services_of(of_closure(kind), search, services);
+    const bool is_along_way = closed->motion.trajectory != nullptr;
+    refuse_services_of(is_along_way ? of_closure_along_way(kind) : of_closure(kind), search,
+                       services);
     refuse_changed_options(kOptionsOfClosures, model, search, services.dashes);
-    if (closed->motion.trajectory) throw UsageError(std::string(kNoWayOfClosures));
     return;
   }
   refuse_services_of(kind, search, services);

@@ -51,9 +51,21 @@ enum class Kind {
   kClosureLoadPaving,
   kClosureDatasheet,
   kClosureFiniteErrors,
-  kClosureSolve
+  kClosureSolve,
+  // The same about such a model and a motion along way-points.
+  kClosureWayCheck,
+  kClosureWayPaving,
+  kClosureWayMargin,
+  kClosureWayLimitMargin,
+  kClosureWayBound,
+  kClosureWayCondition2,
+  kClosureWayLoad,
+  kClosureWayLoadPaving,
+  kClosureWayDatasheet,
+  kClosureWayFiniteErrors,
+  kClosureWaySolve
 };
-inline constexpr std::size_t kKinds = std::size_t(Kind::kClosureSolve) + 1;
+inline constexpr std::size_t kKinds = std::size_t(Kind::kClosureWaySolve) + 1;
 /// Returns "check --load, along way-points", for example.
 [[nodiscard]] std::string name(Kind kind);
 

@@ -7,6 +7,7 @@
 #include "codegen/model/exact/certain_sign.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/model/names.hpp"
+#include "codegen/model/way/trajectory.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus {
@@ -39,17 +40,20 @@ void require_within(const Model& model, const Motion& motion, const MotionParame
          "widen the range of " + parameter.name + ", or move closure.start into it");
 }
 
+std::string remedy_of_ranges(const PoseParameter& parameter) {
+  return "give " + parameter.name +
+         " the value of closure.start, or a range that contains it; a motion by formulas begins "
+         "at the start, with its parameters at their lower ends";
+}
+
 void require_equal(const Model& model, const Motion& motion, const PoseParameter& parameter,
-                   const ex& value, const ex& start) {
+                   const ex& value, const ex& start, const std::string& remedy) {
   if (value.is_equal(start) || certain_sign(value - start) == CertainSign::kZero) return;
-  refuse(
-      model, motion,
-      " does not contain the start of [closure]: " + parameter.name + " is " +
-          with_unit(value, parameter.unit) + " there, and " + with_unit(start, parameter.unit) +
-          " at the start",
-      "give " + parameter.name +
-          " the value of closure.start, or a range that contains it; a motion by formulas begins "
-          "at the start, with its parameters at their lower ends");
+  refuse(model, motion,
+         " does not contain the start of [closure]: " + parameter.name + " is " +
+             with_unit(value, parameter.unit) + " there, and " + with_unit(start, parameter.unit) +
+             " at the start",
+         remedy);
 }
 
 }  // namespace
@@ -66,7 +70,8 @@ std::vector<ex> start_of(const Model& model, const Motion& motion) {
         motion.parameters, [&value](const MotionParameter& p) { return value.is_equal(p.symbol); });
     if (at == motion.parameters.end()) continue;
     std::optional<ex>& known = found[static_cast<std::size_t>(at - motion.parameters.begin())];
-    if (known) require_equal(model, motion, model.pose[i], *known, start);
+    if (known)
+      require_equal(model, motion, model.pose[i], *known, start, remedy_of_ranges(model.pose[i]));
     require_within(model, motion, *at, start);
     known = start;
   }
@@ -78,12 +83,22 @@ std::vector<ex> start_of(const Model& model, const Motion& motion) {
   }
   for (std::size_t i = 0; i < model.pose.size(); ++i)
     require_equal(model, motion, model.pose[i], motion.pose[i].subs(at_start),
-                  closure.start_pose[i]);
+                  closure.start_pose[i], remedy_of_ranges(model.pose[i]));
   return values;
 }
 
 void require_start(const Model& model, const Motion& motion) {
   if (model.closure) (void)start_of(model, motion);
+}
+
+void require_way_from_start(const Model& model, const Motion& motion) {
+  const std::vector<PieceOfPose>& first = motion.trajectory->pieces.front().pose;
+  for (std::size_t i = 0; i < model.pose.size(); ++i)
+    require_equal(
+        model, motion, model.pose[i], first.at(i).power[0] + first.at(i).cosine,
+        model.closure->start_pose[i],
+        "let the way-points begin at closure.start, or move closure.start to the first of "
+        "them");
 }
 
 }  // namespace regulus

@@ -20,4 +20,10 @@ namespace regulus {
 /// The same for a check alone. A model without a closure has no start, and passes.
 void require_start(const Model& model, const Motion& motion);
 
+/// Proves that a motion along way-points begins at the start of the model's closure.
+///
+/// Requires  the model has a closure, and the motion a trajectory.
+/// Throws    InputError, with the motion's name, if it does not.
+void require_way_from_start(const Model& model, const Motion& motion);
+
 }  // namespace regulus

@@ -23,17 +23,18 @@ using CurvePoint = std::vector<Interval>;
 class FoldPath {
  public:
   FoldPath(Lines& lines, Question& q, const Variety& variety, const Options& options,
-           Verification& result)
+           const BranchBoxes* before, Verification& result)
       : lines_(lines),
         q_(q),
         variety_(variety),
         options_(options),
+        before_(before),
         result_(result),
         clock_(options, result),
         n_(q.closure->equations.size()) {}
 
   void check() {
-    if (next_line() != std::string("reason ") + format::kFold)
+    if (lines_.text() != std::string("reason ") + format::kFold)
       throw Rejection(std::string("expected 'reason ") + format::kFold + "'");
     if (!q_.constraints.empty())
       throw Unfinished("a singular configuration of a motion with constraints is not checked");
@@ -162,9 +163,32 @@ class FoldPath {
     const auto radius = arc.system.test().radius_of(arc.tube);
     for (std::size_t i = 0; i < n_ && arc.system.is_along_line(); ++i)
       scale[i] = std::min(scale[i], radius[i]);
-    const SolutionBox found = start.only_solution(line.test(), {point(0.0)}, scale);
+    const SolutionBox found = before_ != nullptr
+                                  ? solution_after(line, std::move(scale))
+                                  : start.only_solution(line.test(), {point(0.0)}, scale);
     if (!holds(arc, line.point_of(point(0.0), found)))
       throw Unfinished("the arc may not hold the configuration at the start");
+  }
+
+  /// Encloses the configuration of the piece before at its end, where this one begins.
+  SolutionBox solution_after(LineSystem& line, std::vector<double> scale) {
+    Box end = start_place(q_, variety_);
+    if (!are_equal(q_.graph, q_.closure->start[0], q_.graph.number("0")))
+      throw Unfinished("the line does not begin where the piece does");
+    end[0] = point(1.0);
+    BranchTest test(q_);
+    const std::vector<std::size_t> tubes = tubes_at(*before_, end);
+    std::vector<double> near;
+    for (const Interval x : test.middle_of(before_->tubes[tubes.front()], end))
+      near.push_back(mid(x));
+    for (const std::size_t tube : tubes)
+      for (std::size_t i = 0; i < n_; ++i)
+        scale[i] = std::min(scale[i], test.radius_of(before_->tubes[tube])[i]);
+    auto found = line.test().solution_near({point(0.0)}, near, scale);
+    for (const std::size_t tube : tubes)
+      if (!found || test.place_of(*found, before_->tubes[tube], end) != Place::kInside)
+        throw Unfinished("the configuration at the end of the piece before was not found");
+    return *std::move(found);
   }
 
   /// The configuration at an end of the arc is in the last one.
@@ -227,6 +251,7 @@ class FoldPath {
   Question& q_;
   const Variety& variety_;
   const Options& options_;
+  const BranchBoxes* const before_;
   Verification& result_;
   WorkClock clock_;
   const std::size_t n_;
@@ -239,7 +264,13 @@ class FoldPath {
 
 void check_fold(Lines& lines, Question& question, const Variety& variety, const Options& options,
                 Verification& result) {
-  FoldPath(lines, question, variety, options, result).check();
+  if (!lines.next()) throw Rejection("the file ends before the line 'end' of the proof");
+  FoldPath(lines, question, variety, options, nullptr, result).check();
+}
+
+void check_fold_of_piece(Lines& lines, Question& question, const Variety& variety,
+                         const Options& options, const BranchBoxes* before, Verification& result) {
+  FoldPath(lines, question, variety, options, before, result).check();
 }
 
 }  // namespace regulus::verifier

@@ -11,6 +11,10 @@
 
 #include "runtime/files/sha256.hpp"
 #include "runtime/verifier/bordered_matrix.hpp"
+#include "runtime/verifier/branch_joint.hpp"
+#include "runtime/verifier/branch_tree.hpp"
+#include "runtime/verifier/fold_path.hpp"
+#include "runtime/verifier/model/closure_comparison.hpp"
 #include "runtime/verifier/model/model_comparison.hpp"
 #include "runtime/verifier/model/waypoints.hpp"
 #include "runtime/verifier/proof.hpp"
@@ -43,8 +47,12 @@ class PieceChecker {
     advance(lines_);
     result_.are_sides = has_all_sides();
     for (std::size_t k = 0; k < pieces_.values.size(); ++k) {
+      const bool is_last = k + 1 == pieces_.values.size();
+      if (is_last && lines_.text().starts_with("reason ")) return check_fold(k);
       if (lines_.text() != "tree") throw Rejection("expected the line 'tree' of " + piece(k));
       check_piece(k);
+      if (is_last && question_->singular)
+        throw Rejection("the last piece has no singular configuration");
     }
     const auto words = words_of(lines_.text());
     if (words.size() != 2 || words[0] != "end") throw Rejection("expected 'end LEAVES'");
@@ -57,6 +65,7 @@ class PieceChecker {
   void check_index() {
     for (std::size_t k = 0; k == 0 || (is_compared() && k < pieces_.values.size()); ++k) {
       read(k);
+      if (question_->closure) throw Unfinished("the proof about a closure must be in one file");
       if (is_compared()) compare(*question_, k);
     }
     check_shards(lines_,
@@ -83,10 +92,20 @@ class PieceChecker {
       throw Rejection(piece(k) + ": line " + std::to_string(head.number()) +
                       " of its question: " + why.what());
     }
-    if (question.closure) throw Unfinished("a closure has no pieces");
-    if (question.singular) throw Rejection("a singular pose lies on one piece: there are several");
+    if (question.closure) read_closure(k);
+    if (question.singular && !question.closure)
+      throw Rejection("a singular pose lies on one piece: there are several");
     if (k == 0) describe(question);
     question.graph.end_of_file();
+  }
+
+  /// A branch goes on from one piece to the next, where the equations of both are equal.
+  void read_closure(std::size_t k) {
+    if (question_->quantity) throw Unfinished("a bound over a branch has no pieces");
+    result_.are_sides = false;
+    question_->continues = k > 0;
+    require_piece_of_closure(pieces_, *question_);
+    if (k > 0) require_joint(pieces_, k, *question_);
   }
 
   /// Prepares it for the proof of leaves.
@@ -96,17 +115,33 @@ class PieceChecker {
     put_in_single_values(*question_);
   }
 
+  /// The branch that has come to a piece reaches a singular configuration on it.
+  void check_fold(std::size_t k) {
+    read(k);
+    if (!question_->singular) throw Rejection("expected the line 'tree' of " + piece(k));
+    if (is_compared()) compare(*question_, k);
+    enclose();
+    check_fold_of_piece(lines_, *question_, *variety_, rest(), branch_ ? &*branch_ : nullptr,
+                        result_);
+  }
+
   void check_piece(std::size_t k) {
     read(k);
     if (is_compared()) compare(*question_, k);
     enclose();
-    if (options_.time_limit > 0) rest_.time_limit = options_.time_limit - seconds();
-    if (rest_.time_limit < 0) throw Unfinished("the time limit was reached");
-    const Shown shown = check_tree_of_piece(lines_, *question_, *variety_, rest_, result_);
+    const Shown shown =
+        check_tree_of_piece(lines_, *question_, *variety_, rest(), branch_, result_);
     shown_.has_met_variety |= shown.has_met_variety;
     shown_.has_met_point |= shown.has_met_point;
     // The constraints may exclude some pieces, but not all.
     if (k + 1 == pieces_.values.size()) require_poses(*question_, shown_, result_);
+  }
+
+  /// The options with the time that is left.
+  const Options& rest() {
+    if (options_.time_limit > 0) rest_.time_limit = options_.time_limit - seconds();
+    if (rest_.time_limit < 0) throw Unfinished("the time limit was reached");
+    return rest_;
   }
 
   void describe(const Question& question) {
@@ -119,6 +154,10 @@ class PieceChecker {
 
   /// Every piece is compared in full: a value of its own may stand in any line.
   void compare(Question& question, std::size_t k) {
+    if (question.closure && question.matrix.empty()) {
+      Question with_variables = with_unknowns(question);
+      return compare(with_variables, k);
+    }
     if (k == 0) begin_comparison(question);
     if (!waypoints_->is_named()) return compare_sides(question, k);
     const std::size_t poses = waypoints_->compare(question, k);
@@ -154,7 +193,8 @@ class PieceChecker {
       throw Unfinished("the certificate has " + std::to_string(count) +
                        " pieces, and the motion names no file of way-points; name it by "
                        "--waypoints");
-    if (waypoints_->pieces() != count)
+    // A branch that reaches a singular configuration ends on the last piece of its certificate.
+    if (question.singular ? waypoints_->pieces() < count : waypoints_->pieces() != count)
       throw OtherModel("the certificate is not about " + waypoints_->file() + ": it has " +
                        std::to_string(count) + " pieces, the file " +
                        std::to_string(waypoints_->pieces()));
@@ -180,7 +220,8 @@ class PieceChecker {
   std::optional<Variety> variety_;
   WrittenValues model_;
   std::optional<WaypointComparison> waypoints_;
-  Shown shown_;  ///< by all pieces
+  Shown shown_;                        ///< by all pieces
+  std::optional<BranchBoxes> branch_;  ///< of a closure, on the last piece
 };
 
 }  // namespace

@@ -12,10 +12,13 @@ void check_tree(Lines& lines, Question& question, const Variety& variety, const 
                 Verification& counts);
 
 struct Shown;
+struct BranchBoxes;
 /// Does the same for one piece of a trajectory: reads up to the line that begins the next tree or
-/// ends the file. The piece may have no pose.
+/// ends the file. The piece may have no pose. `before`: of a closure the boxes of the piece before,
+/// none for the first one; it gets those of this piece.
 Shown check_tree_of_piece(Lines& lines, Question& question, const Variety& variety,
-                          const Options& options, Verification& counts);
+                          const Options& options, std::optional<BranchBoxes>& before,
+                          Verification& counts);
 
 /// Does the same for the claim SINGULARITY and its witness.
 void check_witness(Lines& lines, Question& question, const Variety& variety, const Options& options,

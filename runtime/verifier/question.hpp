@@ -176,6 +176,8 @@ struct Question {
   bool is_index = false;  ///< the proof is in shards
   /// The question is about several pieces: nothing after the line `piecewise` has been read.
   bool is_piecewise = false;
+  /// The branch of a closure comes from a piece before this one: it does not begin at the start.
+  bool continues = false;
   std::string model, sha256, motion;
   Graph graph;
   NodeId alpha = -1;

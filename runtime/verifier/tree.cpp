@@ -31,9 +31,12 @@ class TreeChecker {
     if (branch_) branch_->check(lines_, counts_);
   }
 
-  Shown check_piece() {
+  Shown check_piece(std::optional<BranchBoxes>& before) {
     Shown shown = reader_.read();
     reader_.require_tiling();
+    if (!branch_) return shown;
+    branch_->check(lines_, counts_, before ? &*before : nullptr);
+    before = branch_->take_boxes();
     return shown;
   }
 
@@ -56,8 +59,9 @@ void check_tree(Lines& lines, Question& question, const Variety& variety, const 
 }
 
 Shown check_tree_of_piece(Lines& lines, Question& question, const Variety& variety,
-                          const Options& options, Verification& counts) {
-  return TreeChecker(lines, question, variety, options, counts).check_piece();
+                          const Options& options, std::optional<BranchBoxes>& before,
+                          Verification& counts) {
+  return TreeChecker(lines, question, variety, options, counts).check_piece(before);
 }
 
 double read_double(std::string_view text) {

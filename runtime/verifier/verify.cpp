@@ -34,7 +34,10 @@ void compare(Question& question, const Options& options, Verification& result) {
     throw OtherModel("the certificate is not about " + waypoints.file() +
                      ": it is about one piece, and the file has " +
                      std::to_string(waypoints.pieces()));
-  waypoints.require_some_piece(question);
+  if (question.closure)
+    waypoints.compare(question, 0);  // the branch begins at the start
+  else
+    waypoints.require_some_piece(question);
   compare_with_file(question, model, options, result, waypoints.compared_keys(question));
 }
 

@@ -149,6 +149,25 @@ def test_a_motion_along_way_points_is_checked_as_such(circle, tmp_path, command)
         rg.load(model).prepare("way")
 
 
+def test_a_branch_follows_way_points(command, tmp_path):
+    way, theirs, ours = tmp_path / "way.csv", tmp_path / "command", tmp_path / "module"
+    way.write_text("theta [deg]\n0\n60\n-100.5\n130\n")
+    bar = rg.load("four_bar")
+    words = [bar.path, "turn", "--waypoints", str(way)]
+    expected = command("check", *words, "--certificate", str(theirs))
+    found = bar.check("turn", waypoints=way, certificate=ours)
+    assert found.verdict == expected["verdict"] == "no-singularity"
+    assert found.claim == expected["claim"] and "of the 3 segments" in found.claim
+    assert expected["segment"] is None and expected["links"] > 3
+    assert ours.read_bytes() == theirs.read_bytes()
+    way.write_text("theta [deg]\n0\n60\n140\n")
+    expected = command("check", *words)
+    assert bar.check("turn", waypoints=way).verdict == expected["verdict"] == "singularity"
+    assert expected["segment"]["segment"] == 2 and len(expected["folds"]) == 1
+    with pytest.raises(rg.UsageError, match="without a load"):
+        bar.bound("turn", "determinant", waypoints=way)
+
+
 def test_a_load_is_answered_as_by_the_command(command, tmp_path):
     cable = rg.load("cable_8")
     for ranges, words in (({}, []), ({"z": (4, "7.5")}, ["--range", "z=4:7.5"])):

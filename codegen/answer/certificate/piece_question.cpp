@@ -39,6 +39,15 @@ void append_added_poses(Motion& motion, const Motion& declared) {
     motion.pose.push_back(declared.pose[i]);
 }
 
+/// The branch of a closure is followed along a piece from where the piece begins.
+void begin_closure_there(Request& request) {
+  if (!request.model.closure) return;
+  GiNaC::exmap begin;
+  for (const MotionParameter& p : request.motion.parameters) begin[p.symbol] = p.range.lo;
+  for (std::size_t i = 0; i < request.motion.pose.size(); ++i)
+    request.model.closure->start_pose.at(i) = request.motion.pose[i].subs(begin);
+}
+
 /// A coefficient that some piece has, as a symbol of the common question.
 struct Slot {
   std::size_t parameter, coefficient;
@@ -57,6 +66,9 @@ std::vector<Slot> slots_of(const Model& model, const Trajectory& trajectory) {
             {i, c,
              GiNaC::realsymbol(unused_name(model, model.pose[i].name + "_c" + std::to_string(c)))});
     }
+  // A path that stays at the origin has no other number.
+  if (slots.empty())
+    slots.push_back({0, 0, GiNaC::realsymbol(unused_name(model, model.pose[0].name + "_c0"))});
   return slots;
 }
 
@@ -68,15 +80,14 @@ std::string number_text(const ex& e) {
 }
 
 /// The lines `piecewise` and `piece`.
-std::string piece_lines(const std::vector<Slot>& slots, const Trajectory& trajectory) {
+std::string piece_lines(const std::vector<PieceConstant>& constants) {
   std::string text = "piecewise";
-  for (const Slot& slot : slots) text += ' ' + slot.symbol.get_name();
+  for (const PieceConstant& c : constants) text += ' ' + c.quantity.name;
   text += '\n';
-  for (const TrajectoryPiece& piece : trajectory.pieces) {
+  for (std::size_t k = 0; k < constants.front().values.size(); ++k) {
     text += "piece";
-    for (const Slot& slot : slots)
-      text += (&slot == slots.data() ? " " : " | ") +
-              number_text(coefficient(piece.pose[slot.parameter], slot.coefficient));
+    for (const PieceConstant& c : constants)
+      text += (&c == constants.data() ? " " : " | ") + number_text(c.values[k]);
     text += '\n';
   }
   return text;
@@ -90,7 +101,30 @@ Request piece_request(const Request& request, std::size_t piece) {
   for (const PieceOfPose& p : request.motion.trajectory->pieces.at(piece).pose)
     result.motion.pose.push_back(expression_of(p, s));
   append_added_poses(result.motion, request.motion);
+  begin_closure_there(result);
   return result;
+}
+
+PiecesRequest pieces_request(const Request& request) {
+  const Trajectory& trajectory = *request.motion.trajectory;
+  const GiNaC::realsymbol s(unused_name(request.model, "s"));
+  PiecesRequest all{along_parameter(request, s), {}};
+  std::vector<PieceOfPose> pose(trajectory.pieces.front().pose.size());
+  for (const Slot& slot : slots_of(request.model, trajectory)) {
+    PieceOfPose& p = pose[slot.parameter];
+    if (slot.coefficient < p.power.size())
+      p.power[slot.coefficient] = slot.symbol;
+    else
+      (slot.coefficient == 4 ? p.cosine : slot.coefficient == 5 ? p.sine : p.turn) = slot.symbol;
+    PieceConstant& constant = all.constants.emplace_back();
+    constant.quantity = {slot.symbol, slot.symbol.get_name(), "1"};
+    for (const TrajectoryPiece& piece : trajectory.pieces)
+      constant.values.push_back(coefficient(piece.pose[slot.parameter], slot.coefficient));
+  }
+  for (const PieceOfPose& p : pose) all.request.motion.pose.push_back(expression_of(p, s));
+  append_added_poses(all.request.motion, request.motion);
+  begin_closure_there(all.request);
+  return all;
 }
 
 CertifiedAbout is_regular() {
@@ -102,23 +136,10 @@ CertifiedAbout is_regular() {
 CertifiedQuestion trajectory_question(const Request& request,
                                       const std::set<std::string>& uncertain,
                                       const CertifiedAbout& about) {
-  const Trajectory& trajectory = *request.motion.trajectory;
-  const std::vector<Slot> slots = slots_of(request.model, trajectory);
-  const GiNaC::realsymbol s(unused_name(request.model, "s"));
-  Request common = along_parameter(request, s);
-  std::vector<PieceOfPose> pose(trajectory.pieces.front().pose.size());
-  for (const Slot& slot : slots) {
-    PieceOfPose& p = pose[slot.parameter];
-    if (slot.coefficient < p.power.size())
-      p.power[slot.coefficient] = slot.symbol;
-    else
-      (slot.coefficient == 4 ? p.cosine : slot.coefficient == 5 ? p.sine : p.turn) = slot.symbol;
-  }
-  for (const PieceOfPose& p : pose) common.motion.pose.push_back(expression_of(p, s));
-  append_added_poses(common.motion, request.motion);
-  CertifiedQuestion question = about(common, uncertain);
+  const PiecesRequest all = pieces_request(request);
+  CertifiedQuestion question = about(all.request, uncertain);
   const std::size_t poses = question.text.find("\npose ");
-  question.text.insert(poses + 1, piece_lines(slots, trajectory));
+  question.text.insert(poses + 1, piece_lines(all.constants));
   return question;
 }
 

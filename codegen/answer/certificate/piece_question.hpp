@@ -13,8 +13,21 @@
 namespace regulus {
 
 /// Returns the question about one piece alone: its first parameter s ranges over [0, 1], and the
-/// parameters of the motion follow.
+/// parameters of the motion follow. The start of a closure is where the piece begins.
 [[nodiscard]] Request piece_request(const Request& request, std::size_t piece);
+
+/// A number that each piece of a trajectory has.
+struct PieceConstant {
+  PoseParameter quantity;         ///< as a constant of the common question
+  std::vector<GiNaC::ex> values;  ///< by piece
+};
+
+/// The question about all pieces: piece_request() with constants in the place of its numbers.
+struct PiecesRequest {
+  Request request;
+  std::vector<PieceConstant> constants;
+};
+[[nodiscard]] PiecesRequest pieces_request(const Request& request);
 
 /// Returns the question whether a matrix is regular.
 [[nodiscard]] CertifiedAbout is_regular();

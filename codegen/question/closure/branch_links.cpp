@@ -39,16 +39,19 @@ class Groups {
 
 class Linker {
  public:
-  Linker(const ClosureQuestion& question, BranchTree& tree, const BranchStart& start)
+  /// One of `start` and `before` is null.
+  Linker(const ClosureQuestion& question, BranchTree& tree, const BranchStart* start,
+         const BranchBefore* before)
       : question_(question),
         tree_(tree),
         start_(start),
+        before_(before),
         system_(question.problem, question.scaling, question.shape),
         finder_(system_, question.shape, question.ranges) {}
 
   BranchLinks link(const MustStop& must_stop) {
     links_.on_branch.assign(tree_.leaves().size(), 0);
-    if (!begin()) return std::move(links_);
+    if (!(before_ == nullptr ? begin() : go_on())) return std::move(links_);
     tree_.for_neighbours(question_.problem.outer,
                          [&](std::size_t a, std::size_t b, const std::vector<Interval>& face) {
                            meetings_.push_back(meeting_of(a, b, face));
@@ -61,7 +64,22 @@ class Linker {
       links_.obstacle = describe(*reason);
     else
       conclude();
+    if (before_ != nullptr && links_.is_one_branch) join(must_stop);
     return std::move(links_);
+  }
+
+  /// Encloses the configuration at the joint.
+  std::optional<std::vector<Interval>> configuration_of_before() {
+    std::vector<Interval> place;
+    for (std::size_t k = 0; k < question_.shape.variables; ++k)
+      place.emplace_back(mid(question_.problem.outer[k]));
+    place[0] = Interval(before_->end);
+    const std::vector<std::size_t> leaves = before_->tree.leaves_at(place);
+    if (leaves.empty() || !before_->tree.leaves()[leaves[0]].tube) return std::nullopt;
+    const BranchTube& tube = *before_->tree.leaves()[leaves[0]].tube;
+    const std::vector<Interval> near = enclose(tube, place);
+    auto solution = solution_at(near, with_first(place, before_->begin));
+    return solution && certain_holds(tube, place, *solution) ? solution : std::nullopt;
   }
 
  private:
@@ -77,9 +95,72 @@ class Linker {
     return meeting;
   }
 
+  static std::vector<Interval> with_first(std::vector<Interval> place, double value) {
+    place[0] = Interval(value);
+    return place;
+  }
+
+  /// Encloses the one solution at a place in a small box near some values.
+  std::optional<std::vector<Interval>> solution_at(std::span<const Interval> near,
+                                                   const std::vector<Interval>& place) {
+    BranchPoint point;
+    for (const Interval& x : place) point.variables.push_back(mid(x));
+    for (const Interval& p : near) point.unknowns.push_back(mid(p));
+    const auto settled = settle(system_, question_.shape, {&point, 1});
+    if (!settled[0]) return std::nullopt;
+    const TubeTrial trial = trial_at(*settled[0], place);
+    TubeFinding found;
+    finder_.find({&trial, 1}, {&found, 1});
+    return found.tube ? std::optional(enclose(*found.tube, place)) : std::nullopt;
+  }
+
+  /// The leaves at the joint in whose middle the branch arrives; join() shows that it does.
+  bool go_on() {
+    std::vector<Interval> place;
+    for (std::size_t k = 0; k < question_.shape.variables; ++k)
+      place.emplace_back(mid(question_.problem.outer[k]));
+    start_leaves_ = tree_.leaves_at(with_first(std::move(place), before_->begin));
+    const bool have_tubes =
+        !start_leaves_.empty() && std::ranges::all_of(start_leaves_, [this](std::size_t leaf) {
+          return tree_.leaves()[leaf].tube.has_value();
+        });
+    if (!have_tubes)
+      links_.obstacle = "the begin of the segment is not within boxes with a tube";
+    else
+      start_leaves_.resize(1);
+    return have_tubes;
+  }
+
+  /// Boxes of both pieces that share a face at the joint hold one solution at its middle.
+  void join(const MustStop& must_stop) {
+    std::size_t joints = 0;
+    bool are_joined = true;
+    before_->tree.for_neighbours_after(
+        tree_, question_.problem.outer,
+        [&](std::size_t a, std::size_t b, const std::vector<Interval>& face) {
+          if (!are_joined || must_stop()) return;
+          std::vector<Interval> place;
+          for (std::size_t k = 0; k < question_.shape.variables; ++k)
+            place.emplace_back(mid(face[k]));
+          const std::vector<Interval> begin = with_first(place, before_->begin),
+                                      end = with_first(place, before_->end);
+          const auto solution = solution_at(enclose(tube(b), begin), begin);
+          are_joined = solution && certain_holds(tube(b), begin, *solution) &&
+                       certain_holds(*before_->tree.leaves()[a].tube, end, *solution);
+          ++joints;
+          if (links_.configuration.empty() && solution) links_.configuration = *solution;
+        });
+    links_.links += joints;
+    if (const auto reason = must_stop())
+      links_.obstacle = describe(*reason);
+    else if (!are_joined || joints == 0)
+      links_.obstacle = "the branch is not shown to go on from the segment before";
+    links_.is_one_branch = links_.obstacle.empty();
+  }
+
   /// The box of the start has one solution, which a leaf holds.
   bool begin() {
-    const std::vector<Interval>& place = start_.place;
+    const std::vector<Interval>& place = start_->place;
     if (!has_one_start(place)) {
       links_.obstacle =
           "the values of 'start' are not shown to be near exactly one configuration; regulus solve "
@@ -87,7 +168,7 @@ class Linker {
           "reaches exactly one";
       return false;
     }
-    const std::vector<std::size_t> leaves = tree_.leaves_at(start_.place);
+    const std::vector<std::size_t> leaves = tree_.leaves_at(start_->place);
     std::size_t of_start = 0;
     for (const std::size_t leaf : leaves) {
       if (!tree_.leaves()[leaf].tube) {
@@ -108,9 +189,9 @@ class Linker {
   bool has_one_start(const std::vector<Interval>& place) {
     BranchTube tube;
     for (const Interval& x : place) tube.at.push_back(mid(x));
-    for (std::size_t i = 0; i < start_.values.size(); ++i) {
-      const Interval& r = start_.radius[i];
-      const Interval all = start_.values[i] + Interval(-r.hi, r.hi);
+    for (std::size_t i = 0; i < start_->values.size(); ++i) {
+      const Interval& r = start_->radius[i];
+      const Interval all = start_->values[i] + Interval(-r.hi, r.hi);
       tube.center.push_back(mid(all)), tube.radius.push_back(rad_ru(all));
     }
     tube.slopes.assign(tube.center.size() * tube.at.size(), 0.0);
@@ -236,7 +317,7 @@ class Linker {
     if (meeting.b != BranchTree::kNone)
       return certain_holds(tube(meeting.b), meeting.place, solution);
     for (std::size_t i = 0; i < solution.size(); ++i)
-      if (!(mag(solution[i] - start_.values[i]) <= start_.radius[i].lo)) return false;
+      if (!(mag(solution[i] - start_->values[i]) <= start_->radius[i].lo)) return false;
     return true;
   }
 
@@ -267,7 +348,8 @@ class Linker {
 
   const ClosureQuestion& question_;
   BranchTree& tree_;
-  const BranchStart& start_;
+  const BranchStart* const start_;
+  const BranchBefore* const before_;
   SystemBoxes system_;
   TubeFinder finder_;
   std::vector<Meeting> meetings_;
@@ -280,7 +362,20 @@ class Linker {
 BranchLinks link_branch(const ClosureQuestion& question, BranchTree& tree, const BranchStart& start,
                         const MustStop& must_stop) {
   const FloatingPointScope nearest(FloatingPointRounding::kNearest);
-  return Linker(question, tree, start).link(must_stop);
+  return Linker(question, tree, &start, nullptr).link(must_stop);
+}
+
+BranchLinks link_branch(const ClosureQuestion& question, BranchTree& tree,
+                        const BranchBefore& before, const MustStop& must_stop) {
+  const FloatingPointScope nearest(FloatingPointRounding::kNearest);
+  return Linker(question, tree, nullptr, &before).link(must_stop);
+}
+
+std::optional<std::vector<Interval>> configuration_after(const ClosureQuestion& question,
+                                                         const BranchBefore& before) {
+  const FloatingPointScope nearest(FloatingPointRounding::kNearest);
+  BranchTree none;
+  return Linker(question, none, nullptr, &before).configuration_of_before();
 }
 
 }  // namespace regulus

@@ -31,6 +31,18 @@ struct BranchLinks {
   std::string obstacle{};
 };
 
+/// The branch up to where another piece of the motion begins: there its first variable, which ends at
+/// `end`, has the value `begin` on the next piece, and the equations of both are equal.
+struct BranchBefore {
+  const BranchTree& tree;
+  double end = 1, begin = 0;
+};
+
+/// Encloses the one configuration of the branch at the joint, where the variables but the first are
+/// in the middle; nullopt if it is not found. `question`: of the next piece.
+[[nodiscard]] std::optional<std::vector<Interval>> configuration_after(
+    const ClosureQuestion& question, const BranchBefore& before);
+
 /// Two neighbours have one branch if their tubes hold the same solution at one place of the face that
 /// they share: the branches of both are continuous on it, and each is unique in its tube. Those of
 /// the start hold there the solution that is the only one near BranchStart::values. Boxes are on
@@ -40,5 +52,9 @@ struct BranchLinks {
 /// Rounding  outward; MXCSR at nearest.
 [[nodiscard]] BranchLinks link_branch(const ClosureQuestion& question, BranchTree& tree,
                                       const BranchStart& start, const MustStop& must_stop);
+/// The same of a branch that goes on from another piece: each pair of boxes that meet at the joint must
+/// hold the same solution there.
+[[nodiscard]] BranchLinks link_branch(const ClosureQuestion& question, BranchTree& tree,
+                                      const BranchBefore& before, const MustStop& must_stop);
 
 }  // namespace regulus

@@ -162,10 +162,12 @@ class BranchGoal {
 class Neighbours {
  public:
   using Visit = std::function<void(std::size_t, std::size_t, const std::vector<Interval>&)>;
-  Neighbours(const BranchTree& tree, const Visit& visit) : tree_(tree), visit_(visit) {}
+  /// Those below a face are of one tree, those above it of another one or of the same.
+  Neighbours(const BranchTree& lower, const BranchTree& upper, const Visit& visit)
+      : lower_(lower), upper_(upper), visit_(visit) {}
 
   void within(BoxId box, const std::vector<Interval>& room) {
-    const BranchTree::Node& node = tree_.node(box);
+    const BranchTree::Node& node = lower_.node(box);
     if (node.variable == BranchTree::kNone) return;
     const auto [lower, upper] = halves(room, node);
     within(node.lower, lower);
@@ -175,19 +177,9 @@ class Neighbours {
     across(node.lower, node.lower + 1, node.variable, face);
   }
 
- private:
-  using Box = std::vector<Interval>;
-
-  static std::pair<Box, Box> halves(const Box& room, const BranchTree::Node& node) {
-    std::pair<Box, Box> parts{room, room};
-    parts.first[node.variable] = Interval(room[node.variable].lo, node.at);
-    parts.second[node.variable] = Interval(node.at, room[node.variable].hi);
-    return parts;
-  }
-
   /// `a` is below the face, `b` above it; both reach all of the face.
-  void across(BoxId a, BoxId b, std::size_t normal, const Box& face) {
-    const BranchTree::Node &below = tree_.node(a), &above = tree_.node(b);
+  void across(BoxId a, BoxId b, std::size_t normal, const std::vector<Interval>& face) {
+    const BranchTree::Node &below = lower_.node(a), &above = upper_.node(b);
     if (below.variable == normal) return across(below.lower + 1, b, normal, face);
     if (above.variable == normal) return across(a, above.lower, normal, face);
     if (below.variable != BranchTree::kNone) {
@@ -203,6 +195,16 @@ class Neighbours {
     }
   }
 
+ private:
+  using Box = std::vector<Interval>;
+
+  static std::pair<Box, Box> halves(const Box& room, const BranchTree::Node& node) {
+    std::pair<Box, Box> parts{room, room};
+    parts.first[node.variable] = Interval(room[node.variable].lo, node.at);
+    parts.second[node.variable] = Interval(node.at, room[node.variable].hi);
+    return parts;
+  }
+
   /// The parts of the face in both halves; of one that lies in a half alone, that.
   template <class Part>
   static void cut(const BranchTree::Node& node, const Box& face, const Part& part) {
@@ -216,7 +218,7 @@ class Neighbours {
     if (across.hi > node.at) part(1, piece(std::max(across.lo, node.at), across.hi));
   }
 
-  const BranchTree& tree_;
+  const BranchTree &lower_, &upper_;
   const Visit& visit_;
 };
 
@@ -249,7 +251,18 @@ void BranchTree::for_neighbours(
                                            const std::vector<Interval>& face) {
     if (leaves_[a].tube && leaves_[b].tube) visit(a, b, face);
   };
-  Neighbours(*this, with_tubes).within(0, root);
+  Neighbours(*this, *this, with_tubes).within(0, root);
+}
+
+void BranchTree::for_neighbours_after(
+    const BranchTree& next, const std::vector<Interval>& root,
+    const std::function<void(std::size_t, std::size_t, const std::vector<Interval>&)>& visit)
+    const {
+  const Neighbours::Visit with_tubes = [&](std::size_t a, std::size_t b,
+                                           const std::vector<Interval>& face) {
+    if (leaves_[a].tube && next.leaves_[b].tube) visit(a, b, face);
+  };
+  Neighbours(*this, next, with_tubes).across(0, 0, 0, root);
 }
 
 std::vector<std::size_t> BranchTree::leaves_at(std::span<const Interval> place) const {

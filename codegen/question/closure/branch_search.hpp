@@ -55,6 +55,13 @@ class BranchTree {
   void for_neighbours(const std::vector<Interval>& root,
                       const std::function<void(std::size_t a, std::size_t b,
                                                const std::vector<Interval>& face)>& visit) const;
+  /// The same for the leaves of two trees, of which `a` is of this one: they meet where its first
+  /// variable is largest and that of the other tree is least. Of that variable the face has no meaning.
+  /// `root`: the common box of both.
+  void for_neighbours_after(
+      const BranchTree& next, const std::vector<Interval>& root,
+      const std::function<void(std::size_t a, std::size_t b, const std::vector<Interval>& face)>&
+          visit) const;
   /// Returns the leaves in which a place may lie. Shape: an interval for each variable.
   [[nodiscard]] std::vector<std::size_t> leaves_at(std::span<const Interval> place) const;
   /// Returns the leaf that a box is a part of; nullopt if it is a part of none.

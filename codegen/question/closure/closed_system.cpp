@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/closure/closed_system.hpp"
 
+#include <algorithm>
+
 #include "codegen/answer/certificate/certificate_question.hpp"
 #include "codegen/model/mechanism/closure_matrix.hpp"
 #include "codegen/support/errors.hpp"
@@ -12,8 +14,9 @@ using GiNaC::ex;
 
 class SystemBuilder {
  public:
-  SystemBuilder(const Request& request, DerivativesBy by)
-      : given_(request), uncertain_(uncertain_names(request)), by_(by) {}
+  SystemBuilder(const Request& request, DerivativesBy by,
+                const std::vector<PoseParameter>& constants)
+      : given_(request), uncertain_(uncertain_names(request)), by_(by), constants_(constants) {}
 
   ClosedSystem build() {
     const Closure& closure = *given_.model.closure;
@@ -36,6 +39,7 @@ class SystemBuilder {
       add_variable(closure.unknowns[i], typical_range(closure.start[i]));
     for (std::size_t i = 0; i < copies_.size(); ++i)
       add_variable(copies_[i], typical_range(closure.start[i]));
+    for (const PoseParameter& constant : constants_) add_variable(constant, typical_range(0));
     write_matrix(closure);
     write_conditions();
     return std::move(system_);
@@ -144,6 +148,7 @@ class SystemBuilder {
   const Request& given_;
   const std::set<std::string> uncertain_;
   const DerivativesBy by_;
+  const std::vector<PoseParameter>& constants_;
   GiNaC::exmap commanded_, actual_;
   GiNaC::exmap nominal_, middles_;  ///< without errors: of the model, and of uncertain quantities
   std::vector<PoseParameter> copies_;  ///< of the unknowns, without errors
@@ -160,12 +165,29 @@ bool has_atan2(const ex& expression) {
 
 }  // namespace
 
-ClosedSystem close(const Request& request, DerivativesBy by) {
+ClosedSystem close(const Request& request, DerivativesBy by,
+                   const std::vector<PoseParameter>& constants) {
   for (const ex& equation : request.model.closure->equations)
     if (has_atan2(equation))
       throw UsageError(
           "an equation of [closure] has atan2, which jumps; write the equation with sin and cos");
-  return SystemBuilder(request, by).build();
+  return SystemBuilder(request, by, constants).build();
+}
+
+SystemBoxes::SystemBoxes(const Problem& problem, const MatrixScaling& scaling,
+                         const ClosedShape& shape)
+    : shape_(shape),
+      constants_(problem.outer.begin() + std::ptrdiff_t(std::min(shape.variables + shape.unknowns,
+                                                                 problem.outer.size())),
+                 problem.outer.end()),
+      boxes_(problem, scaling, 0) {}
+
+void SystemBoxes::evaluate(std::span<const Box> boxes, bool has_rates) {
+  has_rates_ = has_rates;
+  if (constants_.empty()) return boxes_.evaluate_entries(boxes, has_rates);
+  std::vector<Box> all;
+  for (const Box& box : boxes) all.push_back(with_constants(box));
+  boxes_.evaluate_entries(all, has_rates);
 }
 
 /// Appends the derivatives by unknowns and by variables.

@@ -38,10 +38,13 @@ struct ClosedSystem {
   std::vector<VariableLabel> labels;  ///< of the variables
 };
 
+/// `constants`: the variables of the kernel after the unknowns. A Problem gives each a value.
+///
 /// Requires  request.model.closure; no motion along way-points.
 /// Throws    UsageError if an equation has atan2: it may jump, and its derivatives do not show it.
 [[nodiscard]] ClosedSystem close(const Request& request,
-                                 DerivativesBy by = DerivativesBy::kVariables);
+                                 DerivativesBy by = DerivativesBy::kVariables,
+                                 const std::vector<PoseParameter>& constants = {});
 
 /// Evaluates a system over eight boxes at once. Each thread has its own.
 class SystemBoxes {
@@ -58,18 +61,15 @@ class SystemBoxes {
     std::vector<Interval> by_pose{};  ///< n×d, row-major; empty of a system without them
   };
 
-  /// The objects must outlive this one.
-  SystemBoxes(const Problem& problem, const MatrixScaling& scaling, const ClosedShape& shape)
-      : shape_(shape), boxes_(problem, scaling, 0) {}
+  /// The objects must outlive this one. The variables of the problem beyond those of the shape are
+  /// constants, with the problem's values.
+  SystemBoxes(const Problem& problem, const MatrixScaling& scaling, const ClosedShape& shape);
 
   /// `has_rates`: with the derivatives of the derivatives.
   ///
   /// Shape     1…8 boxes, each with an interval for every variable and then every unknown.
   /// Rounding  outward; MXCSR at nearest.
-  void evaluate(std::span<const Box> boxes, bool has_rates = false) {
-    boxes_.evaluate_entries(boxes, has_rates);
-    has_rates_ = has_rates;
-  }
+  void evaluate(std::span<const Box> boxes, bool has_rates = false);
   /// Returns nullopt if an expression is not certainly defined all over the box of that lane.
   [[nodiscard]] std::optional<System> at(std::size_t lane) const;
 
@@ -78,14 +78,20 @@ class SystemBoxes {
   /// Returns if a point certainly meets the constraints, and the system is defined there. Forgets the
   /// boxes.
   [[nodiscard]] bool is_certain(const Box& point) {
-    return boxes_.at({&point, 1}).front().has_value();
+    const Box all = with_constants(point);
+    return boxes_.at({&all, 1}).front().has_value();
   }
 
  private:
+  [[nodiscard]] Box with_constants(Box box) const {
+    box.insert(box.end(), constants_.begin(), constants_.end());
+    return box;
+  }
   void take(std::span<const Interval> entries, std::vector<Interval>& by_unknown,
             std::vector<Interval>& by_variable) const;
 
   const ClosedShape shape_;
+  const Box constants_;
   BoxMatrices boxes_;
   bool has_rates_ = false;
 };

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include "codegen/answer/certificate/certificate_question.hpp"
+#include "codegen/answer/certificate/piece_question.hpp"
+#include "codegen/model/way/trajectory.hpp"
 
 namespace regulus {
 namespace {
@@ -40,13 +42,46 @@ std::string fold_lines(const PreparedClosure& prepared, const FoldPath& path) {
          "\nend\n";
 }
 
+/// Returns a request with the first pieces of its trajectory.
+Request first_pieces(const Request& request, std::size_t pieces) {
+  auto trajectory = std::make_shared<Trajectory>(*request.motion.trajectory);
+  trajectory->pieces.erase(trajectory->pieces.begin() + std::ptrdiff_t(pieces),
+                           trajectory->pieces.end());
+  Request result = request;
+  result.motion.trajectory = std::move(trajectory);
+  return result;
+}
+
+std::string leaf_word(const BranchLeaf& leaf) {
+  return leaf.tube ? format::kTubeLeaf + tube_numbers(*leaf.tube)
+                   : std::string(format::kOutsideLeaf);
+}
+
+/// Writes the pieces up to a singular configuration: the trees of those before, and the way to it.
+void write_later_fold(const std::string& path, const PreparedWay& prepared, const WayFinding& found,
+                      const ProofPlacing& placing) {
+  const PieceWithoutBranch& last = *found.deciding;
+  std::string proof;
+  for (std::size_t k = 0; k < last.index; ++k) {
+    const BranchTree& tree = found.pieces[k].branch.tree;
+    proof += "tree\n";
+    for (const Split& split : tree.splits())
+      proof += fmt::format("s {} {} {:a}\n", split.parent, split.variable, split.at);
+    for (const BranchLeaf& leaf : tree.leaves())
+      proof += fmt::format("l {} {}\n", leaf.at.id, leaf_word(leaf));
+  }
+  const CertifiedQuestion question =
+      trajectory_question(first_pieces(prepared.request, last.index + 1),
+                          uncertain_names(prepared.common.preparation.labels));
+  write_witness(path, question.head(true), proof + fold_lines(*last.alone, last.fold->path),
+                placing);
+}
+
 }  // namespace
 
 void write_tree(ProofFile& file, const BranchTree& tree) {
   for (const Split& split : tree.splits()) file.split(split);
-  for (const BranchLeaf& leaf : tree.leaves())
-    file.leaf(leaf.at.id, leaf.tube ? (format::kTubeLeaf + tube_numbers(*leaf.tube)).c_str()
-                                    : format::kOutsideLeaf);
+  for (const BranchLeaf& leaf : tree.leaves()) file.leaf(leaf.at.id, leaf_word(leaf).c_str());
 }
 
 ProofStatus certify_fold(const std::string& path, const PreparedClosure& prepared, const Fold& fold,
@@ -59,6 +94,37 @@ ProofStatus certify_fold(const std::string& path, const PreparedClosure& prepare
     status.set_obstacle(certificate_obstacle(question, true));
     if (!status.obstacle().empty()) return;
     write_witness(path, question.head(true), fold_lines(prepared, fold.path), placing);
+  });
+  if (status.obstacle().empty()) status.set_written();
+  return status;
+}
+
+ProofStatus certify_way(const std::string& path, const PreparedWay& prepared,
+                        const WayFinding& found, const ProofPlacing& placing) {
+  const bool is_refuted = found.deciding && found.deciding->is_refuted();
+  if (is_refuted && found.deciding->index == 0)
+    return certify_fold(path, *found.deciding->alone, *found.deciding->fold, placing);
+  ProofStatus status(path);
+  if (!status.is_wanted()) return status;
+  if (found.deciding && !is_refuted) {
+    status.set_obstacle(kNothingClaimed);
+    return status;
+  }
+  status.attempt([&] {
+    const auto uncertain = uncertain_names(prepared.common.preparation.labels);
+    status.set_obstacle(
+        certificate_obstacle(certified_question(piece_request(prepared.request, 0), uncertain)));
+    if (!status.obstacle().empty()) return;
+    if (is_refuted) return write_later_fold(path, prepared, found, placing);
+    const CertifiedQuestion question = trajectory_question(prepared.request, uncertain);
+    const auto file = with_file_errors([&] { return std::make_shared<ProofFile>(path); });
+    file->begin(question.head(false));
+    for (const ClosureResult& piece : found.pieces) {
+      file->begin_tree();
+      write_tree(*file, piece.branch.tree);
+    }
+    with_file_errors([&] { file->complete(); });
+    put_in_place(file, placing);
   });
   if (status.obstacle().empty()) status.set_written();
   return status;

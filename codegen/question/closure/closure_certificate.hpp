@@ -3,6 +3,7 @@
 #pragma once
 
 #include "codegen/answer/certificate/proof_status.hpp"
+#include "codegen/question/closure/closure_way.hpp"
 #include "codegen/question/closure/fold_search.hpp"
 
 namespace regulus {
@@ -13,6 +14,11 @@ void write_tree(ProofFile& file, const BranchTree& tree);
 /// Writes the proof of a branch, if it is proved. An empty `path` means no certificate.
 [[nodiscard]] ProofStatus certify_branch(const std::string& path, const PreparedClosure& prepared,
                                          const ClosureResult& result, const ProofPlacing& placing);
+
+/// Writes the proof of a branch along way-points, or of a singular configuration on the first of their
+/// segments, if it is shown. An empty `path` means no certificate.
+[[nodiscard]] ProofStatus certify_way(const std::string& path, const PreparedWay& prepared,
+                                      const WayFinding& found, const ProofPlacing& placing);
 
 /// Writes the proof that the branch reaches a singular configuration. An empty `path` means no
 /// certificate.

@@ -51,33 +51,6 @@ std::string unknown_names(const Closure& closure) {
   return names;
 }
 
-/// The configuration at the start: certified if it was found, else the values of the file.
-void tell_start(const PreparedClosure& prepared, const ClosureFinding& found, Facts& facts) {
-  const Closure& closure = *prepared.request.model.closure;
-  Json place = Json::object(), unknowns = Json::object();
-  std::string at, values;
-  for (std::size_t k = 0; k < prepared.shape.parameters; ++k) {
-    const MotionParameter& p = prepared.request.motion.parameters[k];
-    place[p.name] = json_interval(prepared.start.place[k]);
-    at += fmt::format("{}{} = {:.9g}{}", at.empty() ? "" : ", ", p.name,
-                      mid(prepared.start.place[k]), unit_suffix(p.unit));
-  }
-  const bool is_certain = !found.searched.links.configuration.empty();
-  for (std::size_t i = 0; i < closure.unknowns.size(); ++i) {
-    const Interval& value =
-        is_certain ? found.searched.links.configuration[i] : prepared.start.values[i];
-    unknowns[closure.unknowns[i].name] = json_interval(value);
-    values += fmt::format("{}{} = {:.9g}{}", values.empty() ? "" : ", ", closure.unknowns[i].name,
-                          mid(value), unit_suffix(closure.unknowns[i].unit));
-  }
-  facts.tell(
-      "branch",
-      {{"start", std::move(place)}, {"unknowns", std::move(unknowns)}, {"certain", is_certain}},
-      "branch",
-      fmt::format("through {}{}{}{}", at, at.empty() ? "" : " with ", values,
-                  is_certain ? "" : ", approximately"));
-}
-
 /// Returns "theta = 2.31381557986 rad (132.571867 deg)": the digits are certain.
 std::string certain_words(const std::string& name, const Interval& value, const std::string& unit) {
   const double degrees = mid(value) * 180 / std::numbers::pi;
@@ -246,17 +219,52 @@ void tell_boxes(const PreparedClosure& prepared, const ClosureFinding& found, Ob
   }
 }
 
-void tell_branch(const PreparedClosure& prepared, const ClosureFinding& found, Facts& facts) {
-  facts.say("closure", fmt::format("{} equations in {}", prepared.shape.unknowns,
-                                   unknown_names(*prepared.request.model.closure)));
-  tell_start(prepared, found, facts);
-  facts.add("links", found.searched.links.links);
+/// The configuration at the start: certified if it was found, else the values of the file.
+void tell_start(const PreparedClosure& prepared, const std::vector<StartCoordinate>& place,
+                const std::vector<Interval>& configuration, Facts& facts) {
+  const Closure& closure = *prepared.request.model.closure;
+  facts.say("closure",
+            fmt::format("{} equations in {}", prepared.shape.unknowns, unknown_names(closure)));
+  Json start = Json::object(), unknowns = Json::object();
+  std::string at, values;
+  for (const StartCoordinate& p : place) {
+    start[p.name] = json_interval(p.value);
+    at += fmt::format("{}{} = {:.9g}{}", at.empty() ? "" : ", ", p.name, mid(p.value),
+                      unit_suffix(p.unit));
+  }
+  const bool is_certain = !configuration.empty();
+  for (std::size_t i = 0; i < closure.unknowns.size(); ++i) {
+    const Interval& value = is_certain ? configuration[i] : prepared.start.values[i];
+    unknowns[closure.unknowns[i].name] = json_interval(value);
+    values += fmt::format("{}{} = {:.9g}{}", values.empty() ? "" : ", ", closure.unknowns[i].name,
+                          mid(value), unit_suffix(closure.unknowns[i].unit));
+  }
+  facts.tell(
+      "branch",
+      {{"start", std::move(start)}, {"unknowns", std::move(unknowns)}, {"certain", is_certain}},
+      "branch",
+      fmt::format("through {}{}{}{}", at, at.empty() ? "" : " with ", values,
+                  is_certain ? "" : ", approximately"));
+}
+
+void tell_folds(const PreparedClosure& prepared, const std::vector<Fold>& found, Facts& facts) {
   Json folds = Json::array();
-  for (const Fold& fold : found.folds) {
+  for (const Fold& fold : found) {
     folds.push_back(json_fold(prepared, fold));
     say_fold(prepared, fold, facts);
   }
   facts.add("folds", std::move(folds));
+}
+
+void tell_branch(const PreparedClosure& prepared, const ClosureFinding& found, Facts& facts) {
+  std::vector<StartCoordinate> place;
+  for (std::size_t k = 0; k < prepared.shape.parameters; ++k) {
+    const MotionParameter& p = prepared.request.motion.parameters[k];
+    place.push_back({p.name, p.unit, prepared.start.place[k]});
+  }
+  tell_start(prepared, place, found.searched.links.configuration, facts);
+  facts.add("links", found.searched.links.links);
+  tell_folds(prepared, found.folds, facts);
 }
 
 Result check_result(const PreparedClosure& prepared, const ClosureFinding& found) {
@@ -290,6 +298,14 @@ Result check_result(const PreparedClosure& prepared, const ClosureFinding& found
   return check;
 }
 
+std::string describe_regular_branch(const PreparedClosure& prepared) {
+  const std::string within = within_ranges(*prepared.request.model.closure);
+  return fmt::format(
+      "the branch has exactly one configuration{} and its {}×{} matrix of the equations' "
+      "derivatives has full rank",
+      within.empty() ? "," : within, prepared.shape.unknowns, prepared.shape.unknowns);
+}
+
 std::string describe_claim(const PreparedClosure& prepared, const ClosureFinding& found) {
   const PreparedSearch& p = prepared.preparation;
   const std::string size = fmt::format("{0}×{0}", prepared.shape.unknowns);
@@ -300,11 +316,8 @@ std::string describe_claim(const PreparedClosure& prepared, const ClosureFinding
         size);
   if (!found.searched.is_proved()) return nothing_proved(reason_of(found));
   const std::size_t uncertain = uncertain_count(p);
-  const std::string within = within_ranges(*prepared.request.model.closure);
   return fmt::format(
-      "the branch has exactly one configuration{} and its {} matrix of the equations' derivatives "
-      "has full rank, for every {}{}",
-      within.empty() ? "," : within, size, describe_pose(p),
+      "{}, for every {}{}", describe_regular_branch(prepared), describe_pose(p),
       uncertain == 0
           ? ""
           : fmt::format(" and every value of the {} uncertain {} ({})", uncertain,

@@ -51,7 +51,21 @@ void tell_boxes(const PreparedClosure& prepared, const ClosureFinding& found, Ob
 [[nodiscard]] std::string describe_claim(const PreparedClosure& prepared,
                                          const ClosureFinding& found);
 
-/// Tells where the branch begins, and the singular configurations that were found.
+/// Returns "the branch has exactly one configuration, and its 2×2 matrix of the equations' derivatives has
+/// full rank": what is claimed of poses.
+[[nodiscard]] std::string describe_regular_branch(const PreparedClosure& prepared);
+
+/// A coordinate of the place where a branch begins.
+struct StartCoordinate {
+  std::string name, unit;
+  Interval value;
+};
+/// Tells where the branch begins. `configuration`: of its unknowns there; empty: not certain.
+void tell_start(const PreparedClosure& prepared, const std::vector<StartCoordinate>& place,
+                const std::vector<Interval>& configuration, Facts& facts);
+/// Tells singular configurations.
+void tell_folds(const PreparedClosure& prepared, const std::vector<Fold>& folds, Facts& facts);
+/// Tells the equations, where the branch begins, and the singular configurations that were found.
 void tell_branch(const PreparedClosure& prepared, const ClosureFinding& found, Facts& facts);
 
 void tell_closure(const PreparedClosure& prepared, const SearchOptions& search,

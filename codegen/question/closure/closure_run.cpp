@@ -106,13 +106,14 @@ std::vector<Interval> enclose_ranges(const Closure& closure) {
 }
 
 PreparedSystem prepare_system(Request request, double model_seconds, const SearchOptions& search,
-                              const FormingWatch& watch, DerivativesBy by) {
+                              const FormingWatch& watch, DerivativesBy by,
+                              const std::vector<PoseParameter>& constants) {
   if (!request.motion.alpha.is_zero())
     throw UsageError(
         "a [closure] has no threshold; leave alpha out, and compare the determinant with a number "
         "by a bound of it with a limit");
   PreparedSystem prepared;
-  ClosedSystem system = close(request, by);
+  ClosedSystem system = close(request, by, constants);
   prepared.shape = system.shape;
   prepared.preparation = prepare(system.request, model_seconds, options_of_kernel(search), watch);
   prepared.preparation.kernel = std::make_unique<KernelOfClosure>(
@@ -126,9 +127,10 @@ PreparedSystem prepare_system(Request request, double model_seconds, const Searc
 }
 
 PreparedClosure prepare_closure(Request request, double model_seconds, const SearchOptions& search,
-                                const FormingWatch& watch, DerivativesBy by) {
+                                const FormingWatch& watch, DerivativesBy by,
+                                const std::vector<PoseParameter>& constants) {
   PreparedClosure prepared{
-      prepare_system(std::move(request), model_seconds, search, watch, by), {}, {}, {}};
+      prepare_system(std::move(request), model_seconds, search, watch, by, constants), {}, {}, {}};
   fill_start(prepared);
   return prepared;
 }

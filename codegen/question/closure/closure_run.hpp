@@ -29,13 +29,14 @@ struct PreparedSystem {
   Problem problem;
 };
 
-/// Forms the kernel.
+/// Forms the kernel. `constants`: as for close().
 ///
 /// Requires  request.model.closure.
 /// Throws    UsageError for a threshold; the exceptions of prepare().
 [[nodiscard]] PreparedSystem prepare_system(Request request, double model_seconds,
                                             const SearchOptions& search, const FormingWatch& watch,
-                                            DerivativesBy by = DerivativesBy::kVariables);
+                                            DerivativesBy by = DerivativesBy::kVariables,
+                                            const std::vector<PoseParameter>& constants = {});
 
 /// Encloses where the values of each unknown may be.
 [[nodiscard]] std::vector<Interval> enclose_ranges(const Closure& closure);
@@ -50,7 +51,7 @@ struct PreparedClosure : PreparedSystem {
   }
 };
 
-/// Forms the kernel of the equations and of their derivatives.
+/// Forms the kernel of the equations and of their derivatives. `constants`: as for close().
 ///
 /// Requires  request.model.closure.
 /// Throws    UsageError for a threshold, and for a start that is not in the motion's ranges; the
@@ -58,7 +59,8 @@ struct PreparedClosure : PreparedSystem {
 [[nodiscard]] PreparedClosure prepare_closure(Request request, double model_seconds,
                                               const SearchOptions& search,
                                               const FormingWatch& watch,
-                                              DerivativesBy by = DerivativesBy::kVariables);
+                                              DerivativesBy by = DerivativesBy::kVariables,
+                                              const std::vector<PoseParameter>& constants = {});
 
 struct ClosureResult {
   BranchResult branch;

@@ -256,6 +256,9 @@ class ClosureComparison {
   /// A pose parameter that is none of the motion is at its value at the start, too.
   void compare_start() {
     const Scope none;
+    for (std::size_t k = 0; q_.continues && k < closure_.start.size(); ++k)
+      comparer_.note_compared("start " + q_.variables[k].name);
+    if (q_.continues) return;  // the first piece was compared
     for (const auto& [name, written] : table("closure.start.")) {
       const std::string place = "closure.start." + name;
       if (q_.stated.contains("unknown " + name)) continue;

@@ -92,6 +92,8 @@ std::vector<Base> of_mechanisms() {
       {"branch", kSlider, {"check", "work"}},
       {"five-bar", "five_bar_closure", {"check", "work"}},
       {"toggle", kRocker, {"check", "work"}},
+      {"branch along way-points", kSliderOnItsWay, {"check", "way"}, kWayOfSlider, "way.csv"},
+      {"toggle along way-points", kRockerOnItsWay, {"check", "way"}, kWayOfRocker, "way.csv"},
       {"force over a branch",
        kDriven,
        {"bound", "work", "force", "--load", "pull", "--leg", "1", "--limit", "90"}},

@@ -119,6 +119,57 @@ constraints = ["y - x/4 - 0.3"]
 error = { y = 0.001 }
 )toml";
 
+/// A branch along way-points: a tolerance, an error, a constraint.
+inline constexpr const char* kSliderOnItsWay = R"toml(regulus = 1
+name = "slider on its way"
+
+[pose]
+x = "m"
+y = "m"
+
+[geometry]
+a = { value = 1, tolerance = 0.001, group = "a" }
+k = 2
+
+[let]
+d = "p + k"
+
+[closure]
+unknowns = { p = "m", q = "rad" }
+equations = ["d^2 - x - 8*a - 1/(x + 10)", "sin(q) - y*p/4 - 0.1"]
+start = { x = 0, y = 0, p = 1, q = 0.1 }
+radius = { p = 0.5, q = 0.1 }
+
+[motion.way]
+waypoints = "way.csv"
+constraints = ["y - x/4 - 0.9"]
+error = { y = 0.001 }
+)toml";
+inline constexpr const char* kWayOfSlider = "x,y\n0,0\n1,0.4\n-0.5,-0.3\n6,0.2\n";
+
+/// One that ends on its second segment.
+inline constexpr const char* kRockerOnItsWay = R"toml(regulus = 1
+name = "rocker on its way"
+
+[pose]
+x = "m"
+y = "m"
+
+[geometry]
+a = { value = 1, tolerance = 0.001, group = "a" }
+
+[closure]
+unknowns = { p = "m", q = "rad" }
+equations = ["p^2 - x - a", "sin(q) - y*p/4 - 0.1"]
+start = { x = 0, y = 0, p = 1, q = 0.1 }
+radius = { p = 0.5, q = 0.1 }
+
+[motion.way]
+waypoints = "way.csv"
+error = { y = 0.001 }
+)toml";
+inline constexpr const char* kWayOfRocker = "x,y\n0,0\n0.5,0.3\n-2,0.1\n1,0\n";
+
 /// A branch that ends within the motion: a tolerance, an error, two ranges.
 inline constexpr const char* kRocker = R"toml(regulus = 1
 name = "rocker"

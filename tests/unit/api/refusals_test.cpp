@@ -112,6 +112,19 @@ x = [-1, 1]
 }
 Question crank() { return Question::of_text(crank_text(), "crank"); }
 
+TEST(Refusals, OfAClosureAlongWayPointsSayWhatIsAsked) {
+  const std::string file = testing::TempDir() + "crank_on_its_way.csv";
+  std::ofstream(file) << "x\n0\n1\n";
+  const Question along = crank().waypoints(file);
+  EXPECT_EQ(regulus::check(along).verdict, regulus::Verdict::kNoSingularity);
+  regulus::BoundOptions options;
+  options.quantity.quantity = "determinant";
+  EXPECT_THAT(message_of([&] { static_cast<void>(regulus::bound(along, options)); }),
+              HasSubstr("check, without a load, is the one question"));
+  EXPECT_THAT(message_of([&] { static_cast<void>(regulus::locate(along)); }),
+              HasSubstr("check, without a load, is the one question"));
+}
+
 TEST(Refusals, OfQuantitiesOfAClosureSayWhy) {
   const auto why = [](const char* quantity) {
     return message_of([quantity] {

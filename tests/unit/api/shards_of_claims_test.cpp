@@ -339,7 +339,7 @@ TEST(ShardsOfClaims, AreRefusedWhereThereIsNoProofABranchOrAList) {
         << name(Kind(k));
   }
   // Closures, finite errors and lists of solutions are tried elsewhere.
-  EXPECT_EQ((std::size(kClaims) + 2) * 3, kKinds);
+  EXPECT_EQ((std::size(kClaims) + 2) * 4, kKinds);
 }
 
 }  // namespace

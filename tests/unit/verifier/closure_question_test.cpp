@@ -58,11 +58,11 @@ TEST(AForgedClosure, OfAnotherFormatIsRefused) {
                  "rule"));
 }
 
-TEST(AForgedClosure, InPiecesIsRefused) {
+TEST(AForgedClosure, InPiecesThatAreNoWayIsRefused) {
   const std::string pieces =
       with_other(with_other(bar().text, "pose theta", "piecewise a\npiece 1\npose theta"),
                  "proof\n", "proof\ntree\n");
-  EXPECT_TRUE(is(Outcome::kUnfinished, verify_text(pieces), "closure has no pieces"));
+  EXPECT_TRUE(is(Outcome::kUnfinished, verify_text(pieces), "does not go from 0 to 1"));
 }
 
 TEST(AForgedClosure, IsATheoremAboutItsBranchAlone) {

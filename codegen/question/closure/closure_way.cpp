@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/question/closure/closure_way.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "codegen/answer/certificate/piece_question.hpp"
+#include "codegen/kernel/formulation/variety.hpp"
+#include "codegen/model/closure_start.hpp"
+#include "codegen/model/exact/exact_double.hpp"
+#include "codegen/model/way/trajectory.hpp"
+#include "codegen/support/stopwatch.hpp"
+
+namespace regulus {
+namespace {
+
+/// Of a piece that is asked about alone: near its start there is one configuration.
+constexpr double kRadiusAtJoint = 0x1p-20;
+
+class WaySearch {
+ public:
+  WaySearch(PreparedWay& prepared, const SearchOptions& search, const FormingWatch& watch,
+            Observer* progress)
+      : prepared_(prepared),
+        search_(search),
+        watch_(watch),
+        progress_(progress),
+        settings_(settings_of(prepared.common, search, watch.interrupt)),
+        deadline_(settings_),
+        near_(prepared.common.near_start) {}
+
+  WayFinding run() {
+    Stopwatch watch;
+    for (std::size_t k = 0; k < prepared_.pieces() && !found_.deciding; ++k) follow(k);
+    prepared_.common.preparation.seconds.search = watch.lap();
+    conclude();
+    return std::move(found_);
+  }
+
+ private:
+  /// Searches a piece, and links it with the one before.
+  void follow(std::size_t k) {
+    const Problem problem = prepared_.problem_of(k);
+    ClosureQuestion question{problem, prepared_.common.scaling, prepared_.common.shape, near_,
+                             prepared_.common.ranges};
+    if (k > 0 && !begin_piece(question, k)) return;
+    ClosureResult& result = found_.pieces.emplace_back();
+    PieceWithoutBranch piece{k, "", {}, {}};
+    result.branch = search_branch(question, settings_for(piece), progress_);
+    const MustStop must_stop = [this] { return deadline_.reason(); };
+    if (result.branch.is_complete && !result.branch.is_empty)
+      result.links =
+          k == 0 ? link_branch(question, result.branch.tree, prepared_.common.start, must_stop)
+                 : link_branch(question, result.branch.tree, before(k), must_stop);
+    if (result.is_proved()) return;
+    piece.obstacle = reason_of({result, {}});
+    found_.deciding = std::move(piece);
+  }
+
+  [[nodiscard]] BranchBefore before(std::size_t k) const {
+    return {found_.pieces.at(k - 1).branch.tree};
+  }
+
+  /// Begins with the configuration at the end of the piece before.
+  bool begin_piece(ClosureQuestion& question, std::size_t k) {
+    const auto configuration = configuration_after(question, before(k));
+    if (!configuration) {
+      found_.deciding = PieceWithoutBranch{
+          k, "the configuration at the begin of the segment was not found", {}, {}};
+      return false;
+    }
+    near_.variables[0] = 0;
+    for (std::size_t i = 0; i < configuration->size(); ++i)
+      near_.unknowns[i] = mid((*configuration)[i]);
+    question.start = near_;
+    at_begin_ = *configuration;
+    return true;
+  }
+
+  [[nodiscard]] BranchSettings settings_for(PieceWithoutBranch& piece) {
+    BranchSettings settings = settings_;
+    settings.time_limit = std::fmax(0.0, deadline_.left());
+    for (const ClosureResult& before : found_.pieces)
+      settings.max_boxes -= std::min(settings.max_boxes, before.branch.boxes);
+    settings.ask = [this, &piece](const std::vector<double>& place, bool is_lost) {
+      return is_lost && look_for_fold(piece, place);
+    };
+    return settings;
+  }
+
+  /// Looks for a singular configuration between the begin of the piece and a place on it.
+  bool look_for_fold(PieceWithoutBranch& piece, const std::vector<double>& place) {
+    SearchOptions rest = search_;
+    if (search_.time_limit != 0) rest.time_limit = std::fmax(deadline_.left(), 1e-9);
+    PreparedClosure alone = prepare_closure(piece_alone(piece.index), 0, rest, watch_);
+    if (alone.preparation.stopped || !begins_alike(alone, piece.index)) return false;
+    piece.fold = find_fold(alone, {place[0]}, {}, rest, watch_);
+    if (piece.fold) piece.alone = std::move(alone);
+    return piece.is_refuted();
+  }
+
+  /// The question about a piece alone, which begins near the configuration there.
+  [[nodiscard]] Request piece_alone(std::size_t k) const {
+    Request request = piece_request(prepared_.request, k);
+    if (k == 0) return request;
+    Closure& closure = *request.model.closure;
+    for (std::size_t i = 0; i < closure.unknowns.size(); ++i) {
+      closure.start[i] = exact_number(near_.unknowns[i]);
+      closure.start_radius[i] = exact_number(kRadiusAtJoint);
+    }
+    return request;
+  }
+
+  /// The only configuration within the radius of its start is that of the branch.
+  [[nodiscard]] bool begins_alike(const PreparedClosure& alone, std::size_t k) const {
+    if (k == 0) return true;
+    for (std::size_t i = 0; i < at_begin_.size(); ++i)
+      if (!(mag(at_begin_[i] - alone.start.values[i]) <= alone.start.radius[i].lo)) return false;
+    return true;
+  }
+
+  void conclude() {
+    Result& all = found_.result;
+    all.method = Method::kAuto;
+    all.verdict = found_.is_proved() ? Verdict::kNoSingularity : Verdict::kPossibleProblem;
+    all.reason = Reason::kAllBoxesCertified;
+    for (const ClosureResult& piece : found_.pieces) {
+      const Result one = check_result(prepared_.common, {piece, {}});
+      all.statistics.boxes += one.statistics.boxes;
+      all.statistics.max_frontier =
+          std::max(all.statistics.max_frontier, one.statistics.max_frontier);
+      for (std::size_t rule = 0; rule < kRules; ++rule)
+        all.statistics.leaves[rule] += one.statistics.leaves[rule];
+      all.stopped_by = one.stopped_by;
+    }
+    if (!found_.deciding) return;
+    if (found_.deciding->is_refuted()) {
+      all.verdict = Verdict::kSingularity;
+      all.reason = Reason::kLostRank;
+    } else if (!found_.pieces.empty()) {
+      const Result last = check_result(prepared_.common, {found_.pieces.back(), {}});
+      all.reason = last.reason;
+      all.blocking_box = last.blocking_box;
+    }
+  }
+
+  PreparedWay& prepared_;
+  const SearchOptions& search_;
+  const FormingWatch& watch_;
+  Observer* const progress_;
+  const BranchSettings settings_;
+  const Deadline deadline_;
+  BranchPoint near_;                ///< where the piece begins, approximately
+  std::vector<Interval> at_begin_;  ///< encloses the configuration there
+  WayFinding found_;
+};
+
+}  // namespace
+
+Problem PreparedWay::problem_of(std::size_t piece) const {
+  Problem problem = common.problem;
+  const std::size_t first = common.shape.variables + common.shape.unknowns;
+  for (std::size_t c = 0; c < values[piece].size(); ++c) {
+    const Interval& value = values[piece][c];
+    problem.outer.at(first + c) = value;
+    problem.inner.at(first + c) = is_thin(value) ? std::optional(value) : std::nullopt;
+  }
+  return problem;
+}
+
+PreparedWay prepare_way(Request request, double model_seconds, const SearchOptions& search,
+                        const FormingWatch& watch) {
+  require_way_from_start(request.model, request.motion);
+  PiecesRequest all = pieces_request(request);
+  std::vector<PoseParameter> constants;
+  for (const PieceConstant& constant : all.constants) constants.push_back(constant.quantity);
+  PreparedWay prepared{std::move(request),
+                       prepare_closure(std::move(all.request), model_seconds, search, watch,
+                                       DerivativesBy::kVariables, constants),
+                       {}};
+  for (std::size_t k = 0; k < prepared.request.motion.trajectory->pieces.size(); ++k) {
+    std::vector<Interval>& values = prepared.values.emplace_back();
+    for (const PieceConstant& constant : all.constants)
+      values.push_back(enclose_constant(constant.values[k], constant.quantity.name));
+  }
+  return prepared;
+}
+
+WayFinding check_way(PreparedWay& prepared, const SearchOptions& search, const FormingWatch& watch,
+                     Observer* progress) {
+  return WaySearch(prepared, search, watch, progress).run();
+}
+
+}  // namespace regulus

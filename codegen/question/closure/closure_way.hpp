@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A motion of a closure along way-points: one branch is followed through all pieces.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "codegen/question/closure/closure_report.hpp"
+
+namespace regulus {
+
+/// The kernel of all pieces: their numbers are its constants.
+struct PreparedWay {
+  Request request;  ///< with the trajectory
+  PreparedClosure
+      common;  ///< of s, the uncertain quantities and the errors; it begins at the start
+  std::vector<std::vector<Interval>> values;  ///< by piece, of each constant
+
+  [[nodiscard]] std::size_t pieces() const noexcept { return values.size(); }
+  /// Returns the problem of a piece.
+  [[nodiscard]] Problem problem_of(std::size_t piece) const;
+};
+
+/// Throws    UsageError if the way-points do not begin at the start of the closure; the exceptions of
+///           prepare_closure().
+[[nodiscard]] PreparedWay prepare_way(Request request, double model_seconds,
+                                      const SearchOptions& search, const FormingWatch& watch);
+
+/// The piece that decides, if the branch is not followed through all.
+struct PieceWithoutBranch {
+  std::size_t index = 0;
+  std::string obstacle{};                  ///< why it is not followed
+  std::optional<Fold> fold{};              ///< a singular configuration on the piece
+  std::optional<PreparedClosure> alone{};  ///< the question about this piece, if there is a fold
+
+  [[nodiscard]] bool is_refuted() const { return fold && fold->is_on_branch; }
+};
+
+struct WayFinding {
+  std::vector<ClosureResult> pieces;  ///< that were searched, in order
+  std::optional<PieceWithoutBranch> deciding{};
+  Result result;  ///< in the terms of a check, of all pieces
+
+  [[nodiscard]] bool is_proved() const { return !deciding; }
+};
+
+/// Follows the branch piece by piece. A piece begins with the configuration at the end of the one
+/// before it, and each of its boxes there must hold the same configurations. The first piece on which
+/// that fails ends the search. `progress` may be null.
+[[nodiscard]] WayFinding check_way(PreparedWay& prepared, const SearchOptions& search,
+                                   const FormingWatch& watch, Observer* progress);
+
+}  // namespace regulus

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/question/closure/closure_way_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "codegen/answer/report/plain_words.hpp"
+#include "codegen/answer/report/question_report.hpp"
+#include "codegen/answer/report/report.hpp"
+#include "codegen/answer/report/search_facts.hpp"
+#include "codegen/kernel/formulation/variety.hpp"
+#include "codegen/model/way/trajectory.hpp"
+#include "codegen/question/way/trajectory_report.hpp"
+
+namespace regulus {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string words_of_segments(const PreparedWay& prepared) {
+  const Motion& motion = prepared.request.motion;
+  const bool has_errors =
+      std::ranges::any_of(motion.error, [](const GiNaC::ex& e) { return !e.is_zero(); });
+  const bool is_uncertain = uncertain_count(geometry_along_way(prepared.request)) > 0;
+  return fmt::format("every {}pose{} of the {} segment{}{}{}",
+                     motion.where == Where::kEverywhere ? "" : "reachable ",
+                     motion.constraints.empty() ? "" : " that the constraints allow",
+                     prepared.pieces(), prepared.pieces() == 1 ? "" : "s",
+                     has_errors ? " and of the tube around them" : "",
+                     is_uncertain ? " and every value of the uncertain quantities" : "");
+}
+
+std::string reason_of(const WayFinding& found) {
+  return found.deciding && !found.deciding->is_refuted() ? found.deciding->obstacle
+                                                         : describe(found.result.reason);
+}
+
+void tell_begin(const PreparedWay& prepared, const WayFinding& found, Facts& facts) {
+  const Model& model = prepared.request.model;
+  std::vector<StartCoordinate> place;
+  for (std::size_t i = 0; i < model.pose.size(); ++i)
+    place.push_back({model.pose[i].name, model.pose[i].unit,
+                     enclose_constant(model.closure->start_pose[i], model.pose[i].name)});
+  const bool is_known = !found.pieces.empty();
+  tell_start(prepared.common, place,
+             is_known ? found.pieces.front().links.configuration : std::vector<Interval>{}, facts);
+  std::size_t links = 0;
+  for (const ClosureResult& piece : found.pieces) links += piece.links.links;
+  facts.add("links", links);
+}
+
+/// The segment that decides, with the place on it.
+void tell_segment(const PreparedWay& prepared, const WayFinding& found, Facts& facts) {
+  facts.add("witness", nullptr);
+  if (!found.deciding) {
+    facts.add("segment", nullptr).add("folds", Json::array());
+    return;
+  }
+  const PieceWithoutBranch& piece = *found.deciding;
+  const Trajectory& trajectory = *prepared.request.motion.trajectory;
+  std::optional<Interval> s;
+  if (piece.fold)
+    s = piece.fold->place[0];
+  else if (!found.result.blocking_box.empty())
+    s = found.result.blocking_box[0];
+  facts.tell("segment", json_segment(trajectory, piece.index, s),
+             piece.is_refuted() ? "singular" : "blocked",
+             describe_segment(trajectory, piece.index, s));
+  if (piece.fold)
+    tell_folds(*piece.alone, {*piece.fold}, facts);
+  else
+    facts.add("folds", Json::array());
+}
+
+}  // namespace
+
+std::string describe_claim(const PreparedWay& prepared, const WayFinding& found) {
+  if (found.is_proved())
+    return fmt::format("{}, for {}", describe_regular_branch(prepared.common),
+                       words_of_segments(prepared));
+  const PieceWithoutBranch& piece = *found.deciding;
+  if (!piece.is_refuted()) return nothing_proved(piece.obstacle);
+  return fmt::format(
+      "the branch reaches a configuration of segment {} where its {}×{} matrix of the equations' "
+      "derivatives is singular",
+      piece.index + 1, prepared.common.shape.unknowns, prepared.common.shape.unknowns);
+}
+
+void tell_closure_way(const PreparedWay& prepared, const SearchOptions& search,
+                      const WayFinding& found, Facts& facts) {
+  const PreparedSearch& p = prepared.common.preparation;
+  const Statistics& statistics = found.result.statistics;
+  facts.add("verdict", json_name(found.result.verdict)).add("reason", reason_of(found));
+  tell_way(prepared.request, facts);
+  say_uncertain_geometry(geometry_along_way(prepared.request), facts);
+  tell_begin(prepared, found, facts);
+  facts.add("matrix", name(p.labels.matrix_kind));
+  tell_threshold(p, facts);
+  tell_method(p, search, found.result.method, statistics.boxes, facts);
+  facts.add("boxes", statistics.boxes).add("max_frontier", statistics.max_frontier);
+  facts.tell(
+      "searched_alone", found.pieces.size(), "boxes",
+      fmt::format("{} evaluated, at most {} waiting; {} of {} segments searched", statistics.boxes,
+                  statistics.max_frontier, found.pieces.size(), prepared.pieces()));
+  tell_time(p.seconds_spent(), facts);
+  if (facts.are_for_programs()) add_search(search, json_question(prepared.request, search), facts);
+  facts.add("excluded", 0);
+  tell_segment(prepared, found, facts);
+  tell_meaning(found.is_proved()
+                   ? "at no pose of these segments can the mechanism change its branch, or move "
+                     "while the motors are locked"
+               : found.deciding->is_refuted() ? "at some pose of these segments the mechanism can "
+                                                "move although the motors are locked"
+                                              : "",
+               facts);
+  const std::string claim = describe_claim(prepared, found);
+  facts.tell("claim", claim, "claim", claim);
+}
+
+}  // namespace regulus

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is told of a branch along way-points.
+#pragma once
+
+#include <string>
+
+#include "codegen/answer/facts.hpp"
+#include "codegen/question/closure/closure_way.hpp"
+
+namespace regulus {
+
+/// Returns the claim, or why there is none, in words.
+[[nodiscard]] std::string describe_claim(const PreparedWay& prepared, const WayFinding& found);
+
+void tell_closure_way(const PreparedWay& prepared, const SearchOptions& search,
+                      const WayFinding& found, Facts& facts);
+
+}  // namespace regulus
