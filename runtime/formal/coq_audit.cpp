@@ -19,9 +19,11 @@ constexpr auto kImports = std::to_array<std::string_view>(
     {"From Coq Require Import List", "From Coq Require Import PrimFloat",
      "From Regulus Require Import Expressions Questions Search Singularity Threshold Forces",
      "From Regulus Require Import Notations", "Import ListNotations"});
-/// In place of the third one, of a closure.
+/// In place of the third one, of a closure, and of forces within limits.
 constexpr std::string_view kClosureImport =
     "From Regulus Require Import Expressions Questions Search Closures Tubes Branches";
+constexpr std::string_view kLimitsImport =
+    "From Regulus Require Import Expressions Questions Search Singularity Threshold Forces Limits";
 
 /// The definitions of a file, but for those of its names.
 constexpr auto kDefinitions = std::to_array<std::string_view>(
@@ -30,7 +32,7 @@ constexpr auto kDefinitions = std::to_array<std::string_view>(
      "the_trees : list tree", "negative : coordinates", "positive : coordinates",
      "the_point : coordinates", "the_scales : list expression", "the_threshold : expression",
      "the_closure : closure", "the_tubes : tubes", "the_row : nat", "the_load : list expression",
-     "the_limit : expression"});
+     "the_limit : expression", "the_limits : list ( expression * expression )"});
 
 /// The words of their bodies. Each has one meaning, that of the imports: no definition has its name.
 constexpr auto kWords = std::to_array<std::string_view>(
@@ -43,7 +45,7 @@ constexpr std::string_view kSymbols = "()[];,+-*/^%";
 
 /// The claims about one question, and where the library defines them.
 struct Claim {
-  std::string_view name, arguments;
+  std::string_view name, arguments, library = "Questions";
 };
 constexpr auto kClaims =
     std::to_array<Claim>({{"no_singularity", ""},
@@ -51,7 +53,8 @@ constexpr auto kClaims =
                           {"determinant_above", " the_scales the_threshold"},
                           {"determinant_not_above", " the_scales the_threshold"},
                           {"force_within", " the_row the_load the_limit"},
-                          {"force_below", " the_row the_load the_limit"}});
+                          {"force_below", " the_row the_load the_limit"},
+                          {"forces_within_limits", " the_scales the_load the_limits", "Limits"}});
 
 /// Returns the words with the path of the audited file before each of its own.
 std::string with_paths(std::string_view words) {
@@ -69,10 +72,7 @@ class PlainReader {
   explicit PlainReader(std::string_view text) : sentences_(text) {}
 
   PlainTheorem read() {
-    for (const std::string_view import : kImports) {
-      is_closure_ |= import == kImports[2] && sentences_.current() == kClosureImport;
-      sentences_.expect(is_closure_ && import == kImports[2] ? kClosureImport : import);
-    }
+    for (const std::string_view import : kImports) expect_import(import);
     while (!sentences_.at_end() && sentences_.words().front().text == "Definition") definition();
     PlainTheorem theorem = statement();
     proof();
@@ -83,6 +83,14 @@ class PlainReader {
 
  private:
   [[noreturn]] void fail(const std::string& what) const { sentences_.fail(what); }
+
+  void expect_import(std::string_view import) {
+    const std::string current = sentences_.current();
+    if (import != kImports[2] || (current != kClosureImport && current != kLimitsImport))
+      return sentences_.expect(import);
+    is_closure_ = current == kClosureImport;
+    sentences_.next();
+  }
 
   void definition() {
     const Sentence& words = sentences_.words();
@@ -126,7 +134,8 @@ class PlainReader {
     }
     for (const Claim& claim : kClaims) {
       const std::string name(claim.name), arguments(claim.arguments);
-      const std::string path = "Regulus.Questions." + name, own = with_paths(arguments);
+      const std::string path = "Regulus." + std::string(claim.library) + "." + name,
+                        own = with_paths(arguments);
       if (stated == name + " the_question" + arguments)
         return {stated, path + with_paths("the_question") + own};
       if (stated ==
