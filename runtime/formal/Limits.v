@@ -55,36 +55,14 @@ Proof.
   rewrite sum_scale, F by exact I. field. exact Y.
 Qed.
 
-(** Of a regular matrix, no combination of the rows is 0. *)
-Lemma rows_independent n (a : nat -> nat -> R) (z : nat -> R) : full_column_rank n n a ->
-  (forall j, (j < n)%nat -> sum n (fun i => a i j * z i) = 0) ->
-  forall i, (i < n)%nat -> z i = 0.
-Proof.
-  intros R Z i I. destruct (solvable n a (fun k => identity i k) R) as [b B].
-  rewrite <- (sum_identity n i z I).
-  rewrite (sum_ext n _ (fun k => z k * sum n (fun j => a k j * b j)))
-    by (intros k K; rewrite B by exact K; ring).
-  rewrite <- (sum_product n n z a b). apply sum_zero. intros j J.
-  rewrite (sum_ext n _ (fun k => a k j * z k)) by (intros; ring). rewrite Z by exact J. ring.
-Qed.
-
-(** With |E|^T (|r| + y) < y, the solution of (I + E)^T q = r is within y of r. *)
-Lemma correction n (e : nat -> nat -> R) (r y : nat -> R) :
+(** With |E|^T (|r| + y) < y, each solution of (I + E)^T q = r is within y of r. *)
+Lemma correction_bound n (e : nat -> nat -> R) (r y q : nat -> R) :
   (forall k, (k < n)%nat -> 0 < y k) ->
   (forall k, (k < n)%nat -> sum n (fun j => Rabs (e j k) * (Rabs (r j) + y j)) < y k) ->
-  exists q, (forall k, (k < n)%nat -> q k + sum n (fun j => e j k * q j) = r k) /\
-            forall k, (k < n)%nat -> Rabs (q k - r k) <= y k.
+  (forall k, (k < n)%nat -> q k + sum n (fun j => e j k * q j) = r k) ->
+  forall k, (k < n)%nat -> Rabs (q k - r k) <= y k.
 Proof.
-  intros Y S.
-  assert (R : full_column_rank n n (fun k j => identity k j + e j k)).
-  { apply (dominated n (fun k j => e j k) y Y). intros k K. eapply Rle_lt_trans; [|exact (S k K)].
-    apply sum_le. intros j J. apply Rmult_le_compat_l; [apply Rabs_pos|].
-    pose proof (Rabs_pos (r j)). lra. }
-  destruct (solvable n _ r R) as [q Q].
-  assert (E : forall k, (k < n)%nat -> q k + sum n (fun j => e j k * q j) = r k).
-  { intros k K. rewrite <- (Q k K), <- (sum_identity n k q K) at 1. rewrite <- sum_plus.
-    apply sum_ext. intros. ring. }
-  exists q. split; [exact E|]. intros i I.
+  intros Y S E i I.
   set (d := fun k => Rabs (q k - r k)).
   assert (D : forall k, (k < n)%nat -> d k <= sum n (fun j => Rabs (e j k) * (Rabs (r j) + d j))).
   { intros k K. unfold d. replace (q k - r k) with (- sum n (fun j => e j k * q j))
@@ -112,6 +90,25 @@ Proof.
     apply Rmult_le_compat_l; [apply Rabs_pos|]. specialize (B j J).
     assert (1 * Rabs (r j) <= m * Rabs (r j)) by (apply Rmult_le_compat_r; [apply Rabs_pos|lra]).
     lra.
+Qed.
+
+(** And there is one. *)
+Lemma correction n (e : nat -> nat -> R) (r y : nat -> R) :
+  (forall k, (k < n)%nat -> 0 < y k) ->
+  (forall k, (k < n)%nat -> sum n (fun j => Rabs (e j k) * (Rabs (r j) + y j)) < y k) ->
+  exists q, (forall k, (k < n)%nat -> q k + sum n (fun j => e j k * q j) = r k) /\
+            forall k, (k < n)%nat -> Rabs (q k - r k) <= y k.
+Proof.
+  intros Y S.
+  assert (R : full_column_rank n n (fun k j => identity k j + e j k)).
+  { apply (dominated n (fun k j => e j k) y Y). intros k K. eapply Rle_lt_trans; [|exact (S k K)].
+    apply sum_le. intros j J. apply Rmult_le_compat_l; [apply Rabs_pos|].
+    pose proof (Rabs_pos (r j)). lra. }
+  destruct (solvable n _ r R) as [q Q].
+  assert (E : forall k, (k < n)%nat -> q k + sum n (fun j => e j k * q j) = r k).
+  { intros k K. rewrite <- (Q k K), <- (sum_identity n k q K) at 1. rewrite <- sum_plus.
+    apply sum_ext. intros. ring. }
+  exists q. split; [exact E|exact (correction_bound n e r y q Y S E)].
 Qed.
 
 (** ** Forces that hold a load, over a box *)
@@ -149,7 +146,8 @@ Module Hint.
   (** K with KA = I, such that the forces K^T w have the least sum of squares by the weights. *)
   Definition shared (m n : nat) (a : list (list float)) (weight : list float) : list (list float) :=
     let weighted := tabulate m n (fun i j => mul (get a i j) (at_ weight i)) in
-    let square := tabulate n n (fun j k => sum_of m (fun i => mul (get weighted i j) (get a i k))) in
+    let square := tabulate n n (fun j k =>
+      sum_of m (fun i => mul (get weighted i j) (get a i k))) in
     let inverse := left_inverse n n (get square) in
     tabulate n m (fun k i => sum_of n (fun j => mul (get inverse k j) (get weighted i j))).
 
@@ -186,6 +184,7 @@ Module Hint.
 
   Definition half_sum (x y : float) : float := mul 0x1p-1 (add x y).
   Definition half_difference (x y : float) : float := abs (mul 0x1p-1 (sub y x)).
+  Definition towards (x y : float) : float := add x (mul 0x1p-4 (sub y x)).
   Definition over (f : form) (u : float) : form := scale_form (point (div 1 u)) f.
 End Hint.
 
@@ -197,7 +196,7 @@ Definition corrects (n : nat) (p : nat -> nat -> interval) (r : nat -> interval)
     is_negative (subtract (interval_sum n (fun j => multiply (p j k)
                    (add (r j) (point (nth j y F.nan))))) yk)) (seq 0 n).
 
-(** Forces with A^T G = w, near g. K is any matrix; best is an approximate left inverse of A. *)
+(** Forces with A^T G = w, near g. K is any matrix, at best an approximate left inverse of A. *)
 Definition balanced (m n : nat) (k : list (list F.type)) (g : list F.type) (a : forms)
     (w : list form) : option (list form) :=
   let e := product_error m n k a in
@@ -440,7 +439,8 @@ Definition test_limits (q : question) (scales load : list expression)
       end
     else Undefined.
 
-(** There is a scale and there are limits for each row, and a component of the load for each column. *)
+(** There is a scale and there are limits for each row, and a component of the load for each
+    column. *)
 Definition is_load_known (q : question) (scales load : list expression)
     (limits : list (expression * expression)) : bool :=
   Nat.eqb (length scales) (rows q) && Nat.eqb (length load) (columns q)

@@ -240,7 +240,7 @@ class ClaimedForceReader {
     force_.is_two_sided =
         claimed_.side == format::kAbsolute && !is_symmetric(question.graph, *claimed_.set);
     for (const std::string& line : lines_) read(line);
-    const LoadVariables load = load_variables(*claimed_.set, lines_);
+    const LoadVariables load = load_variables(question, *claimed_.set, lines_);
     for (const std::string& w : load.components)
       force_.load.push_back(w == "0" ? "0" : of_side(over_scale(w)));
     force_.question = question_with(load, question, lines_, "quantity ", line_of_factor());

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "runtime/formal/coq_question.hpp"
+#include "runtime/verifier/evaluation.hpp"
 #include "runtime/verifier/infix_reader.hpp"
 #include "runtime/verifier/load_lines.hpp"
 #include "runtime/verifier/proof.hpp"
@@ -12,25 +13,16 @@
 namespace regulus::verifier {
 namespace {
 
-/// The text `E` of the line `KEY E`, for each line with this key.
-std::vector<std::string> rests(const std::vector<std::string>& lines, std::string_view key) {
-  std::vector<std::string> found;
-  for (const std::string_view line : lines)
-    if (line.starts_with(key) && line.size() > key.size() && line[key.size()] == ' ')
-      found.emplace_back(line.substr(key.size() + 1));
-  return found;
-}
-
 class LoadWriter {
  public:
   LoadWriter(const VectorSetLines& set, const std::vector<std::string>& lines)
       : set_(set), lines_(lines) {
-    for (const std::string& rest : rests(lines, "wrench")) {
+    for (const std::string& rest : rests_of(lines, "wrench")) {
       std::string_view spread = rest;
       middles_.emplace_back(take_until(spread, " +- "));
       spreads_.emplace_back(spread);
     }
-    for (const std::string& rest : rests(lines, "wrench-ball")) {
+    for (const std::string& rest : rests_of(lines, "wrench-ball")) {
       std::string_view radius = rest;
       radii_.emplace_back(take_until(radius, " in "));
     }
@@ -109,7 +101,27 @@ std::string free_name(std::string name, const std::vector<std::string>& lines) {
   return name;
 }
 
-LoadVariables load_variables(const VectorSetLines& set, const std::vector<std::string>& lines) {
+std::vector<std::string> rests_of(const std::vector<std::string>& lines, std::string_view key) {
+  std::vector<std::string> found;
+  for (const std::string_view line : lines)
+    if (line.starts_with(key) && line.size() > key.size() && line[key.size()] == ' ')
+      found.emplace_back(line.substr(key.size() + 1));
+  return found;
+}
+
+void require_vectors(const Question& question, const std::vector<NodeId>& sizes) {
+  constexpr long kBits = 128;
+  for (const NodeId node : sizes) {
+    const auto value = evaluate(question.graph, {node}, {}, kBits);
+    if (!value || !((*value)[0].enclosure().lo >= 0.0))
+      throw Rejection("a spread or a radius is not certainly at least 0");
+  }
+}
+
+LoadVariables load_variables(const Question& question, const VectorSetLines& set,
+                             const std::vector<std::string>& lines) {
+  require_vectors(question, set.spread);
+  for (const WrenchBall& ball : set.balls) require_vectors(question, {ball.radius});
   return LoadWriter(set, lines).variables();
 }
 
@@ -138,12 +150,13 @@ LimitsQuestion split_limits(const Question& question, const std::vector<std::str
     throw Unfinished("there is no theorem yet about a load that no forces within limits hold");
   if (question.load->verdict != format::kFeasible)
     throw Unfinished("there is no theorem about a paving of a load yet");
-  static_cast<void>(enclose_load(question));  // or the theorem would be about no load
-  const LoadVariables load = load_variables(*question.load, lines);
+  static_cast<void>(enclose_load(question));  // the limits are in their order
+  const LoadVariables load = load_variables(question, *question.load, lines);
   LimitsQuestion split{question_with(load, question, lines, "load ", ""), {}};
-  if (rests(lines, "scale").empty()) split.more.assign(question.rows, "scale 1");
+  if (rests_of(lines, "scale").empty()) split.more.assign(question.rows, "scale 1");
   for (const std::string& component : load.components) split.more.push_back("load " + component);
-  for (const std::string& limits : rests(lines, "limits")) split.more.push_back("limits " + limits);
+  for (const std::string& limits : rests_of(lines, "limits"))
+    split.more.push_back("limits " + limits);
   return split;
 }
 

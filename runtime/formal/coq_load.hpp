@@ -17,16 +17,25 @@ namespace regulus::verifier {
 /// Returns the name, with '_' at its end until no line mentions it.
 [[nodiscard]] std::string free_name(std::string name, const std::vector<std::string>& lines);
 
+/// Returns the text E of each line `KEY E`.
+[[nodiscard]] std::vector<std::string> rests_of(const std::vector<std::string>& lines,
+                                                std::string_view key);
+
+/// Throws Rejection unless each of these spreads or radii is certainly at least 0: a theorem about no
+/// vector would be true.
+void require_vectors(const Question& question, const std::vector<NodeId>& sizes);
+
 struct LoadVariables {
   std::string lines;                    ///< `uncertain` and `ball`
   std::size_t count = 0;                ///< of the uncertain quantities
   std::vector<std::string> components;  ///< by column: an expression in their names
 };
 
-/// Reads the lines `wrench` and `wrench-ball` among the lines of a certificate.
+/// Reads the lines `wrench` and `wrench-ball` among the lines of a certificate. Throws Rejection if a
+/// spread or a radius is negative.
 ///
 /// Requires  that they have been read without a fault; `set`: the load that they say.
-[[nodiscard]] LoadVariables load_variables(const VectorSetLines& set,
+[[nodiscard]] LoadVariables load_variables(const Question& question, const VectorSetLines& set,
                                            const std::vector<std::string>& lines);
 
 /// Returns the lines before that which begins with `end`, as a question about the matrix, NO

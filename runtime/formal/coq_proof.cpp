@@ -6,6 +6,7 @@
 #include <sstream>
 #include <vector>
 
+#include "runtime/formal/coq_branch.hpp"
 #include "runtime/formal/coq_expression.hpp"
 #include "runtime/formal/coq_force.hpp"
 #include "runtime/formal/coq_load.hpp"
@@ -23,7 +24,9 @@ constexpr int kDeepest = 60;
 
 /// The files of the library that a theorem needs.
 std::string imports(const Question& q) {
-  if (q.closure) return "Expressions Questions Search Closures Tubes Branches";
+  if (q.closure)
+    return std::string("Expressions Questions Search Closures Tubes Branches") +
+           (q.quantity ? " Rates" : "");
   return std::string("Expressions Questions Search Singularity Threshold Forces") +
          (q.load ? " Limits" : "");
 }
@@ -121,21 +124,44 @@ void refuse_other_claims(const Question& question) {
     throw Unfinished("a claim about all solutions cannot be written as a theorem");
 }
 
-/// The theorem about one branch of a closure. Coq has the tubes of the certificate as hints.
-std::string closure_theorem(Lines& lines, const Question& question,
-                            const std::vector<std::string>& kept) {
-  if (question.singular)
-    throw Unfinished("there is no theorem about a singular configuration of a closure yet");
-  if (question.is_index) throw Unfinished("there is no theorem about a closure in shards");
-  if (question.quantity)
-    throw Unfinished("there is no theorem about the bound of a quantity over a branch yet");
-  const CoqQuestion coq = coq_question(kept, question);
-  return heading(question) + coq.text + coq_tubes(lines, question) +
+/// The tubes of a certificate as hints, and the theorem.
+std::string theorem_of_tubes(Lines& lines, const Question& question, const CoqQuestion& coq,
+                             const VariablesOfCoq& variables, const std::string& claim,
+                             const std::string& check, const std::string& arguments) {
+  return coq_tubes(lines, question, variables) +
          "\n(** The variables of second order, and how often a box is halved whose tube is too "
          "narrow. *)\nDefinition the_method : method := Method " +
          std::to_string(coq.second_order) + " 6.\n" +
-         theorem("one_branch the_closure",
-                 "check_closure_correct the_closure the_method the_tubes");
+         theorem(claim + " the_closure" + arguments,
+                 check + "_correct the_closure" + arguments + " the_method the_tubes");
+}
+
+/// The theorem about a quantity over the branch of a closure.
+std::string branch_theorem(Lines& lines, const Question& question,
+                           const std::vector<std::string>& kept) {
+  const BranchQuantityText branch = split_branch(question, kept);
+  std::istringstream text(branch.question);
+  Lines plain(text);
+  Question closure;
+  read_question(plain, closure);
+  const CoqQuestion coq = coq_question(lines_of(branch.question), closure);
+  return heading(question) + coq.text + branch.definitions +
+         theorem_of_tubes(lines, question, coq, {branch.places, closure.variables.size()},
+                          branch.claim, "check_" + branch.claim, branch.arguments);
+}
+
+/// The theorem about one branch of a closure. Coq has the tubes of the certificate as hints.
+std::string closure_theorem(Lines& lines, const Question& question,
+                            const std::vector<std::string>& kept) {
+  if (question.is_index) throw Unfinished("there is no theorem about a closure in shards");
+  if (question.quantity) return branch_theorem(lines, question, kept);
+  if (question.singular)
+    throw Unfinished("there is no theorem about a singular configuration of a closure yet");
+  const CoqQuestion coq = coq_question(kept, question);
+  VariablesOfCoq variables{{}, question.variables.size()};
+  for (std::size_t k = 0; k < variables.count; ++k) variables.places.push_back(k);
+  return heading(question) + coq.text +
+         theorem_of_tubes(lines, question, coq, variables, "one_branch", "check_closure", "");
 }
 
 /// `claim arguments`, of the question or of each piece, and the check that proves it.
@@ -237,8 +263,8 @@ std::string read_and_write(Lines& lines, CoqStatement statement, Question& quest
   lines.keep();
   read_question(lines, question);
   refuse_other_claims(question);
-  if (statement == CoqStatement::kForce && question.closure)
-    throw Unfinished("there is no theorem about a force of a closure yet");
+  if (statement == CoqStatement::kForce && question.closure && !question.quantity)
+    throw Unfinished("this certificate of a closure states no force");
   if (question.is_piecewise) return trajectory(lines, statement);
   if (question.closure) return closure_theorem(lines, question, kept = lines.take_kept());
   if (question.load) return limits(question, lines.take_kept(), {});

@@ -57,7 +57,7 @@ expect_no_theorem(cable.txt "limits 100 : 5000" "limits 100 : 2000")
 expect_no_theorem(cable.txt "limits 100 : 5000" "limits 2000 : 5000")
 expect_no_theorem(cable.txt "verdict FEASIBLE" "verdict PAVING")
 expect_no_theorem(delta.txt "-1200 : -900" "-1200 : -9") # beyond what the arms reach
-expect_no_theorem(way.txt "limits -60 : 60" "limits -30 : 60")
+expect_no_theorem(way.txt "limits -60 : 60" "limits -2 : 60")
 expect_no_theorem(way.txt "piece 0 | 1 | 0 | 9 |" "piece 0 | 1 | 0 | 1/10 |") # far below
 expect_no_theorem(bound.leg_1.safe "bound 60" "bound 20")
 expect_no_theorem(bound.leg_1.safe "piece 0 | 1 | 0 | 9 |" "piece 0 | 1 | 0 | 1/10 |")

@@ -35,7 +35,7 @@ std::string load_certificate(const std::string& set, const std::string& limits =
                              const std::string& claim = kFeasible) {
   return "regulus-certificate 1\nverdict " + verdict + "\nclaim " + claim +
          "\nmodel m\nsha256 -\nmotion way\nalpha 0\nparameter x in 1 : 2\n" + more +
-         "pose y = x\nlet load_a_2 = x^2\nmatrix 2 2\nentry y\nentry load_a_2\nentry 0\nentry 1\n" +
+         "pose x = x\nlet load_a_2 = x^2\nmatrix 2 2\nentry x\nentry load_a_2\nentry 0\nentry 1\n" +
          scales + "load a\n" + set + limits + "proof\n";
 }
 
@@ -57,16 +57,16 @@ TEST(ATheoremAboutALoad, HasItsScalesComponentsAndLimits) {
 
 TEST(ATheoremAboutALoad, HasAQuantityForEachPartOfTheLoad) {
   const std::string text = proof_of(
-      load_certificate("wrench 3 +- 1/2\nwrench 1 +- 0\nwrench-ball 5 in 1 2\nwrench-ball 0 in 1\n"
+      load_certificate("wrench 3 +- 1/2\nwrench 1 +- 0\nwrench-ball 5 in 1 2\n"
                        "wrench-ball 7 in 1\n"));
   EXPECT_THAT(text, HasSubstr("(* _load_a_1 *) within (0) (1/2);\n"
                               "   (* _load_a_1_ball_1 *) within (0) (5);\n"
-                              "   (* _load_a_1_ball_3 *) within (0) (7);\n"
+                              "   (* _load_a_1_ball_2 *) within (0) (7);\n"
                               "   (* _load_a_2_ *) within (1) (5)]\n"));
   EXPECT_THAT(text, HasSubstr("(* ball *) (_load_a_1_ball_1 - (0)) ^ 2 + (_load_a_2_ - (1)) ^ 2 - "
-                              "(5) ^ 2;\n   (* ball *) (_load_a_1_ball_3 - (0)) ^ 2 - (7) ^ 2]"));
+                              "(5) ^ 2;\n   (* ball *) (_load_a_1_ball_2 - (0)) ^ 2 - (7) ^ 2]"));
   EXPECT_THAT(text, HasSubstr("the_load : list expression :=\n"
-                              "  [((3) + _load_a_1 + _load_a_1_ball_1 + _load_a_1_ball_3);\n"
+                              "  [((3) + _load_a_1 + _load_a_1_ball_1 + _load_a_1_ball_2);\n"
                               "   _load_a_2_].\n"));
   EXPECT_THAT(text, HasSubstr("the_scales : list expression :=\n  [1;\n   1].\n"));
 }
@@ -109,7 +109,7 @@ std::string bound_certificate(const std::string& side, const std::string& claim,
                               const std::string& pieces) {
   return "regulus-certificate 1\nverdict NO SINGULARITY\nclaim " + claim +
          "\nmodel m\nsha256 -\nmotion way\nalpha 0\nparameter x in 1 : 2\n" + pieces +
-         "pose y = x\nmatrix 2 2\nentry y\nentry 0\nentry 0\nentry 1\nscale 1/x\nscale 1\n"
+         "pose x = x\nmatrix 2 2\nentry x\nentry 0\nentry 0\nentry 1\nscale 1/x\nscale 1\n"
          "quantity force\nside " +
          side + "\nrow 1\nload a\nwrench 1 +- 1/2\nwrench 0 +- 0\nreference 0\nbound 7\nproof\n";
 }
