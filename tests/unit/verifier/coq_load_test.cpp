@@ -56,9 +56,9 @@ TEST(ATheoremAboutALoad, HasItsScalesComponentsAndLimits) {
 }
 
 TEST(ATheoremAboutALoad, HasAQuantityForEachPartOfTheLoad) {
-  const std::string text = proof_of(
-      load_certificate("wrench 3 +- 1/2\nwrench 1 +- 0\nwrench-ball 5 in 1 2\n"
-                       "wrench-ball 7 in 1\n"));
+  const std::string text =
+      proof_of(load_certificate("wrench 3 +- 1/2\nwrench 1 +- 0\nwrench-ball 5 in 1 2\n"
+                                "wrench-ball 7 in 1\n"));
   EXPECT_THAT(text, HasSubstr("(* _load_a_1 *) within (0) (1/2);\n"
                               "   (* _load_a_1_ball_1 *) within (0) (5);\n"
                               "   (* _load_a_1_ball_2 *) within (0) (7);\n"
@@ -137,6 +137,78 @@ TEST(ATheoremAboutAForce, OfACertificateThatStatesItNeedsNoOption) {
   EXPECT_THAT(text, HasSubstr("Theorem the_claim : force_below the_question the_row the_load "
                               "the_limit.\n"));
   EXPECT_THAT(text, Not(HasSubstr("pieces")));
+}
+
+/// A certificate about the branch of p^2 = x + g, with these lines of a quantity and its words.
+std::string branch_certificate(const std::string& claim, const std::string& quantity) {
+  return "regulus-certificate 1\nverdict NO SINGULARITY\nclaim on the branch through the start, " +
+         claim +
+         "\nmodel slider\nsha256 -\nmotion small\nalpha 0\nparameter x in -1/4 : 1/4\nuncertain g "
+         "= 1 +- 1/10\npose x = x\nunknown p = 1 +- 1/2\nstart 0\nequation p^2 - x - g\n" +
+         quantity +
+         "proof\ns 0 1 0x1p+0\nl 1 tube 0 0x1p+0 1 0x1p-1 0x1p-1 0x1p-4\n"
+         "l 2 tube 0 0x1p+0 1 0x1p-1 0x1p-1 0x1p-4\nend 2\n";
+}
+
+constexpr const char* kPlace =
+    " at every pose and value of the 1 uncertain quantities of the variety";
+
+TEST(ATheoremAboutAQuantityOverABranch, HasAVariableForEachMotor) {
+  const std::string text = proof_of(branch_certificate(
+      std::string("|force of motor 1 under the load a| < 7") + kPlace + " and every vector of it",
+      "quantity force\nside absolute\nrow 1\nload a\nwrench 1 +- 1/2\nwrench-ball 3 in 1\nbound "
+      "7\n"));
+  EXPECT_THAT(text, HasSubstr("Closures Tubes Branches Rates.\n"));
+  EXPECT_THAT(text, HasSubstr("claim   on the branch through the start, |force of motor 1"));
+  EXPECT_THAT(text, HasSubstr("[(* _x'commanded *) (- 1/4, 1/4);\n   (* _g *) within (1) (1/10);\n"
+                              "   (* _x'error *) within 0 (0)]\n"
+                              "  [(* _x *) _x'commanded + _x'error]\n"));
+  EXPECT_THAT(text, HasSubstr("Definition the_motors : list nat := [2]%nat.\n"));
+  EXPECT_THAT(text, HasSubstr("Definition the_measure : measured := Force 0.\n"));
+  EXPECT_THAT(text, HasSubstr("Definition the_vectors : vectors := Vectors\n  [(1, 1/2)]\n"
+                              "  [(3, [0]%nat)].\n"));
+  EXPECT_THAT(text, HasSubstr("Definition the_limit : expression := 7.\n"));
+  EXPECT_THAT(text, HasSubstr("Cut 1 0x1p+0\n  (Held (Tube [0x0p+0; 0x1p+0; 0x0p+0] [0x1p+0] "
+                              "[[0x1p-1; 0x1p-1; 0x0p+0]] [0x1p-4]))"));
+  EXPECT_THAT(text, HasSubstr("Theorem the_claim : branch_within the_closure the_motors "
+                              "the_measure the_vectors the_limit.\n"));
+  EXPECT_THAT(text, HasSubstr("apply (check_branch_within_correct the_closure the_motors "
+                              "the_measure the_vectors the_limit the_method the_tubes)."));
+  EXPECT_EQ(verifier::read_plain_theorem(text).type,
+            "Regulus.Rates.branch_within RegulusAudited.audited.the_closure "
+            "RegulusAudited.audited.the_motors RegulusAudited.audited.the_measure "
+            "RegulusAudited.audited.the_vectors RegulusAudited.audited.the_limit");
+}
+
+TEST(ATheoremAboutAQuantityOverABranch, KnowsErrorsAndLimits) {
+  const std::string error = proof_of(branch_certificate(
+      std::string("|error to first order of unknown 1 by the errors of the motors| < 1/35") +
+          kPlace,
+      "quantity error\nside absolute\ncolumn 1\nmotor-error 1/100\nbound 1/35\n"));
+  EXPECT_THAT(error,
+              HasSubstr("Definition the_measure : measured := Motion 0.\n"
+                        "Definition the_vectors : vectors := Vectors\n  [(0, 1/100)]\n  [].\n"
+                        "Definition the_limit : expression := 1/35.\n"));
+  const std::string limits = proof_of(branch_certificate(
+      std::string("the forces of all motors under the load a are within their limits") + kPlace +
+          " and every vector of it",
+      "quantity force-limits\nload a\nwrench 1 +- 1/2\nlimits -3 : 4\n"));
+  EXPECT_THAT(limits, HasSubstr("the_limits : list (expression * expression) := [(- 3, 4)].\n"));
+  EXPECT_THAT(limits, HasSubstr("Theorem the_claim : branch_within_limits the_closure the_motors "
+                                "the_vectors the_limits.\n"));
+  EXPECT_NO_THROW((void)verifier::read_plain_theorem(limits));
+}
+
+TEST(ATheoremAboutAQuantityOverABranch, IsRefusedForOtherQuantitiesAndNoLoad) {
+  const std::string force =
+      std::string("|force of motor 1 under the load a| < 7") + kPlace + " and every vector of it";
+  EXPECT_THROW(
+      (void)proof_of(branch_certificate(
+          force, "quantity force\nside absolute\nrow 1\nload a\nwrench 1 +- -1/2\nbound 7\n")),
+      verifier::Rejection);
+  EXPECT_THROW((void)proof_of(branch_certificate(std::string("|det| > 1/2") + kPlace,
+                                                 "quantity determinant\nside least\nbound 1/2\n")),
+               std::runtime_error);
 }
 
 }  // namespace
