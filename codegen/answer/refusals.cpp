@@ -41,8 +41,9 @@ constexpr std::string_view kNoRanksOfClosureWays =
     "the segments of a branch follow each other, so it has one process; use regulus";
 constexpr std::string_view kNoPageOfClosureWays =
     "a page does not show a branch along way-points; leave it out";
-constexpr std::string_view kNoTheoremOfClosures =
-    "Coq has theorems about the branch of a [closure], and none about this; regulus-verify proves "
+constexpr std::string_view kNoTheoremOfFiniteErrors =
+    "Coq has theorems about errors to first order, and none about finite ones; regulus-verify "
+    "proves "
     "it";
 constexpr std::string_view kNoShardsOfClosures =
     "the boxes of a branch are linked, so its proof is one file; leave the shards out";
@@ -53,8 +54,9 @@ constexpr std::string_view kNoProofOfLoadPavings =
     "motion";
 constexpr std::string_view kNoFiniteErrors =
     "finite errors are bounded over ranges alone; leave finite out, for errors to first order";
-constexpr std::string_view kNoWayTheorem =
-    "Coq has no theorem about a quantity along way-points; regulus-verify proves it";
+constexpr std::string_view kNoTheoremOfLoadPavings =
+    "Coq has no theorem about a paving of a load; check with the load has one, and regulus-verify "
+    "proves the paving";
 
 constexpr std::string_view kNoShardsOfSolutions =
     "a proof of a list of solutions is short, and one file; leave the shards out";
@@ -77,38 +79,28 @@ using enum Service;
 
 constexpr Refusal kRefusals[] = {
     {kCondition2, kTheorem, kNoTheorem},
-    {kLoad, kTheorem, kNoTheorem},
-    {kLoadPaving, kTheorem, kNoTheorem},
-    {kWayLimitMargin, kTheorem, kNoWayTheorem},
-    {kWayBound, kTheorem, kNoWayTheorem},
+    {kLoadPaving, kTheorem, kNoTheoremOfLoadPavings},
     {kWayCondition2, kTheorem, kNoTheorem},
-    {kWayLoad, kTheorem, kNoTheorem},
-    {kWayLoadPaving, kTheorem, kNoTheorem},
-    {kWayDatasheet, kTheorem, kNoWayTheorem},
+    {kWayLoadPaving, kTheorem, kNoTheoremOfLoadPavings},
     {kClosureCheck, kShards, kNoShardsOfClosures},
     {kClosurePaving, kProof, kNoProofOfPavings},
     {kClosurePaving, kShards, kNoProofOfPavings, false},
     {kClosurePaving, kTheorem, kNoProofOfPavings, false},
     {kClosureMargin, kShards, kNoShardsOfClosures},
-    {kClosureMargin, kTheorem, kNoTheoremOfClosures},
     {kClosureLimitMargin, kShards, kNoShardsOfClosures},
-    {kClosureLimitMargin, kTheorem, kNoTheoremOfClosures},
     {kClosureBound, kShards, kNoShardsOfClosures},
-    {kClosureBound, kTheorem, kNoTheoremOfClosures},
     {kClosureCondition2, kShards, kNoShardsOfClosures},
-    {kClosureCondition2, kTheorem, kNoTheoremOfClosures},
+    {kClosureCondition2, kTheorem, kNoTheorem},
     {kClosureLoad, kShards, kNoShardsOfClosures},
-    {kClosureLoad, kTheorem, kNoTheoremOfClosures},
     {kClosureLoadPaving, kProof, kNoProofOfLoadPavings},
     {kClosureLoadPaving, kShards, kNoProofOfLoadPavings, false},
     {kClosureLoadPaving, kTheorem, kNoProofOfLoadPavings, false},
     {kClosureDatasheet, kShards, kNoShardsOfClosures},
-    {kClosureDatasheet, kTheorem, kNoTheoremOfClosures},
     {kFiniteErrors, kShards, kNoShardsOfClosures},
-    {kFiniteErrors, kTheorem, kNoTheoremOfClosures},
+    {kFiniteErrors, kTheorem, kNoTheoremOfFiniteErrors},
     {kWayFiniteErrors, kAnswer, kNoFiniteErrors},
     {kClosureFiniteErrors, kShards, kNoShardsOfClosures},
-    {kClosureFiniteErrors, kTheorem, kNoTheoremOfClosures},
+    {kClosureFiniteErrors, kTheorem, kNoTheoremOfFiniteErrors},
     {kWaySolve, kAnswer, kNoWayOfSolutions},
     {kClosureWayCheck, kShards, kNoShardsOfClosures},
     {kClosureWayCheck, kTheorem, kNoTheoremOfClosureWays},
@@ -122,7 +114,7 @@ constexpr Refusal kRefusals[] = {
     {kClosureWayLoad, kAnswer, kOnlyCheckOfClosureWays},
     {kClosureWayLoadPaving, kAnswer, kOnlyCheckOfClosureWays},
     {kClosureWayDatasheet, kAnswer, kOnlyCheckOfClosureWays},
-    {kClosureWayCondition2, kAnswer, kNoCondition2OfClosures},
+    {kClosureWayCondition2, kAnswer, kOnlyCheckOfClosureWays},
     {kClosureWayFiniteErrors, kAnswer, kNoFiniteErrors},
     {kClosureWaySolve, kAnswer, kNoWayOfSolutions},
     {kSolve, kShards, kNoShardsOfSolutions},
@@ -286,9 +278,9 @@ constexpr std::string_view kIntroduction =
     "Python "
     "ask the same\nquestions as the command. Every search takes limits, threads and an interrupt, "
     "and "
-    "shows its progress on\na terminal. Coq proves bounds of forces over ranges, and no other "
-    "bounds "
-    "of quantities.\n\n";
+    "shows its progress on\na terminal. Of bounds, Coq proves those of forces, and over the branch "
+    "of a [closure]\nthose of errors and speeds; of loads, that forces within limits hold "
+    "them.\n\n";
 
 /// Returns the number of a reason, from 1.
 std::size_t number_of(std::string_view reason, std::vector<std::string_view>& reasons) {

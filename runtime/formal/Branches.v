@@ -675,8 +675,10 @@ Definition check_branch (c : closure) (full : nat) (around tight : tube) (g : tu
   | _, _, _, _ => false
   end.
 
-Theorem check_branch_correct c full around tight g :
-  check_branch c full around tight g = true -> one_branch c.
+Lemma check_branch_holds c full around tight g :
+  check_branch c full around tight g = true -> is_given c /\
+  exists root, enclose_ranges (ranges (places c)) = Some root /\
+    check_tubes c full g root = true /\ is_branch c (configuration c full g root).
 Proof.
   unfold check_branch. destruct (enclose_ranges (ranges (places c))) as [root|] eqn:R;
     [|discriminate].
@@ -687,11 +689,10 @@ Proof.
   apply Nat.eqb_eq in H1.
   apply enclose_values_correct in S as [S1 S2]. apply enclose_values_correct in M as [M1 M2].
   apply enclose_values_correct in D as [D1 D2].
-  split; [exact (enclose_ranges_defined (places c) root R)|]. split; [exact H1|].
-  split.
+  split; [split; [exact (enclose_ranges_defined (places c) root R)|split; [exact H1|]]|].
   { split; [exact S1|]. rewrite Forall_forall in *. intros u U.
     split; [apply M1|apply D1]; apply in_map, U. }
-  exists (configuration c full g root).
+  exists root. split; [reflexivity|]. split; [exact H2|].
   assert (rooted : forall x, in_set (places c) x -> in_box root x).
   { intros x X. eapply enclose_ranges_correct; [exact R|apply X]. }
   assert (held : forall x, in_set (places c) x ->
@@ -766,6 +767,13 @@ Proof.
       by (intros; apply held, I).
     split; [exact (configuration_continuous c full g root H2 m C B Hm)|].
     intros q Cq Sq t0 E. exact (configuration_unique c full g root H2 m C B Hm q Cq Sq t0 E).
+Qed.
+
+Theorem check_branch_correct c full around tight g :
+  check_branch c full around tight g = true -> one_branch c.
+Proof.
+  intros H. apply check_branch_holds in H as (G & root & _ & _ & B).
+  split; [exact G|]. exists (configuration c full g root). exact B.
 Qed.
 
 (** ** Hints *)

@@ -76,13 +76,17 @@ Definition start_defined (c : closure) : Prop :=
     has a value there, and the equations are regular. At the start it is the only configuration near
     the values that the model gives. However the mechanism moves in the set, p moves continuously,
     and a configuration that moves continuously is p all the time if it is p once. *)
-Definition one_branch (c : closure) : Prop :=
-  ends_defined (places c) /\ length (equations c) = unknowns c /\ start_defined c /\
-  exists p : list R -> list R,
-    (forall x, in_set (places c) x ->
-       solves c x (p x) /\ has_values c x (p x) /\ regular_at c x (p x)) /\
-    (forall q, solves c (the_start c) q /\ is_near c q <-> q = p (the_start c)) /\
-    (forall m, continuous_motion m -> (forall t, in_set (places c) (m t)) ->
-       continuous_motion (fun t => p (m t)) /\
-       forall q, continuous_motion q -> (forall t, solves c (m t) (q t)) ->
-         forall t0, q t0 = p (m t0) -> forall t, q t = p (m t)).
+Definition is_branch (c : closure) (p : list R -> list R) : Prop :=
+  (forall x, in_set (places c) x ->
+     solves c x (p x) /\ has_values c x (p x) /\ regular_at c x (p x)) /\
+  (forall q, solves c (the_start c) q /\ is_near c q <-> q = p (the_start c)) /\
+  (forall m, continuous_motion m -> (forall t, in_set (places c) (m t)) ->
+     continuous_motion (fun t => p (m t)) /\
+     forall q, continuous_motion q -> (forall t, solves c (m t) (q t)) ->
+       forall t0, q t0 = p (m t0) -> forall t, q t = p (m t)).
+
+(** The ends of the ranges and the start have values. *)
+Definition is_given (c : closure) : Prop :=
+  ends_defined (places c) /\ length (equations c) = unknowns c /\ start_defined c.
+
+Definition one_branch (c : closure) : Prop := is_given c /\ exists p, is_branch c p.

@@ -289,26 +289,27 @@ Proof.
   - apply nth_overflow. rewrite app_length. simpl. lia.
 Qed.
 
-Theorem slopes_correct ds : forall names s moving w L,
-  on_curve names s moving w -> L = extend (names s) ds -> all_defined (names s) ds ->
+(** L begins with the names at s. *)
+Theorem slopes_correct ds : forall names s moving w L rest,
+  on_curve names s moving w -> L = extend (names s) ds ++ rest -> all_defined (names s) ds ->
   all_defined (L ++ w) (slopes (length L) moving ds) ->
   exists w', extend (L ++ w) (slopes (length L) moving ds) = L ++ w' /\
     on_curve (fun t => extend (names t) ds) s (moving_names (length L) moving ds) w'.
 Proof.
-  induction ds as [|d ds IH]; intros names s moving w L C E D S.
+  induction ds as [|d ds IH]; intros names s moving w L rest C E D S.
   { exists w. split; [reflexivity|]. exact C. }
   simpl in E, D, S |- *. destruct D as [D1 D2]. destruct S as [S1 S2].
   set (N := length L) in *. set (sl := slope N moving d) in *.
   assert (same : forall k, (k < length (names s))%nat -> nth k (L ++ w) 0 = nth k (names s) 0).
   { intros k K. destruct (extend_prefix (d :: ds) (names s)) as [l P]. simpl in P.
-    rewrite E, P, <- app_assoc. apply app_nth1, K. }
+    rewrite E, P, <- !app_assoc. apply app_nth1, K. }
   assert (moves : forall k, nth k moving false = true ->
             is_derive (fun t => nth k (names t) 0) s (nth (N + k) (L ++ w) 0)).
   { intros k K. rewrite app_nth2 by (unfold N; lia). unfold N.
     replace (length L + k - length L)%nat with k by lia. apply C, K. }
   set (v := value (L ++ w) (slope_or_zero sl)).
-  destruct (IH (fun t => names t ++ [value (names t) d]) s (moving ++ [moves_with sl]) (w ++ [v]) L)
-    as [w' [E' C']].
+  destruct (IH (fun t => names t ++ [value (names t) d]) s (moving ++ [moves_with sl]) (w ++ [v]) L
+    rest) as [w' [E' C']].
   - split.
     + intros t. rewrite !app_length. simpl. rewrite (same_length _ _ _ _ C). reflexivity.
     + rewrite !app_length. simpl. rewrite (moving_length _ _ _ _ C). reflexivity.

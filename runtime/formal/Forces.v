@@ -408,3 +408,46 @@ Proof.
   intros H. apply andb_prop in H as [K H].
   exact (below_correct _ _ _ _ K (check_tree_correct _ _ t H)).
 Qed.
+
+(** The same for a trajectory, without and with a hint for each piece. *)
+Definition check_force_pieces (ends : expression -> expression * expression)
+    (q : list expression -> question) (p : nat) (load : list expression) (limit : expression)
+    (m : method) (pieces : list (list expression)) : bool :=
+  forallb (fun piece => check_force ends (q piece) p load limit m) pieces.
+
+Definition check_force_piece_trees (ends : expression -> expression * expression)
+    (q : list expression -> question) (p : nat) (load : list expression) (limit : expression)
+    (m : method) : list (list expression) -> list tree -> bool :=
+  check_each (fun q => check_force_tree ends q p load limit m) q.
+
+Theorem check_force_within_pieces_correct q p load limit m pieces :
+  check_force_pieces range_within q p load limit m pieces = true ->
+  Forall (fun piece => force_within (q piece) p load limit) pieces.
+Proof.
+  unfold check_force_pieces. rewrite forallb_forall. intros H. apply Forall_forall.
+  intros piece P. exact (check_force_within_correct _ _ _ _ m (H piece P)).
+Qed.
+
+Theorem check_force_below_pieces_correct q p load limit m pieces :
+  check_force_pieces range_below q p load limit m pieces = true ->
+  Forall (fun piece => force_below (q piece) p load limit) pieces.
+Proof.
+  unfold check_force_pieces. rewrite forallb_forall. intros H. apply Forall_forall.
+  intros piece P. exact (check_force_below_correct _ _ _ _ m (H piece P)).
+Qed.
+
+Theorem check_force_within_piece_trees_correct q p load limit m pieces trees :
+  check_force_piece_trees range_within q p load limit m pieces trees = true ->
+  Forall (fun piece => force_within (q piece) p load limit) pieces.
+Proof.
+  apply (check_each_correct _ (fun q => force_within q p load limit)).
+  intros q' t. apply check_force_within_tree_correct.
+Qed.
+
+Theorem check_force_below_piece_trees_correct q p load limit m pieces trees :
+  check_force_piece_trees range_below q p load limit m pieces trees = true ->
+  Forall (fun piece => force_below (q piece) p load limit) pieces.
+Proof.
+  apply (check_each_correct _ (fun q => force_below q p load limit)).
+  intros q' t. apply check_force_below_tree_correct.
+Qed.

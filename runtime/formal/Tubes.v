@@ -345,7 +345,8 @@ Section Partial_derivative.
     rewrite <- Ln in D, De.
     assert (EL : names = extend (curve (u j)) (further c)).
     { unfold names, names_at, curve. rewrite U. reflexivity. }
-    destruct (slopes_correct (further c) curve (u j) _ w names C EL) as [w' [E C']].
+    destruct (slopes_correct (further c) curve (u j) _ w names [] C) as [w' [E C']].
+    { rewrite app_nil_r. exact EL. }
     { unfold curve. rewrite U. exact further_defined. }
     { exact D. }
     rewrite E in De.
@@ -715,13 +716,17 @@ Section At_place.
       [lra|]. pose proof (Rabs_pos_lt _ N). lra.
   Qed.
 
-  Lemma regular_in_tube p : in_tube n t x p -> has_values c x p /\ regular_at c x p.
+  (** The derivatives of the equations at a configuration of the tube. *)
+  Lemma slopes_in_tube p : in_tube n t x p ->
+    let a := slopes_at (fun i => nth i p 0 - axis t x i) in
+    (forall i j, (i < n)%nat -> (j < n)%nat ->
+       derivable_pt_lim (fun s => equation_at c x (put j s p) i) (nth j p 0) (a i j)) /\
+    full_column_rank n n a.
   Proof.
     intros P. pose proof (distances_inside p P) as U. set (u := fun i => nth i p 0 - axis t x i) in
       *.
     assert (E : beside n t x u = p) by apply beside_of, P.
-    split; [rewrite <- E; apply values_inside, U|].
-    exists (slopes_at u). split.
+    split.
     - intros i j I J. apply is_derive_Reals.
       apply (is_derive_ext (fun s => error_at (update u j (s - axis t x j)) i)).
       { intros s. unfold error_at. f_equal. rewrite <- E. apply list_equal.
@@ -737,5 +742,12 @@ Section At_place.
     - apply (regular_inside n slopes_at inverse_of_middle spread_of reach_of);
         try assumption; try exact error_ext; try exact contracts_here; intros;
         first [apply partial_inside|apply spread_inside|apply tests]; assumption.
+  Qed.
+
+  Lemma regular_in_tube p : in_tube n t x p -> has_values c x p /\ regular_at c x p.
+  Proof.
+    intros P. split.
+    - rewrite <- (beside_of n t x p) by apply P. apply values_inside, distances_inside, P.
+    - eexists. exact (slopes_in_tube p P).
   Qed.
 End At_place.

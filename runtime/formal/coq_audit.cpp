@@ -19,31 +19,50 @@ constexpr auto kImports = std::to_array<std::string_view>(
     {"From Coq Require Import List", "From Coq Require Import PrimFloat",
      "From Regulus Require Import Expressions Questions Search Singularity Threshold Forces",
      "From Regulus Require Import Notations", "Import ListNotations"});
-/// In place of the third one, of a closure.
+/// In place of the third one, of a closure, of a quantity over its branch, and of forces within limits.
 constexpr std::string_view kClosureImport =
     "From Regulus Require Import Expressions Questions Search Closures Tubes Branches";
+constexpr std::string_view kRatesImport =
+    "From Regulus Require Import Expressions Questions Search Closures Tubes Branches Rates";
+constexpr std::string_view kLimitsImport =
+    "From Regulus Require Import Expressions Questions Search Singularity Threshold Forces Limits";
 
 /// The definitions of a file, but for those of its names.
-constexpr auto kDefinitions = std::to_array<std::string_view>(
-    {"the_question : question", "the_question ( piece : list expression ) : question",
-     "the_method : method", "pieces : list ( list expression )", "the_tree : tree",
-     "the_trees : list tree", "negative : coordinates", "positive : coordinates",
-     "the_point : coordinates", "the_scales : list expression", "the_threshold : expression",
-     "the_closure : closure", "the_tubes : tubes", "the_row : nat", "the_load : list expression",
-     "the_limit : expression"});
+constexpr auto kDefinitions =
+    std::to_array<std::string_view>({"the_question : question",
+                                     "the_question ( piece : list expression ) : question",
+                                     "the_method : method",
+                                     "pieces : list ( list expression )",
+                                     "the_tree : tree",
+                                     "the_trees : list tree",
+                                     "negative : coordinates",
+                                     "positive : coordinates",
+                                     "the_point : coordinates",
+                                     "the_scales : list expression",
+                                     "the_threshold : expression",
+                                     "the_closure : closure",
+                                     "the_tubes : tubes",
+                                     "the_row : nat",
+                                     "the_load : list expression",
+                                     "the_limit : expression",
+                                     "the_limits : list ( expression * expression )",
+                                     "the_motors : list nat",
+                                     "the_measure : measured",
+                                     "the_vectors : vectors"});
 
 /// The words of their bodies. Each has one meaning, that of the imports: no definition has its name.
 constexpr auto kWords = std::to_array<std::string_view>(
-    {"Closure", "Tube",  "Excluded", "Held",     "Cut",         "Question", "Method", "Name",
-     "Leaf",    "Split", "within",   "nth",      "piece",       "no_entry", "pi",     "sqrt",
-     "sin",     "cos",   "tan",      "asin",     "acos",        "atan",     "atan2",  "exp",
+    {"Vectors", "Force", "Motion",   "nat",      "Closure",     "Tube",  "Excluded",
+     "Held",    "Cut",   "Question", "Method",   "Name",        "Leaf",  "Split",
+     "within",  "nth",   "piece",    "no_entry", "pi",          "sqrt",  "sin",
+     "cos",     "tan",   "asin",     "acos",     "atan",        "atan2", "exp",
      "log",     "abs",   "float",    "infinity", "neg_infinity"});
 
 constexpr std::string_view kSymbols = "()[];,+-*/^%";
 
 /// The claims about one question, and where the library defines them.
 struct Claim {
-  std::string_view name, arguments;
+  std::string_view name, arguments, library = "Questions";
 };
 constexpr auto kClaims =
     std::to_array<Claim>({{"no_singularity", ""},
@@ -51,7 +70,16 @@ constexpr auto kClaims =
                           {"determinant_above", " the_scales the_threshold"},
                           {"determinant_not_above", " the_scales the_threshold"},
                           {"force_within", " the_row the_load the_limit"},
-                          {"force_below", " the_row the_load the_limit"}});
+                          {"force_below", " the_row the_load the_limit"},
+                          {"forces_within_limits", " the_scales the_load the_limits", "Limits"}});
+
+/// The claims about a closure.
+constexpr auto kBranchClaims = std::to_array<Claim>(
+    {{"one_branch", "", "Closures"},
+     {"branch_within", " the_motors the_measure the_vectors the_limit", "Rates"},
+     {"branch_below", " the_motors the_measure the_vectors the_limit", "Rates"},
+     {"branch_above", " the_motors the_measure the_vectors the_limit", "Rates"},
+     {"branch_within_limits", " the_motors the_vectors the_limits", "Rates"}});
 
 /// Returns the words with the path of the audited file before each of its own.
 std::string with_paths(std::string_view words) {
@@ -69,10 +97,7 @@ class PlainReader {
   explicit PlainReader(std::string_view text) : sentences_(text) {}
 
   PlainTheorem read() {
-    for (const std::string_view import : kImports) {
-      is_closure_ |= import == kImports[2] && sentences_.current() == kClosureImport;
-      sentences_.expect(is_closure_ && import == kImports[2] ? kClosureImport : import);
-    }
+    for (const std::string_view import : kImports) expect_import(import);
     while (!sentences_.at_end() && sentences_.words().front().text == "Definition") definition();
     PlainTheorem theorem = statement();
     proof();
@@ -83,6 +108,15 @@ class PlainReader {
 
  private:
   [[noreturn]] void fail(const std::string& what) const { sentences_.fail(what); }
+
+  void expect_import(std::string_view import) {
+    const std::string current = sentences_.current();
+    const bool is_of_closure = current == kClosureImport || current == kRatesImport;
+    if (import != kImports[2] || !(is_of_closure || current == kLimitsImport))
+      return sentences_.expect(import);
+    is_closure_ = is_of_closure;
+    sentences_.next();
+  }
 
   void definition() {
     const Sentence& words = sentences_.words();
@@ -120,13 +154,11 @@ class PlainReader {
     const std::string sentence = sentences_.current();
     if (!sentence.starts_with(kBegin)) fail("expected a definition, or the theorem the_claim");
     const std::string stated = sentence.substr(kBegin.size());
-    if (is_closure_) {
-      if (stated != "one_branch the_closure") fail("the statement is not that of a closure");
-      return {stated, "Regulus.Closures.one_branch" + with_paths("the_closure")};
-    }
+    if (is_closure_) return branch_statement(stated);
     for (const Claim& claim : kClaims) {
       const std::string name(claim.name), arguments(claim.arguments);
-      const std::string path = "Regulus.Questions." + name, own = with_paths(arguments);
+      const std::string path = "Regulus." + std::string(claim.library) + "." + name,
+                        own = with_paths(arguments);
       if (stated == name + " the_question" + arguments)
         return {stated, path + with_paths("the_question") + own};
       if (stated ==
@@ -136,6 +168,16 @@ class PlainReader {
                             with_paths("pieces")};
     }
     fail("the statement is not one of regulus-verify");
+  }
+
+  [[nodiscard]] PlainTheorem branch_statement(const std::string& stated) const {
+    for (const Claim& claim : kBranchClaims) {
+      const std::string name(claim.name), arguments = " the_closure" + std::string(claim.arguments);
+      if (stated == name + arguments)
+        return {stated,
+                "Regulus." + std::string(claim.library) + '.' + name + with_paths(arguments)};
+    }
+    fail("the statement is not that of a closure");
   }
 
   /// Whatever the proof applies, Coq checks it; no word of it can do anything else.

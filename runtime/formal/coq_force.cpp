@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "runtime/formal/coq_load.hpp"
 #include "runtime/formal/coq_question.hpp"
 #include "runtime/verifier/infix_reader.hpp"
 #include "runtime/verifier/proof.hpp"
@@ -14,8 +15,7 @@ namespace regulus::verifier {
 namespace {
 
 [[noreturn]] void refuse_force(const std::string& why) {
-  throw Unfinished("this is not the certificate of a bound of a force: " + why +
-                   "; without --force, the theorem is about its matrix");
+  throw Unfinished("there is no theorem about a force for this certificate: " + why);
 }
 
 /// A name, a number or another character of an expression, and the parentheses around it.
@@ -61,12 +61,6 @@ std::vector<Token> tokens_of(std::string_view text) {
     at = end;
   }
   return tokens;
-}
-
-bool contains(std::string_view text, std::string_view name) {
-  return std::ranges::any_of(tokens_of(text), [&](const Token& t) {
-    return text.substr(t.begin, t.end - t.begin) == name;
-  });
 }
 
 /// A term of a sum, or a factor of a product, with the operator before it.
@@ -134,7 +128,7 @@ std::string without_factor(std::string_view product, const std::string& r) {
   std::string rest;
   for (const Operand& f : factors)
     rest += rest.empty() ? (f.operation == '/' ? "1/" : "") + f.text : f.operation + f.text;
-  if (contains(rest, r)) refuse_force("'" + std::string(product) + "' is not linear in " + r);
+  if (mentions(rest, r)) refuse_force("'" + std::string(product) + "' is not linear in " + r);
   return rest.empty() ? "1" : rest;
 }
 
@@ -146,7 +140,7 @@ struct Entry {
 Entry split_entry(std::string_view text, const std::string& r) {
   std::vector<Operand> plain, load;
   for (Operand& term : terms_of(text)) {
-    if (!contains(term.text, r)) {
+    if (!mentions(term.text, r)) {
       plain.push_back(std::move(term));
       continue;
     }
@@ -205,7 +199,7 @@ class ForceReader {
     if (key == "entry")
       force_.question += "entry " + entry(rest);
     else if (key == "model" || key == "motion" || key == "claim" || key == "verdict" ||
-             !contains(rest, r_))
+             !mentions(rest, r_))
       force_.question += line;
     else
       refuse_force(
@@ -217,7 +211,7 @@ class ForceReader {
   std::string entry(std::string_view text) {
     const std::size_t row = entries_ / q_.columns, column = entries_ % q_.columns;
     ++entries_;
-    if (!contains(text, r_)) return std::string(text);
+    if (!mentions(text, r_)) return std::string(text);
     if (has_row_ && row != force_.row) refuse_force("two rows of its matrix depend on " + r_);
     has_row_ = true;
     force_.row = row;
@@ -237,16 +231,19 @@ class ForceReader {
 class ClaimedForceReader {
  public:
   ClaimedForceReader(const Question& question, const std::vector<std::string>& lines)
-      : q_(question), claimed_(*question.quantity), lines_(lines) {
+      : claimed_(*question.quantity), lines_(lines) {
     if (claimed_.kind != format::kForce) refuse_force("it bounds another quantity");
-    if (q_.singular) refuse_force("its claim is that a value is attained");
-    if (!is_zero_number(q_.graph, claimed_.reference))
+    if (question.singular) refuse_force("its claim is that a value is attained");
+    if (!is_zero_number(question.graph, claimed_.reference))
       refuse_force("there is no theorem yet about a largest force below 0 or a least one above 0");
     force_.row = claimed_.row;
     force_.is_two_sided =
-        claimed_.side == format::kAbsolute && !is_symmetric(q_.graph, *claimed_.set);
+        claimed_.side == format::kAbsolute && !is_symmetric(question.graph, *claimed_.set);
     for (const std::string& line : lines_) read(line);
-    write_question();
+    const LoadVariables load = load_variables(question, *claimed_.set, lines_);
+    for (const std::string& w : load.components)
+      force_.load.push_back(w == "0" ? "0" : of_side(over_scale(w)));
+    force_.question = question_with(load, question, lines_, "quantity ", line_of_factor());
   }
 
   ForceQuestion take() { return std::move(force_); }
@@ -256,37 +253,11 @@ class ClaimedForceReader {
     std::string_view rest = line;
     const std::string_view key = take_until(rest, " ");
     if (key == "scale" && scales_++ == force_.row) scale_ = rest;
-    if (key == "wrench")
-      middles_.emplace_back(take_until(rest, " +- ")), spreads_.emplace_back(rest);
-    if (key == "wrench-ball") read_ball(rest);
     if (key == "bound") force_.limit = of_side(std::string(rest));
-  }
-
-  void read_ball(std::string_view rest) {
-    const std::string radius(take_until(rest, " in "));
-    balls_.emplace_back();
-    for (const std::string_view word : words_of(rest)) {
-      const std::size_t component = read_count(word, q_.columns) - 1;
-      spreads_[component] = radius;
-      balls_.back().push_back(component);
-    }
   }
 
   [[nodiscard]] std::string of_side(const std::string& value) const {
     return claimed_.side == format::kLeast ? "-(" + value + ')' : value;
-  }
-
-  [[nodiscard]] std::string name_of(std::size_t component) const {
-    std::string name = "load_" + claimed_.set->name + '_' + std::to_string(component + 1);
-    std::replace(name.begin(), name.end(), '-', '_');
-    return free_name(std::move(name));
-  }
-
-  [[nodiscard]] std::string free_name(std::string name) const {
-    while (
-        std::ranges::any_of(lines_, [&](const std::string& line) { return contains(line, name); }))
-      name += '_';
-    return name;
   }
 
   /// Returns w/s for a component of the load.
@@ -295,7 +266,7 @@ class ClaimedForceReader {
   }
 
   [[nodiscard]] std::string name_of_factor() const {
-    return free_name("factor_" + std::to_string(force_.row + 1));
+    return free_name("factor_" + std::to_string(force_.row + 1), lines_);
   }
 
   /// Returns the line that gives 1/s its name.
@@ -308,43 +279,8 @@ class ClaimedForceReader {
            (is_reciprocal ? factors[1].text : "1/(" + scale_ + ')') + '\n';
   }
 
-  /// Writes the lines of the load among those of the constants, and the claim about the matrix.
-  void write_question() {
-    std::string uncertain;
-    std::size_t added = 0;
-    for (std::size_t k = 0; k < middles_.size(); ++k) {
-      const bool varies = spreads_[k] != "0";
-      const std::string name = varies ? name_of(k) : '(' + middles_[k] + ')';
-      if (varies)
-        ++added,
-            uncertain += "uncertain " + name + " = " + middles_[k] + " +- " + spreads_[k] + '\n';
-      force_.load.push_back(middles_[k] == "0" && !varies ? "0" : of_side(over_scale(name)));
-    }
-    for (const auto& ball : balls_) {
-      if (spreads_[ball.front()] == "0") continue;
-      uncertain += "ball";
-      for (const std::size_t k : ball) uncertain += ' ' + name_of(k);
-      uncertain += '\n';
-    }
-    format::ClaimedSet set = q_.claimed_set();
-    set.uncertain += added;
-    for (const std::string& line : lines_) {
-      if (line.starts_with("quantity ")) break;
-      if (line.starts_with("pose ") || line.starts_with("let ") || line.starts_with("matrix "))
-        force_.question += std::exchange(uncertain, "");
-      if (line.starts_with("matrix ")) force_.question += line_of_factor();
-      force_.question +=
-          line.starts_with("claim ") ? "claim " + format::describe_claim(set, false) : line;
-      force_.question += '\n';
-    }
-    force_.question += "proof\n";
-  }
-
-  const Question& q_;
   const QuantityLines& claimed_;
   const std::vector<std::string>& lines_;
-  std::vector<std::string> middles_, spreads_;  ///< by component of the load
-  std::vector<std::vector<std::size_t>> balls_;
   std::string scale_;  ///< of the row
   std::size_t scales_ = 0;
   ForceQuestion force_;

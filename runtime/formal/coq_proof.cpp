@@ -6,8 +6,10 @@
 #include <sstream>
 #include <vector>
 
+#include "runtime/formal/coq_branch.hpp"
 #include "runtime/formal/coq_expression.hpp"
 #include "runtime/formal/coq_force.hpp"
+#include "runtime/formal/coq_load.hpp"
 #include "runtime/formal/coq_question.hpp"
 #include "runtime/formal/coq_tubes.hpp"
 #include "runtime/verifier/pieces.hpp"
@@ -22,8 +24,11 @@ constexpr int kDeepest = 60;
 
 /// The files of the library that a theorem needs.
 std::string imports(const Question& q) {
-  return q.closure ? "Expressions Questions Search Closures Tubes Branches"
-                   : "Expressions Questions Search Singularity Threshold Forces";
+  if (q.closure)
+    return std::string("Expressions Questions Search Closures Tubes Branches") +
+           (q.quantity ? " Rates" : "");
+  return std::string("Expressions Questions Search Singularity Threshold Forces") +
+         (q.load ? " Limits" : "");
 }
 
 std::string heading(const Question& q, const std::string& claim) {
@@ -114,52 +119,127 @@ std::string singular_theorem(Lines& lines, const Question& question) {
   throw Unfinished("there is no theorem about SINGULARITY by '" + lines.text() + "' yet");
 }
 
-/// The theorem about each point of the set; of each piece, if the question has pieces.
-std::string regular_theorem(const Question& question, bool has_pieces) {
-  const std::string of_threshold = question.has_threshold ? " the_scales the_threshold" : "";
-  const std::string check = std::string("check") + (question.has_threshold ? "_determinant" : "") +
-                            (has_pieces ? "_pieces" : "") + "_correct the_question" + of_threshold +
-                            " the_method";
-  const std::string claim = question.has_threshold ? "determinant_above " : "no_singularity ";
-  if (!has_pieces) return theorem(claim + "the_question" + of_threshold, check);
-  return theorem(
-      "Forall (fun piece => " + claim + "(the_question piece)" + of_threshold + ") pieces",
-      check + " pieces");
-}
-
 void refuse_other_claims(const Question& question) {
-  if (question.load)
-    throw Unfinished("a claim about forces within limits cannot be written as a theorem");
   if (question.solutions)
     throw Unfinished("a claim about all solutions cannot be written as a theorem");
 }
 
-void refuse_quantity(const Question& question) {
-  if (question.quantity)
-    throw Unfinished(
-        "a claim about the bound of a quantity is no theorem about a matrix; --force writes the "
-        "theorem about a force");
+/// The tubes of a certificate as hints, and the theorem.
+std::string theorem_of_tubes(Lines& lines, const Question& question, const CoqQuestion& coq,
+                             const VariablesOfCoq& variables, const std::string& claim,
+                             const std::string& check, const std::string& arguments) {
+  return coq_tubes(lines, question, variables) +
+         "\n(** The variables of second order, and how often a box is halved whose tube is too "
+         "narrow. *)\nDefinition the_method : method := Method " +
+         std::to_string(coq.second_order) + " 6.\n" +
+         theorem(claim + " the_closure" + arguments,
+                 check + "_correct the_closure" + arguments + " the_method the_tubes");
+}
+
+/// The theorem about a quantity over the branch of a closure.
+std::string branch_theorem(Lines& lines, const Question& question,
+                           const std::vector<std::string>& kept) {
+  const BranchQuantityText branch = split_branch(question, kept);
+  std::istringstream text(branch.question);
+  Lines plain(text);
+  Question closure;
+  read_question(plain, closure);
+  const CoqQuestion coq = coq_question(lines_of(branch.question), closure);
+  return heading(question) + coq.text + branch.definitions +
+         theorem_of_tubes(lines, question, coq, {branch.places, closure.variables.size()},
+                          branch.claim, "check_" + branch.claim, branch.arguments);
 }
 
 /// The theorem about one branch of a closure. Coq has the tubes of the certificate as hints.
 std::string closure_theorem(Lines& lines, const Question& question,
                             const std::vector<std::string>& kept) {
+  if (question.is_index) throw Unfinished("there is no theorem about a closure in shards");
+  if (question.quantity) return branch_theorem(lines, question, kept);
   if (question.singular)
     throw Unfinished("there is no theorem about a singular configuration of a closure yet");
-  if (question.is_index) throw Unfinished("there is no theorem about a closure in shards");
-  if (question.quantity)
-    throw Unfinished("there is no theorem about the bound of a quantity over a branch yet");
   const CoqQuestion coq = coq_question(kept, question);
-  return heading(question) + coq.text + coq_tubes(lines, question) +
-         "\n(** The variables of second order, and how often a box is halved whose tube is too "
-         "narrow. *)\nDefinition the_method : method := Method " +
-         std::to_string(coq.second_order) + " 6.\n" +
-         theorem("one_branch the_closure",
-                 "check_closure_correct the_closure the_method the_tubes");
+  VariablesOfCoq variables{{}, question.variables.size()};
+  for (std::size_t k = 0; k < variables.count; ++k) variables.places.push_back(k);
+  return heading(question) + coq.text +
+         theorem_of_tubes(lines, question, coq, variables, "one_branch", "check_closure", "");
+}
+
+/// `claim arguments`, of the question or of each piece, and the check that proves it.
+std::string theorem_of_pieces(const std::string& claim, const std::string& check,
+                              const std::string& arguments, bool has_pieces) {
+  const std::string applied = check + (has_pieces ? "_pieces" : "") + "_correct the_question" +
+                              arguments + " the_method" + (has_pieces ? " pieces" : "");
+  if (!has_pieces) return theorem(claim + " the_question" + arguments, applied);
+  return theorem("Forall (fun piece => " + claim + " (the_question piece)" + arguments + ") pieces",
+                 applied);
+}
+
+/// The theorem about each point of the set; of each piece, if the question has pieces.
+std::string regular_theorem(const Question& question, bool has_pieces) {
+  if (question.has_threshold)
+    return theorem_of_pieces("determinant_above", "check_determinant", " the_scales the_threshold",
+                             has_pieces);
+  return theorem_of_pieces("no_singularity", "check", "", has_pieces);
+}
+
+/// The values of the constants of each piece. Empty: the question has no pieces.
+std::string pieces_text(const Pieces& pieces, Graph& graph) {
+  std::vector<CoqItem> values;
+  for (std::size_t k = 0; k < pieces.values.size(); ++k) {
+    std::vector<CoqItem> value;
+    for (const std::string& constant : pieces.values_of(k)) {
+      static_cast<void>(parse(constant, {}, graph));
+      value.push_back({"", coq_expression(constant, {})});
+    }
+    values.push_back({"", coq_list(value, std::string(4, ' '))});
+  }
+  if (values.empty()) return "";
+  return "\nDefinition pieces : list (list expression) :=\n  " + coq_list(values, "   ") + ".\n";
+}
+
+/// The theorem about a force. `bordered`: the question of the certificate, or that of its first piece.
+std::string force(const Question& bordered, const std::vector<std::string>& lines,
+                  const Pieces& pieces) {
+  const ForceQuestion force = split_force(bordered, lines);
+  std::istringstream text(force.question);
+  Lines plain(text);
+  Question question;
+  read_question(plain, question);
+  std::vector<std::string> with_load = lines_of(force.question);
+  for (const std::string& expression : force.load) with_load.push_back("load " + expression);
+  const CoqQuestion coq = coq_question(with_load, question, pieces.names);
+  const std::string kind = force.is_two_sided ? "force_within" : "force_below";
+  const std::string of_pieces = pieces_text(pieces, question.graph);
+  return heading(question, describe(force)) + coq.text +
+         "\n(** The row of the force, the first being row 0, and the limit. *)\n"
+         "Definition the_row : nat := " +
+         std::to_string(force.row) +
+         ".\nDefinition the_limit : expression := " + coq_expression(force.limit, {}) + ".\n" +
+         of_pieces + method(coq) +
+         theorem_of_pieces(kind, "check_" + kind, " the_row the_load the_limit",
+                           !of_pieces.empty());
+}
+
+/// The theorem about forces within limits. `feasible`: the question of the certificate, or that of its
+/// first piece.
+std::string limits(const Question& feasible, const std::vector<std::string>& lines,
+                   const Pieces& pieces) {
+  const LimitsQuestion limits = split_limits(feasible, lines);
+  std::istringstream text(limits.question);
+  Lines plain(text);
+  Question question;
+  read_question(plain, question);
+  std::vector<std::string> with_load = lines_of(limits.question);
+  with_load.insert(with_load.end(), limits.more.begin(), limits.more.end());
+  const CoqQuestion coq = coq_question(with_load, question, pieces.names);
+  const std::string of_pieces = pieces_text(pieces, question.graph);
+  return heading(feasible) + coq.text + of_pieces + method(coq) +
+         theorem_of_pieces("forces_within_limits", "check_limits",
+                           " the_scales the_load the_limits", !of_pieces.empty());
 }
 
 /// The question has the constants of a piece as an argument; the theorem is about all pieces.
-std::string trajectory(Lines& lines) {
+std::string trajectory(Lines& lines, CoqStatement statement) {
   const Pieces pieces = read_pieces(lines);
   std::istringstream text(pieces.question_of(0));
   Lines first(text);
@@ -168,40 +248,13 @@ std::string trajectory(Lines& lines) {
   if (question.singular) throw Rejection("a singular pose lies on one piece: there are several");
   refuse_other_claims(question);
   if (question.closure) throw Unfinished("there is no theorem about a closure along pieces");
-  refuse_quantity(question);
-  const CoqQuestion coq = coq_question(lines_of(pieces.question_of(0)), question, pieces.names);
-  std::vector<CoqItem> values;
-  for (std::size_t k = 0; k < pieces.values.size(); ++k) {
-    std::vector<CoqItem> value;
-    for (const std::string& constant : pieces.values_of(k)) {
-      static_cast<void>(parse(constant, {}, question.graph));
-      value.push_back({"", coq_expression(constant, {})});
-    }
-    values.push_back({"", coq_list(value, std::string(4, ' '))});
-  }
-  return heading(question) + coq.text + "\nDefinition pieces : list (list expression) :=\n  " +
-         coq_list(values, "   ") + ".\n" + method(coq) + regular_theorem(question, true);
-}
-
-/// The theorem about a force. `bordered`: the question of the certificate.
-std::string force(const Question& bordered, const std::vector<std::string>& lines) {
-  const ForceQuestion force = split_force(bordered, lines);
-  std::istringstream text(force.question);
-  Lines plain(text);
-  Question question;
-  read_question(plain, question);
-  std::vector<std::string> with_load = lines_of(force.question);
-  for (const std::string& expression : force.load) with_load.push_back("load " + expression);
-  const CoqQuestion coq = coq_question(with_load, question);
-  const std::string kind = force.is_two_sided ? "force_within" : "force_below";
-  const std::string arguments = " the_question the_row the_load the_limit";
-  return heading(question, describe(force)) + coq.text +
-         "\n(** The row of the force, the first being row 0, and the limit. *)\n"
-         "Definition the_row : nat := " +
-         std::to_string(force.row) +
-         ".\nDefinition the_limit : expression := " + coq_expression(force.limit, {}) + ".\n" +
-         method(coq) +
-         theorem(kind + arguments, "check_" + kind + "_correct" + arguments + " the_method");
+  const std::vector<std::string> kept = lines_of(pieces.question_of(0));
+  if (question.load) return limits(question, kept, pieces);
+  if (question.quantity || statement == CoqStatement::kForce) return force(question, kept, pieces);
+  const CoqQuestion coq = coq_question(kept, question, pieces.names);
+  const std::string of_pieces = pieces_text(pieces, question.graph);
+  return heading(question) + coq.text + of_pieces + method(coq) +
+         regular_theorem(question, !of_pieces.empty());
 }
 
 /// Reads the question, and what its theorem needs of the proof.
@@ -210,12 +263,13 @@ std::string read_and_write(Lines& lines, CoqStatement statement, Question& quest
   lines.keep();
   read_question(lines, question);
   refuse_other_claims(question);
-  if (statement == CoqStatement::kForce && question.closure)
-    throw Unfinished("there is no theorem about a force of a closure yet");
-  if (statement == CoqStatement::kForce) return force(question, lines.take_kept());
-  if (question.is_piecewise) return trajectory(lines);
+  if (statement == CoqStatement::kForce && question.closure && !question.quantity)
+    throw Unfinished("this certificate of a closure states no force");
+  if (question.is_piecewise) return trajectory(lines, statement);
   if (question.closure) return closure_theorem(lines, question, kept = lines.take_kept());
-  refuse_quantity(question);
+  if (question.load) return limits(question, lines.take_kept(), {});
+  if (question.quantity || statement == CoqStatement::kForce)
+    return force(question, lines.take_kept(), {});
   kept = lines.take_kept();
   const CoqQuestion coq = coq_question(kept, question);
   if (question.singular) return heading(question) + coq.text + singular_theorem(lines, question);
@@ -250,6 +304,12 @@ std::string coq_proof(std::istream& certificate, CoqStatement statement, const C
     robot.reason =
         "there is no theorem about a model file with [closure] yet: the_claim states the equations "
         "of the certificate";
+    return text;
+  }
+  if (question.quantity || question.load) {
+    robot.reason =
+        "there is no theorem about the forces of a model file yet: the_claim states the matrix and "
+        "the load of the certificate";
     return text;
   }
   try {

@@ -84,6 +84,7 @@ class QuestionWriter {
       text += "  " + coq_list(*list, "   ") + "\n";
     text += "  " + matrix() + "\n  " + std::to_string(q_.columns) + ".\n";
     if (q_.has_threshold) text += threshold();
+    if (!limits_.empty()) return text + limits();
     return loads_.empty() ? text : text + load();
   }
 
@@ -249,6 +250,8 @@ class QuestionWriter {
       scales_.push_back({"", coq_expression(rest, actual_)});
     else if (key == "load")
       loads_.push_back({"", coq_expression(rest, actual_)});
+    else if (key == "limits")
+      limits_.push_back(limits_of_row(rest));
     else if (key == "defined")
       (q_.closure ? also_ : defined_).push_back({"", coq_expression(rest, actual_)});
     else if (key == "motion-defined")
@@ -314,6 +317,22 @@ class QuestionWriter {
            ".\n";
   }
 
+  /// `least : largest`.
+  static CoqItem limits_of_row(std::string_view rest) {
+    const std::string least = coq_expression(take_until(rest, " : "), {});
+    return {"", "(" + least + ", " + coq_expression(rest, {}) + ")"};
+  }
+
+  [[nodiscard]] std::string limits() const {
+    return "\n(** The scales of the rows, the load, and the least and the largest force of each "
+           "row. "
+           "*)\nDefinition the_scales : list expression :=\n  " +
+           coq_list(scales_, "   ") + ".\nDefinition the_load : list expression :=\n  " +
+           coq_list(loads_, "   ") +
+           ".\nDefinition the_limits : list (expression * expression) :=\n  " +
+           coq_list(limits_, "   ") + ".\n";
+  }
+
   [[nodiscard]] std::string load() const {
     return "\n(** The load, divided by the scale of the row. *)\n"
            "Definition the_load : list expression :=\n  " +
@@ -342,7 +361,8 @@ class QuestionWriter {
   bool has_unknowns_ = false;  ///< what is defined from now on may use them
   std::vector<CoqItem> further_, equations_, also_, near_;  ///< of a closure
   std::vector<std::string> starts_;
-  std::vector<CoqItem> ranges_, definitions_, constraints_, defined_, entries_, scales_, loads_;
+  std::vector<CoqItem> ranges_, definitions_, constraints_, defined_, entries_, scales_, loads_,
+      limits_;
 };
 
 }  // namespace

@@ -38,7 +38,8 @@ struct CoqQuestion {
 };
 
 /// Returns the definitions of a question that has been read without a fault. Lines `load EXPRESSION`
-/// are not part of a certificate, and may follow: the load on the robot, by column.
+/// are not part of a certificate, and may follow: the load on the robot, by column; then lines
+/// `limits E : E`, by row.
 ///
 /// `piece_names`: the constants that each piece of a trajectory gives a value.
 [[nodiscard]] CoqQuestion coq_question(std::vector<std::string> lines, const Question& question,

@@ -46,7 +46,9 @@ std::string theorem_anew(const std::string& name, const std::string& type) {
 
 /// A file that states all theorems of the audited one, and lists their axioms.
 std::string statements_anew(const PlainTheorem& theorem) {
-  std::string text = std::string("Require Coq.Lists.List Regulus.Questions Regulus.Closures ") +
+  std::string text = std::string(
+                         "Require Coq.Lists.List Regulus.Questions Regulus.Closures Regulus.Limits "
+                         "Regulus.Rates ") +
                      kAuditedFolder + '.' + kAuditedFile + ".\n" +
                      theorem_anew("the_claim", theorem.type);
   std::string names = "audited_the_claim";

@@ -27,14 +27,23 @@ std::string doubles(Words words) {
   return text + "]";
 }
 
+/// The numbers of a place at the numbers of their variables in Coq; the other variables have 0.
+std::string at_places(Words words, const std::vector<std::size_t>& places, std::size_t all) {
+  std::vector<std::string_view> spread(all, "0x0p+0");
+  for (std::size_t k = 0; k < words.size(); ++k) spread[places[k]] = words[k];
+  return doubles(spread);
+}
+
 /// `numbers`: x0, c, S row by row, r.
-std::string tube(Words numbers, std::size_t m, std::size_t n) {
+std::string tube(Words numbers, const std::vector<std::size_t>& places, std::size_t all,
+                 std::size_t n) {
+  const std::size_t m = places.size();
   if (numbers.size() != m + 2 * n + n * m) throw Rejection("a tube has another number of numbers");
   std::string rows;
   for (std::size_t i = 0; i < n; ++i)
-    rows += (i == 0 ? "" : "; ") + doubles(numbers.subspan(m + n + i * m, m));
-  return "Held (Tube " + doubles(numbers.first(m)) + " " + doubles(numbers.subspan(m, n)) + " [" +
-         rows + "] " + doubles(numbers.last(n)) + ")";
+    rows += (i == 0 ? "" : "; ") + at_places(numbers.subspan(m + n + i * m, m), places, all);
+  return "Held (Tube " + at_places(numbers.first(m), places, all) + " " +
+         doubles(numbers.subspan(m, n)) + " [" + rows + "] " + doubles(numbers.last(n)) + ")";
 }
 
 /// A box: open, cut in two, or a leaf.
@@ -46,8 +55,8 @@ struct BoxOfTree {
 
 class TreeOfTubes {
  public:
-  TreeOfTubes(Lines& lines, const Question& question)
-      : lines_(lines), m_(question.variables.size()), n_(question.closure->names.size()) {}
+  TreeOfTubes(Lines& lines, const Question& question, const VariablesOfCoq& variables)
+      : lines_(lines), variables_(variables), n_(question.closure->names.size()) {}
 
   std::string text() {
     while (lines_.next()) {
@@ -81,9 +90,10 @@ class TreeOfTubes {
   void cut(const std::vector<std::string_view>& words) {
     BoxOfTree& node = open_box(words[1]);
     if (node.depth == kDeepest) throw Unfinished("too many splits are above a tube");
-    if (read_count(words[2], format::kMostVariables) >= m_)
+    const std::size_t k = read_count(words[2], format::kMostVariables);
+    if (k >= variables_.places.size())
       throw Rejection("there is no variable " + std::string(words[2]));
-    node.text = "Cut " + std::string(words[2]) + " " + coq_double(words[3]);
+    node.text = "Cut " + std::to_string(variables_.places[k]) + " " + coq_double(words[3]);
     node.lower = nodes_.size();
     const BoxOfTree part{"", 0, node.depth + 1};
     nodes_.push_back(part), nodes_.push_back(part);
@@ -94,7 +104,7 @@ class TreeOfTubes {
     if (words[2] == format::kOutsideLeaf && words.size() == 3)
       node.text = "Excluded";
     else if (words[2] == format::kTubeLeaf)
-      node.text = tube(Words(words).subspan(3), m_, n_);
+      node.text = tube(Words(words).subspan(3), variables_.places, variables_.count, n_);
     else
       throw Rejection("there is no rule '" + std::string(words[2]) + "'");
   }
@@ -112,14 +122,15 @@ class TreeOfTubes {
   }
 
   Lines& lines_;
-  const std::size_t m_, n_;
+  const VariablesOfCoq& variables_;
+  const std::size_t n_;
   std::vector<BoxOfTree> nodes_{1};
 };
 
 }  // namespace
 
-std::string coq_tubes(Lines& lines, const Question& question) {
-  return TreeOfTubes(lines, question).text();
+std::string coq_tubes(Lines& lines, const Question& question, const VariablesOfCoq& variables) {
+  return TreeOfTubes(lines, question, variables).text();
 }
 
 }  // namespace regulus::verifier

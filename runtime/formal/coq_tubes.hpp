@@ -3,13 +3,21 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "runtime/verifier/question.hpp"
 
 namespace regulus::verifier {
 
+/// The variables of a certificate among those of a theorem, which may have more.
+struct VariablesOfCoq {
+  std::vector<std::size_t> places;  ///< by variable of the certificate: its number
+  std::size_t count = 0;
+};
+
 /// Reads the proof of a closure, and returns its definition `the_tubes`: the cuts and the tubes, which
 /// are hints for Coq. Throws Rejection if they are no tree.
-[[nodiscard]] std::string coq_tubes(Lines& lines, const Question& question);
+[[nodiscard]] std::string coq_tubes(Lines& lines, const Question& question,
+                                    const VariablesOfCoq& variables);
 
 }  // namespace regulus::verifier

@@ -62,9 +62,17 @@ function(write_force_theorem name limit)
 endfunction()
 write_force_theorem(force 700)
 write_force_theorem(signed_force 2000 --signed)
+write_theorem(limits cable_8 hall --load weight)
+file(WRITE ${WORK_DIR}/platform.csv "x,y,z,roll,pitch,yaw\n0,0,9,0,0,0\n1,0,9.5,0.05,0,0\n1,1,10,0.05,0.05,0.1\n")
+write_theorem(limits_pieces octahedral work --load payload --waypoints ${WORK_DIR}/platform.csv)
+execute_process(COMMAND ${REGULUS} bound ${SOURCE_DIR}/models/octahedral.toml work force --load payload --leg 1
+                        --limit 60 --waypoints ${WORK_DIR}/platform.csv --certificate ${WORK_DIR}/bound --quiet
+                OUTPUT_QUIET)
+expect_success("force_pieces.v" ${VERIFY} --coq force_pieces.v bound.leg_1.safe)
 
 # ---- The reader: Coq reads the same questions.
-foreach(name IN ITEMS pieces names T1 errors tolerance scara singular above force signed_force)
+foreach(name IN ITEMS pieces names T1 errors tolerance scara singular above force signed_force limits
+                 limits_pieces force_pieces)
   expect_success("${name}.v is not read" ${FORMAL} --compare same_${name}.v ${name}.v)
   expect_theorem("Coq reads another question in ${name}.v" same_${name}.v)
 endforeach()
@@ -96,11 +104,11 @@ expect_refused("_match'error" "match")
 
 # ---- Verdicts.
 foreach(name IN ITEMS pieces pieces_above names T1 errors tolerance circle wide scara axes singular above below crossing force
-                 signed_force)
+                 signed_force limits limits_pieces force_pieces)
   expect_success("${name}.v is not proved" ${FORMAL} --hints hinted_${name}.v ${name}.v)
   expect_success("hinted_${name}.v is not proved" ${FORMAL} hinted_${name}.v)
 endforeach()
-foreach(name IN ITEMS pieces pieces_above names circle above force signed_force)
+foreach(name IN ITEMS pieces pieces_above names circle above force signed_force limits limits_pieces force_pieces)
   expect_theorem("Coq refuses hinted_${name}.v" hinted_${name}.v)
 endforeach()
 expect_theorem("Coq refuses below.v" below.v)

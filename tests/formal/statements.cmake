@@ -16,15 +16,13 @@ endforeach()
 function(expect_statement claim model)
   set(command check)
   set(certificate claim.txt)
-  set(statement "")
   if("${ARGN}" MATCHES ";force;.*--leg;([0-9]+)")
     set(command bound)
     set(certificate claim.txt.leg_${CMAKE_MATCH_1}.safe)
-    set(statement --force)
   endif()
   execute_process(COMMAND ${REGULUS} ${command} ${SOURCE_DIR}/models/${model}.toml ${ARGN} --certificate
                           ${WORK_DIR}/claim.txt --quiet OUTPUT_QUIET)
-  execute_process(COMMAND ${VERIFY} --coq ${WORK_DIR}/claim.v ${statement} ${WORK_DIR}/${certificate}
+  execute_process(COMMAND ${VERIFY} --coq ${WORK_DIR}/claim.v ${WORK_DIR}/${certificate}
                   COMMAND_ERROR_IS_FATAL ANY)
   file(READ ${WORK_DIR}/claim.v text)
   string(REPLACE "Questions Search Singularity Threshold Forces." "LinearAlgebra Questions." text "${text}")
@@ -52,3 +50,6 @@ expect_statement("force_within the_question the_row the_load the_limit" robot_1 
                  --leg 3 --limit 2000)
 expect_statement("force_below the_question the_row the_load the_limit" robot_1 table4_5 force --load payload
                  --leg 3 --signed --limit 2000)
+file(WRITE ${WORK_DIR}/way.csv "x,y,z,roll,pitch,yaw\n0,0,9,0,0,0\n1,0,9.5,0.05,0,0\n1,1,10,0.05,0.05,0.1\n")
+expect_statement("Forall (fun piece => force_within (the_question piece) the_row the_load the_limit) pieces" octahedral
+                 work force --load payload --leg 1 --limit 60 --waypoints ${WORK_DIR}/way.csv)

@@ -59,6 +59,10 @@ let write_comparison u text (file : Reader.file) =
        (String.concat ";\n" questions)
     ^
     if not (List.mem "the_load" file.typed) then ""
+    else if List.mem "the_limits" file.typed then
+      Printf.sprintf "Goal (the_scales, the_load, the_limits) = (%s, %s, %s).\nProof. reflexivity. Qed.\n"
+        (Print.list Print.expression file.scales) (Print.list Print.expression file.load)
+        (Print.list Print.pair file.limits)
     else
       Printf.sprintf "Goal (the_row, the_load, the_limit) = (%d%%nat, %s, %s).\nProof. reflexivity. Qed.\n"
         (Search.number_of file.row) (Print.list Print.expression file.load) (Print.expression file.limit))

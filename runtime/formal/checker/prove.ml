@@ -120,10 +120,13 @@ let force (file : Reader.file) side ends =
   let hinted, plain = theorems file ("_force_" ^ side) "the_row the_load the_limit the_method" in
   { searched = (fun q -> bordered q file.row file.load (ends file.limit));
     test = (fun q -> test q (bordered_method file.method_));
-    check = (fun _ trees ->
-      match trees with
-      | [ t ] -> check_force_tree ends (file.question []) file.row file.load file.limit file.method_ t
-      | _ -> false);
+    check = check_force_piece_trees ends file.question file.row file.load file.limit file.method_;
+    hinted; plain }
+
+let limits (file : Reader.file) =
+  let hinted, plain = theorems file "_limits" "the_scales the_load the_limits the_method" in
+  { searched = Fun.id; test = (fun q -> test_limits q file.scales file.load file.limits file.method_);
+    check = check_limits_piece_trees file.question file.scales file.load file.limits file.method_;
     hinted; plain }
 
 let at_points bounds text how check =
@@ -156,10 +159,13 @@ let prove bounds text (file : Reader.file) =
   in
   if states (Printf.sprintf "no_singularity %s") then all (regular file)
   else if states (Printf.sprintf "determinant_above %s the_scales the_threshold") then all (above file)
+  else if states (Printf.sprintf "force_within %s the_row the_load the_limit") then
+    all (force file "within" range_within)
+  else if states (Printf.sprintf "force_below %s the_row the_load the_limit") then
+    all (force file "below" range_below)
+  else if states (Printf.sprintf "forces_within_limits %s the_scales the_load the_limits") then all (limits file)
   else
   match (file.has_pieces, file.statement) with
-  | false, "force_within the_question the_row the_load the_limit" -> all (force file "within" range_within)
-  | false, "force_below the_question the_row the_load the_limit" -> all (force file "below" range_below)
   | false, "singularity the_question"
     when applies "check_singularity_correct the_question negative positive" ->
       at_points bounds text "the determinant changes its sign along a segment" (fun () ->

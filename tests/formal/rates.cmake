@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Theorems about forces, errors and speeds over the branch of a closure: those of a five-bar linkage are
+# proved, and files that are damaged are not.
+include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
+file(READ ${SOURCE_DIR}/models/five_bar_closure.toml model)
+file(WRITE ${WORK_DIR}/five_bar.toml "${model}
+[load.pull] # at P
+wrench = [[-1, 1], -10]
+
+[load.ball]
+wrench = { value = [0, -10], radius = 2 }
+
+[actuators]
+force = [-40, 40]
+speed = 1
+error = \"1/100\"
+")
+
+# expect_proved(CLAIM FILE VERDICT WORDS...): that of the certificate FILE of `regulus WORDS`.
+function(expect_proved claim file verdict command)
+  execute_process(COMMAND ${REGULUS} ${command} five_bar.toml work ${ARGN} --quiet WORKING_DIRECTORY ${WORK_DIR}
+                  OUTPUT_VARIABLE answer ERROR_VARIABLE why)
+  if(NOT answer STREQUAL "${verdict}\n")
+    message(FATAL_ERROR "${ARGN}: ${answer}${why}, expected ${verdict}")
+  endif()
+  expect_answer(PROVED 0 ${WORK_DIR} --theorem ${file} --model five_bar.toml)
+  if(NOT why MATCHES "theorem    ${claim} the_closure the_motors [a-z_ ]*\n")
+    message(FATAL_ERROR "${ARGN}: expected ${claim}\n${why}")
+  endif()
+  expect_answer(PROVED 0 ${WORK_DIR} --audit ${file}.v)
+endfunction()
+
+# expect_no_theorem(FILE WHAT BY WORDS...): of the certificate FILE with other text.
+function(expect_no_theorem file what by)
+  file(READ ${WORK_DIR}/${file} text)
+  string(REPLACE "${what}" "${by}" other "${text}")
+  if(other STREQUAL text)
+    message(FATAL_ERROR "no '${what}' in ${file}")
+  endif()
+  file(WRITE ${WORK_DIR}/other.txt "${other}")
+  execute_process(COMMAND ${VERIFY} --theorem other.txt --library ${LIBRARY} --quiet --time-limit 60 ${ARGN}
+                  WORKING_DIRECTORY ${WORK_DIR} RESULT_VARIABLE code OUTPUT_VARIABLE answer
+                  ERROR_VARIABLE why)
+  if(code EQUAL 0 OR answer STREQUAL "PROVED\n")
+    message(FATAL_ERROR "${file}, ${what} -> ${by}: ${answer}${why}")
+  endif()
+endfunction()
+
+expect_proved(branch_within force.theta1.safe WITHIN bound force --load pull --leg 1 --limit 14 --certificate force)
+expect_proved(branch_within ball.theta2.safe WITHIN bound force --load ball --leg 2 --limit 16 --certificate ball)
+expect_proved(branch_below signed.theta1.safe WITHIN bound force --load pull --leg 1 --signed --limit 14 --certificate
+              signed)
+expect_proved(branch_within error.x.safe WITHIN bound error --limit 1/35 --certificate error)
+expect_proved(branch_within speed.y.safe WITHIN bound speed --limit 3 --certificate speed)
+expect_proved(branch_within_limits limits.txt FEASIBLE check --load pull --certificate limits.txt)
+
+# `regulus bound` finds a force of 12.369 and a speed of 2.368.
+expect_no_theorem(force.theta1.safe "wrench 0 +- 1" "wrench 0 +- 5")
+expect_no_theorem(force.theta1.safe "wrench -10 +- 0" "wrench -20 +- 0")
+expect_no_theorem(ball.theta2.safe "wrench-ball 2 in 1 2" "wrench-ball 20 in 1 2")
+expect_no_theorem(speed.y.safe "motor-speed 1" "motor-speed 2")
+expect_no_theorem(error.x.safe "motor-error 1/100" "motor-error 1/5")
+expect_no_theorem(limits.txt "limits -40 : 40" "limits -10 : 40")
+expect_no_theorem(limits.txt "limits -40 : 40" "limits -40 : 10")
+expect_no_theorem(force.theta1.safe "crank_1 = 1" "crank_1 = 3/2")
+expect_no_theorem(force.theta1.safe "wrench 0 +- 1" "wrench 0 +- -1") # no load at all
+expect_no_theorem(limits.txt "wrench 0 +- 1" "wrench 0 +- -1")
+
+# A bound that is exceeded; the words of the claim have its number, too.
+file(READ ${WORK_DIR}/force.theta1.safe text)
+string(REPLACE "< 14 " "< 12.3 " other "${text}")
+file(WRITE ${WORK_DIR}/smaller.txt "${other}")
+expect_no_theorem(smaller.txt "\nbound 14\n" "\nbound 12.3\n")
+
+# A part of the set has no tube.
+string(REGEX MATCH "\nl [0-9]+ tube [^\n]*" tube "${text}")
+expect_no_theorem(force.theta1.safe "${tube}" "")
+string(REGEX REPLACE " tube .*" " outside" outside "${tube}")
+expect_no_theorem(force.theta1.safe "${tube}" "${outside}")
+
+# Another load is that of no model file.
+expect_no_theorem(force.theta1.safe "wrench 0 +- 1" "wrench 0 +- 1/2" --model five_bar.toml)
+expect_no_theorem(limits.txt "limits -40 : 40" "limits -50 : 50" --model five_bar.toml)
+
+# The audit takes no other statement, nor other words.
+file(READ ${WORK_DIR}/force.theta1.safe.v text)
+string(REPLACE "branch_within the_closure" "branch_below the_closure" other "${text}")
+file(WRITE ${WORK_DIR}/other.v "${other}")
+expect_answer(REJECTED 1 ${WORK_DIR} --audit other.v)
+string(REPLACE "Definition the_method" "Definition branch_within (c : closure) := true = true.\nDefinition the_method"
+               other "${text}")
+file(WRITE ${WORK_DIR}/other.v "${other}")
+expect_answer(REJECTED 1 ${WORK_DIR} --audit other.v)
