@@ -12,14 +12,17 @@
 namespace regulus::verifier {
 namespace {
 
-bool is_of_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+bool is_letter_of_name(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
 
 /// True if a name stands in a text as a word.
 bool names(std::string_view text, std::string_view name) {
   for (std::size_t at = text.find(name); at != std::string_view::npos;
        at = text.find(name, at + 1)) {
     const std::size_t end = at + name.size();
-    if ((at == 0 || !is_of_name(text[at - 1])) && (end == text.size() || !is_of_name(text[end])))
+    if ((at == 0 || !is_letter_of_name(text[at - 1])) &&
+        (end == text.size() || !is_letter_of_name(text[end])))
       return true;
   }
   return false;
