@@ -14,7 +14,9 @@ using GiNaC::ex;
 
 bool is_used(const Model& model, const std::string& name) {
   const auto is_named = [&name](const auto& q) { return q.name == name; };
-  return std::ranges::any_of(model.pose, is_named) || std::ranges::any_of(model.geometry, is_named);
+  return std::ranges::any_of(model.pose, is_named) ||
+         std::ranges::any_of(model.geometry, is_named) ||
+         (model.closure && std::ranges::any_of(model.closure->unknowns, is_named));
 }
 
 std::string unused_name(const Model& model, std::string name) {

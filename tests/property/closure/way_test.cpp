@@ -219,6 +219,20 @@ TEST(AWayOfAClosure, IsTheSameForAllNumbersOfThreads) {
   }
 }
 
+/// The names of a piece are none of the model's.
+TEST(AWayOfAClosure, MayHaveUnknownsWithTheNamesOfAPiece) {
+  const std::string model =
+      "regulus = 1\nname = \"slider\"\n[pose]\nx = \"m\"\n[geometry]\ns_ = 1\n[closure]\n"
+      "unknowns = { s = \"m\", x_c1 = \"m\" }\n"
+      "equations = [\"s^2 - x - s_\", \"x_c1 - s - x\"]\n"
+      "start = { x = 0, s = 1, x_c1 = 1 }\n[motion.m]\nx = [-0.5, 1]\n";
+  const WayFile file("x\n0\n1\n-0.75\n");
+  const CheckedWay checked = check_way_text(model, file.path());
+  ASSERT_EQ(checked.verdict(), Verdict::kNoSingularity) << checked.claim();
+  const verifier::Verification v = verified_way(certified_way(checked), model, file.path());
+  EXPECT_EQ(v.outcome, Outcome::kVerified) << describe(v);
+}
+
 TEST(AWayOfAClosure, BeginsAtTheStart) {
   const FourBar linkage{0.2, 0.35355, 0.25, 0.45};
   const WayFile file(table_of({0.6, 1}));
