@@ -66,6 +66,9 @@ double ExtremeDiscs::least(std::size_t i) const {
 }
 
 bool ExtremeDiscs::are_apart() {
+  high_ = low_ = {Doubles(m_, 1.0), Doubles(n_, 1.0)};
+  // A column that is not 0 has one singular value.
+  if (n_ == 1) return T_ > 1.0 && least(0) > 0.0;
   high_slack_.assign(n_, kInfinity), low_slack_.assign(n_, kInfinity);
   for (std::size_t i = 0; i < n_; ++i)
     for (std::size_t l = 0; l < n_; ++l) {

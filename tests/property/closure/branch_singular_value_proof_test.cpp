@@ -103,6 +103,25 @@ TEST(ProofsOfSingularValues, AreVerifiedAndComparedWithTheirModel) {
   }
 }
 
+/// One equation has one singular value, whose ratio to itself is 1.
+TEST(ProofsOfSingularValues, AreOfOneEquation) {
+  const std::string crank =
+      "regulus = 1\nname = \"crank\"\n[pose]\nx = \"m\"\n[closure]\nunknowns = { phi = \"rad\" }\n"
+      "equations = [\"x - 2*sin(phi)\"]\nstart = { x = 0, phi = 0 }\n[motion.m]\nx = [-1, 1]\n";
+  const auto check = [&](const QuantityOptions& words, double value) {
+    SCOPED_TRACE(words.quantity);
+    const Proofs proofs(crank, words, {.gap = 1e-3});
+    ASSERT_TRUE(proofs.found.is_closed) << proofs.found.reason;
+    EXPECT_NEAR(proofs.found.proved->approx, value, 2e-3 * value);
+    for (const std::string& proof : {proofs.safe, proofs.attained})
+      expect_outcome(proof, crank, verifier::Outcome::kVerified);
+    if (value == 1) expect_not_verified(with_bound(proofs.safe, "1"));
+  };
+  check(kCondition, 1);
+  check(kLargest, 2);
+  check(kLeast, std::sqrt(3.0));
+}
+
 /// At one place the values are known: an end that is beyond the truth by 1e-9 is not verified, and one that
 /// is as far from it on the other side is.
 TEST(ProofsOfSingularValues, HaveNoProofBeyondTheTruth) {
