@@ -137,12 +137,17 @@ class PlainReader {
     sentences_.next();
   }
 
+  /// Only these lists have natural numbers, for which `-` would mean something else.
+  static bool is_of_numbers(const std::string& name) {
+    return name == "the_motors" || name == "the_vectors";
+  }
+
   void check_word(const CoqToken& token, const std::string& itself) const {
     const bool is_known =
         token.kind == Kind::kNumber ||
         (token.kind == Kind::kSymbol && token.text.size() == 1 &&
          kSymbols.find(token.text) != std::string_view::npos) ||
-        is_one_of(token.text, kWords) ||
+        (is_one_of(token.text, kWords) && (token.text != "nat" || is_of_numbers(itself))) ||
         (token.text.starts_with('_') && token.text != itself && defined_.contains(token.text));
     if (!is_known)
       throw Rejection("line " + std::to_string(token.line) + ": '" + std::string(token.text) +

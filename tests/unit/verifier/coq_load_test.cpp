@@ -180,6 +180,16 @@ TEST(ATheoremAboutAQuantityOverABranch, HasAVariableForEachMotor) {
             "RegulusAudited.audited.the_vectors RegulusAudited.audited.the_limit");
 }
 
+TEST(ATheoremAboutAQuantityOverABranch, HasNaturalNumbersInItsListsAlone) {
+  std::string text = proof_of(branch_certificate(
+      std::string("|force of motor 1 under the load a| < 7") + kPlace + " and every vector of it",
+      "quantity force\nside absolute\nrow 1\nload a\nwrench 1 +- 1/2\nbound 7\n"));
+  EXPECT_NO_THROW((void)verifier::read_plain_theorem(text));
+  const std::string limit = "the_limit : expression := 7";
+  text.replace(text.find(limit), limit.size(), "the_limit : expression := (7)%nat");
+  EXPECT_THROW((void)verifier::read_plain_theorem(text), verifier::Rejection);
+}
+
 TEST(ATheoremAboutAQuantityOverABranch, KnowsErrorsAndLimits) {
   const std::string error = proof_of(branch_certificate(
       std::string("|error to first order of unknown 1 by the errors of the motors| < 1/35") +
