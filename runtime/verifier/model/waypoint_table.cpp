@@ -39,9 +39,9 @@ char separator_of(std::string_view heading) {
 }
 
 WaypointTable::Column column_of(std::string_view heading, std::size_t line) {
-  const std::size_t open = heading.find('[');
+  const std::size_t open = heading.find_first_of("[(");
   if (open == std::string_view::npos) return {std::string(heading), ""};
-  if (!heading.ends_with(']')) stop(line, "a bracket is not closed");
+  if (!heading.ends_with(heading[open] == '[' ? ']' : ')')) stop(line, "a bracket is not closed");
   return {std::string(without_space(heading.substr(0, open))),
           std::string(without_space(heading.substr(open + 1, heading.size() - open - 2)))};
 }

@@ -5,6 +5,7 @@
 
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "tests/support/certificate_texts.hpp"
 #include "tests/support/temporary_directory.hpp"
@@ -82,6 +83,16 @@ TEST(ALaterPiece, IsThatOfTheTable) {
   Way way;
   way.second = "2 | 1001/1000";
   expect_rejected(way, "its piece 2 is not the way from line 3 to line 4, where x differs");
+}
+
+TEST(ALaterPiece, HasUnitsInEitherKindOfBrackets) {
+  for (const std::string& heading : std::vector<std::string>{"x [cm]", "x (cm)", "x(cm)"}) {
+    Way way;
+    way.text = heading + "\n0.1\n0.2\n0.3\n";
+    expect_verified(way);
+    way.text = heading + "\n1\n2\n3\n";
+    expect_rejected(way, "where x differs");
+  }
 }
 
 /// With a pose parameter t the column t would be no time, and the spline another one.
