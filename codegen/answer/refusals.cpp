@@ -30,8 +30,7 @@ constexpr std::string_view kNoPageOfTexts =
 constexpr std::string_view kNoTheorem =
     "Coq has theorems about the rank of a matrix, and none about this; regulus-verify proves it";
 constexpr std::string_view kOnlyCheckOfClosureWays =
-    "of a [closure] along way-points check, without a load, is the one question; give the motion "
-    "by "
+    "only check, without a load, asks about a [closure] along way-points; give the motion by "
     "ranges, or by formulas";
 constexpr std::string_view kNoTheoremOfClosureWays =
     "Coq has no theorem about a branch along way-points; regulus-verify proves it";
@@ -43,8 +42,7 @@ constexpr std::string_view kNoPageOfClosureWays =
     "a page does not show a branch along way-points; leave it out";
 constexpr std::string_view kNoTheoremOfFiniteErrors =
     "Coq has theorems about errors to first order, and none about finite ones; regulus-verify "
-    "proves "
-    "it";
+    "proves it";
 constexpr std::string_view kNoShardsOfClosures =
     "the boxes of a branch are linked, so its proof is one file; leave the shards out";
 constexpr std::string_view kNoProofOfPavings =

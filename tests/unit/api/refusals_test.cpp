@@ -120,9 +120,9 @@ TEST(Refusals, OfAClosureAlongWayPointsSayWhatIsAsked) {
   regulus::BoundOptions options;
   options.quantity.quantity = "determinant";
   EXPECT_THAT(message_of([&] { static_cast<void>(regulus::bound(along, options)); }),
-              HasSubstr("check, without a load, is the one question"));
+              HasSubstr("only check, without a load, asks"));
   EXPECT_THAT(message_of([&] { static_cast<void>(regulus::locate(along)); }),
-              HasSubstr("check, without a load, is the one question"));
+              HasSubstr("only check, without a load, asks"));
 }
 
 TEST(Refusals, OfQuantitiesOfAClosureSayWhy) {
