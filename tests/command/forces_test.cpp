@@ -183,7 +183,7 @@ TEST_F(ForcesCommandTest, WritesProofsThatBothVerifiersAccept) {
   EXPECT_GT(paving["paved"]["infeasible"], 0);
   const CommandResult coq = run_command({kVerify, "--coq", folder_.path() / "proof.v", proof});
   EXPECT_NE(coq.exit_code, 0);
-  EXPECT_THAT(coq.errors, HasSubstr("cannot be written as a theorem"));
+  EXPECT_THAT(coq.errors, HasSubstr("there is no theorem about a paving of a load"));
 }
 
 TEST_F(ForcesCommandTest, WritesNoProofThatClaimsNothing) {
