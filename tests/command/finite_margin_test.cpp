@@ -155,5 +155,29 @@ TEST_F(FiniteMargin, RefusesErrorsThatDoNotCount) {
           "--tube");
 }
 
+/// A place of a box around a ball is no place of the ball.
+TEST_F(FiniteMargin, RefusesPointsInBalls) {
+  std::ofstream(model_) << R"(regulus = 1
+name = "ball"
+[pose]
+l = "m"
+[geometry]
+c = { value = [0, 0], radius = 0.1, group = "c" }
+[closure]
+unknowns = { q = "m" }
+equations = ["(q - c_1)^2 - c_2 - l"]
+start = { l = 4, q = 2 }
+[motion.rest]
+l = 4
+)";
+  for (const CommandResult& result :
+       {regulus({"bound", model_}, {"rest", "error", "--finite"}),
+        margin(model_, {"rest", "--tube", "l=0:1", "--limit", "1/2"}),
+        margin(model_, {"rest", "--tolerance", "c=0:0.2", "--limit", "1/2"})}) {
+    EXPECT_EQ(result.exit_code, 64) << result.output;
+    EXPECT_THAT(result.errors, HasSubstr("lies in a ball"));
+  }
+}
+
 }  // namespace
 }  // namespace regulus::test::finite_margin_test

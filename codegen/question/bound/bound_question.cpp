@@ -44,13 +44,17 @@ bool has_finite_errors(const Request& request) {
          !std::ranges::all_of(request.model.geometry, is_zero, &GeometryParameter::tolerance);
 }
 
-void require_finite_errors(const Request& request, const Quantity& quantity) {
+void require_errors_in_ranges(const Request& request, const Quantity& quantity) {
   if (quantity.kind != QuantityKind::kFiniteError) return;
   for (const GeometryParameter& g : request.model.geometry)
     if (g.ball >= 0 && !request.model.balls.at(std::size_t(g.ball)).radius.is_zero())
       throw UsageError("finite errors take tolerances that are ranges; the point of '" + g.name +
                        "' lies in a ball");
-  if (!has_finite_errors(request))
+}
+
+void require_finite_errors(const Request& request, const Quantity& quantity) {
+  require_errors_in_ranges(request, quantity);
+  if (quantity.kind == QuantityKind::kFiniteError && !has_finite_errors(request))
     throw UsageError(
         "nothing has an error: give the motion an `error`, the legs [actuators] error, or the "
         "geometry tolerances");

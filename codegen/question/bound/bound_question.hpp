@@ -24,7 +24,9 @@ struct BoundQuestion {
 
 /// Returns true if the motion or the geometry has errors that finite errors are about.
 [[nodiscard]] bool has_finite_errors(const Request& request);
-/// Throws    UsageError if the quantity is a finite error, and the errors are none or in balls.
+/// Throws    UsageError if the quantity is a finite error, and some tolerance is a ball.
+void require_errors_in_ranges(const Request& request, const Quantity& quantity);
+/// The same; and if there are no errors.
 void require_finite_errors(const Request& request, const Quantity& quantity);
 
 /// Throws    UsageError for a text that is not a constant, or is not positive where it must be.

@@ -8,6 +8,7 @@
 #include "codegen/answer/report/progress.hpp"
 #include "codegen/model/exact/certain_sign.hpp"
 #include "codegen/model/way/trajectory.hpp"
+#include "codegen/question/bound/bound_question.hpp"
 #include "codegen/question/bound/bound_run.hpp"
 #include "codegen/question/bound/bracket_question.hpp"
 #include "codegen/question/bound/quantity_report.hpp"
@@ -191,6 +192,8 @@ LimitMargin limit_margin(const Request& request, const MarginQuestion& question,
   if (question.quantity == MarginQuantity::kAlpha)
     throw UsageError("--alpha: a limit has no threshold; let a tolerance, --scale or --grow grow");
   if (question.quantity == MarginQuantity::kTube) require_errors_that_count(request, question);
+  require_errors_in_ranges(
+      grown(request, question, question.high ? *question.high : decimal_value(1)), quantity);
   return LimitMarginRun(request, question, std::move(quantity), settings, listener).run();
 }
 
