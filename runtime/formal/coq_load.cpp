@@ -84,17 +84,6 @@ class LoadWriter {
 
 }  // namespace
 
-bool mentions(std::string_view text, std::string_view name) {
-  const auto is_part = [](char c) { return is_letter(c) || is_digit(c) || c == '_'; };
-  for (std::size_t at = text.find(name); at != std::string_view::npos;
-       at = text.find(name, at + 1)) {
-    const std::size_t end = at + name.size();
-    const bool begins = at == 0 || !is_part(text[at - 1]);
-    if (begins && (end == text.size() || !is_part(text[end]))) return true;
-  }
-  return false;
-}
-
 std::string free_name(std::string name, const std::vector<std::string>& lines) {
   while (std::ranges::any_of(lines, [&](const std::string& line) { return mentions(line, name); }))
     name += '_';

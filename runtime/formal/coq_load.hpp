@@ -11,9 +11,6 @@
 
 namespace regulus::verifier {
 
-/// Returns true if the name is in an expression or a line.
-[[nodiscard]] bool mentions(std::string_view text, std::string_view name);
-
 /// Returns the name, with '_' at its end until no line mentions it.
 [[nodiscard]] std::string free_name(std::string name, const std::vector<std::string>& lines);
 

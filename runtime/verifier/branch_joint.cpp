@@ -2,31 +2,14 @@
 #include "runtime/verifier/branch_joint.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <string_view>
 
-#include "runtime/verifier/expression.hpp"
+#include "runtime/verifier/infix_reader.hpp"
 #include "runtime/verifier/model/equality.hpp"
 #include "runtime/verifier/single_values.hpp"
 
 namespace regulus::verifier {
 namespace {
-
-bool is_letter_of_name(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
-/// True if a name stands in a text as a word.
-bool names(std::string_view text, std::string_view name) {
-  for (std::size_t at = text.find(name); at != std::string_view::npos;
-       at = text.find(name, at + 1)) {
-    const std::size_t end = at + name.size();
-    if ((at == 0 || !is_letter_of_name(text[at - 1])) &&
-        (end == text.size() || !is_letter_of_name(text[end])))
-      return true;
-  }
-  return false;
-}
 
 bool is_along(Question& q) {
   return !q.variables.empty() && q.variables[0].kind == VariableKind::kParameter &&
@@ -56,7 +39,7 @@ void require_piece_of_closure(const Pieces& pieces, Question& q) {
     rest.remove_prefix(std::min(line.size() + 1, rest.size()));
     if (!line.starts_with("let ") && !line.starts_with("equation ")) continue;
     for (const std::string& name : moving)
-      if (names(line, name))
+      if (mentions(line, name))
         throw Unfinished("an equation uses '" + name + "', which is for the poses of a piece");
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a piece of a motion of a closure meets the one before it. PROOF.md, "Pieces of a closure".
+// Shows that a piece of a closure's motion begins where the one before it ends: PROOF.md, "Pieces of a closure".
 #pragma once
 
 #include "runtime/verifier/pieces.hpp"

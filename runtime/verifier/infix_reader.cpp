@@ -3,6 +3,16 @@
 
 namespace regulus::verifier {
 
+bool mentions(std::string_view text, std::string_view name) {
+  for (std::size_t at = text.find(name); at != std::string_view::npos;
+       at = text.find(name, at + 1)) {
+    const std::size_t end = at + name.size();
+    const bool begins = at == 0 || !is_of_name(text[at - 1]);
+    if (begins && (end == text.size() || !is_of_name(text[end]))) return true;
+  }
+  return false;
+}
+
 NodeId InfixReader::all() {
   const NodeId result = sum();
   if (at_ != text_.size()) fail("an operator or the end");

@@ -10,6 +10,10 @@ namespace regulus::verifier {
 // These do not depend on the locale, as the classifications of <cctype> do.
 inline bool is_digit(char c) noexcept { return '0' <= c && c <= '9'; }
 inline bool is_letter(char c) noexcept { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z'); }
+inline bool is_of_name(char c) noexcept { return is_letter(c) || is_digit(c) || c == '_'; }
+
+/// Returns true if a name stands in a text as a word.
+[[nodiscard]] bool mentions(std::string_view text, std::string_view name);
 
 /// A parser by recursive descent. The derived class defines what a factor is.
 class InfixReader {

@@ -5,15 +5,13 @@
 #include <set>
 
 #include "runtime/verifier/evaluation.hpp"
+#include "runtime/verifier/infix_reader.hpp"
 #include "runtime/verifier/model/equality.hpp"
 
 namespace regulus::verifier {
 namespace {
 
 constexpr std::size_t kMostSigns = 16;
-
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool is_of_name(char c) { return is_letter(c) || c == '_' || (c >= '0' && c <= '9'); }
 
 using NameSet = std::set<std::string, std::less<>>;
 
