@@ -72,6 +72,8 @@ TEST(ASet, IsTheSameWithALineReachTwice) {
   const std::string once = changed(kRegularity, "constraint", "reach x + s\nconstraint");
   expect_same(changed(once, "reach x + s\n", "reach x + s\nreach x + s\n"), once);
   expect_another(changed(once, "reach x + s\n", "reach x + s\nreach x - s\n"), once);
+  expect_same(kRegularity, once);
+  expect_another(once, kRegularity);
 }
 
 TEST(SameQuestion, IsTheTextItself) {

@@ -26,8 +26,8 @@ const std::set<std::string> kConditions{"defined", "motion-defined", "expression
 /// The values of these are in those of the other lines.
 const std::set<std::string> kShorthand{"let", "constant"};
 /// Their order has no meaning.
-const std::set<std::string> kUnordered{"parameter", "uncertain",  "pose", "unknown",
-                                       "reach",     "constraint", "ball"};
+const std::set<std::string> kUnordered{"parameter", "uncertain",  "pose",
+                                       "unknown",   "constraint", "ball"};
 
 struct Line {
   std::string key, text;
@@ -228,7 +228,7 @@ std::string key_of(const Evaluated::Entry& entry) {
 
 /// The lines but for entries, in their order; those whose order has no meaning by their words.
 struct Parts {
-  std::vector<Evaluated::Entry> ordered, unordered;
+  std::vector<Evaluated::Entry> ordered, unordered, reach;
   std::vector<Value> matrix;
   bool has_threshold = false;
 
@@ -240,6 +240,8 @@ struct Parts {
       if (kConditions.contains(key) || (key == "alpha" && any.alpha)) continue;
       if (key == "entry")
         matrix.push_back(entry.values.front());
+      else if (key == "reach")
+        reach.push_back(entry);
       else
         (kUnordered.contains(key) ? unordered : ordered).push_back(entry);
     }
@@ -271,6 +273,15 @@ std::string difference_of(const std::vector<Evaluated::Entry>& a,
   for (std::size_t i = 0; i < a.size(); ++i)
     if (!is_same(a[i], b[i])) return a[i].words + " against " + b[i].words;
   return "";
+}
+
+/// With fewer lines `reach` a claim is about more poses, at which the matrix has a value all the same.
+bool are_among(const std::vector<Evaluated::Entry>& verified,
+               const std::vector<Evaluated::Entry>& asked) {
+  return std::all_of(verified.begin(), verified.end(), [&](const Evaluated::Entry& a) {
+    return std::any_of(asked.begin(), asked.end(),
+                       [&a](const Evaluated::Entry& b) { return is_same(a, b); });
+  });
 }
 
 /// True if everything that a claim says to have a value has one; nullopt for a point that is out of
@@ -324,6 +335,7 @@ std::string difference_of(const std::vector<Line>& a, const std::vector<Line>& b
     for (const auto& found : {difference_of(left.ordered, right.ordered),
                               difference_of(left.unordered, right.unordered)})
       if (!found.empty()) return found;
+    if (!are_among(left.reach, right.reach)) return "another line reach";
     has_one_matrix =
         has_one_matrix &&
         std::equal(left.matrix.begin(), left.matrix.end(), right.matrix.begin(), right.matrix.end(),
@@ -349,39 +361,7 @@ std::string difference_of(const std::vector<Line>& a, const std::vector<Line>& b
   return std::string("one is no question: ") + error.what();
 }
 
-/// Returns the end of a number of a file that begins there, in any of its spellings.
-std::size_t end_of_number(const std::string& text, std::size_t begin) {
-  std::size_t end = begin;
-  while (end < text.size() && (is_word(text[end]) || text[end] == '.' ||
-                               ((text[end] == '-' || text[end] == '+') && end > begin &&
-                                (text[end - 1] == 'e' || text[end - 1] == 'E'))))
-    ++end;
-  return end;
-}
-
-/// The numbers are replaced by their values.
-std::string with_plain_numbers(const std::string& text) {
-  std::string plain;
-  for (std::size_t i = 0; i < text.size();) {
-    const bool begins = is_digit(text[i]) && (i == 0 || !is_word(text[i - 1]));
-    const std::size_t end = begins ? end_of_number(text, i) : i + 1;
-    std::string word = text.substr(i, end - i);
-    if (begins) try {
-        word = toml_number(word).fraction();
-      } catch (const std::invalid_argument&) {  // it is a name
-      }
-    plain += word;
-    i = end;
-  }
-  for (std::size_t at; (at = plain.find("(-0)")) != std::string::npos;) plain.replace(at, 4, "0");
-  return plain;
-}
-
 }  // namespace
-
-bool are_equal_files(const std::string& a, const std::string& b) {
-  return with_plain_numbers(a) == with_plain_numbers(b);
-}
 
 std::string difference(const std::string& verified, const std::string& asked,
                        const SetByOptions& any) {
