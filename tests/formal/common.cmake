@@ -31,3 +31,19 @@ function(expect_only_coqc_accepts file text)
   endif()
   expect_answer(REJECTED 1 ${WORK_DIR} --audit ${file})
 endfunction()
+
+# expect_no_theorem(FILE WHAT BY WORDS...): of the certificate FILE with other text; WORDS for regulus-verify.
+function(expect_no_theorem file what by)
+  file(READ ${WORK_DIR}/${file} text)
+  string(REPLACE "${what}" "${by}" other "${text}")
+  if(other STREQUAL text)
+    message(FATAL_ERROR "no '${what}' in ${file}")
+  endif()
+  file(WRITE ${WORK_DIR}/other.txt "${other}")
+  execute_process(COMMAND ${VERIFY} --theorem other.txt --library ${LIBRARY} --quiet --time-limit 60 ${ARGN}
+                  WORKING_DIRECTORY ${WORK_DIR} RESULT_VARIABLE code OUTPUT_VARIABLE answer
+                  ERROR_VARIABLE why)
+  if(code EQUAL 0 OR answer STREQUAL "PROVED\n")
+    message(FATAL_ERROR "${file}, ${what} -> ${by}: ${answer}${why}")
+  endif()
+endfunction()

@@ -25,22 +25,6 @@ function(expect_proved statement file verdict model)
   expect_answer(PROVED 0 ${WORK_DIR} --audit ${file}.v)
 endfunction()
 
-# expect_no_theorem(FILE WHAT BY): of the certificate FILE with other text.
-function(expect_no_theorem file what by)
-  file(READ ${WORK_DIR}/${file} text)
-  string(REPLACE "${what}" "${by}" other "${text}")
-  if(other STREQUAL text)
-    message(FATAL_ERROR "no '${what}' in ${file}")
-  endif()
-  file(WRITE ${WORK_DIR}/other.txt "${other}")
-  execute_process(COMMAND ${VERIFY} --theorem other.txt --library ${LIBRARY} --quiet --time-limit 300 ${ARGN}
-                  WORKING_DIRECTORY ${WORK_DIR} RESULT_VARIABLE code OUTPUT_VARIABLE answer
-                  ERROR_VARIABLE why)
-  if(code EQUAL 0 OR answer STREQUAL "PROVED\n")
-    message(FATAL_ERROR "${file}, ${what} -> ${by}: ${answer}${why}")
-  endif()
-endfunction()
-
 set(within "forces_within_limits the_question the_scales the_load the_limits")
 expect_proved("${within}" cable.txt FEASIBLE cable_8 check ${models}/cable_8.toml hall --load weight
               --certificate cable.txt)

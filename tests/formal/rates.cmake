@@ -30,22 +30,6 @@ function(expect_proved claim file verdict command)
   expect_answer(PROVED 0 ${WORK_DIR} --audit ${file}.v)
 endfunction()
 
-# expect_no_theorem(FILE WHAT BY WORDS...): of the certificate FILE with other text.
-function(expect_no_theorem file what by)
-  file(READ ${WORK_DIR}/${file} text)
-  string(REPLACE "${what}" "${by}" other "${text}")
-  if(other STREQUAL text)
-    message(FATAL_ERROR "no '${what}' in ${file}")
-  endif()
-  file(WRITE ${WORK_DIR}/other.txt "${other}")
-  execute_process(COMMAND ${VERIFY} --theorem other.txt --library ${LIBRARY} --quiet --time-limit 60 ${ARGN}
-                  WORKING_DIRECTORY ${WORK_DIR} RESULT_VARIABLE code OUTPUT_VARIABLE answer
-                  ERROR_VARIABLE why)
-  if(code EQUAL 0 OR answer STREQUAL "PROVED\n")
-    message(FATAL_ERROR "${file}, ${what} -> ${by}: ${answer}${why}")
-  endif()
-endfunction()
-
 expect_proved(branch_within force.theta1.safe WITHIN bound force --load pull --leg 1 --limit 14 --certificate force)
 expect_proved(branch_within ball.theta2.safe WITHIN bound force --load ball --leg 2 --limit 16 --certificate ball)
 expect_proved(branch_below signed.theta1.safe WITHIN bound force --load pull --leg 1 --signed --limit 14 --certificate

@@ -14,7 +14,7 @@
 namespace regulus {
 namespace {
 
-/// Of a piece that is asked about alone: near its start there is one configuration.
+/// A piece that is asked about alone has one configuration so near to its start.
 constexpr double kRadiusAtJoint = 0x1p-20;
 
 class WaySearch {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is told of a branch along way-points.
+// Tells the answer about a branch along way-points.
 #pragma once
 
 #include <string>

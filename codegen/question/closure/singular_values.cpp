@@ -20,7 +20,7 @@ bool are_finite(const std::vector<double>& numbers) {
 /// not in the motion, only smaller boxes tell more.
 constexpr double kPartOfGrowth = 0.125;
 
-/// What a part of the tube's radius adds is that of the variables which make the radius.
+/// Gives what the tube's radius adds to the variables that make it so wide.
 std::vector<double> by_variable(std::vector<double> impact, const BranchTube& tube,
                                 const TubeImage& image) {
   const std::size_t m = tube.at.size(), n = tube.radius.size();

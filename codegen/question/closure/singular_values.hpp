@@ -18,7 +18,7 @@
 
 namespace regulus {
 
-/// What is known of f over a tube: κ or σ_max, or −σ_min.
+/// Bounds f over a tube; f is κ, σ_max or −σ_min.
 struct SingularValueFinding {
   double upper = kInfinity;      ///< f is at most that at every configuration
   std::vector<double> impact{};  ///< by variable: roughly what it adds to the excess; may be empty

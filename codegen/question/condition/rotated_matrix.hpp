@@ -16,7 +16,7 @@ struct RoundMatrix {
   std::vector<double> middle, error;
 };
 
-/// What a rotation does to singular values, for every A and B = UᵀAV; infinite if U or V is far from
+/// Says how a rotation changes singular values, for every A and B = UᵀAV; infinite if U or V is far from
 /// orthogonal. With |UᵀU − I| ≤ ε and |VᵀV − I| ≤ ε', |U|² ≤ 1 + ε and |U⁻¹|² ≤ 1/(1 − ε), and the same
 /// of V.
 struct Distortion {

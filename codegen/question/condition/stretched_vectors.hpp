@@ -21,7 +21,7 @@ struct StretchedVectors {
 [[nodiscard]] StretchedVectors attained_condition(std::span<const Interval> A, std::size_t rows,
                                                   std::size_t columns);
 
-/// What a vector shows of the extreme singular values.
+/// A vector shows these bounds of the extreme singular values.
 struct AttainedValues {
   double largest = 0;        ///< σ_max is at least that
   double least = kInfinity;  ///< σ_min is at most that

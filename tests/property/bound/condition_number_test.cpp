@@ -256,7 +256,7 @@ TEST(SingularValues, OfNoMatrixInABoxAreBeyondTheirBounds) {
   EXPECT_GT(above, 150);
 }
 
-/// Of one matrix the bounds are its singular values.
+/// The bounds of one matrix are its singular values.
 TEST(SingularValues, OfAMatrixAreBoundedAndShown) {
   for (unsigned seed = 1; seed <= 200; ++seed) {
     RandomBox random(seed);

@@ -12,7 +12,7 @@
 namespace regulus::test::singular_values_over_a_branch {
 namespace {
 
-/// What samples have shown.
+/// Keeps the extreme values of samples.
 struct Seen {
   double condition = 0, largest = 0, least = kInfinity;
   void add(const Values& v) {
@@ -144,7 +144,7 @@ TEST(SingularValuesOverABranch, AreComparedWithALimit) {
   }
 }
 
-/// Where the branch ends A is singular.
+/// A is singular where the branch ends.
 TEST(SingularValuesOverABranch, EndWithTheBranch) {
   const FourBar linkage{0.2, 0.35355, 0.25, 0.45};
   const std::string model = linkage.text(0, -2.4, 2.4);

@@ -178,7 +178,7 @@ TEST_F(ADamagedWay, IsNotThatOfAnotherFileOrStart) {
   EXPECT_EQ(verified_way(certificate_, other, file_.path()).outcome, Outcome::kRejected);
 }
 
-/// What an equation of one piece says, the next one need not say at their joint.
+/// Two pieces would have different equations at their joint.
 TEST_F(ADamagedWay, WithTheNumbersOfAPieceInItsEquationsIsUnfinished) {
   for (const char* const equation : {"\nequation a*x", "\nequation 2*p*q", "\nequation "})
     for (const char* const name : {"x_c0", "y_c1"}) {
