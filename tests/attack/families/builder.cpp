@@ -89,6 +89,28 @@ void Builder::range_of(const std::string& name, const std::string& from, const s
   attack.model.pose.push_back({name, "[" + quoted(from) + ", " + quoted(to) + "]", ""});
 }
 
+void Builder::follow(const std::vector<std::vector<Rational>>& points) {
+  std::string& way = attack.model.way;
+  const bool has_times = coin();
+  way = has_times ? "t" : "";
+  for (const PoseEntry& entry : attack.model.pose) way += (way.empty() ? "" : ",") + entry.name;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    std::string line = has_times ? std::to_string(i) : "";
+    for (const Rational& value : points[i]) {
+      const Decimal d = decimal_of(value).value();
+      line += (line.empty() ? "" : ",") + std::string(d.negative ? "-" : "") + d.digits +
+              (d.exponent == 0 ? "" : "e" + std::to_string(d.exponent));
+    }
+    way += '\n' + line;
+  }
+  way += '\n';
+}
+
+void Builder::error(const std::string& name, const Rational& size) {
+  attack.model.error.push_back({name, spell_toml(size, random)});
+  attack.axes.push_back({name + "_error", -size, size});
+}
+
 void Builder::uncertain(const std::string& name, const Rational& v, const Rational& t) {
   attack.axes.push_back({name, v - t, v + t});
   std::string line = "{ value = " + spell_toml(v, random) + ", tolerance = ";

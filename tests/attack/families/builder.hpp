@@ -44,6 +44,12 @@ class Builder {
   /// Adds a pose parameter; the expressions `from`, `to` are its ends; lo and hi are inside them.
   void range_of(const std::string& name, const std::string& from, const std::string& to,
                 const Rational& lo, const Rational& hi);
+  /// Lets the motion go through these points, a value for each pose parameter.
+  ///
+  /// Requires  decimals that end.
+  void follow(const std::vector<std::vector<Rational>>& points);
+  /// Adds a control error of at most `size`.
+  void error(const std::string& name, const Rational& size);
   /// Adds an uncertain constant v ± t.
   void uncertain(const std::string& name, const Rational& v, const Rational& t);
 

@@ -91,10 +91,23 @@ std::string with_u(const std::string& text, const std::string& u) {
   return result;
 }
 
-}  // namespace
+/// A way from `start` to both ends of the range, with turns between them.
+std::vector<std::vector<Rational>> way_to_ends(Builder& b, const Rational& start,
+                                               const Rational& low, const Rational& high) {
+  std::vector<std::vector<Rational>> points{{start}};
+  const auto go_to = [&](const Rational& x) {
+    if (points.back().front() != x) points.push_back({x});
+  };
+  const bool is_low_first = b.coin();
+  for (const Rational& end : {is_low_first ? low : high, is_low_first ? high : low}) {
+    for (long turns = b.random.between(0, 2); turns > 0; --turns)
+      go_to(low + (high - low) * part(b));
+    go_to(end);
+  }
+  return points;
+}
 
-Attack closure(std::uint64_t seed) {
-  Builder b("closure", seed);
+Attack mechanism(Builder& b, bool is_along_way) {
   const Branch branch =
       b.random.pick(std::vector{between_folds, through_a_flat_place, beside_its_mirror})(b);
   const Map m = map_of(b);
@@ -118,6 +131,11 @@ Attack closure(std::uint64_t seed) {
   ModelSource& model = b.attack.model;
   model.pose.push_back(
       {"x", "[" + quoted(b.text(low)) + ", " + quoted(b.text(high)) + "]", branch.value});
+  if (is_along_way) {
+    const Rational error = b.coin() ? Rational(0) : (high - low) / Rational(64);
+    if (!error.is_zero()) model.error.push_back({"x", spell_toml(error, b.random)});
+    b.follow(way_to_ends(b, x0, low + error, high - error));
+  }
   model.rows = {{{branch.slope}}};
   const Rational room = (branch.high - branch.low) / Rational(1000);
   model.closure = {
@@ -134,6 +152,18 @@ Attack closure(std::uint64_t seed) {
     b.regular(branch.margin);
   b.attack.argument = branch.is_singular ? "the slope is 0 there" : "the slope has one sign";
   return b.finish();
+}
+
+}  // namespace
+
+Attack closure(std::uint64_t seed) {
+  Builder b("closure", seed);
+  return mechanism(b, false);
+}
+
+Attack closure_along_way(std::uint64_t seed) {
+  Builder b("closure_way", seed);
+  return mechanism(b, true);
 }
 
 }  // namespace regulus::attack

@@ -41,6 +41,8 @@ Attack row_scale(std::uint64_t seed);
 Attack constraint(std::uint64_t seed);
 Attack empty_variety(std::uint64_t seed);
 Attack trajectory(std::uint64_t seed);
+// Way-points: ways.cpp
+Attack way(std::uint64_t seed);
 // Tolerances: tolerances.cpp
 Attack tolerance_box(std::uint64_t seed);
 Attack tolerance_ball(std::uint64_t seed);
@@ -53,6 +55,7 @@ Attack badly_scaled(std::uint64_t seed);
 Attack refused(std::uint64_t seed);
 // Equations: closures.cpp
 Attack closure(std::uint64_t seed);
+Attack closure_along_way(std::uint64_t seed);
 // All solutions: systems.cpp, mechanisms.cpp
 Attack solved_polynomials(std::uint64_t seed);
 Attack solved_turns(std::uint64_t seed);

@@ -94,25 +94,20 @@ Attack tolerance_ball(std::uint64_t seed) {
 
 Attack control_error(std::uint64_t seed) {
   Builder b("error", seed);
-  ModelSource& model = b.attack.model;
   const Rational p = b.number(), q = b.number(), e = width(b), d = width(b), excess = b.excess(60);
-  const auto error = [&](const std::string& name, const Rational& size) {
-    model.error.push_back({name, spell_toml(size, b.random)});
-    b.attack.axes.push_back({name + "_error", -size, size});
-  };
   Planted at;
   switch (b.random.below(3)) {
     case 0:  // one pose
       b.value("x", p);
-      error("x", e);
+      b.error("x", e);
       b.hide("x - " + b.text(p + e + excess));
       at = {{"x_error", b.text(e + excess)}};
       break;
     case 1: {  // two errors
       b.value("x", p);
       b.value("y", q);
-      error("x", e);
-      error("y", d);
+      b.error("x", e);
+      b.error("y", d);
       const Rational a = b.positive(), c = b.positive();
       const Rational most = a * (p + e) + c * (q + d) + excess;
       b.hide(b.text(a) + "*x + " + b.text(c) + "*y - " + b.text(most));
@@ -122,7 +117,7 @@ Attack control_error(std::uint64_t seed) {
     default: {  // beside the end of a range
       const Rational hi = p + Rational(1);
       b.range("x", p, hi);
-      error("x", e);
+      b.error("x", e);
       b.hide(b.text(hi + e + excess) + " - x");
       at = {{"x", b.text(hi)}, {"x_error", b.text(e + excess)}};
     }

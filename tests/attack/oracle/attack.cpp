@@ -60,7 +60,10 @@ std::string robot(const Hexapod& hexapod) {
 std::string motion(const ModelSource& model) {
   std::string text = "\n[motion.m]\n";
   if (!model.parameters.empty()) text += "parameters = " + model.parameters + '\n';
-  for (const PoseEntry& entry : model.pose) text += entry.name + " = " + entry.toml + '\n';
+  if (!model.way.empty())
+    text += "waypoints = \"way.csv\"\n";
+  else
+    for (const PoseEntry& entry : model.pose) text += entry.name + " = " + entry.toml + '\n';
   if (!model.error.empty())
     text += "error = { " + [&] {
       std::string all;

@@ -74,6 +74,7 @@ struct ModelSource {
   std::vector<NamedText> closure;  ///< TOML; `rows` is then what the oracle knows of its matrix
   std::optional<Hexapod> hexapod;  ///< replaces pose names, geometry, let and rows
   std::string parameters;          ///< TOML of the inline table; empty: none
+  std::string way;                 ///< text of the file way.csv that the motion follows; or empty
   std::vector<NamedText> error;    ///< TOML
   std::vector<std::string> constraints;
   std::string alpha;         ///< TOML; empty: none

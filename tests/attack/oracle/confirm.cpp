@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/attack/oracle/confirm.hpp"
 
+#include <sstream>
+
 #include "tests/attack/oracle/evaluate.hpp"
 #include "tests/attack/oracle/random.hpp"
 
@@ -187,6 +189,43 @@ Doubt refute_uncertain(const Attack& attack, const Axis& axis, const std::string
   return refute_ends(axis, centre - width, centre + width);
 }
 
+/// Returns the values of the pose parameters in the last columns of each line of the file.
+std::vector<std::vector<Value>> way_points(const ModelSource& model) {
+  std::vector<std::vector<Value>> points;
+  std::istringstream lines(model.way);
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) {
+    std::vector<Value> values;
+    std::istringstream cells(line);
+    for (std::string cell; std::getline(cells, cell, ',');) values.push_back(toml_number(cell));
+    points.emplace_back(values.end() - static_cast<std::ptrdiff_t>(model.pose.size()),
+                        values.end());
+  }
+  return points;
+}
+
+bool are_equal(const std::vector<Value>& a, const std::vector<Value>& b) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (!a[i].exact() || !b[i].exact() || *a[i].exact() != *b[i].exact()) return false;
+  return true;
+}
+
+/// Checks that two way-points follow each other where the axis `s` has its ends.
+Doubt refute_segment(const Attack& attack) {
+  std::vector<Value> from, to;
+  for (const PoseEntry& entry : attack.model.pose) {
+    from.push_back(evaluate(entry.expression, {{"s", Value(Rational(0))}}));
+    to.push_back(evaluate(entry.expression, {{"s", Value(Rational(1))}}));
+  }
+  const auto points = way_points(attack.model);
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+    if ((are_equal(points[i], from) && are_equal(points[i + 1], to)) ||
+        (are_equal(points[i], to) && are_equal(points[i + 1], from)))
+      return std::nullopt;
+  return "no segment of the file is that of the axis s";
+}
+
 }  // namespace
 
 Doubt refute_truth(const Attack& attack, int samples) {
@@ -218,6 +257,8 @@ Doubt refute_truth(const Attack& attack, int samples) {
 }
 
 Doubt refute_axes(const Attack& attack) {
+  if (!attack.model.way.empty() && find_axis(attack, "s"))
+    if (const Doubt doubt = refute_segment(attack)) return doubt;
   for (const PoseEntry& entry : attack.model.pose)
     if (const Axis* axis = find_axis(attack, entry.name); axis && entry.expression.empty())
       if (const Doubt doubt = refute_range(attack, *axis, entry.toml)) return doubt;

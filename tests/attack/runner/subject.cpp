@@ -102,8 +102,8 @@ std::string falsehood_of(const Attack& attack, const Answer& answer) {
   return listed ? refute_list(*attack.solve, *listed).value_or("") : "";
 }
 
-/// `has_methods`: there is more than one for the model.
-void add_search_options(Random& random, bool has_methods, std::vector<std::string>& words) {
+/// A closure has one method, and a motion along way-points keeps uncertain quantities whole.
+void add_search_options(Random& random, const ModelSource& model, std::vector<std::string>& words) {
   const auto add = [&](std::initializer_list<std::string> more) {
     words.insert(words.end(), more);
   };
@@ -112,14 +112,18 @@ void add_search_options(Random& random, bool has_methods, std::vector<std::strin
   else
     add({"--engine", "interpreted"});
   add({"--threads", random.one_in(8) ? "2" : "1"});
-  if (!has_methods) return;
+  if (!model.closure.empty()) {
+    // Beside a fold, a tube around the way takes many boxes.
+    if (!model.way.empty()) add({"--max-boxes", "2000"});
+    return;
+  }
   if (random.one_in(4))
     add({"--method",
          random.pick(
              {"reg", "reg+rohn", "kj", "kj+rohn", "jk", "jk+rohn", "kj-numeric", "jk-numeric"}),
          "--max-boxes", "300"});
   if (random.one_in(6)) add({"--bisect", random.pick({"widest", "weighted"})});
-  if (random.one_in(6)) add({"--uncertainty", "variables"});
+  if (model.way.empty() && random.one_in(6)) add({"--uncertainty", "variables"});
   if (random.one_in(8)) add({"--determinant", random.pick({"expansion", "gauss"})});
 }
 
@@ -198,7 +202,7 @@ std::vector<std::string> check_words(const Attack& attack, const std::string& mo
             "--certificate", certificate_path};
   std::vector<std::string> words{"regulus", "check",   model_path,      "m",
                                  "--json",  "--quiet", "--certificate", certificate_path};
-  add_search_options(random, attack.model.closure.empty(), words);
+  add_search_options(random, attack.model, words);
   words.insert(words.end(), attack.options.begin(), attack.options.end());
   return words;
 }
@@ -208,6 +212,8 @@ Outcome attack_with(const Attack& attack, const Run& run) {
   std::filesystem::remove(certificate);
   const std::string text = attack.model.text();
   std::ofstream(model, std::ios::binary) << (run.mutant == Mutant::kRounded ? rounded(text) : text);
+  if (!attack.model.way.empty())
+    std::ofstream(run.folder + "/way.csv", std::ios::binary) << attack.model.way;
   run.entering(Stage::kCheck, -1);
   const Answer answer = run_command(check_words(attack, model, certificate));
   Outcome outcome;
