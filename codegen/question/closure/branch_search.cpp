@@ -92,7 +92,7 @@ class BranchGoal {
     if (finding.tube) return leave(box, Rule::kSecondOrder, std::move(finding.tube));
     const auto variable = variable_to_split(box, finding);
     if (!variable) return block(box, finding);
-    ask(box, finding.is_lost);
+    if (!is_answered(box, finding.is_lost)) return open_.push_back(std::move(box));
     auto [lower, upper] = course_.split(std::move(box), *variable);
     open_.push_back(std::move(upper));
     open_.push_back(std::move(lower));
@@ -119,17 +119,20 @@ class BranchGoal {
     return chosen ? std::optional(from + *chosen) : std::nullopt;
   }
 
-  /// A bit for each time that it was asked.
-  void ask(const TreeBox& box, bool is_lost) {
+  /// A bit for each time that it was asked. An answer that ends the search, or that a limit cuts, is
+  /// none: the box stays open, so that a search which continues asks again.
+  [[nodiscard]] bool is_answered(const TreeBox& box, bool is_lost) {
     const bool is_small = box.depth >= kSplitsBeforeAsking * std::max<std::size_t>(parameters_, 1);
     std::uint64_t ask = 0;
     if (is_lost && box.depth >= kSplitsBeforeDoubt) ask = 1;
     if (is_small) ask = is_lost ? 2 : 4;
-    if (ask == 0 || (asked_ & ask) != 0 || !settings_.ask || result_.is_refuted) return;
-    asked_ |= ask;
+    if (ask == 0 || (asked_ & ask) != 0 || !settings_.ask || result_.is_refuted) return true;
     std::vector<double> place;
     for (std::size_t k = 0; k < variables_; ++k) place.push_back(mid(box.box[k]));
     result_.is_refuted = settings_.ask(place, is_lost);
+    if (result_.is_refuted || course_.must_pause()) return false;
+    asked_ |= ask;
+    return true;
   }
 
   void leave(TreeBox& box, Rule rule, std::optional<BranchTube> tube) {

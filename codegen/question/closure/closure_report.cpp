@@ -116,9 +116,6 @@ std::vector<double> at_the_border(const PreparedClosure& prepared, std::vector<d
   return place;
 }
 
-/// The ends of the branch are looked for so much further than the first box without it.
-constexpr double kPartBeyondBoxes = 0x1p-6;
-
 /// Returns places a little beyond the boxes that are on the branch, to either side of the start, of a
 /// motion of one parameter.
 std::vector<double> beyond_the_branch(const PreparedClosure& prepared,

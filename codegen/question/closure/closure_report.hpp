@@ -26,6 +26,9 @@ struct ClosureFinding {
   [[nodiscard]] bool is_refuted() const { return reached() != nullptr; }
 };
 
+/// The ends of a branch are looked for so much further than the first box without it.
+inline constexpr double kPartBeyondBoxes = 0x1p-6;
+
 /// Asks whether the branch is regular all over the motion. `progress` may be null.
 [[nodiscard]] ClosureFinding check_closure(PreparedClosure& prepared, const SearchOptions& search,
                                            const FormingWatch& watch, Observer* progress,
