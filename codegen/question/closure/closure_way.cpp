@@ -70,7 +70,11 @@ class WaySearch {
     piece.obstacle = result.branch.is_empty ? "the constraints exclude every pose of the segment"
                                             : reason_of({result, {}});
     const bool is_cut = result.branch.stopped_by || must_stop();
-    if (settings_.paves && !is_cut) look_for_fold(piece, {beyond_the_branch(result)});
+    if (settings_.paves && !is_cut) {
+      std::vector<double> place = near_.variables;
+      place[0] = beyond_the_branch(result);
+      look_for_fold(piece, place, true);
+    }
     found_.deciding = std::move(piece);
   }
 
@@ -112,20 +116,22 @@ class WaySearch {
       settings.max_boxes -= std::min(settings.max_boxes, before.branch.boxes);
     if (settings.paves) return settings;
     settings.ask = [this, &piece](const std::vector<double>& place, bool is_lost) {
-      if (is_lost) look_for_fold(piece, place);
+      look_for_fold(piece, place, is_lost);
       return piece.is_refuted();
     };
     return settings;
   }
 
   /// Looks for a singular configuration between the begin of the piece and a place on it.
-  void look_for_fold(PieceWithoutBranch& piece, const std::vector<double>& place) {
+  void look_for_fold(PieceWithoutBranch& piece, const std::vector<double>& place, bool is_lost) {
     SearchOptions rest = search_;
     if (search_.time_limit != 0) rest.time_limit = std::fmax(deadline_.left(), 1e-9);
     PreparedClosure alone = prepare_closure(piece_alone(piece.index), 0, rest, watch_);
     if (alone.preparation.stopped || !begins_alike(alone, piece.index)) return;
-    piece.fold = find_fold(alone, {place[0]}, {}, rest, watch_);
-    if (piece.fold) piece.alone = std::move(alone);
+    std::optional<Fold> fold = fold_beyond(alone, place, is_lost, rest, watch_);
+    if (!fold) return;
+    piece.fold = std::move(fold);
+    piece.alone = std::move(alone);
   }
 
   /// The question about a piece alone, which begins near the configuration there.
