@@ -29,7 +29,7 @@ constexpr std::string_view kNoPageOfTexts =
     "out";
 constexpr std::string_view kNoTheorem =
     "Coq has theorems about the rank of a matrix, and none about this; regulus-verify proves it";
-constexpr std::string_view kOnlyRegularityOfClosureWays =
+constexpr std::string_view kOnlyCheckOfClosureWays =
     "check, locate and margin, without a load or a quantity, ask about a [closure] along "
     "way-points; give the motion by ranges, or by formulas";
 constexpr std::string_view kNoTheoremOfClosureWays =
@@ -101,12 +101,12 @@ constexpr Refusal kRefusals[] = {
     {kClosureWayPaving, kTheorem, kNoProofOfPavings, false},
     {kClosureWayMargin, kShards, kNoShardsOfClosures},
     {kClosureWayMargin, kTheorem, kNoTheoremOfClosureWays},
-    {kClosureWayLimitMargin, kAnswer, kOnlyRegularityOfClosureWays},
-    {kClosureWayBound, kAnswer, kOnlyRegularityOfClosureWays},
-    {kClosureWayLoad, kAnswer, kOnlyRegularityOfClosureWays},
-    {kClosureWayLoadPaving, kAnswer, kOnlyRegularityOfClosureWays},
-    {kClosureWayDatasheet, kAnswer, kOnlyRegularityOfClosureWays},
-    {kClosureWayCondition2, kAnswer, kOnlyRegularityOfClosureWays},
+    {kClosureWayLimitMargin, kAnswer, kOnlyCheckOfClosureWays},
+    {kClosureWayBound, kAnswer, kOnlyCheckOfClosureWays},
+    {kClosureWayLoad, kAnswer, kOnlyCheckOfClosureWays},
+    {kClosureWayLoadPaving, kAnswer, kOnlyCheckOfClosureWays},
+    {kClosureWayDatasheet, kAnswer, kOnlyCheckOfClosureWays},
+    {kClosureWayCondition2, kAnswer, kOnlyCheckOfClosureWays},
     {kClosureWayFiniteErrors, kAnswer, kNoFiniteErrors},
     {kClosureWaySolve, kAnswer, kNoWayOfSolutions},
     {kSolve, kShards, kNoShardsOfSolutions},

@@ -53,7 +53,7 @@ class BranchGoal {
   [[nodiscard]] std::size_t splittable() const { return ranges_.size(); }
   void describe(SavedTree& tree) const {
     for (const TreeBox& box : open_) tree.add_open(box.id, kInfinity);
-    tree.own = {asked_};
+    tree.own = {asked_, result_.largest_open};
   }
   void recall(const TreeBox&, TubeFinding&) {}
   /// A box that was undecided, and would be split now, is open again.
@@ -65,8 +65,9 @@ class BranchGoal {
   }
   void reopen(TreeBox box) { open_.push_back(std::move(box)); }
   void resume_own(std::span<const std::uint64_t> own) {
-    if (own.size() != 1) throw SavedTreeError("the numbers of the search are missing");
+    if (own.size() != 2) throw SavedTreeError("the numbers of the search are missing");
     asked_ = own[0];
+    result_.largest_open = own[1];
   }
 
   BranchResult finish() {
