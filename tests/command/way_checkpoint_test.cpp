@@ -96,7 +96,7 @@ class KeptSearchTest : public testing::TestWithParam<Asked> {
     write_way("across.csv", 0.01, 0.3);
     std::ofstream(path("linkage.toml")) << kLinkage;
     std::ofstream(path("turns.csv")) << "theta\n0\n1.5\n-2\n2\n0.3\n-2.1\n2.1\n0\n";
-    std::ofstream(path("reaches.csv")) << "theta\n0\n1.5\n-2\n2\n-2.5\n0\n";
+    std::ofstream(path("reaches.csv")) << "theta\n0\n1.5\n-2\n2\n-2\n1.9\n-2.5\n0\n";
   }
 
   [[nodiscard]] std::string path(const std::string& name) const { return folder_.path() / name; }

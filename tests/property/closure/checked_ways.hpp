@@ -2,6 +2,10 @@
 // Follows closures that tests write along way-points, and has the answers verified.
 #pragma once
 
+#include <fmt/format.h>
+
+#include <vector>
+
 #include "codegen/question/closure/closure_way_paving.hpp"
 #include "codegen/question/closure/closure_way_report.hpp"
 #include "tests/property/closure/checked_closures.hpp"

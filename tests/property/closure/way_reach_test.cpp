@@ -36,7 +36,7 @@ TEST(AWayWithErrors, IsRegularAsLongAsItsClosedFormIs) {
   int later = 0;
   for (int count = 0; count < trials(8, 40);) {
     const FourBar linkage = random_four_bar(random);
-    std::uniform_real_distribution<double> angle(-3, 3), part(0.2, 0.9);
+    std::uniform_real_distribution<double> angle(-3, 3), part(0.8, 0.95);
     const double start = angle(random);
     if (!linkage.is_between_toggles(start, 0.05)) continue;
     const double high = first_toggle(linkage, start, start + 7),
@@ -44,10 +44,11 @@ TEST(AWayWithErrors, IsRegularAsLongAsItsClosedFormIs) {
     // A toggle at an angle where two of them meet has no room for errors beyond it.
     if (high - start > 5 || start - low > 5 || high - start < 0.3 || start - low < 0.3) continue;
     if (linkage.is_between_toggles(high + 0.1) || linkage.is_between_toggles(low - 0.1)) continue;
-    ++count;
     const std::vector<double> places{start, start + part(random) * (high - start),
                                      start - part(random) * (start - low), start};
     const double room = std::fmin(high - places[1], places[2] - low);
+    if (room > 0.25) continue;
+    ++count;
     later += places[2] - low < high - places[1] ? 1 : 0;
     const WayFile file(table_of(places));
     const std::string model = linkage.text(start, start - 1, start + 1);
