@@ -49,7 +49,7 @@ TEST_F(RanksOnABranch, PaveAWayAsOneThreadDoes) {
   std::ofstream(file("way.csv")) << "theta\n0\n1.5\n-2\n2.4\n";
   const Words locate = {"locate",        model("four_bar"), "turn",      "--waypoints",
                         file("way.csv"), "--resolution",    "1/1000000", "--max-boxes",
-                        "30000",         "--output"};
+                        "18000",         "--output"};
   const auto stretches_of = [this](const std::string& name) {
     const std::string lines = text_of(file(name));
     return lines.substr(0, lines.rfind("{\"summary\""));
