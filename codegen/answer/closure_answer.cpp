@@ -2,7 +2,6 @@
 #include "codegen/answer/closure_answer.hpp"
 
 #include "codegen/answer/box_listener.hpp"
-#include "codegen/answer/bracket_ends.hpp"
 #include "codegen/answer/lines_file.hpp"
 #include "codegen/answer/outputs.hpp"
 #include "codegen/answer/page/paving_tree.hpp"
@@ -14,14 +13,7 @@
 #include "codegen/answer/report/search_checkpoint.hpp"
 #include "codegen/model/request.hpp"
 #include "codegen/question/closure/closure_certificate.hpp"
-#include "codegen/question/closure/closure_margin.hpp"
 #include "codegen/question/closure/closure_report.hpp"
-#include "codegen/question/margin/margin_certificates.hpp"
-#include "codegen/question/margin/margin_report.hpp"
-#include "codegen/question/margin/margin_run.hpp"
-#include "codegen/question/margin/prepared_margin.hpp"
-#include "codegen/question/way/margin_checkpoint.hpp"
-#include "codegen/question/way/path_attempts.hpp"
 #include "runtime/problem/observers.hpp"
 
 namespace regulus {
@@ -167,64 +159,7 @@ class ClosurePaving final : public PavingAnswer {
   std::string checkpoint_line_;
 };
 
-/// How far can a range or a tolerance grow?
-class ClosureMargin final : public MarginAnswer {
- public:
-  ClosureMargin(const MarginQuestion& question, Request request, const AskMargin& asked,
-                const Services& services)
-      : question_(question),
-        search_(asked.search),
-        gap_(read_gap(asked.gap)),
-        request_(std::move(request), question_) {
-    services.begin_search();
-    const MarginCheckpoint checkpoint(services.checkpoint.path, request_.nominal(), question_,
-                                      search_);
-    HeldFiles held;
-    const OutputOptions display = display_of(services);
-    attempts_.emplace(request_, search_, display, services.interrupt,
-                      margin_proofs(services.certificate, {&held, services.shard_size}));
-    found_ = close_bracket(*attempts_, question_,
-                           {limits_of(search_, gap_), services.interrupt,
-                            steps_of(question_, services), checkpoint.searches()});
-    ends_ = attempts_->proofs();
-    settle_files(held, {&ends_}, *this);
-    checkpoint_line_ = checkpoint.line();
-    set_ends(*this, found_);
-    proofs = proofs_of_ends(ends_, "");
-  }
-
-  [[nodiscard]] Word word() const override { return word_of(question_, found_); }
-  [[nodiscard]] std::string headline() const override {
-    return describe_bracket(question_, found_);
-  }
-  void tell(Facts& facts) const override {
-    const auto& shown = attempts_->refuted() ? attempts_->refuted() : attempts_->last();
-    if (!shown) return;
-    tell_margin(shown->prepared.preparation, search_, request_.nominal(), question_, found_, gap_,
-                facts);
-    tell_branch(shown->prepared, shown->found, facts);
-    ends_.tell(facts);
-  }
-  [[nodiscard]] std::string about_files() const override { return ends_.lines(); }
-  [[nodiscard]] std::string warning() const override { return checkpoint_line_; }
-
- private:
-  MarginQuestion question_;
-  SearchOptions search_;
-  double gap_;
-  MarginRequest request_;
-  std::optional<ClosureAttempts> attempts_;
-  Margin found_;
-  EndProofs ends_;
-  std::string checkpoint_line_;
-};
-
 }  // namespace
-
-std::unique_ptr<MarginAnswer> answer_closure(const MarginQuestion& question, Request request,
-                                             const AskMargin& asked, const Services& services) {
-  return std::make_unique<ClosureMargin>(question, std::move(request), asked, services);
-}
 
 std::unique_ptr<CheckAnswer> answer_closure(Request request, double model_seconds,
                                             const AskCheck& asked, const Services& services) {

@@ -25,7 +25,12 @@ struct Request;
 [[nodiscard]] std::unique_ptr<PavingAnswer> answer_closure(Request request, double model_seconds,
                                                            const AskPaving& asked,
                                                            const Services& services);
-
+/// The same of a motion along way-points.
+[[nodiscard]] std::unique_ptr<PavingAnswer> answer_closure_way(Request request,
+                                                               double model_seconds,
+                                                               const AskPaving& asked,
+                                                               const Services& services);
+/// Of both.
 [[nodiscard]] std::unique_ptr<MarginAnswer> answer_closure(const MarginQuestion& question,
                                                            Request request, const AskMargin& asked,
                                                            const Services& services);

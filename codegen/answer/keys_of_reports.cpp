@@ -111,6 +111,8 @@ constexpr Key kWayMatrix[] = {
     {"max_frontier", "count", "the most boxes that waited"},
 };
 constexpr Key kSegment[] = {{"segment", "segment?", "the segment that decides"}};
+constexpr Key kEndOfBranch[] = {
+    {"segment?", "segment?", "of a closure: where its branch ends; null: nowhere"}};
 constexpr Key kExcluded[] = {
     {"excluded", "count", "segments without a pose that the claim is about"}};
 constexpr Key kStretches[] = {
@@ -191,7 +193,7 @@ std::vector<ObjectKind> kinds_of_searches() {
        kOfMatrix},
       {"path_paving",
        "locate of a motion along way-points",
-       {kReason, kWay, kWayMatrix, kMethod, kStretches, kCertificate},
+       {kReason, kWay, kWayMatrix, kMethod, kStretches, kClosure, kEndOfBranch, kCertificate},
        kOfMatrix},
   };
 }
@@ -205,7 +207,8 @@ std::vector<ObjectKind> kinds_of_other_answers() {
        kOfBracket},
       {"path_margin",
        "margin of a motion along way-points",
-       {kReason, kWay, kWayMatrix, kMethod, kBracket, kNonempty, kSegment, kWitness, kEndProofs},
+       {kReason, kWay, kWayMatrix, kMethod, kBracket, kClosure, kNonempty, kSegment, kWitness,
+        kEndProofs},
        kOfBracket},
       {"limit_margin",
        "margin --quantity --limit",

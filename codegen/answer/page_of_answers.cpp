@@ -170,7 +170,8 @@ void PageOfAnswers::add(ShownAnswer answer) {
   if (is_closed && answer.kind == "paving")
     data_.certificate_note = refusal(Kind::kClosurePaving, Service::kProof).value_or("");
   if (answer.kind != "check" && answer.kind != kSolutions) return;
-  if (request_ && request_->motion.trajectory && !data_.report["segment"].is_null())
+  // A page runs no proof of a closure.
+  if (request_ && request_->motion.trajectory && !is_closed && !data_.report["segment"].is_null())
     set_deciding_segment(data_, *request_, uncertain_names(*request_));
   if (!answer.certificate.empty()) take_proof(answer.certificate);
 }

@@ -217,6 +217,8 @@ std::unique_ptr<PavingAnswer> ask(const AskPaving& asked, const Services& servic
     if (!closed) return std::make_unique<VarietyPaving>(asked, services);
     return answer_closure(std::move(*closed), watch.lap(), asked, services);
   }
+  if (along->model.closure)
+    return answer_closure_way(std::move(*along), watch.lap(), asked, services);
   services.begin_search();
   return std::make_unique<WayPaving>(std::move(*along), watch.lap(), asked, services);
 }

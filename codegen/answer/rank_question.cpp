@@ -11,6 +11,7 @@
 #include "codegen/question/bound/datasheet.hpp"
 #include "codegen/question/closure/branch_load.hpp"
 #include "codegen/question/closure/closure_run.hpp"
+#include "codegen/question/closure/closure_way.hpp"
 #include "codegen/question/closure/value_judge.hpp"
 #include "codegen/question/condition/box_judge.hpp"
 #include "codegen/question/condition/condition_kernel.hpp"
@@ -241,7 +242,18 @@ class Topics {
   }
 
   [[nodiscard]] Found on_branch(Request request, const SearchOptions& search) const {
+    if (request.motion.trajectory) return on_way_of_branch(std::move(request), search);
     return about_branch(prepare_closure(std::move(request), 0, forming(search), {}));
+  }
+
+  /// The kernel is that of all pieces; the search has the numbers of one, and the topic its start.
+  [[nodiscard]] Found on_way_of_branch(Request request, const SearchOptions& search) const {
+    if (!is_told_) return std::nullopt;
+    require_same_way(request.motion);
+    PreparedClosure closed = prepare_way(std::move(request), 0, forming(search), {}).common;
+    if (topic_.start.size() != closed.shape.unknowns) throw cluster::MalformedMessage();
+    closed.near_start.unknowns = topic_.start;
+    return about_branch(std::move(closed));
   }
 
   /// A question about values has two searches: the first is of the branch alone.

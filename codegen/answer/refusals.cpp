@@ -30,16 +30,10 @@ constexpr std::string_view kNoPageOfTexts =
 constexpr std::string_view kNoTheorem =
     "Coq has theorems about the rank of a matrix, and none about this; regulus-verify proves it";
 constexpr std::string_view kOnlyCheckOfClosureWays =
-    "only check, without a load, asks about a [closure] along way-points; give the motion by "
-    "ranges, or by formulas";
+    "check, locate and margin, without a load or a quantity, ask about a [closure] along "
+    "way-points; give the motion by ranges, or by formulas";
 constexpr std::string_view kNoTheoremOfClosureWays =
     "Coq has no theorem about a branch along way-points; regulus-verify proves it";
-constexpr std::string_view kNoCheckpointOfClosureWays =
-    "a branch along way-points keeps no checkpoint; leave it out";
-constexpr std::string_view kNoRanksOfClosureWays =
-    "the segments of a branch follow each other, so it has one process; use regulus";
-constexpr std::string_view kNoPageOfClosureWays =
-    "a page does not show a branch along way-points; leave it out";
 constexpr std::string_view kNoTheoremOfFiniteErrors =
     "Coq has theorems about errors to first order, and none about finite ones; regulus-verify "
     "proves it";
@@ -102,11 +96,11 @@ constexpr Refusal kRefusals[] = {
     {kWaySolve, kAnswer, kNoWayOfSolutions},
     {kClosureWayCheck, kShards, kNoShardsOfClosures},
     {kClosureWayCheck, kTheorem, kNoTheoremOfClosureWays},
-    {kClosureWayCheck, kCheckpoint, kNoCheckpointOfClosureWays},
-    {kClosureWayCheck, kRanks, kNoRanksOfClosureWays},
-    {kClosureWayCheck, kPage, kNoPageOfClosureWays},
-    {kClosureWayPaving, kAnswer, kOnlyCheckOfClosureWays},
-    {kClosureWayMargin, kAnswer, kOnlyCheckOfClosureWays},
+    {kClosureWayPaving, kProof, kNoProofOfPavings},
+    {kClosureWayPaving, kShards, kNoProofOfPavings, false},
+    {kClosureWayPaving, kTheorem, kNoProofOfPavings, false},
+    {kClosureWayMargin, kShards, kNoShardsOfClosures},
+    {kClosureWayMargin, kTheorem, kNoTheoremOfClosureWays},
     {kClosureWayLimitMargin, kAnswer, kOnlyCheckOfClosureWays},
     {kClosureWayBound, kAnswer, kOnlyCheckOfClosureWays},
     {kClosureWayLoad, kAnswer, kOnlyCheckOfClosureWays},
@@ -150,6 +144,7 @@ constexpr Refusal kRefusals[] = {
     {kClosureDatasheet, kPicture, kNoBoxes, false},
     {kClosureLoad, kPicture, kNoBoxes, false},
     {kClosureWayCheck, kPicture, kNoBoxes, false},
+    {kClosureWayMargin, kPicture, kNoBoxes, false},
 };
 
 constexpr OptionRefusal kOptionsOfLoads[] = {

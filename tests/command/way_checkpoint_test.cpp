@@ -56,9 +56,34 @@ x = [-1, 1]
 y = "1/3"
 )toml";
 
+/// A linkage whose uncertain bars are long enough to divide the ways. "reaches" has a toggle.
+constexpr const char* kLinkage = R"toml(regulus = 1
+name = "linkage"
+[pose]
+theta = "rad"
+[geometry]
+crank = { value = "0.2", tolerance = "0.004", group = "base" }
+rod = { value = "0.35355", tolerance = "0.004", group = "base" }
+[closure]
+unknowns = { phi = "rad", psi = "rad" }
+equations = [
+  "crank*cos(theta) + rod*cos(phi) - 0.45 - 0.25*cos(psi)",
+  "crank*sin(theta) + rod*sin(phi) - 0.25*sin(psi)",
+]
+start = { theta = 0, phi = 0.7854, psi = 1.5708 }
+[motion.turns]
+waypoints = "turns.csv"
+error = { theta = 0.02 }
+[motion.reaches]
+waypoints = "reaches.csv"
+error = { theta = 0.02 }
+)toml";
+
 struct Asked {
   const char* name;
   std::vector<std::string> words;  ///< command, motion, options
+  const char* model = "parabola.toml";
+  bool has_proof = true;
 };
 
 void PrintTo(const Asked& asked, std::ostream* out) { *out << asked.name; }
@@ -69,6 +94,9 @@ class KeptSearchTest : public testing::TestWithParam<Asked> {
     std::ofstream(path("parabola.toml")) << kParabola;
     write_way("beside.csv", 0.002, 0);
     write_way("across.csv", 0.01, 0.3);
+    std::ofstream(path("linkage.toml")) << kLinkage;
+    std::ofstream(path("turns.csv")) << "theta\n0\n1.5\n-2\n2\n0.3\n-2.1\n2.1\n0\n";
+    std::ofstream(path("reaches.csv")) << "theta\n0\n1.5\n-2\n2\n-2\n1.9\n-2.5\n0\n";
   }
 
   [[nodiscard]] std::string path(const std::string& name) const { return folder_.path() / name; }
@@ -86,10 +114,10 @@ class KeptSearchTest : public testing::TestWithParam<Asked> {
   /// Returns the words of a run that writes `name`.json, .lines and .proof.
   [[nodiscard]] std::vector<std::string> words(const Asked& asked, const std::string& name,
                                                const std::vector<std::string>& more) const {
-    std::vector<std::string> all{kCommand, asked.words[0], path("parabola.toml")};
+    std::vector<std::string> all{kCommand, asked.words[0], path(asked.model)};
     all.insert(all.end(), asked.words.begin() + 1, asked.words.end());
     all.insert(all.end(), {"--json", "--engine", "interpreted"});
-    all.insert(all.end(), {"--certificate", path(name + ".proof")});
+    if (asked.has_proof) all.insert(all.end(), {"--certificate", path(name + ".proof")});
     if (is_paving(asked)) all.insert(all.end(), {"--output", path(name + ".lines")});
     all.insert(all.end(), more.begin(), more.end());
     return all;
@@ -214,6 +242,10 @@ const std::vector<Asked> kKept = {{"check_beside", {"check", "beside"}},
                                   {"check_across", {"check", "across"}},
                                   {"locate_beside", {"locate", "beside"}},
                                   {"locate_across", {"locate", "across"}},
+                                  {"branch", {"check", "turns"}, "linkage.toml"},
+                                  {"branch_to_a_toggle", {"check", "reaches"}, "linkage.toml"},
+                                  {"locate_branch", {"locate", "turns"}, "linkage.toml", false},
+                                  {"locate_toggle", {"locate", "reaches"}, "linkage.toml", false},
                                   {"load_beside", {"check", "beside", "--load", "push"}},
                                   {"load_across", {"check", "across", "--load", "push"}},
                                   {"load_stretches", {"locate", "across", "--load", "push"}},

@@ -43,6 +43,42 @@ TEST_F(RanksOnABranch, BracketAsOneThreadDoes) {
   EXPECT_EQ(run_command(ranks(2, margin)).output, one.output) << one.errors;
 }
 
+/// From the second segment on each begins with a configuration that the ranks are told. The last one
+/// has a toggle; the paving beyond it is shared.
+TEST_F(RanksOnABranch, PaveAWayAsOneThreadDoes) {
+  std::ofstream(file("way.csv")) << "theta\n0\n1.5\n-2\n2.4\n";
+  const Words locate = {"locate",        model("four_bar"), "turn",      "--waypoints",
+                        file("way.csv"), "--resolution",    "1/1000000", "--max-boxes",
+                        "18000",         "--output"};
+  const auto stretches_of = [this](const std::string& name) {
+    const std::string lines = text_of(file(name));
+    return lines.substr(0, lines.rfind("{\"summary\""));
+  };
+  const CommandResult one = run_command(one_thread(joined(locate, {file("one")})));
+  EXPECT_NE(stretches_of("one"), "");
+  const CommandResult many = run_command(ranks(2, joined(locate, {file("many")})));
+  EXPECT_EQ(stretches_of("many"), stretches_of("one")) << many.errors;
+  EXPECT_EQ(many.output, one.output);
+}
+
+TEST_F(RanksOnABranch, FollowAWayAsOneThreadDoes) {
+  std::ofstream(file("way.csv")) << "theta\n0\n1.5\n-2\n2\n";
+  const Words asked = {model("four_bar"), "swing", "--waypoints", file("way.csv"), "--certificate"};
+  const Words check = joined({"check"}, asked);
+  ASSERT_EQ(run_command(one_thread(joined(check, {file("one")}))).exit_code, 0);
+  const CommandResult many = run_command(ranks(2, joined(check, {file("many")})));
+  EXPECT_EQ(many.output, "NO SINGULARITY\n") << many.errors;
+  EXPECT_TRUE(text_of(file("many")) == text_of(file("one")));
+  const Words margin = joined({"margin"}, asked), grown = {"--tube", "theta=0:1"};
+  const CommandResult bracket = run_command(one_thread(joined(joined(margin, {file("a")}), grown)));
+  EXPECT_EQ(bracket.exit_code, 0) << bracket.errors;
+  const CommandResult shared = run_command(ranks(2, joined(joined(margin, {file("b")}), grown)));
+  EXPECT_EQ(shared.output, bracket.output) << shared.errors;
+  for (const char* end : {".safe", ".singular"})
+    EXPECT_TRUE(text_of(file(std::string("b") + end)) == text_of(file(std::string("a") + end)))
+        << end;
+}
+
 /// Its uncertain links leave many boxes undecided.
 const std::string kBars = bars("0.01", "[-1, 1]");
 

@@ -149,6 +149,7 @@ def test_reports_are_accepted_and_state_the_question(arguments):
 
 WAY = "t,x,y,phi\n0,0,14,0\n1,1,15,0.01\n2,2,16,0\n"
 WAYS = ("--waypoints", "{way}")
+CRANKS = ("--waypoints", "{crank}")
 HALL = ("--waypoints", "{hall}")
 PROOF = ("--certificate", "{proof}")
 LIMIT = ("--quantity", "sigma-max", "--limit", "2")
@@ -167,6 +168,9 @@ LIMIT = ("--quantity", "sigma-max", "--limit", "2")
         ("bound", ("bound", "orthoglide", "cube", "speed", "--limit", "20/3")),
         ("bound", ("bound", "planar_3rpr", "regular", "x*y", "--waypoints", "{way}")),
         ("datasheet", ("datasheet", "orthoglide", "cube", "--gap", "0.5")),
+        ("path", ("check", "four_bar", "swing", *CRANKS)),
+        ("path_paving", ("locate", "four_bar", "swing", *CRANKS)),
+        ("path_margin", ("margin", "four_bar", "swing", "--tube", "theta=0:1", *CRANKS)),
         ("path_paving", ("locate", "planar_3rpr", "regular", "--waypoints", "{way}")),
         ("path_margin", ("margin", "planar_3rpr", "regular", "--tube", "x=0:1", *WAYS)),
         ("bound", ("bound", "planar_3rpr", "regular", "x*y", "--limit", "3", *WAYS, *PROOF)),
@@ -186,7 +190,9 @@ def test_every_report_is_accepted_and_states_the_question(kind, arguments, tmp_p
     proof = str(tmp_path / "proof")
     hall = tmp_path / "hall.csv"
     hall.write_text("x,y,z,roll,pitch,yaw\n-1,0,4.5,0,0,0\n1,1,5,0,0,0\n")
-    named = {"{way}": str(way), "{hall}": str(hall), "{proof}": proof}
+    crank = tmp_path / "crank.csv"
+    crank.write_text("theta\n0\n1\n-2.4\n")
+    named = {"{way}": str(way), "{crank}": str(crank), "{hall}": str(hall), "{proof}": proof}
     report = printed(*(named.get(word, word) for word in arguments))
     assert errors(report_of(kind), report) == [] and errors(REPORT, report) == []
     assert has_type(report, type_of(kind))

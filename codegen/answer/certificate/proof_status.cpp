@@ -105,6 +105,15 @@ void EndProofs::write_singular(const std::string& head, const std::string& witne
   }
 }
 
+void EndProofs::note(bool is_safe, const ProofStatus& written, const std::string& value) {
+  if (written.is_lost())
+    is_safe ? lose_safe(written.obstacle()) : lose_singular(written.obstacle());
+  else if (!written.is_written())
+    is_safe ? set_no_safe(written.obstacle()) : set_no_singular(written.obstacle());
+  else
+    is_safe ? set_safe("safe at " + value) : set_singular("singular at " + value);
+}
+
 /// An earlier file of this end stays.
 void EndProofs::lose(EndProof& end, std::string why) {
   if (end.file.empty()) end.words = why;

@@ -122,6 +122,8 @@ class EndProofs {
   /// throw FileError.
   void write_safe(const std::function<std::shared_ptr<ProofFile>()>& complete, std::string words);
   void write_singular(const std::string& head, const std::string& witness, std::string words);
+  /// Notes what became of the proof of a value that was decided: `value` is its text.
+  void note(bool is_safe, const ProofStatus& written, const std::string& value);
   /// A proof of an end could not be written.
   void lose_safe(std::string why) { lose(safe_, std::move(why)); }
   void lose_singular(std::string why) { lose(singular_, std::move(why)); }

@@ -64,7 +64,7 @@ class Linker {
       links_.obstacle = describe(*reason);
     else
       conclude();
-    if (before_ != nullptr && links_.is_one_branch) join(must_stop);
+    if (before_ != nullptr) join(must_stop);
     return std::move(links_);
   }
 
@@ -151,11 +151,14 @@ class Linker {
           if (links_.configuration.empty() && solution) links_.configuration = *solution;
         });
     links_.links += joints;
-    if (const auto reason = must_stop())
+    const auto reason = must_stop();
+    if (!reason && are_joined && joints > 0) return;
+    links_.is_one_branch = false;
+    std::ranges::fill(links_.on_branch, 0);
+    if (reason)
       links_.obstacle = describe(*reason);
-    else if (!are_joined || joints == 0)
+    else if (links_.obstacle.empty())
       links_.obstacle = "the branch is not shown to go on from the segment before";
-    links_.is_one_branch = links_.obstacle.empty();
   }
 
   /// The box of the start has one solution, which a leaf holds.

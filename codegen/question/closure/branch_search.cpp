@@ -53,7 +53,7 @@ class BranchGoal {
   [[nodiscard]] std::size_t splittable() const { return ranges_.size(); }
   void describe(SavedTree& tree) const {
     for (const TreeBox& box : open_) tree.add_open(box.id, kInfinity);
-    tree.own = {asked_};
+    tree.own = {asked_, result_.largest_open};
   }
   void recall(const TreeBox&, TubeFinding&) {}
   /// A box that was undecided, and would be split now, is open again.
@@ -65,8 +65,9 @@ class BranchGoal {
   }
   void reopen(TreeBox box) { open_.push_back(std::move(box)); }
   void resume_own(std::span<const std::uint64_t> own) {
-    if (own.size() != 1) throw SavedTreeError("the numbers of the search are missing");
+    if (own.size() != 2) throw SavedTreeError("the numbers of the search are missing");
     asked_ = own[0];
+    result_.largest_open = own[1];
   }
 
   BranchResult finish() {
@@ -92,7 +93,7 @@ class BranchGoal {
     if (finding.tube) return leave(box, Rule::kSecondOrder, std::move(finding.tube));
     const auto variable = variable_to_split(box, finding);
     if (!variable) return block(box, finding);
-    ask(box, finding.is_lost);
+    if (!is_answered(box, finding.is_lost)) return open_.push_back(std::move(box));
     auto [lower, upper] = course_.split(std::move(box), *variable);
     open_.push_back(std::move(upper));
     open_.push_back(std::move(lower));
@@ -119,17 +120,20 @@ class BranchGoal {
     return chosen ? std::optional(from + *chosen) : std::nullopt;
   }
 
-  /// A bit for each time that it was asked.
-  void ask(const TreeBox& box, bool is_lost) {
+  /// A bit for each time that it was asked. An answer that ends the search, or that a limit cuts, is
+  /// none: the box stays open, so that a search which continues asks again.
+  [[nodiscard]] bool is_answered(const TreeBox& box, bool is_lost) {
     const bool is_small = box.depth >= kSplitsBeforeAsking * std::max<std::size_t>(parameters_, 1);
     std::uint64_t ask = 0;
     if (is_lost && box.depth >= kSplitsBeforeDoubt) ask = 1;
     if (is_small) ask = is_lost ? 2 : 4;
-    if (ask == 0 || (asked_ & ask) != 0 || !settings_.ask || result_.is_refuted) return;
-    asked_ |= ask;
+    if (ask == 0 || (asked_ & ask) != 0 || !settings_.ask || result_.is_refuted) return true;
     std::vector<double> place;
     for (std::size_t k = 0; k < variables_; ++k) place.push_back(mid(box.box[k]));
     result_.is_refuted = settings_.ask(place, is_lost);
+    if (result_.is_refuted || course_.must_pause()) return false;
+    asked_ |= ask;
+    return true;
   }
 
   void leave(TreeBox& box, Rule rule, std::optional<BranchTube> tube) {

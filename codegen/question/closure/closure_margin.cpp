@@ -3,13 +3,45 @@
 
 #include "codegen/answer/report/progress.hpp"
 #include "codegen/question/closure/closure_certificate.hpp"
+#include "codegen/question/closure/closure_way_report.hpp"
 #include "codegen/question/engine/search_topic.hpp"
 #include "codegen/support/stopwatch.hpp"
 #include "codegen/support/time_budget.hpp"
 
 namespace regulus {
 
-MarginStep ClosureAttempts::at(const MarginValue& value, const PlannedAttempt& planned) {
+CheckedBranch::CheckedBranch(Request request, const SearchOptions& search,
+                             const FormingWatch& watch, Observer* progress,
+                             const SearchTopic& topic)
+    : prepared(prepare_closure(std::move(request), 0, search, watch)) {
+  turn_to(search.workers, topic, prepared.request.motion);
+  found = check_closure(prepared, search, watch, progress);
+}
+
+Result CheckedBranch::result() const { return check_result(prepared, found); }
+
+std::string CheckedBranch::claim() const { return describe_claim(prepared, found); }
+
+ProofStatus CheckedBranch::certify(const std::string& path, const ProofPlacing& placing) const {
+  return found.is_refuted() ? certify_fold(path, prepared, *found.reached(), placing)
+                            : certify_branch(path, prepared, found.searched, placing);
+}
+
+CheckedBranchOnWay::CheckedBranchOnWay(Request request, const SearchOptions& search,
+                                       const FormingWatch& watch, Observer* progress,
+                                       const SearchTopic& topic)
+    : prepared(prepare_way(std::move(request), 0, search, watch)),
+      found(check_way(prepared, search, watch, progress, {}, topic)) {}
+
+std::string CheckedBranchOnWay::claim() const { return describe_claim(prepared, found); }
+
+ProofStatus CheckedBranchOnWay::certify(const std::string& path,
+                                        const ProofPlacing& placing) const {
+  return certify_way(path, prepared, found, placing);
+}
+
+template <class Checked>
+MarginStep ClosureAttempts<Checked>::at(const MarginValue& value, const PlannedAttempt& planned) {
   SearchOptions options = search_;
   if (planned.seconds < kInfinity) options.time_limit = TimeBudget::option(planned.seconds);
   if (planned.boxes < kAnyBoxes) options.max_boxes = planned.boxes;
@@ -19,11 +51,8 @@ MarginStep ClosureAttempts::at(const MarginValue& value, const PlannedAttempt& p
   forming.interrupt = interrupt_;
   SearchTopic topic;
   topic.value = value.approx;
-  turn_to(options.workers, std::move(topic), request_.nominal().motion);
-  Checked checked{prepare_closure(request_.at(value), 0, options, forming), {}};
-  checked.found = check_closure(checked.prepared, options, forming, display.observer());
-  MarginStep step{value, check_result(checked.prepared, checked.found),
-                  describe_claim(checked.prepared, checked.found)};
+  Checked checked(request_.at(value), options, forming, display.observer(), topic);
+  MarginStep step{value, checked.result(), checked.claim()};
   step.result.statistics.seconds = watch.lap();
   certify(value, checked, step.result.verdict);
   if (step.result.verdict == Verdict::kSingularity)
@@ -33,21 +62,16 @@ MarginStep ClosureAttempts::at(const MarginValue& value, const PlannedAttempt& p
   return step;
 }
 
-void ClosureAttempts::certify(const MarginValue& value, const Checked& checked, Verdict verdict) {
+template <class Checked>
+void ClosureAttempts<Checked>::certify(const MarginValue& value, const Checked& checked,
+                                       Verdict verdict) {
   if (!proofs_.are_wanted() || verdict == Verdict::kPossibleProblem) return;
   const bool is_safe = verdict == Verdict::kNoSingularity;
-  const ProofStatus written = is_safe ? certify_branch(proofs_.safe_file(), checked.prepared,
-                                                       checked.found.searched, proofs_.placing())
-                                      : certify_fold(proofs_.singular_file(), checked.prepared,
-                                                     *checked.found.reached(), proofs_.placing());
-  if (written.is_lost())
-    is_safe ? proofs_.lose_safe(written.obstacle()) : proofs_.lose_singular(written.obstacle());
-  else if (!written.is_written())
-    is_safe ? proofs_.set_no_safe(written.obstacle()) : proofs_.set_no_singular(written.obstacle());
-  else if (is_safe)
-    proofs_.set_safe("safe at " + value.text);
-  else
-    proofs_.set_singular("singular at " + value.text);
+  const std::string file = is_safe ? proofs_.safe_file() : proofs_.singular_file();
+  proofs_.note(is_safe, checked.certify(file, proofs_.placing()), value.text);
 }
+
+template class ClosureAttempts<CheckedBranch>;
+template class ClosureAttempts<CheckedBranchOnWay>;
 
 }  // namespace regulus

@@ -4,12 +4,39 @@
 
 #include "codegen/answer/certificate/proof_status.hpp"
 #include "codegen/answer/report/output_options.hpp"
-#include "codegen/question/closure/closure_report.hpp"
+#include "codegen/question/closure/closure_way.hpp"
 #include "codegen/question/margin/attempts.hpp"
 
 namespace regulus {
 
+/// A check at one value: of a branch over ranges.
+struct CheckedBranch {
+  PreparedClosure prepared;
+  ClosureFinding found;
+
+  /// `topic`: of the value. `progress` may be null.
+  CheckedBranch(Request request, const SearchOptions& search, const FormingWatch& watch,
+                Observer* progress, const SearchTopic& topic);
+  [[nodiscard]] Result result() const;
+  [[nodiscard]] std::string claim() const;
+  /// Writes the proof of the verdict, if there is one.
+  [[nodiscard]] ProofStatus certify(const std::string& path, const ProofPlacing& placing) const;
+};
+
+/// The same of a branch along way-points.
+struct CheckedBranchOnWay {
+  PreparedWay prepared;
+  WayFinding found;
+
+  CheckedBranchOnWay(Request request, const SearchOptions& search, const FormingWatch& watch,
+                     Observer* progress, const SearchTopic& topic);
+  [[nodiscard]] Result result() const { return found.result; }
+  [[nodiscard]] std::string claim() const;
+  [[nodiscard]] ProofStatus certify(const std::string& path, const ProofPlacing& placing) const;
+};
+
 /// At a value that is not safe the branch reaches a singular configuration.
+template <class Checked>
 class ClosureAttempts final : public Attempts {
  public:
   /// `proofs`: of both ends. The references must outlive this object.
@@ -25,10 +52,6 @@ class ClosureAttempts final : public Attempts {
 
   [[nodiscard]] const EndProofs& proofs() const { return proofs_; }
   /// The last check, and the last one that was not safe.
-  struct Checked {
-    PreparedClosure prepared;
-    ClosureFinding found;
-  };
   [[nodiscard]] const std::optional<Checked>& last() const { return last_; }
   [[nodiscard]] const std::optional<Checked>& refuted() const { return refuted_; }
 

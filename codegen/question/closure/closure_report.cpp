@@ -116,9 +116,6 @@ std::vector<double> at_the_border(const PreparedClosure& prepared, std::vector<d
   return place;
 }
 
-/// The ends of the branch are looked for so much further than the first box without it.
-constexpr double kPartBeyondBoxes = 0x1p-6;
-
 /// Returns places a little beyond the boxes that are on the branch, to either side of the start, of a
 /// motion of one parameter.
 std::vector<double> beyond_the_branch(const PreparedClosure& prepared,
@@ -157,26 +154,31 @@ std::string reason_of(const ClosureFinding& found) {
                                            : describe(found.searched.branch.reason);
 }
 
+std::optional<Fold> fold_beyond(const PreparedClosure& prepared, std::vector<double> place,
+                                bool is_lost, const SearchOptions& search,
+                                const FormingWatch& watch) {
+  const auto parameters = place.begin() + std::ptrdiff_t(prepared.shape.parameters);
+  std::vector<double> uncertain(parameters, place.end());
+  place.erase(parameters, place.end());
+  if (!is_lost) {
+    // The middles of the uncertain quantities have the branch: perhaps not all have it.
+    if (prepared.shape.variables == prepared.shape.parameters) return std::nullopt;
+    place = at_the_border(prepared, place);
+    auto corner = nearest_corner(prepared, place, search, watch);
+    if (!corner) return std::nullopt;
+    uncertain = std::move(*corner);
+  }
+  return find_fold(prepared, place, uncertain, search, watch);
+}
+
 ClosureFinding check_closure(PreparedClosure& prepared, const SearchOptions& search,
                              const FormingWatch& watch, Observer* progress,
                              const KeepBranch& keep) {
   ClosureFinding found;
   BranchSettings settings = settings_of(prepared, search, watch.interrupt);
   const Deadline deadline(settings);
-  settings.ask = [&](std::vector<double> place, bool is_lost) {
-    const SearchOptions rest = within(search, deadline);
-    const auto parameters = place.begin() + std::ptrdiff_t(prepared.shape.parameters);
-    std::vector<double> uncertain(parameters, place.end());
-    place.erase(parameters, place.end());
-    if (!is_lost) {
-      // The middles of the uncertain quantities have the branch: perhaps not all have it.
-      if (prepared.shape.variables == prepared.shape.parameters) return false;
-      place = at_the_border(prepared, place);
-      auto corner = nearest_corner(prepared, place, rest, watch);
-      if (!corner) return false;
-      uncertain = std::move(*corner);
-    }
-    if (auto fold = find_fold(prepared, place, uncertain, rest, watch))
+  settings.ask = [&](const std::vector<double>& place, bool is_lost) {
+    if (auto fold = fold_beyond(prepared, place, is_lost, within(search, deadline), watch))
       found.folds = {std::move(*fold)};
     return found.is_refuted();
   };

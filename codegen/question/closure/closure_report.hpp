@@ -26,6 +26,16 @@ struct ClosureFinding {
   [[nodiscard]] bool is_refuted() const { return reached() != nullptr; }
 };
 
+/// The ends of a branch are looked for so much further than the first box without it.
+inline constexpr double kPartBeyondBoxes = 0x1p-6;
+
+/// Looks for a singular configuration that keeps the branch from a small box without a tube. `place`,
+/// `is_lost`: as BranchSettings::ask has them.
+[[nodiscard]] std::optional<Fold> fold_beyond(const PreparedClosure& prepared,
+                                              std::vector<double> place, bool is_lost,
+                                              const SearchOptions& search,
+                                              const FormingWatch& watch);
+
 /// Asks whether the branch is regular all over the motion. `progress` may be null.
 [[nodiscard]] ClosureFinding check_closure(PreparedClosure& prepared, const SearchOptions& search,
                                            const FormingWatch& watch, Observer* progress,

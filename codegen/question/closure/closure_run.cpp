@@ -13,9 +13,6 @@
 namespace regulus {
 namespace {
 
-/// The search has this part of the time; the links have the rest.
-constexpr double kPartOfSearch = 0.9;
-
 /// The kernel needs the entries of the matrix and their derivatives, and no product.
 SearchOptions options_of_kernel(SearchOptions search) {
   search.method = Method::kReg;

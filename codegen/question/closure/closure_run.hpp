@@ -99,6 +99,9 @@ class Deadline {
   const std::atomic<bool>* const interrupt_;
 };
 
+/// The search has this part of the time; the links have the rest.
+inline constexpr double kPartOfSearch = 0.9;
+
 /// Runs the search with these settings, and keeps it in a file, for the option --checkpoint.
 using SearchOfBranch = std::function<BranchResult(const BranchSettings&)>;
 using KeepBranch = std::function<BranchResult(const BranchSettings&, const SearchOfBranch&)>;

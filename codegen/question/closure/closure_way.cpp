@@ -17,15 +17,29 @@ namespace {
 /// A piece that is asked about alone has one configuration so near to its start.
 constexpr double kRadiusAtJoint = 0x1p-20;
 
+/// Returns a place a little beyond the first part of a piece that is not on the branch.
+double beyond_the_branch(const ClosureResult& piece) {
+  double begin = 1, end = 1;
+  const std::vector<BranchLeaf>& leaves = piece.branch.tree.leaves();
+  for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf) {
+    const Interval& part = leaves[leaf].at.box[0];
+    if (piece.links.on_branch.at(leaf) == 0 && part.lo < begin) begin = part.lo, end = part.hi;
+  }
+  return std::fmin((1 + kPartBeyondBoxes) * end, 1.0);
+}
+
 class WaySearch {
  public:
-  WaySearch(PreparedWay& prepared, const SearchOptions& search, const FormingWatch& watch,
-            Observer* progress)
+  WaySearch(PreparedWay& prepared, const SearchOptions& search, const BranchSettings& settings,
+            const FormingWatch& watch, Observer* progress, const KeepPiece& keep,
+            const SearchTopic& topic)
       : prepared_(prepared),
         search_(search),
         watch_(watch),
         progress_(progress),
-        settings_(settings_of(prepared.common, search, watch.interrupt)),
+        keep_(keep),
+        topic_(topic),
+        settings_(settings),
         deadline_(settings_),
         near_(prepared.common.near_start) {}
 
@@ -46,15 +60,33 @@ class WaySearch {
     if (k > 0 && !begin_piece(question, k)) return;
     ClosureResult& result = found_.pieces.emplace_back();
     PieceWithoutBranch piece{k, "", {}, {}};
-    result.branch = search_branch(question, settings_for(piece), progress_);
+    result.branch = searched(question, settings_for(piece), k);
     const MustStop must_stop = [this] { return deadline_.reason(); };
-    if (result.branch.is_complete && !result.branch.is_empty)
+    if (settings_.paves || (result.branch.is_complete && !result.branch.is_empty))
       result.links =
           k == 0 ? link_branch(question, result.branch.tree, prepared_.common.start, must_stop)
                  : link_branch(question, result.branch.tree, before(k), must_stop);
     if (result.is_proved()) return;
-    piece.obstacle = reason_of({result, {}});
+    piece.obstacle = result.branch.is_empty ? "the constraints exclude every pose of the segment"
+                                            : reason_of({result, {}});
+    const bool is_cut = result.branch.stopped_by || must_stop();
+    if (settings_.paves && !is_cut) {
+      std::vector<double> place = near_.variables;
+      place[0] = beyond_the_branch(result);
+      look_for_fold(piece, place, true);
+    }
     found_.deciding = std::move(piece);
+  }
+
+  [[nodiscard]] BranchResult searched(const ClosureQuestion& question,
+                                      const BranchSettings& settings, std::size_t k) {
+    SearchTopic topic = topic_;
+    topic.start = near_.unknowns;
+    turn_to_piece(search_.workers, std::move(topic), prepared_.request.motion, k);
+    const SearchOfBranch search = [&](const BranchSettings& chosen) {
+      return search_branch(question, chosen, progress_);
+    };
+    return keep_ ? keep_(k, settings, search) : search(settings);
   }
 
   [[nodiscard]] BranchBefore before(std::size_t k) const {
@@ -79,24 +111,27 @@ class WaySearch {
 
   [[nodiscard]] BranchSettings settings_for(PieceWithoutBranch& piece) {
     BranchSettings settings = settings_;
-    settings.time_limit = std::fmax(0.0, deadline_.left());
+    settings.time_limit = std::fmax(0.0, deadline_.left()) * (settings.paves ? kPartOfSearch : 1);
     for (const ClosureResult& before : found_.pieces)
       settings.max_boxes -= std::min(settings.max_boxes, before.branch.boxes);
+    if (settings.paves) return settings;
     settings.ask = [this, &piece](const std::vector<double>& place, bool is_lost) {
-      return is_lost && look_for_fold(piece, place);
+      look_for_fold(piece, place, is_lost);
+      return piece.is_refuted();
     };
     return settings;
   }
 
   /// Looks for a singular configuration between the begin of the piece and a place on it.
-  bool look_for_fold(PieceWithoutBranch& piece, const std::vector<double>& place) {
+  void look_for_fold(PieceWithoutBranch& piece, const std::vector<double>& place, bool is_lost) {
     SearchOptions rest = search_;
     if (search_.time_limit != 0) rest.time_limit = std::fmax(deadline_.left(), 1e-9);
     PreparedClosure alone = prepare_closure(piece_alone(piece.index), 0, rest, watch_);
-    if (alone.preparation.stopped || !begins_alike(alone, piece.index)) return false;
-    piece.fold = find_fold(alone, {place[0]}, {}, rest, watch_);
-    if (piece.fold) piece.alone = std::move(alone);
-    return piece.is_refuted();
+    if (alone.preparation.stopped || !begins_alike(alone, piece.index)) return;
+    std::optional<Fold> fold = fold_beyond(alone, place, is_lost, rest, watch_);
+    if (!fold) return;
+    piece.fold = std::move(fold);
+    piece.alone = std::move(alone);
   }
 
   /// The question about a piece alone, which begins near the configuration there.
@@ -133,13 +168,20 @@ class WaySearch {
         all.statistics.leaves[rule] += one.statistics.leaves[rule];
       all.stopped_by = one.stopped_by;
     }
-    if (!found_.deciding) return;
+    if (!found_.deciding) {
+      const Motion& motion = prepared_.request.motion;
+      if (motion.constraints.empty() && motion.reach.empty()) all.occupancy = Occupancy::kInhabited;
+      return;
+    }
     if (found_.deciding->is_refuted()) {
       all.verdict = Verdict::kSingularity;
       all.reason = Reason::kLostRank;
     } else if (!found_.pieces.empty()) {
-      const Result last = check_result(prepared_.common, {found_.pieces.back(), {}});
-      all.reason = last.reason;
+      const ClosureResult& piece = found_.pieces.back();
+      const Result last = check_result(prepared_.common, {piece, {}});
+      if (piece.branch.is_complete && !all.stopped_by) all.stopped_by = deadline_.reason();
+      // Poses remain on other pieces.
+      all.reason = piece.branch.is_empty ? Reason::kWidth : last.reason;
       all.blocking_box = last.blocking_box;
     }
   }
@@ -148,6 +190,8 @@ class WaySearch {
   const SearchOptions& search_;
   const FormingWatch& watch_;
   Observer* const progress_;
+  const KeepPiece& keep_;
+  const SearchTopic& topic_;
   const BranchSettings settings_;
   const Deadline deadline_;
   BranchPoint near_;                ///< where the piece begins, approximately
@@ -187,8 +231,17 @@ PreparedWay prepare_way(Request request, double model_seconds, const SearchOptio
 }
 
 WayFinding check_way(PreparedWay& prepared, const SearchOptions& search, const FormingWatch& watch,
-                     Observer* progress) {
-  return WaySearch(prepared, search, watch, progress).run();
+                     Observer* progress, const KeepPiece& keep, const SearchTopic& topic) {
+  const BranchSettings settings = settings_of(prepared.common, search, watch.interrupt);
+  return WaySearch(prepared, search, settings, watch, progress, keep, topic).run();
+}
+
+WayFinding pave_way(PreparedWay& prepared, const SearchOptions& search, double resolution,
+                    const FormingWatch& watch, Observer* progress, const KeepPiece& keep) {
+  BranchSettings settings = settings_of(prepared.common, search, watch.interrupt);
+  settings.paves = true;
+  settings.min_relative_width = resolution;
+  return WaySearch(prepared, search, settings, watch, progress, keep, {}).run();
 }
 
 }  // namespace regulus

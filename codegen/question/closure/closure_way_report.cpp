@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
+#include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/place_text.hpp"
 #include "codegen/answer/report/plain_words.hpp"
 #include "codegen/answer/report/question_report.hpp"
@@ -13,6 +15,7 @@
 #include "codegen/answer/report/search_facts.hpp"
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/way/trajectory.hpp"
+#include "codegen/question/margin/margin_report.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 
 namespace regulus {
@@ -20,17 +23,23 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string words_of_segments(const PreparedWay& prepared) {
+/// `set`: the segments that are meant.
+std::string words_of_poses(const PreparedWay& prepared, const std::string& set,
+                           const char* around_set) {
   const Motion& motion = prepared.request.motion;
   const bool has_errors =
       std::ranges::any_of(motion.error, [](const GiNaC::ex& e) { return !e.is_zero(); });
   const bool is_uncertain = uncertain_count(geometry_along_way(prepared.request)) > 0;
-  return fmt::format("every {}pose{} of the {} segment{}{}{}",
+  return fmt::format("every {}pose{} of the {}{}{}",
                      motion.where == Where::kEverywhere ? "" : "reachable ",
-                     motion.constraints.empty() ? "" : " that the constraints allow",
-                     prepared.pieces(), prepared.pieces() == 1 ? "" : "s",
-                     has_errors ? " and of the tube around them" : "",
+                     motion.constraints.empty() ? "" : " that the constraints allow", set,
+                     has_errors ? around_set : "",
                      is_uncertain ? " and every value of the uncertain quantities" : "");
+}
+
+std::string words_of_segments(const PreparedWay& prepared) {
+  return words_of_poses(prepared, counted(prepared.pieces(), "segment", "segments"),
+                        " and of the tube around them");
 }
 
 std::string reason_of(const WayFinding& found) {
@@ -54,7 +63,6 @@ void tell_begin(const PreparedWay& prepared, const WayFinding& found, Facts& fac
 
 /// The segment that decides, with the place on it.
 void tell_segment(const PreparedWay& prepared, const WayFinding& found, Facts& facts) {
-  facts.add("witness", nullptr);
   if (!found.deciding) {
     facts.add("segment", nullptr).add("folds", Json::array());
     return;
@@ -75,6 +83,34 @@ void tell_segment(const PreparedWay& prepared, const WayFinding& found, Facts& f
     facts.add("folds", Json::array());
 }
 
+/// Tells programs the whole question, and how it was searched.
+void tell_work(const PreparedWay& prepared, const SearchOptions& search, const WayFinding& found,
+               Facts& facts) {
+  const PreparedSearch& p = prepared.common.preparation;
+  const Statistics& statistics = found.result.statistics;
+  facts.add("matrix", name(p.labels.matrix_kind));
+  tell_threshold(p, facts);
+  tell_method(p, search, found.result.method, statistics.boxes, facts);
+  facts.add("boxes", statistics.boxes).add("max_frontier", statistics.max_frontier);
+  facts.tell(
+      "searched_alone", found.pieces.size(), "boxes",
+      fmt::format("{} evaluated, at most {} waiting; {} of {} segments searched", statistics.boxes,
+                  statistics.max_frontier, found.pieces.size(), prepared.pieces()));
+  tell_time(p.seconds_spent(), facts);
+  if (facts.are_for_programs()) add_search(search, json_question(prepared.request, search), facts);
+}
+
+void tell_question(const PreparedWay& prepared, const SearchOptions& search,
+                   const WayFinding& found, Facts& facts) {
+  facts.add("verdict", json_name(found.result.verdict)).add("reason", reason_of(found));
+  tell_way(prepared.request, facts);
+  say_uncertain_geometry(geometry_along_way(prepared.request), facts);
+  tell_begin(prepared, found, facts);
+  tell_work(prepared, search, found, facts);
+}
+
+const char* word_of_claim(Claim claim) noexcept { return name(claim); }
+
 }  // namespace
 
 std::string describe_claim(const PreparedWay& prepared, const WayFinding& found) {
@@ -91,23 +127,8 @@ std::string describe_claim(const PreparedWay& prepared, const WayFinding& found)
 
 void tell_closure_way(const PreparedWay& prepared, const SearchOptions& search,
                       const WayFinding& found, Facts& facts) {
-  const PreparedSearch& p = prepared.common.preparation;
-  const Statistics& statistics = found.result.statistics;
-  facts.add("verdict", json_name(found.result.verdict)).add("reason", reason_of(found));
-  tell_way(prepared.request, facts);
-  say_uncertain_geometry(geometry_along_way(prepared.request), facts);
-  tell_begin(prepared, found, facts);
-  facts.add("matrix", name(p.labels.matrix_kind));
-  tell_threshold(p, facts);
-  tell_method(p, search, found.result.method, statistics.boxes, facts);
-  facts.add("boxes", statistics.boxes).add("max_frontier", statistics.max_frontier);
-  facts.tell(
-      "searched_alone", found.pieces.size(), "boxes",
-      fmt::format("{} evaluated, at most {} waiting; {} of {} segments searched", statistics.boxes,
-                  statistics.max_frontier, found.pieces.size(), prepared.pieces()));
-  tell_time(p.seconds_spent(), facts);
-  if (facts.are_for_programs()) add_search(search, json_question(prepared.request, search), facts);
-  facts.add("excluded", 0);
+  tell_question(prepared, search, found, facts);
+  facts.add("excluded", 0).add("witness", nullptr);
   tell_segment(prepared, found, facts);
   tell_meaning(found.is_proved()
                    ? "at no pose of these segments can the mechanism change its branch, or move "
@@ -118,6 +139,42 @@ void tell_closure_way(const PreparedWay& prepared, const SearchOptions& search,
                facts);
   const std::string claim = describe_claim(prepared, found);
   facts.tell("claim", claim, "claim", claim);
+}
+
+void tell_way_paving(const PreparedWay& prepared, const SearchOptions& search, double resolution,
+                     const WayFinding& found, const std::vector<PathStretch>& stretches,
+                     Facts& facts) {
+  static constexpr std::array kClaimsOfBranch = {Claim::kFree, Claim::kUndecided, Claim::kOutside};
+  tell_question(prepared, search, found, facts);
+  facts.add("claim",
+            fmt::format("free: {}, for {}", describe_regular_branch(prepared.common),
+                        words_of_poses(prepared, "stretch", " and of the tube around it")));
+  facts.add("resolution", resolution);
+  tell_stretches(*prepared.request.motion.trajectory, stretches, kClaimsOfBranch, word_of_claim,
+                 facts);
+  tell_segment(prepared, found, facts);
+}
+
+void tell_way_margin(const PreparedWay& prepared, const SearchOptions& search,
+                     const WayFinding& found, const MarginQuestion& question, const Margin& margin,
+                     double gap_wanted, Facts& facts) {
+  const Request before = before_growth(prepared.request, question);
+  tell_way(before, facts);
+  const SearchSubject geometry = geometry_along_way(before);
+  // A tolerance that grows is uncertain, too.
+  if (question.quantity != MarginQuantity::kTolerance || uncertain_count(geometry) > 0)
+    say_uncertain_geometry(geometry, facts);
+  tell_begin(prepared, found, facts);
+  tell_work(prepared, search, found, facts);
+  facts.say("margin", fmt::format("{}: {} at {}", describe_range(question),
+                                  counted(margin.boxes, "box", "boxes"),
+                                  counted(margin.steps.size(), "value", "values")));
+  add_bracket(question, margin, facts);
+  for (const auto* step : {&margin.empty, &margin.certified, &margin.refuted})
+    say_end(question, *step, facts);
+  facts.add("witness", nullptr);
+  tell_segment(prepared, found, facts);
+  tell_gap(margin, gap_wanted, facts);
 }
 
 }  // namespace regulus

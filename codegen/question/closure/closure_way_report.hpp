@@ -5,7 +5,8 @@
 #include <string>
 
 #include "codegen/answer/facts.hpp"
-#include "codegen/question/closure/closure_way.hpp"
+#include "codegen/question/closure/closure_way_paving.hpp"
+#include "codegen/question/margin/margin_run.hpp"
 
 namespace regulus {
 
@@ -14,5 +15,15 @@ namespace regulus {
 
 void tell_closure_way(const PreparedWay& prepared, const SearchOptions& search,
                       const WayFinding& found, Facts& facts);
+
+/// Tells the question, the stretches and the share of each claim, and where the branch ends.
+void tell_way_paving(const PreparedWay& prepared, const SearchOptions& search, double resolution,
+                     const WayFinding& found, const std::vector<PathStretch>& stretches,
+                     Facts& facts);
+
+/// Tells a bracket, and the check of one of its values.
+void tell_way_margin(const PreparedWay& prepared, const SearchOptions& search,
+                     const WayFinding& found, const MarginQuestion& question, const Margin& margin,
+                     double gap_wanted, Facts& facts);
 
 }  // namespace regulus

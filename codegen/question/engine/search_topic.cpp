@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/engine/search_topic.hpp"
 
+#include <span>
+
 #include "codegen/model/way/trajectory.hpp"
 #include "runtime/cluster/bytes.hpp"
 
@@ -33,6 +35,7 @@ std::string write_topic(const SearchTopic& topic) {
   bytes.put_text(topic.waypoints);
   put(bytes, topic.value);
   put(bytes, topic.piece);
+  bytes.put_list(std::span<const double>(topic.start));
   return bytes.take();
 }
 
@@ -49,6 +52,7 @@ SearchTopic read_topic(std::string_view text) {
   topic.waypoints = bytes.take_text();
   topic.value = take<double>(bytes);
   topic.piece = take<std::uint64_t>(bytes);
+  topic.start = bytes.take_list<double>();
   if (!bytes.at_end()) throw cluster::MalformedMessage();
   return topic;
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "runtime/cluster/workers.hpp"
 
@@ -36,6 +37,8 @@ struct SearchTopic {
   std::optional<double> value{};
   /// The piece that is searched alone; nullopt: all are searched together.
   std::optional<std::uint64_t> piece{};
+  /// Of a closure: approximately the unknowns where the piece begins.
+  std::vector<double> start{};
 };
 
 [[nodiscard]] std::string write_topic(const SearchTopic& topic);

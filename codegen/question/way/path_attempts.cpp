@@ -64,16 +64,7 @@ void PathAttempts::certify(const MarginValue& value, const TrajectoryCheck& chec
   const ProofStatus written =
       certify_trajectory(is_singular ? proofs_.singular_file() : proofs_.safe_file(), check,
                          request_.certified_at(value), proofs_.placing());
-  if (written.is_lost()) {
-    is_singular ? proofs_.lose_singular(written.obstacle()) : proofs_.lose_safe(written.obstacle());
-  } else if (!written.is_written()) {
-    is_singular ? proofs_.set_no_singular(written.obstacle())
-                : proofs_.set_no_safe(written.obstacle());
-  } else if (is_singular) {
-    proofs_.set_singular("singular at " + value.text);
-  } else {
-    proofs_.set_safe("safe at " + value.text);
-  }
+  proofs_.note(!is_singular, written, value.text);
 }
 
 Bracket::Limits limits_of(const SearchOptions& search, double gap) {

@@ -121,13 +121,7 @@ class PathPaver {
     return run_.is_interrupted() ? Reason::kInterrupted : Reason::kTimeBudget;
   }
 
-  void append(const PathStretch& part) {
-    auto& all = paving_.stretches;
-    if (!all.empty() && all.back().claim == part.claim)
-      all.back().end = part.end;
-    else
-      all.push_back(part);
-  }
+  void append(const PathStretch& part) { append_stretch(paving_.stretches, part); }
 
   PathPaving& paving_;
   TrajectoryCheck& check_;
@@ -163,6 +157,13 @@ void set_verdict(PathPaving& paving) {
 }
 
 }  // namespace
+
+void append_stretch(std::vector<PathStretch>& stretches, const PathStretch& part) {
+  if (!stretches.empty() && stretches.back().claim == part.claim)
+    stretches.back().end = part.end;
+  else
+    stretches.push_back(part);
+}
 
 double approx_time_at(const Trajectory& trajectory, const PathPlace& place) {
   const TrajectoryPiece& piece = trajectory.pieces[place.piece];

@@ -33,6 +33,9 @@ struct PathStretch {
   PathPlace begin, end;
 };
 
+/// Adds a part that begins where the last stretch ends; it continues one with the same claim.
+void append_stretch(std::vector<PathStretch>& stretches, const PathStretch& part);
+
 /// Returns the word for the claim of a stretch.
 using ClaimWord = const char* (*)(Claim) noexcept;
 

@@ -2,6 +2,11 @@
 // Follows closures that tests write along way-points, and has the answers verified.
 #pragma once
 
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "codegen/question/closure/closure_way_paving.hpp"
 #include "codegen/question/closure/closure_way_report.hpp"
 #include "tests/property/closure/checked_closures.hpp"
 
@@ -17,6 +22,13 @@ class WayFile {
  private:
   TemporaryDirectory folder_;
 };
+
+/// A table of the places of a crank.
+inline std::string table_of(const std::vector<double>& places) {
+  std::string text = "theta\n";
+  for (const double place : places) text += fmt::format("{:.17g}\n", place);
+  return text;
+}
 
 struct CheckedWay {
   PreparedWay prepared;

@@ -15,13 +15,6 @@ namespace {
 using testing::HasSubstr;
 using verifier::Outcome;
 
-/// A table with one column in radians.
-std::string table_of(const std::vector<double>& places) {
-  std::string text = "theta\n";
-  for (const double place : places) text += fmt::format("{:.17g}\n", place);
-  return text;
-}
-
 double at_part(double from, double to, double s) { return from + s * (to - from); }
 
 /// Every place of the way has the configuration of the linkage, and not that of its mirror.

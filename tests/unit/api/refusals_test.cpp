@@ -120,9 +120,8 @@ TEST(Refusals, OfAClosureAlongWayPointsSayWhatIsAsked) {
   regulus::BoundOptions options;
   options.quantity.quantity = "determinant";
   EXPECT_THAT(message_of([&] { static_cast<void>(regulus::bound(along, options)); }),
-              HasSubstr("only check, without a load, asks"));
-  EXPECT_THAT(message_of([&] { static_cast<void>(regulus::locate(along)); }),
-              HasSubstr("only check, without a load, asks"));
+              HasSubstr("check, locate and margin, without a load or a quantity, ask"));
+  EXPECT_EQ(regulus::locate(along).verdict, regulus::Verdict::kNoSingularity);
 }
 
 TEST(Refusals, OfQuantitiesOfAClosureSayWhy) {

@@ -3,7 +3,7 @@ import { boundsPart, marginsPart } from "./bars";
 import { PageData, readPageData } from "./data";
 import { h, section } from "./dom";
 import { Icicle } from "./icicle";
-import { poseSliders, Shown, ShownPose } from "./pose";
+import { middleOf, poseSliders, Shown, ShownPose } from "./pose";
 import { Question } from "./question";
 import { Robot } from "./robot";
 import { robotPart } from "./robot_part";
@@ -43,9 +43,18 @@ function partsOfRanges(data: PageData, question: Question, certificate: Certific
   return { parts, pose };
 }
 
+/** A branch along way-points, at first where it ends. */
+function partsOfQuotedWay(data: PageData): Parts {
+  const way = new Way(data);
+  const { segment } = data.report;
+  if (segment) way.set(segment.segment - 1 + middleOf(segment.s ?? [0.5, 0.5]));
+  return [section("The motion", waySlider(way, data.units)), wayPart(way, null)];
+}
+
 /** Of solutions, and of a mechanism that is given by equations: it cannot be drawn. Their proofs are not run. */
 function partsOfQuoted(data: PageData, question: Question): Parts {
   if (data.kind === "solutions") return [solutionsPart(data)];
+  if (data.way) return partsOfQuotedWay(data);
   const paving = pavingTree(data, question);
   if (!paving) return [];
   const pose = new ShownPose(question);

@@ -18,6 +18,16 @@ interface Stripe {
   readonly end: number;
 }
 
+/** What a check says of a branch: that it is regular all along the way, or up to a segment. */
+function stripesOfBranch({ count, data: { report } }: Way): Stripe[] {
+  const followed = report.verdict === "no-singularity" ? count : report.verdict === "singularity" && report.segment ? report.segment.segment - 1 : 0;
+  const stripes: Stripe[] = [
+    { claim: "free", begin: 0, end: followed },
+    { claim: "undecided", begin: followed, end: count },
+  ];
+  return stripes.filter(({ begin, end }) => begin < end);
+}
+
 /** The claims along the way: of a paving, or of the proof of each piece. */
 function stripesOf(way: Way, trees: readonly Tree[] | null): Stripe[] {
   const stretches = way.data.paving?.stretches;
@@ -32,13 +42,13 @@ function stripesOf(way: Way, trees: readonly Tree[] | null): Stripe[] {
       begin: segments[0] - 1 + s[0],
       end: segments[1] - 1 + s[1],
     }));
-  return [{ claim: "undecided", begin: 0, end: way.count }];
+  return way.data.kind === "closure" ? stripesOfBranch(way) : [{ claim: "undecided", begin: 0, end: way.count }];
 }
 
 /** det along the way, in doubles; the line in the middle is 0. */
 function sampledCurve(way: Way): SVGElement[] {
-  const { rows, columns } = way.question(0);
-  if (rows !== columns) return [];
+  const { columns, hasDeterminant } = way.question(0);
+  if (!hasDeterminant) return [];
   const samples = Array.from({ length: SAMPLES + 1 }, (_, i) => {
     const { piece, s } = way.split((way.count * i) / SAMPLES);
     const question = way.question(piece);
@@ -102,10 +112,12 @@ export function wayPart(way: Way, trees: readonly Tree[] | null): HTMLElement {
     "ul",
     { class: "legend" },
     ...claims.map((claim) => h("li", {}, h("span", { class: `key ${claim}` }), CLAIM_WORDS[claim])),
-    h("li", {}, h("span", { class: "key sampled" }), "dashed: det as sampled, not proved; the line is 0"),
+    way.question(0).hasDeterminant ? h("li", {}, h("span", { class: "key sampled" }), "dashed: det as sampled, not proved; the line is 0") : null,
   );
-  const about = trees || way.data.paving?.stretches
+  const about = trees || way.data.paving?.stretches || way.data.kind === "closure"
     ? "From left to right, the way from its first to its last way-point; colours are certified."
+    : way.question(0).isClosure
+    ? "From left to right, the way from its first to its last way-point. A paving says what is certified of its parts."
     : "The proof is about one pose of the way. Add --paving for what is certified of the rest; the samples below prove nothing.";
-  return section("Along the way-points", h("p", {}, `${about} Click, or choose a segment, to move the robot there.`), legend, strip(way, stripes), segments(way, stripes, trees));
+  return section("Along the way-points", h("p", {}, `${about} Click, or choose a segment, ${way.data.drawing ? "to move the robot there" : "for the pose there"}.`), legend, strip(way, stripes), segments(way, stripes, trees));
 }

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The stretches of way-points along which the branch of a closure is certain.
+#pragma once
+
+#include <vector>
+
+#include "codegen/question/closure/closure_way.hpp"
+#include "codegen/question/way/trajectory_paving.hpp"
+
+namespace regulus {
+
+/// Returns the stretches of all pieces: free if they are on the branch, outside, or undecided.
+///
+/// Requires  a finding of pave_way().
+/// Ensures   they are in order, without gaps.
+[[nodiscard]] std::vector<PathStretch> stretches_of(const PreparedWay& prepared,
+                                                    const WayFinding& found);
+
+}  // namespace regulus

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Closures along the way-points of a file: margins with proofs and checkpoints, pavings, pages.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "tests/support/command.hpp"
+#include "tests/support/interrupted_runs.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace regulus::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using Words = std::vector<std::string>;
+
+constexpr const char* kFourBar = REGULUS_SOURCE_DIR "/models/four_bar.toml";
+/// Coupler and rocker of the model are in line there.
+const double kToggle =
+    std::acos((0.2 * 0.2 + 0.45 * 0.45 - std::pow(0.35355 + 0.25, 2)) / (2 * 0.2 * 0.45));
+
+class BranchOnWay : public testing::Test {
+ protected:
+  BranchOnWay() { write_way("0\n100\n-120\n130\n0\n"); }
+
+  void write_way(const std::string& places) const {
+    std::ofstream(way_) << "theta [deg]\n" << places;
+  }
+  [[nodiscard]] std::string path(const std::string& name) const { return folder_.path() / name; }
+  /// Asks about the motion without errors.
+  [[nodiscard]] CommandResult ask(const std::string& command, const Words& more) const {
+    Words words{REGULUS_BINARY_DIR "/bin/regulus",
+                command,
+                kFourBar,
+                "turn",
+                "--waypoints",
+                way_,
+                "--threads",
+                "1"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_command(words);
+  }
+  [[nodiscard]] int verified(const std::string& proof) const {
+    return run_command({REGULUS_BINARY_DIR "/bin/regulus", "verify", proof, "--model", kFourBar,
+                        "--waypoints", way_, "--allow-options"})
+        .exit_code;
+  }
+
+  const TemporaryDirectory folder_;
+  const std::string way_ = folder_.path() / "way.csv";
+};
+
+/// The crank is nearest to a toggle at 130 deg, where the third segment ends.
+TEST_F(BranchOnWay, HasErrorsUpToTheToggle) {
+  const double room = kToggle - 130 * std::numbers::pi / 180;
+  const CommandResult run = ask("margin", {"--tube", "theta=0:0.2", "--gap", "1e-3",
+                                           "--certificate", path("proof"), "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  const json report = json::parse(run.output);
+  EXPECT_LE(double(report.at("certified")), room);
+  EXPECT_GE(double(report.at("refuted")), room);
+  EXPECT_LE(double(report.at("gap")), 1e-3);
+  EXPECT_EQ(report.at("segment").at("segment"), 3);
+  for (const char* end : {".safe", ".singular"}) EXPECT_EQ(verified(path("proof") + end), 0) << end;
+  // The proofs are of this way alone.
+  write_way("0\n100\n-120\n131\n0\n");
+  for (const char* end : {".safe", ".singular"}) EXPECT_EQ(verified(path("proof") + end), 1) << end;
+}
+
+/// Bars that are longer or shorter by e are in line where the ranges of check say it, too.
+TEST_F(BranchOnWay, HasTheTolerancesOfTheMotionThatItCovers) {
+  write_way("0\n130\n-130\n");
+  const CommandResult along = ask("margin", {"--tolerance", "links=0:", "--gap", "1e-2", "--json"});
+  const CommandResult over =
+      run_command({REGULUS_BINARY_DIR "/bin/regulus", "margin", kFourBar, "turn", "--range",
+                   "theta=-130*deg:130*deg", "--tolerance", "links=0:", "--gap", "1e-2",
+                   "--threads", "1", "--json"});
+  ASSERT_EQ(along.exit_code, 0) << along.errors;
+  ASSERT_EQ(over.exit_code, 0) << over.errors;
+  const json a = json::parse(along.output), b = json::parse(over.output);
+  EXPECT_LE(double(a.at("certified")), double(b.at("refuted")));
+  EXPECT_LE(double(b.at("certified")), double(a.at("refuted")));
+}
+
+/// As if the run had been killed after some of its searches.
+TEST_F(BranchOnWay, ContinuesAMargin) {
+  const auto margin = [this](const std::string& certificate) {
+    return ask("margin", {"--tube", "theta=0:0.2", "--certificate", certificate, "--checkpoint",
+                          path("saved"), "--json"});
+  };
+  const CommandResult whole = margin(path("whole"));
+  ASSERT_EQ(whole.exit_code, 0) << whole.errors;
+  const json searches = json::parse(text_of(path("saved")));
+  ASSERT_EQ(searches.at("known").at("brackets").size(), 1U);
+  const std::size_t count = searches.at("known").at("brackets").front().size();
+  ASSERT_GT(count, 3U);
+  for (std::size_t kept = 0; kept <= count; ++kept) {
+    json part = searches;
+    json& some = part.at("known").at("brackets").front();
+    while (some.size() > kept) some.erase(std::prev(some.end()).key());
+    std::ofstream(path("saved")) << part.dump();
+    const CommandResult run = margin(path("part"));
+    const json report = json::parse(run.output), first = json::parse(whole.output);
+    for (const char* key : {"bracket", "certified_claim", "boxes", "closed"})
+      EXPECT_EQ(report.at(key), first.at(key)) << key << kept;
+    for (const char* end : {".safe", ".singular"})
+      EXPECT_TRUE(text_of(path("part") + end) == text_of(path("whole") + end)) << end << kept;
+  }
+  write_way("0\n100\n-120\n131\n0\n");
+  const CommandResult other = margin(path("other"));
+  EXPECT_EQ(other.exit_code, 65);
+  EXPECT_THAT(other.errors, HasSubstr("another question"));
+}
+
+TEST_F(BranchOnWay, IsPavedUpToItsEnd) {
+  write_way("0\n100\n-120\n140\n0\n");
+  const CommandResult run = ask("locate", {"--output", path("lines"), "--json"});
+  EXPECT_EQ(run.exit_code, 1) << run.errors;
+  const json report = json::parse(run.output);
+  const double at = (kToggle * 180 / std::numbers::pi + 120) / 260;
+  EXPECT_EQ(report.at("segment").at("segment"), 3);
+  EXPECT_NEAR(double(report.at("segment").at("s").at(0)), at, 1e-9);
+  std::istringstream lines(text_of(path("lines")));
+  std::string free, undecided;
+  std::getline(lines, free);
+  std::getline(lines, undecided);
+  const json certain = json::parse(free);
+  EXPECT_EQ(certain.at("kind"), "free");
+  EXPECT_EQ(certain.at("segments"), json({1, 3}));
+  EXPECT_LE(double(certain.at("s").at(1)), at);
+  EXPECT_GE(double(certain.at("s").at(1)), at - 1.0 / 64);
+  EXPECT_EQ(json::parse(undecided).at("segments"), json({3, 4}));
+  const CommandResult refused = ask("locate", {"--certificate", path("proof")});
+  EXPECT_EQ(refused.exit_code, 64);
+  EXPECT_THAT(refused.errors, HasSubstr("a paving of a [closure] has no proof"));
+}
+
+/// The first segment is excluded, so that the way has no branch to follow.
+TEST_F(BranchOnWay, IsNotFollowedWhereItHasNoPose) {
+  std::ofstream(path("model.toml"))
+      << "regulus = 1\nname = \"slider\"\n[pose]\nx = \"m\"\n[closure]\nunknowns = { p = \"m\" }\n"
+         "equations = [\"p^2 - x - 1\"]\nstart = { x = 0, p = 1 }\n[motion.m]\n"
+         "waypoints = \"x.csv\"\nconstraints = [\"x - 1/2\"]\nerror = { x = 0.01 }\n";
+  std::ofstream(path("x.csv")) << "x\n0\n0.25\n0.75\n2\n3\n";
+  const Words words{REGULUS_BINARY_DIR "/bin/regulus",
+                    "locate",
+                    path("model.toml"),
+                    "m",
+                    "--output",
+                    path("lines"),
+                    "--json"};
+  const CommandResult run = run_command(words);
+  EXPECT_EQ(run.exit_code, 2) << run.errors;
+  EXPECT_THAT(run.output, HasSubstr("the constraints exclude every pose of the segment"));
+  const std::string lines = text_of(path("lines"));
+  EXPECT_THAT(lines, HasSubstr("{\"kind\":\"free\",\"segments\":[1,2]"));
+  EXPECT_THAT(lines, HasSubstr("{\"kind\":\"undecided\",\"segments\":[4,4]"));
+  Words margin = words;
+  margin[1] = "margin";
+  margin.resize(4);
+  margin.insert(margin.end(), {"--tube", "x=0:0.5"});
+  const CommandResult grown = run_command(margin);
+  EXPECT_EQ(grown.exit_code, 2) << grown.output;
+  EXPECT_THAT(grown.output, HasSubstr("NOTHING KNOWN FROM 0 m ON"));
+}
+
+TEST_F(BranchOnWay, HasPages) {
+  const auto page_of = [this](const std::string& command, const Words& more) {
+    Words words = more;
+    words.insert(words.end(), {"--page", path("page.html")});
+    EXPECT_LE(ask(command, words).exit_code, 1);
+    return text_of(path("page.html"));
+  };
+  EXPECT_THAT(page_of("check", {}), HasSubstr("piecewise"));
+  EXPECT_THAT(page_of("check", {}), HasSubstr("NO SINGULARITY"));
+  EXPECT_THAT(page_of("margin", {"--tube", "theta=0:0.2"}), HasSubstr("SAFE UP TO"));
+  EXPECT_THAT(page_of("locate", {}), HasSubstr("stretches"));
+}
+
+}  // namespace
+}  // namespace regulus::test
