@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
 (** Lists of the configurations of a mechanism at one place, for each value of the uncertain
     quantities. Each line of a list is within a tube that holds exactly one configuration, and the
-    ranges of the unknowns are searched for others. *)
+    ranges of the unknowns are searched for others. Closures.v has the claims. *)
 From Coquelicot Require Import Coquelicot.
 From Coq Require Import Reals QArith Lra Lia List PArith Bool.
 From Coq Require Import PrimFloat.
@@ -9,38 +9,6 @@ From Regulus Require Import Expressions Intervals Forms Evaluation Boxes Hints R
 From Regulus Require Import LinearAlgebra Questions Search Closures Tubes Branches.
 Import ListNotations.
 Open Scope R_scope.
-
-(** ** The claims *)
-
-(** A line of a list: the ends of an interval for each unknown. *)
-Definition line := list (expression * expression).
-
-(** Here [near] of the closure says where configurations are looked for: within the second number of
-    the first one, for each unknown. *)
-Definition is_searched (c : closure) (lines : list line) : Prop :=
-  is_given c /\ length (near c) = unknowns c /\
-  Forall (fun u => 0 < value [] (snd u)) (near c) /\
-  Forall (Forall (fun ends => defined [] (fst ends) /\ defined [] (snd ends))) lines.
-
-(** p is the only configuration within the line, it is where configurations are looked for,
-    everything has a value there, and the equations are regular. *)
-Definition is_the_one (c : closure) (x : list R) (l : line) (p : list R) : Prop :=
-  Forall2 in_range p l /\ solves c x p /\ is_near c p /\ has_values c x p /\ regular_at c x p /\
-  forall q, Forall2 in_range q l -> solves c x q -> q = p.
-
-(** COMPLETE, and NONE if there are no lines: at each place x of the set, which means for all values
-    of the uncertain quantities, there are as many configurations as lines, one within each. They
-    differ, and they are all. *)
-Definition all_solutions (c : closure) (lines : list line) : Prop :=
-  is_searched c lines /\
-  forall x, in_set (places c) x -> exists ps,
-    NoDup ps /\ Forall2 (is_the_one c x) lines ps /\
-    forall p, solves c x p /\ is_near c p <-> In p ps.
-
-(** INCOMPLETE: there are at least these. *)
-Definition some_solutions (c : closure) (lines : list line) : Prop :=
-  is_searched c lines /\
-  forall x, in_set (places c) x -> exists ps, NoDup ps /\ Forall2 (is_the_one c x) lines ps.
 
 (** ** The check *)
 
@@ -103,6 +71,29 @@ Section Check.
   Definition half_widths (lb : box) (factor : F.type) : list F.type :=
     map (fun i => PrimFloat.mul factor (PrimFloat.sub (I.upper i) (I.lower i))) lb.
 
+  (** The same, tilted as the configuration moves with the variables. *)
+  Definition tilted (t : tube) : tube :=
+    match bounds_of c full t b with
+    | Some v =>
+        let names := tube_names c t (variables full b) m (fun _ => constant_form zero) in
+        let fs := map (fun e => form_of (evaluate names e)) (equations c) in
+        let slope l k :=
+          let a := coefficient (Pos.of_succ_nat k) (linear (nth l fs (constant_form zero))) in
+          if PrimFloat.ltb PrimFloat.zero (PrimFloat.abs a)
+          then PrimFloat.div a (radius (nth k b I.nai)) else PrimFloat.zero in
+        let of_unknown i k := PrimFloat.opp (float_sum (map (fun l =>
+          PrimFloat.mul (get (inverse v) i l) (slope l k)) (seq 0 n))) in
+        Tube (map I.midpoint b) (axis_at t) (tabulate n m of_unknown) (reach t)
+    | None => t
+    end.
+
+  (** Within the line. *)
+  Definition narrow_tubes (lb : box) : list tube :=
+    let flat := tube_about lb (half_widths lb 0x1p-1%float) in
+    let t := tilted flat in
+    flat :: map (fun k => Tube (foot t) (axis_at t) (tilt t)
+      (half_widths lb (Nat.iter k (PrimFloat.mul 0x1p-1%float) PrimFloat.one))) (seq 1 20).
+
   (** About the line, from half of the ranges down to the line. *)
   Definition wide_tubes (root lb : box) : list tube :=
     map (fun k => tube_about lb
@@ -115,14 +106,15 @@ Section Check.
   Definition check_line (root middles radii : box) (l : line) : option (box * tube) :=
     match enclose_ranges l, enclose_values (map fst l), enclose_values (map snd l) with
     | Some lb, Some lower, Some upper =>
-        if Nat.eqb (length l) n
-           && is_within_line (tube_about lb (half_widths lb 0x1p-1%float)) lower upper middles radii
-        then
-          match find (fun t => is_tested c full t b && covers t lb) (wide_tubes root lb) with
-          | Some t => Some (lb, t)
-          | None => None
-          end
-        else None
+        match find (fun t => Nat.eqb (length l) n && is_within_line t lower upper middles radii)
+                (narrow_tubes lb) with
+        | Some _ =>
+            match find (fun t => is_tested c full t b && covers t lb) (wide_tubes root lb) with
+            | Some t => Some (lb, t)
+            | None => None
+            end
+        | None => None
+        end
     | _, _, _ => None
     end.
 
@@ -189,7 +181,8 @@ Section Check.
         else narrowed_by vs fs later (replace j (I.meet old new) q)
     end.
 
-  (** What is left of a box, and which unknown is to be halved: None if there is no configuration. *)
+  (** What is left of a box, and which unknown is to be halved: None if there is no
+      configuration. *)
   Definition narrowed (pb : box) : option (box * option nat) :=
     let vs := variables full (b ++ pb) in
     let es := map (evaluate (names_over vs)) (equations c) in
@@ -322,13 +315,13 @@ Section Correct.
       unfold check_line. destruct (enclose_ranges l) as [lb|] eqn:L; [|discriminate].
       destruct (enclose_values (map fst l)) as [lower|] eqn:Lo; [|discriminate].
       destruct (enclose_values (map snd l)) as [upper|] eqn:Up; [|discriminate].
-      match goal with |- (if ?q then _ else _) = _ -> _ => destruct q eqn:Q; [|discriminate] end.
+      match goal with |- match ?q with _ => _ end = _ -> _ => destruct q as [s|] eqn:Q;
+        [|discriminate] end.
       match goal with |- match ?q with _ => _ end = _ -> _ => destruct q as [t|] eqn:W;
         [|discriminate] end.
       intros [= <-]. apply find_some in W as [_ W]. apply andb_prop in W as [W C].
-      apply andb_prop in Q as [Q1 Q2]. apply Nat.eqb_eq in Q1. fold n in Q1.
-      set (s := tube_about b lb (half_widths lb 0x1p-1%float)) in *.
-      unfold is_within_line in Q2.
+      apply find_some in Q as [_ Q]. apply andb_prop in Q as [Q1 Q2]. apply Nat.eqb_eq in Q1.
+      fold n in Q1. unfold is_within_line in Q2.
       destruct (test_tube c full s b) as [v|] eqn:T; [|discriminate].
       unfold is_tested in W. destruct (test_tube c full t b) as [w|] eqn:T'; [|discriminate].
       apply enclose_values_correct in Lo as [_ Lo]. apply enclose_values_correct in Up as [_ Up].
@@ -415,7 +408,8 @@ Section Correct.
       unfold names_over, names_at. apply known_definitions; [exact T|].
       assert (E : map (fun i => nth i p 0) (seq 0 (unknowns c)) = p).
       { destruct So as [L _]. apply list_equal; rewrite map_length, seq_length; [auto|].
-        intros i I. rewrite (nth_indep _ 0 (nth 0 p 0)) by (rewrite map_length, seq_length; exact I).
+        intros i I. rewrite (nth_indep _ 0 (nth 0 p 0))
+          by (rewrite map_length, seq_length; exact I).
         rewrite (map_nth (fun i => nth i p 0)), seq_nth by exact I. reflexivity. }
       rewrite <- E. apply (known_map s _ (unknown_form b vs)); [exact T| |].
       - apply known_definitions; [exact T|].
@@ -541,7 +535,8 @@ Proof.
       rewrite (nth_indep _ 0 (value [] (snd u))) in Z by (rewrite map_length; exact I).
       rewrite (map_nth (fun u => value [] (snd u))), E in Z. exact Z.
     + clear - L. revert fs L. induction lines as [|l lines IH]; intros fs L; [constructor|].
-      simpl in L. destruct (check_line c full b root middles radii l) as [f|] eqn:F; [|discriminate].
+      simpl in L. destruct (check_line c full b root middles radii l) as [f|] eqn:F;
+        [|discriminate].
       destruct (check_lines c full b root middles radii lines) as [gs|]; [|discriminate].
       constructor; [|exact (IH gs eq_refl)]. unfold check_line in F.
       destruct (enclose_ranges l) as [lb|] eqn:Z; [|discriminate].

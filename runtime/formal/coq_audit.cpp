@@ -84,8 +84,8 @@ constexpr auto kBranchClaims = std::to_array<Claim>(
      {"branch_below", " the_motors the_measure the_vectors the_limit", "Rates"},
      {"branch_above", " the_motors the_measure the_vectors the_limit", "Rates"},
      {"branch_within_limits", " the_motors the_vectors the_limits", "Rates"},
-     {"all_solutions", " the_solutions", "Solutions"},
-     {"some_solutions", " the_solutions", "Solutions"}});
+     {"all_solutions", " the_solutions", "Closures"},
+     {"some_solutions", " the_solutions", "Closures"}});
 
 /// Returns the words with the path of the audited file before each of its own.
 std::string with_paths(std::string_view words) {

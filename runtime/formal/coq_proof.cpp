@@ -10,10 +10,12 @@
 #include "runtime/formal/coq_expression.hpp"
 #include "runtime/formal/coq_force.hpp"
 #include "runtime/formal/coq_load.hpp"
+#include "runtime/formal/coq_poses.hpp"
 #include "runtime/formal/coq_question.hpp"
 #include "runtime/formal/coq_solutions.hpp"
 #include "runtime/formal/coq_tubes.hpp"
 #include "runtime/verifier/pieces.hpp"
+#include "runtime/verifier/planar_platform.hpp"
 #include "runtime/verifier/proof.hpp"
 #include "runtime/verifier/question.hpp"
 
@@ -124,12 +126,20 @@ std::string singular_theorem(Lines& lines, const Question& question) {
   throw Unfinished("there is no theorem about SINGULARITY by '" + lines.text() + "' yet");
 }
 
-/// The theorem about the configurations at one place.
+/// The theorem about the configurations at one place; the poses in the plane are some, too.
 std::string solutions_theorem(const Question& question, const std::vector<std::string>& kept) {
+  if (!question.closure && question.solutions->legs.size() == kLegsInPlane) {
+    const std::string lines = poses_as_configurations(question, kept);
+    std::istringstream text(lines);
+    Lines plain(text);
+    Question configurations;
+    read_question(plain, configurations);
+    return solutions_theorem(configurations, lines_of(lines));
+  }
   if (!question.closure)
     throw Unfinished(
-        "there is no theorem about all poses or postures yet: the certificate has legs or joints, "
-        "and no equations");
+        "there is no theorem about lists of poses in space and of postures yet: their equations "
+        "are not in the certificate");
   const CoqQuestion coq = coq_question(kept, question);
   const std::string claim =
       question.solutions->verdict == format::kIncomplete ? "some_solutions" : "all_solutions";
@@ -318,6 +328,12 @@ std::string coq_proof(std::istream& certificate, CoqStatement statement, const C
   Question question;
   std::vector<std::string> lines;
   std::string text = proof_of(certificate, statement, question, lines);
+  if (question.solutions) {
+    robot.reason =
+        "there is no theorem about the solutions of a model file yet: the_claim states equations "
+        "from the certificate";
+    return text;
+  }
   if (question.closure) {
     robot.reason =
         "there is no theorem about a model file with [closure] yet: the_claim states the equations "
