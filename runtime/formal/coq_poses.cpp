@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/formal/coq_poses.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 
 #include "runtime/formal/coq_load.hpp"
@@ -45,10 +47,15 @@ class PoseWriter {
          q_.solutions->solutions.size(), q_.claimed_set().uncertain});
   }
 
-  /// `+ (E)*FACTOR`; nothing for 0.
+  /// A name or a number as it is, otherwise in brackets.
+  static std::string operand(const std::string& expression) {
+    const auto is_part = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+    return std::ranges::all_of(expression, is_part) ? expression : '(' + expression + ')';
+  }
+  /// `+ E*FACTOR`; nothing for 0.
   static std::string term(const char* sign, const std::string& expression,
                           const std::string& factor) {
-    return expression == "0" ? "" : sign + ('(' + expression + ')') + factor;
+    return expression == "0" ? "" : sign + operand(expression) + factor;
   }
 
   /// The squared distance between the joints less the squared length, which is a name if it varies.
@@ -67,7 +74,7 @@ class PoseWriter {
     equations_ += "equation (" + names_[0] + term(" + ", platform[0], c) +
                   term(" - ", platform[1], s) + term(" - ", base[0], "") + ")^2 + (" + names_[1] +
                   term(" + ", platform[0], s) + term(" + ", platform[1], c) +
-                  term(" - ", base[1], "") + ")^2 - (" + square + ")\n";
+                  term(" - ", base[1], "") + ")^2 - " + operand(square) + '\n';
   }
 
   /// x and y are within a whole distance of whole numbers, or of 0 if all is small.
