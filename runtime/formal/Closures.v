@@ -90,3 +90,35 @@ Definition is_given (c : closure) : Prop :=
   ends_defined (places c) /\ length (equations c) = unknowns c /\ start_defined c.
 
 Definition one_branch (c : closure) : Prop := is_given c /\ exists p, is_branch c p.
+
+(** ** All configurations at one place *)
+
+(** A line of a list: the ends of an interval for each unknown. *)
+Definition line := list (expression * expression).
+
+(** Here [near] of the closure says where configurations are looked for: within the second number of
+    the first one, for each unknown. *)
+Definition is_searched (c : closure) (lines : list line) : Prop :=
+  is_given c /\ length (near c) = unknowns c /\
+  Forall (fun u => 0 < value [] (snd u)) (near c) /\
+  Forall (Forall (fun ends => defined [] (fst ends) /\ defined [] (snd ends))) lines.
+
+(** p is the only configuration within the line, it is where configurations are looked for,
+    everything has a value there, and the equations are regular. *)
+Definition is_the_one (c : closure) (x : list R) (l : line) (p : list R) : Prop :=
+  Forall2 in_range p l /\ solves c x p /\ is_near c p /\ has_values c x p /\ regular_at c x p /\
+  forall q, Forall2 in_range q l -> solves c x q -> q = p.
+
+(** COMPLETE, and NONE if there are no lines: at each place x of the set, which means for all values
+    of the uncertain quantities, there are as many configurations as lines, one within each. They
+    differ, and they are all. *)
+Definition all_solutions (c : closure) (lines : list line) : Prop :=
+  is_searched c lines /\
+  forall x, in_set (places c) x -> exists ps,
+    NoDup ps /\ Forall2 (is_the_one c x) lines ps /\
+    forall p, solves c x p /\ is_near c p <-> In p ps.
+
+(** INCOMPLETE: there are at least these. *)
+Definition some_solutions (c : closure) (lines : list line) : Prop :=
+  is_searched c lines /\
+  forall x, in_set (places c) x -> exists ps, NoDup ps /\ Forall2 (is_the_one c x) lines ps.

@@ -19,11 +19,14 @@ constexpr auto kImports = std::to_array<std::string_view>(
     {"From Coq Require Import List", "From Coq Require Import PrimFloat",
      "From Regulus Require Import Expressions Questions Search Singularity Threshold Forces",
      "From Regulus Require Import Notations", "Import ListNotations"});
-/// In place of the third one, of a closure, of a quantity over its branch, and of forces within limits.
+/// In place of the third one, of a closure, of a quantity over its branch, of its solutions, and of forces
+/// within limits.
 constexpr std::string_view kClosureImport =
     "From Regulus Require Import Expressions Questions Search Closures Tubes Branches";
 constexpr std::string_view kRatesImport =
     "From Regulus Require Import Expressions Questions Search Closures Tubes Branches Rates";
+constexpr std::string_view kSolutionsImport =
+    "From Regulus Require Import Expressions Questions Search Closures Tubes Branches Solutions";
 constexpr std::string_view kLimitsImport =
     "From Regulus Require Import Expressions Questions Search Singularity Threshold Forces Limits";
 
@@ -42,6 +45,7 @@ constexpr auto kDefinitions =
                                      "the_threshold : expression",
                                      "the_closure : closure",
                                      "the_tubes : tubes",
+                                     "the_solutions : list line",
                                      "the_row : nat",
                                      "the_load : list expression",
                                      "the_limit : expression",
@@ -79,7 +83,9 @@ constexpr auto kBranchClaims = std::to_array<Claim>(
      {"branch_within", " the_motors the_measure the_vectors the_limit", "Rates"},
      {"branch_below", " the_motors the_measure the_vectors the_limit", "Rates"},
      {"branch_above", " the_motors the_measure the_vectors the_limit", "Rates"},
-     {"branch_within_limits", " the_motors the_vectors the_limits", "Rates"}});
+     {"branch_within_limits", " the_motors the_vectors the_limits", "Rates"},
+     {"all_solutions", " the_solutions", "Closures"},
+     {"some_solutions", " the_solutions", "Closures"}});
 
 /// Returns the words with the path of the audited file before each of its own.
 std::string with_paths(std::string_view words) {
@@ -111,7 +117,8 @@ class PlainReader {
 
   void expect_import(std::string_view import) {
     const std::string current = sentences_.current();
-    const bool is_of_closure = current == kClosureImport || current == kRatesImport;
+    const bool is_of_closure =
+        current == kClosureImport || current == kRatesImport || current == kSolutionsImport;
     if (import != kImports[2] || !(is_of_closure || current == kLimitsImport))
       return sentences_.expect(import);
     is_closure_ = is_of_closure;

@@ -10,9 +10,12 @@
 #include "runtime/formal/coq_expression.hpp"
 #include "runtime/formal/coq_force.hpp"
 #include "runtime/formal/coq_load.hpp"
+#include "runtime/formal/coq_poses.hpp"
 #include "runtime/formal/coq_question.hpp"
+#include "runtime/formal/coq_solutions.hpp"
 #include "runtime/formal/coq_tubes.hpp"
 #include "runtime/verifier/pieces.hpp"
+#include "runtime/verifier/planar_platform.hpp"
 #include "runtime/verifier/proof.hpp"
 #include "runtime/verifier/question.hpp"
 
@@ -21,12 +24,16 @@ namespace {
 
 /// The most splits one after the other that Coq makes.
 constexpr int kDeepest = 60;
+/// The most steps one after the other in a search for configurations.
+constexpr int kDeepestSearch = 400;
 
 /// The files of the library that a theorem needs.
 std::string imports(const Question& q) {
   if (q.closure)
     return std::string("Expressions Questions Search Closures Tubes Branches") +
-           (q.quantity ? " Rates" : "");
+           (q.quantity    ? " Rates"
+            : q.solutions ? " Solutions"
+                          : "");
   return std::string("Expressions Questions Search Singularity Threshold Forces") +
          (q.load ? " Limits" : "");
 }
@@ -119,9 +126,30 @@ std::string singular_theorem(Lines& lines, const Question& question) {
   throw Unfinished("there is no theorem about SINGULARITY by '" + lines.text() + "' yet");
 }
 
-void refuse_other_claims(const Question& question) {
-  if (question.solutions)
-    throw Unfinished("a claim about all solutions cannot be written as a theorem");
+/// The theorem about the configurations at one place; the poses in the plane are some, too.
+std::string solutions_theorem(const Question& question, const std::vector<std::string>& kept) {
+  if (!question.closure && question.solutions->legs.size() == kLegsInPlane) {
+    const std::string lines = poses_as_configurations(question, kept);
+    std::istringstream text(lines);
+    Lines plain(text);
+    Question configurations;
+    read_question(plain, configurations);
+    return solutions_theorem(configurations, lines_of(lines));
+  }
+  if (!question.closure)
+    throw Unfinished(
+        "there is no theorem about lists of poses in space and of postures yet: their equations "
+        "are not in the certificate");
+  const CoqQuestion coq = coq_question(kept, question);
+  const std::string claim =
+      question.solutions->verdict == format::kIncomplete ? "some_solutions" : "all_solutions";
+  return heading(question) + coq.text + coq_solutions(question) +
+         "\n(** The variables of second order, and how often a part of the ranges is halved or "
+         "narrowed. *)\nDefinition the_method : method := Method " +
+         std::to_string(question.variables.size() + question.closure->names.size()) + " " +
+         std::to_string(kDeepestSearch) + ".\n" +
+         theorem(claim + " the_closure the_solutions",
+                 "check_" + claim + "_correct the_closure the_method the_solutions");
 }
 
 /// The tubes of a certificate as hints, and the theorem.
@@ -246,7 +274,7 @@ std::string trajectory(Lines& lines, CoqStatement statement) {
   Question question;
   read_question(first, question);
   if (question.singular) throw Rejection("a singular pose lies on one piece: there are several");
-  refuse_other_claims(question);
+  if (question.solutions) throw Rejection("solutions are at one place, and on no pieces");
   if (question.closure) throw Unfinished("there is no theorem about a closure along pieces");
   const std::vector<std::string> kept = lines_of(pieces.question_of(0));
   if (question.load) return limits(question, kept, pieces);
@@ -262,7 +290,7 @@ std::string read_and_write(Lines& lines, CoqStatement statement, Question& quest
                            std::vector<std::string>& kept) {
   lines.keep();
   read_question(lines, question);
-  refuse_other_claims(question);
+  if (question.solutions) return solutions_theorem(question, kept = lines.take_kept());
   if (statement == CoqStatement::kForce && question.closure && !question.quantity)
     throw Unfinished("this certificate of a closure states no force");
   if (question.is_piecewise) return trajectory(lines, statement);
@@ -300,6 +328,12 @@ std::string coq_proof(std::istream& certificate, CoqStatement statement, const C
   Question question;
   std::vector<std::string> lines;
   std::string text = proof_of(certificate, statement, question, lines);
+  if (question.solutions) {
+    robot.reason =
+        "there is no theorem about the solutions of a model file yet: the_claim states equations "
+        "from the certificate";
+    return text;
+  }
   if (question.closure) {
     robot.reason =
         "there is no theorem about a model file with [closure] yet: the_claim states the equations "

@@ -193,8 +193,12 @@ class QuestionWriter {
         "\n(** The mechanism. First the set: the ranges of the variables, the definitions, the "
         "constraints, and more\n    expressions that must have a value. Then the number of "
         "unknowns, the definitions that use them, the\n    equations, more expressions that must "
-        "have a value, the place of the start, and the values of the\n    unknowns there with "
-        "their radii. *)\nDefinition the_closure : closure := Closure\n  (Question\n";
+        "have a value, " +
+        std::string(q_.solutions ? "the middles of the variables, and where solutions are\n    "
+                                   "looked for: within a radius of a value, for each unknown"
+                                 : "the place of the start, and the values of the\n    unknowns "
+                                   "there with their radii") +
+        ". *)\nDefinition the_closure : closure := Closure\n  (Question\n";
     for (const auto* list : {&ranges_, &definitions_, &constraints_, &defined_})
       text += "  " + coq_list(*list, "   ") + "\n";
     text += "  [] 0)\n  " + std::to_string(q_.closure->names.size()) + "\n";

@@ -4,7 +4,7 @@
 include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
 set(LIBRARY .)
 
-foreach(name IN ITEMS Expressions LinearAlgebra Questions Notations)
+foreach(name IN ITEMS Expressions LinearAlgebra Questions Closures Notations)
   file(COPY ${SOURCE_DIR}/runtime/formal/${name}.v DESTINATION ${WORK_DIR})
   run_coq(code text ${name}.v)
   if(NOT code EQUAL 0)
@@ -12,13 +12,16 @@ foreach(name IN ITEMS Expressions LinearAlgebra Questions Notations)
   endif()
 endforeach()
 
-# expect_statement(CLAIM MODEL MOTION OPTIONS...), for `check`; MOTION force OPTIONS...: for `bound`
+# expect_statement(CLAIM MODEL MOTION OPTIONS...), for `check`; MOTION force OPTIONS...: for `bound`; --at PLACE: for
+# `solve`
 function(expect_statement claim model)
   set(command check)
   set(certificate claim.txt)
   if("${ARGN}" MATCHES ";force;.*--leg;([0-9]+)")
     set(command bound)
     set(certificate claim.txt.leg_${CMAKE_MATCH_1}.safe)
+  elseif("${ARGN}" MATCHES "^--at")
+    set(command solve)
   endif()
   execute_process(COMMAND ${REGULUS} ${command} ${SOURCE_DIR}/models/${model}.toml ${ARGN} --certificate
                           ${WORK_DIR}/claim.txt --quiet OUTPUT_QUIET)
@@ -26,6 +29,7 @@ function(expect_statement claim model)
                   COMMAND_ERROR_IS_FATAL ANY)
   file(READ ${WORK_DIR}/claim.v text)
   string(REPLACE "Questions Search Singularity Threshold Forces." "LinearAlgebra Questions." text "${text}")
+  string(REPLACE "Questions Search Closures Tubes Branches Solutions." "LinearAlgebra Questions Closures." text "${text}")
   string(REGEX REPLACE "\nDefinition the_method[^\n]*\n" "\n" text "${text}")
   if(NOT text MATCHES "\nTheorem the_claim : ([^\n]*)\\.\nProof\\.")
     message(FATAL_ERROR "${model} ${ARGN}: no theorem\n${text}")
@@ -46,6 +50,7 @@ file(WRITE ${WORK_DIR}/way.csv "x,y,phi\n8,4,0.3\n8.5,4.2,0.32\n8.6,4.6,0.35\n")
 expect_statement("Forall (fun piece => no_singularity (the_question piece)) pieces" planar_3rpr regular
                  --waypoints ${WORK_DIR}/way.csv)
 expect_statement("determinant_above the_question the_scales the_threshold" robot_1 table6_5_5 --alpha 1)
+expect_statement("all_solutions the_closure the_solutions" four_bar --at theta=45*deg)
 expect_statement("force_within the_question the_row the_load the_limit" robot_1 table4_5 force --load payload
                  --leg 3 --limit 2000)
 expect_statement("force_below the_question the_row the_load the_limit" robot_1 table4_5 force --load payload
