@@ -318,6 +318,19 @@ TEST_F(ForgedSearch, ProvesNothingOfALoad) {
   }
 }
 
+TEST_F(ForgedSearch, ProvesNothingOfABranch) {
+  for (const char* command : {"check", "locate"}) {
+    const bool has_proof = command[0] == 'c';
+    const CommandResult run = forged({"", {command, "turns"}, "linkage.toml", has_proof},
+                                     {"", {command, "reaches"}, "linkage.toml", has_proof});
+    EXPECT_EQ(run.exit_code, 1) << run.errors;
+    const json report = json::parse(run.output);
+    EXPECT_EQ(report.at("verdict"), "singularity");
+    EXPECT_EQ(report.at("segment").at("segment"), 7);
+    EXPECT_LT(has_proof ? 0 : double(report.at("share").at("free")), 1);
+  }
+}
+
 /// The boxes that are left are those of the other range.
 TEST_F(ForgedSearch, OfAnotherRangeIsRefused) {
   const CommandResult run = forged({"", {"locate", "line", "--resolution", "1/512"}},
