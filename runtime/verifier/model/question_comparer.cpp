@@ -136,7 +136,8 @@ void QuestionComparer::compare(const FilePlace& from, NodeId value, const std::s
 }
 
 bool QuestionComparer::may_differ(const std::string& option) const {
-  return !option.empty() && (options_.all_overridden || options_.overridden.contains(option));
+  return !option.empty() && !options_.fixed.contains(option) &&
+         (options_.all_overridden || options_.overridden.contains(option));
 }
 
 void QuestionComparer::differ(const FilePlace& from, const StatedValue& stated,
