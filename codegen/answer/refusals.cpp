@@ -62,11 +62,6 @@ constexpr std::string_view kNoTheoremOfSolutions =
     "Coq has no theorem about a list of solutions; regulus-verify proves it";
 constexpr std::string_view kNoCheckpointOfSolutions =
     "a search for all solutions keeps no checkpoint; leave it out";
-constexpr std::string_view kNoRanksOfSolutions =
-    "a search for all solutions runs in one process only; use regulus";
-constexpr std::string_view kNoWayOfSolutions =
-    "solve answers for places, which nothing joins; give a table of them as its waypoints, one "
-    "place a line, or name a motion that has one place, or give its values by at";
 constexpr std::string_view kNoBoxesOfSolutions =
     "a picture is of the boxes of a paving, not of solutions";
 constexpr std::string_view kOneMethodOfSolutions =
@@ -99,7 +94,10 @@ constexpr Refusal kRefusals[] = {
     {kWayFiniteErrors, kAnswer, kNoFiniteErrors},
     {kClosureFiniteErrors, kShards, kNoShardsOfClosures},
     {kClosureFiniteErrors, kTheorem, kNoTheoremOfFiniteErrors},
-    {kWaySolve, kAnswer, kNoWayOfSolutions},
+    {kWaySolve, kShards, kNoShardsOfSolutions},
+    {kWaySolve, kTheorem, kNoTheoremOfSolutions},
+    {kWaySolve, kCheckpoint, kNoCheckpointOfSolutions},
+    {kWaySolve, kPicture, kNoBoxesOfSolutions, false},
     {kClosureWayCheck, kShards, kNoShardsOfClosures},
     {kClosureWayCheck, kTheorem, kNoTheoremOfClosureWays},
     {kClosureWayCheck, kCheckpoint, kNoCheckpointOfClosureWays},
@@ -114,16 +112,17 @@ constexpr Refusal kRefusals[] = {
     {kClosureWayDatasheet, kAnswer, kOnlyCheckOfClosureWays},
     {kClosureWayCondition2, kAnswer, kOnlyCheckOfClosureWays},
     {kClosureWayFiniteErrors, kAnswer, kNoFiniteErrors},
-    {kClosureWaySolve, kAnswer, kNoWayOfSolutions},
+    {kClosureWaySolve, kShards, kNoShardsOfSolutions},
+    {kClosureWaySolve, kTheorem, kNoTheoremOfSolutions},
+    {kClosureWaySolve, kCheckpoint, kNoCheckpointOfSolutions},
+    {kClosureWaySolve, kPicture, kNoBoxesOfSolutions, false},
     {kSolve, kShards, kNoShardsOfSolutions},
     {kSolve, kTheorem, kNoTheoremOfSolutions},
     {kSolve, kCheckpoint, kNoCheckpointOfSolutions},
-    {kSolve, kRanks, kNoRanksOfSolutions},
     {kSolve, kPicture, kNoBoxesOfSolutions, false},
     {kClosureSolve, kShards, kNoShardsOfSolutions},
     {kClosureSolve, kTheorem, kNoTheoremOfSolutions},
     {kClosureSolve, kCheckpoint, kNoCheckpointOfSolutions},
-    {kClosureSolve, kRanks, kNoRanksOfSolutions},
     {kClosureSolve, kPicture, kNoBoxesOfSolutions, false},
     // What has no boxes has no picture.
     {kCheck, kPicture, kNoBoxes, false},

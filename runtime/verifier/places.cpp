@@ -82,8 +82,7 @@ class PlacesChecker {
     Verification of_part;
     PlacePart place{k, &table_};
     const auto here = [&](const std::exception& why) {
-      return name_of(k) + ": line " + std::to_string(lines.number()) +
-             " of its part: " + why.what();
+      return "line " + std::to_string(lines.number()) + " of its part: " + why.what();
     };
     const Options rest = rest_of_options();
     try {
@@ -91,7 +90,7 @@ class PlacesChecker {
     } catch (const OtherModel& why) {
       throw OtherModel(name_of(k) + ": " + why.what());
     } catch (const Rejection& why) {
-      throw Rejection(here(why));
+      throw Rejection(name_of(k) + ": " + here(why));
     } catch (const Unfinished& why) {
       result_.boxes += of_part.boxes;
       throw Unfinished(here(why));
