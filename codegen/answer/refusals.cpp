@@ -277,6 +277,7 @@ constexpr std::string_view kIntroduction =
     "and "
     "shows its progress on\na terminal. Of bounds, Coq proves those of forces, and over the branch "
     "of a [closure]\nthose of errors and speeds; of loads, that forces within limits hold "
+    "them.\nAlong way-points `solve` answers at each of them, and says nothing of the way between "
     "them.\n\n";
 
 /// Returns the number of a reason, from 1.

@@ -281,8 +281,8 @@ std::string describe_places(const std::vector<SolvedPlace>& places, std::uint64_
 void refuse_for_one_place(const AskSolve& asked, const Services& services) {
   if (asked.wanted == AskSolve::Places::kMany)
     throw UsageError(
-        "places: there are none; give lists of numbers, a table of way-points, or a "
-        "motion that has one");
+        "there are no places; give the places by lists of numbers, by a table, or by a "
+        "motion along way-points");
   if (services.lines.is_wanted())
     throw UsageError(services.dashes +
                      "output: lines are of many places, from waypoints; of one place ask for json");
@@ -301,7 +301,7 @@ AskSolve with_waypoints_of_motion(AskSolve asked, const Services& services) {
   options.takes_legs = true;
   asked.table = waypoints_of(read_model(model_text(options), options, &watch), options);
   if (!asked.table.empty() && asked.wanted == AskSolve::Places::kOne)
-    throw UsageError("the motion is along way-points, each of which is a place; ask for many");
+    throw UsageError("the motion is along way-points, each of which is a place; ask solve_many");
   return asked;
 }
 
