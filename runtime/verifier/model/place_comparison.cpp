@@ -165,7 +165,7 @@ class PlaceComparison {
   }
 
   void compare_joint(const SectionJoint& joint, std::size_t number) {
-    const FilePlace from = place_of_joint(joint.name);
+    const FilePlace from = place_of_joint(values_, joint.name);
     if (joint.slides) comparer_.refuse(from, "a joint that turns");
     const ArmJointLine& stated = q_.solutions->arm->joints[number];
     if (stated.held != kNoNode) {
@@ -176,16 +176,6 @@ class PlaceComparison {
     for (std::size_t i = 0; i < 3; ++i)
       comparer_.compare(from, joint.axis[i],
                         "joint " + std::to_string(number) + '_' + std::to_string(12 + i));
-  }
-
-  [[nodiscard]] FilePlace place_of_joint(const std::string& name) const {
-    for (std::size_t i = 0;; ++i) {
-      const std::string joint = "serial.joints[" + std::to_string(i) + "].name";
-      const auto found = values_.find(joint);
-      if (found != values_.end() && found->second.text == name)
-        return {"the frame of " + name, found->second.line, "another"};
-      if (i > format::kMostLines) return {"the frame of " + name, 0, "another"};
-    }
   }
 
   void compare_frame(const PlacementNodes& frame, const FilePlace& from, const std::string& key) {
