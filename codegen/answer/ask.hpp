@@ -31,6 +31,7 @@ namespace regulus {
                                                     const Services& services);
 [[nodiscard]] std::unique_ptr<DatasheetAnswer> ask(const AskDatasheet& asked,
                                                    const Services& services);
+/// Returns null, and writes no file, for a process that is not the first of Services::places.
 [[nodiscard]] std::unique_ptr<SolveAnswer> ask(const AskSolve& asked, const Services& services);
 
 }  // namespace regulus

@@ -2,6 +2,7 @@
 // The questions, as values. A command line, a C++ program and a Python script make the same ones.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <variant>
 
@@ -68,15 +69,19 @@ struct AskDatasheet {
   bool markdown = false;
 };
 
-/// Asks for all configurations, poses or postures at one place.
+/// Asks for all configurations, poses or postures at one place, or at each of many.
 struct AskSolve {
+  enum class Places : std::uint8_t { kAny, kOne, kMany };
+
   ModelOptions model;
   SearchOptions search;
   std::vector<std::string> held{};  ///< joints of an arm that keep the values of the motion
-  /// A table of places, as of way-points; each is asked for itself. Empty: there is one place.
+  /// A table of places, as of way-points; each is asked for itself. Empty: there is one place, or
+  /// the way-points of the motion.
   std::string table{};
   /// In the place of a table: of each place "NAME=VALUE" of its numbers.
   std::vector<std::vector<std::string>> places{};
+  Places wanted = Places::kAny;  ///< what the asking program can take
 };
 
 using Asked = std::variant<AskCheck, AskPaving, AskMargin, AskBound, AskLoad, AskLoadPaving,

@@ -219,7 +219,7 @@ std::vector<ObjectKind> kinds_of_other_answers() {
       {"solutions", "solve", {kOfSolutions, kSolve, kCertificate}, "complete|none|incomplete"},
       {"solutions_at_places",
        "solve at many places",
-       {kOfSolutions, kPlaces},
+       {kOfSolutions, kPlaces, kCertificate},
        "complete|none|incomplete"},
       {"forces",
        "check --load and locate --load",

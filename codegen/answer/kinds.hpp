@@ -126,7 +126,7 @@ class SolveAnswer : public Answer {
   std::vector<SolvedPlace> places{};  ///< empty: there is only one
   std::uint64_t places_left = 0;      ///< that were not asked any more
   SolvedNoun noun;
-  ProofStatus proof;  ///< of the solutions at one place
+  ProofStatus proof;  ///< of the solutions at one place, or at all
 
   [[nodiscard]] Word word() const override;
   [[nodiscard]] std::string headline() const override;

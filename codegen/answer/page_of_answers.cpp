@@ -178,11 +178,14 @@ void PageOfAnswers::add(ShownAnswer answer) {
 
 void PageOfAnswers::take_proof(const std::string& file) {
   data_.certificate = read_start(file, kLongestProof + 1, Readable::kFile);
-  const bool is_index = data_.certificate.starts_with(format::kIndexMagic);
-  if (!is_index && data_.certificate.size() <= kLongestProof) return;
+  const bool is_index = data_.certificate.starts_with(format::kIndexMagic),
+             is_of_places = data_.certificate.starts_with(format::kPlacesMagic);
+  if (!is_index && !is_of_places && data_.certificate.size() <= kLongestProof) return;
   data_.certificate.clear();
   data_.certificate_note =
-      is_index
+      is_of_places
+          ? "its proof has a part for each place, and no page holds it; `regulus verify` checks it"
+      : is_index
           ? "its proof is in several files, which a page does not hold; `regulus verify` checks it"
           : "its proof is longer than a page holds; the option --certificate writes it to a file";
 }

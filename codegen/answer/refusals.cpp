@@ -57,11 +57,6 @@ constexpr std::string_view kNoTheoremOfSolutions =
     "poses in space and postures; regulus-verify proves these";
 constexpr std::string_view kNoCheckpointOfSolutions =
     "a search for all solutions keeps no checkpoint; leave it out";
-constexpr std::string_view kNoRanksOfSolutions =
-    "a search for all solutions runs in one process only; use regulus";
-constexpr std::string_view kNoWayOfSolutions =
-    "solve answers for places, which nothing joins; give a table of them as its waypoints, one "
-    "place a line, or name a motion that has one place, or give its values by at";
 constexpr std::string_view kNoBoxesOfSolutions =
     "a picture is of the boxes of a paving, not of solutions";
 constexpr std::string_view kOneMethodOfSolutions =
@@ -94,7 +89,10 @@ constexpr Refusal kRefusals[] = {
     {kWayFiniteErrors, kAnswer, kNoFiniteErrors},
     {kClosureFiniteErrors, kShards, kNoShardsOfClosures},
     {kClosureFiniteErrors, kTheorem, kNoTheoremOfFiniteErrors},
-    {kWaySolve, kAnswer, kNoWayOfSolutions},
+    {kWaySolve, kShards, kNoShardsOfSolutions},
+    {kWaySolve, kTheorem, kNoTheoremOfSolutions},
+    {kWaySolve, kCheckpoint, kNoCheckpointOfSolutions},
+    {kWaySolve, kPicture, kNoBoxesOfSolutions, false},
     {kClosureWayCheck, kShards, kNoShardsOfClosures},
     {kClosureWayCheck, kTheorem, kNoTheoremOfClosureWays},
     {kClosureWayPaving, kProof, kNoProofOfPavings},
@@ -109,15 +107,16 @@ constexpr Refusal kRefusals[] = {
     {kClosureWayDatasheet, kAnswer, kOnlyCheckOfClosureWays},
     {kClosureWayCondition2, kAnswer, kOnlyCheckOfClosureWays},
     {kClosureWayFiniteErrors, kAnswer, kNoFiniteErrors},
-    {kClosureWaySolve, kAnswer, kNoWayOfSolutions},
+    {kClosureWaySolve, kShards, kNoShardsOfSolutions},
+    {kClosureWaySolve, kTheorem, kNoTheoremOfSolutions},
+    {kClosureWaySolve, kCheckpoint, kNoCheckpointOfSolutions},
+    {kClosureWaySolve, kPicture, kNoBoxesOfSolutions, false},
     {kSolve, kShards, kNoShardsOfSolutions},
     {kSolve, kTheorem, kNoTheoremOfSolutions},
     {kSolve, kCheckpoint, kNoCheckpointOfSolutions},
-    {kSolve, kRanks, kNoRanksOfSolutions},
     {kSolve, kPicture, kNoBoxesOfSolutions, false},
     {kClosureSolve, kShards, kNoShardsOfSolutions},
     {kClosureSolve, kCheckpoint, kNoCheckpointOfSolutions},
-    {kClosureSolve, kRanks, kNoRanksOfSolutions},
     {kClosureSolve, kPicture, kNoBoxesOfSolutions, false},
     // What has no boxes has no picture.
     {kCheck, kPicture, kNoBoxes, false},
@@ -273,6 +272,7 @@ constexpr std::string_view kIntroduction =
     "and "
     "shows its progress on\na terminal. Of bounds, Coq proves those of forces, and over the branch "
     "of a [closure]\nthose of errors and speeds; of loads, that forces within limits hold "
+    "them.\nAlong way-points `solve` answers at each of them, and says nothing of the way between "
     "them.\n\n";
 
 /// Returns the number of a reason, from 1.

@@ -27,11 +27,21 @@ struct LinesRequest {
   [[nodiscard]] bool is_wanted() const noexcept { return stream != nullptr || !file.empty(); }
 };
 
+/// Processes that have the same question share the places of a table: this one solves each whose
+/// number from 0 is `part` modulo `parts`. The first one answers, and solves what the others have not.
+struct SharedPlaces {
+  std::size_t part = 0, parts = 1;
+  /// Called once, with an item for each place, which is empty unless this process has solved it. That
+  /// of the first process completes the list.
+  std::function<void(std::vector<std::string>& found)> exchange{};
+};
+
 struct Services {
   std::string certificate{};     ///< file, of brackets without its endings; empty: none
   std::uint64_t shard_size = 0;  ///< of its shards, in bytes; 0: it is one file
   CheckpointOptions checkpoint{};
   LinesRequest lines{};
+  SharedPlaces places{};
   PictureRequest pictures{};
   std::string* tree = nullptr;  ///< gets the tree of a paving, as PavingTree::text()
   std::string page{};           ///< file of a page of the answer; empty: none

@@ -14,7 +14,8 @@
 #include "codegen/answer/report/progress.hpp"
 #include "codegen/answer/report/report_text.hpp"
 #include "codegen/model/way/place_file.hpp"
-#include "codegen/question/solve/solve_certificate.hpp"
+#include "codegen/question/solve/list_file.hpp"
+#include "codegen/question/solve/solution_bytes.hpp"
 #include "codegen/question/solve/solve_report.hpp"
 #include "codegen/question/solve/solve_run.hpp"
 
@@ -37,7 +38,7 @@ class FoundSolutions final : public SolveAnswer {
                  held_};
     noun = noun_of(request_);
     solutions = solve(request_, run);
-    proof = certify_solutions(services.certificate, request_, solutions, {});
+    proof = certify_solutions(services.certificate, request_, solutions);
     if (proof.is_lost()) lost.push_back(proof.obstacle());
   }
 
@@ -61,14 +62,13 @@ class SolutionsAtPlaces final : public SolveAnswer {
   SolutionsAtPlaces(const AskSolve& asked, const Services& services)
       : asked_(asked), tells_at_once_(services.on_line) {
     has_places_ = true;
-    if (!services.certificate.empty())
-      throw UsageError(services.dashes +
-                       "certificate: a list of many places has no proof in a file; ask about one");
     const FormingWatch watch = watch_of(services, asked.search);
     const Model model = read_model(model_text(asked.model), asked.model, &watch);
     rows_ = rows_of(model);
-    set_outputs_aside(asked.model, asked.search, services);
-    lines_.emplace(services.lines);
+    const bool is_first = services.places.part == 0;
+    if (is_first) set_outputs_aside(asked.model, asked.search, services);
+    lines_.emplace(is_first ? services.lines : LinesRequest{});
+    is_proved_ = !services.certificate.empty();
     SearchDisplay display(display_of(services));
     const SolveRun run{asked.search,
                        watch,
@@ -81,12 +81,16 @@ class SolutionsAtPlaces final : public SolveAnswer {
     first_ = request_at(rows_.front(), model);
     noun = noun_of(*first_);
     services.tell(text_of_facts([this](Facts& facts) { tell_head(facts); }));
-    for (const PlaceRow& row : rows_) {
+    share(model, run, services.places);
+    for (std::size_t k = 0; is_first && k < rows_.size(); ++k) {
       if (!places.empty() && services.interrupt != nullptr && services.interrupt->load()) break;
-      add(request_at(row, model), row, run);
-      services.tell(line_of(places.size() - 1));
+      add(request_at(rows_[k], model), k, run);
+      services.tell(line_of(k));
     }
+    if (!is_first) return;
     places_left = rows_.size() - places.size();
+    proof = certify_places(services.certificate, proofs_, places_left);
+    if (proof.is_lost()) lost.push_back(proof.obstacle());
     write_beside([&] {
       if (lines_->is_wanted()) lines_->finish();
     });
@@ -101,7 +105,9 @@ class SolutionsAtPlaces final : public SolveAnswer {
     for (std::size_t i = 0; i < places.size() && !tells_at_once_; ++i) head.say_lines(line_of(i));
     if (!tells_at_once_ || facts.are_for_programs()) facts.append(std::move(head));
     tell_numbers(facts);
+    proof.tell(facts);
   }
+  [[nodiscard]] std::string about_files() const override { return proof.line(); }
 
  private:
   void tell_head(Facts& facts) const {
@@ -109,7 +115,8 @@ class SolutionsAtPlaces final : public SolveAnswer {
     if (!asked_.table.empty())
       facts.tell("places_file",
                  {{"file", asked_.table}, {"sha256", sha256_}, {"time_unit", time_unit_}}, "places",
-                 fmt::format("{} in {}", rows_.size(), asked_.table));
+                 fmt::format("{} in {}, each for itself and nothing between them", rows_.size(),
+                             asked_.table));
     for (const std::string& note : notes_) facts.say("note", note);
     facts.add("notes", notes_);
   }
@@ -140,13 +147,50 @@ class SolutionsAtPlaces final : public SolveAnswer {
         notes_.push_back(one);
   }
 
-  void add(const Request& request, const PlaceRow& row, const SolveRun& run) {
+  struct Found {
+    Solutions solutions;
+    ListProof proof{};
+  };
+
+  [[nodiscard]] Found found_at(const Request& request, const SolveRun& run) const {
+    Found found{solve(request, run)};
+    if (is_proved_) found.proof = prove_list(request, found.solutions);
+    return found;
+  }
+
+  /// Solves the part of this process, and gets that of others.
+  void share(const Model& model, const SolveRun& run, const SharedPlaces& shared) {
+    found_.resize(rows_.size());
+    if (shared.parts < 2) return;
+    for (std::size_t k = shared.part; k < rows_.size(); k += shared.parts) {
+      const Found found = found_at(request_at(rows_[k], model), run);
+      cluster::ByteWriter bytes;
+      bytes.put_text(sha256_);
+      put(bytes, found.solutions);
+      put(bytes, found.proof);
+      found_[k] = bytes.take();
+    }
+    shared.exchange(found_);
+  }
+
+  [[nodiscard]] Found take_found(const std::string& bytes) const {
+    cluster::ByteReader reader(bytes);
+    if (reader.take_text() != sha256_)
+      throw UsageError("the ranks have different files " + asked_.table);
+    Found found{take_solutions(reader)};
+    found.proof = take_list_proof(reader);
+    return found;
+  }
+
+  void add(const Request& request, std::size_t row, const SolveRun& run) {
     SolvedPlace& place = places.emplace_back();
-    place.line = row.line;
-    place.time = row.time;
+    place.line = rows_[row].line;
+    place.time = rows_[row].time;
     place.place = placed_values(request);
-    place.solutions = solve(request, run);
+    Found found = found_[row].empty() ? found_at(request, run) : take_found(found_[row]);
+    place.solutions = std::move(found.solutions);
     if (places.size() == 1) unknowns_ = place.solutions.unknowns;
+    if (is_proved_) proofs_.push_back({name_of(place), std::move(found.proof)});
     if (lines_->is_wanted() &&
         !(lines_->stream() << report_text(json_solved(place, request.model, noun)) << '\n'))
       lines_->finish();  // throws, with the reason that the file has
@@ -165,10 +209,13 @@ class SolutionsAtPlaces final : public SolveAnswer {
     }
   }
 
+  [[nodiscard]] std::string name_of(const SolvedPlace& place) const {
+    return fmt::format("{} {}", asked_.table.empty() ? "place" : "line", place.line);
+  }
+
   [[nodiscard]] std::string line_of(std::size_t index) const {
     const SolvedPlace& place = places[index];
-    return fmt::format("{:11}{} {}{}: {}\n", index == 0 ? "answers" : "",
-                       asked_.table.empty() ? "place" : "line", place.line,
+    return fmt::format("{:11}{}{}: {}\n", index == 0 ? "answers" : "", name_of(place),
                        describe_time(place, time_unit_), describe_result(place.solutions, noun));
   }
 
@@ -199,6 +246,9 @@ class SolutionsAtPlaces final : public SolveAnswer {
   std::vector<std::string> notes_;
   std::optional<Request> first_;
   std::vector<SolvedUnknown> unknowns_;
+  bool is_proved_ = false;          ///< a proof of each place is wanted
+  std::vector<std::string> found_;  ///< by row: what another process found; empty: not known
+  std::vector<PlaceProof> proofs_;
 };
 
 Word word_of_place(const Solutions& solutions) {
@@ -228,20 +278,31 @@ std::string describe_places(const std::vector<SolvedPlace>& places, std::uint64_
                      found == 1 ? noun.one : noun.many);
 }
 
-void refuse_for_one_place(const Services& services) {
+void refuse_for_one_place(const AskSolve& asked, const Services& services) {
+  if (asked.wanted == AskSolve::Places::kMany)
+    throw UsageError(
+        "there are no places; give the places by lists of numbers, by a table, or by a "
+        "motion along way-points");
   if (services.lines.is_wanted())
     throw UsageError(services.dashes +
                      "output: lines are of many places, from waypoints; of one place ask for json");
 }
 
-void refuse_for_many_places(const AskSolve& asked, const Services& services) {
-  const auto refuse = [&services](bool is_asked, const char* option, const char* why) {
-    if (is_asked) throw UsageError(fmt::format("{}{}: {}", services.dashes, option, why));
-  };
-  refuse(!asked.table.empty() && !asked.places.empty(), "waypoints",
-         "places are given, too; give one of them");
-  refuse(!services.certificate.empty(), "certificate",
-         "a proof is about the solutions at one place; ask for each");
+void refuse_two_lists(const AskSolve& asked, const Services& services) {
+  if (!asked.table.empty() && !asked.places.empty())
+    throw UsageError(services.dashes + "waypoints: places are given, too; give one of them");
+}
+
+/// Each way-point of the motion is a place, unless other places are given.
+AskSolve with_waypoints_of_motion(AskSolve asked, const Services& services) {
+  if (!asked.table.empty() || !asked.places.empty()) return asked;
+  const FormingWatch watch = watch_of(services, asked.search);
+  ModelOptions options = asked.model;
+  options.takes_legs = true;
+  asked.table = waypoints_of(read_model(model_text(options), options, &watch), options);
+  if (!asked.table.empty() && asked.wanted == AskSolve::Places::kOne)
+    throw UsageError("the motion is along way-points, each of which is a place; ask solve_many");
+  return asked;
 }
 
 }  // namespace
@@ -260,12 +321,18 @@ std::string SolveAnswer::headline() const {
 }
 
 std::unique_ptr<SolveAnswer> ask(const AskSolve& asked, const Services& services) {
-  const bool has_places = !asked.table.empty() || !asked.places.empty();
   refuse_changed_options(option_refusals_of_solutions(), asked.model, asked.search,
                          services.dashes);
-  has_places ? refuse_for_many_places(asked, services) : refuse_for_one_place(services);
+  refuse_two_lists(asked, services);
   refuse_services(Kind::kSolve, asked.model, asked.search, services);
-  if (has_places) return std::make_unique<SolutionsAtPlaces>(asked, services);
+  const AskSolve resolved = with_waypoints_of_motion(asked, services);
+  const bool is_first = services.places.part == 0;
+  if (!resolved.table.empty() || !resolved.places.empty()) {
+    auto answer = std::make_unique<SolutionsAtPlaces>(resolved, services);
+    return is_first ? std::move(answer) : nullptr;
+  }
+  refuse_for_one_place(asked, services);
+  if (!is_first) return nullptr;
   return std::make_unique<FoundSolutions>(asked, services);
 }
 

@@ -53,9 +53,14 @@ void set_number(const Model& model, Motion& motion, const GivenNumber& given);
                                const FormingWatch* watch);
 
 /// Returns the request of the options about a model that is read; `more` numbers follow those of
-/// ModelOptions::at. Throws as read_request(), and InputError without a file for one of `more`.
+/// ModelOptions::at. They take the place of way-points, if the options take places (takes_legs). Throws as
+/// read_request(), and InputError without a file for one of `more`.
 [[nodiscard]] Request request_of(Model model, const ModelOptions& options,
                                  std::span<const GivenNumber> more = {});
+
+/// Returns the file of the motion that the options mean, if it is along way-points; "": it is not.
+/// Throws as request_of().
+[[nodiscard]] std::string waypoints_of(const Model& model, const ModelOptions& options);
 
 /// A number of the place of a motion.
 struct PlacedNumber {

@@ -85,7 +85,29 @@ std::vector<GivenNumber> numbers_at(const ModelOptions& options) {
   return numbers;
 }
 
+/// The motion is at a way-point: pose parameters have their numbers, or keep those of the file.
+void stand_at_waypoint(const Model& model, Motion& motion, std::span<const GivenNumber> given) {
+  motion.waypoints.reset();
+  motion.pose.resize(model.pose.size());
+  for (std::size_t i = 0; i < model.pose.size(); ++i) {
+    const PoseParameter& p = model.pose[i];
+    if (std::ranges::find(given, p.name, &GivenNumber::name) != given.end())
+      motion.pose[i] = 0;  // which set_number() replaces
+    else if (motion.pose[i].is_equal(p.symbol))
+      throw InputError::statement(
+          "", 0, "nothing gives the pose parameter " + in_quotes(p.name) + " a value",
+          "give the table a column of it, or give it by at", p.name);
+  }
+}
+
 }  // namespace
+
+std::string waypoints_of(const Model& model, const ModelOptions& options) {
+  const std::vector<GivenNumber> at = numbers_at(options);
+  Motion motion;
+  from_option("MOTION", [&] { motion = asked_motion(model, options, at); });
+  return motion.waypoints ? file_of_waypoints(model, motion) : "";
+}
 
 Request read_request(std::string_view text, const ModelOptions& options,
                      const FormingWatch* watch) {
@@ -108,6 +130,8 @@ Request request_of(Model model, const ModelOptions& options, std::span<const Giv
   std::vector<GivenNumber> all = at;
   all.insert(all.end(), more.begin(), more.end());
   from_option("MOTION", [&] { request.motion = asked_motion(request.model, options, all); });
+  if (options.takes_legs && !more.empty() && request.motion.waypoints)
+    stand_at_waypoint(request.model, request.motion, all);
   for (const GivenNumber& number : at)
     from_option("--at", [&] { set_number(request.model, request.motion, number); });
   for (const GivenNumber& number : more) {

@@ -5,12 +5,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 
 namespace regulus::format {
 
 inline constexpr const char* kMagic = "regulus-certificate 1";
 inline constexpr const char* kIndexMagic = "regulus-certificate-index 1";
 inline constexpr const char* kShardMagic = "regulus-certificate-shard 1";
+inline constexpr const char* kPlacesMagic = "regulus-certificate-places 1";
 inline constexpr const char* kNoSingularity = "NO SINGULARITY";
 inline constexpr const char* kSingularity = "SINGULARITY";
 inline constexpr const char* kOppositeSigns = "opposite-signs";
@@ -86,6 +88,8 @@ inline constexpr std::size_t kMostLines = 20000;     ///< of the header
 inline constexpr std::size_t kMostPieces = 1 << 20;  ///< of a trajectory
 inline constexpr std::size_t kMostPieceNames = 512;
 inline constexpr std::size_t kMostSolutions = 1 << 12;
+inline constexpr std::size_t kMostPlaces = 1 << 20;       ///< of a table
+inline constexpr std::size_t kLongestPart = 1 << 26;      ///< about one of them, in bytes
 inline constexpr std::size_t kMostUnknowns = 32;          ///< of a closure
 inline constexpr std::size_t kMostTubes = 1 << 20;        ///< leaves of a proof about a closure
 inline constexpr std::size_t kMostTubeNumbers = 1 << 25;  ///< of all its tubes
@@ -248,6 +252,29 @@ inline constexpr const char* kOfArm = "an arm of these six joints whose end is a
   return robot + (claimed.verdict == kComplete ? " has exactly " : " has at least ") + count +
          (claimed.count == 1 ? ", within the line 'solution'"
                              : ", one within each line 'solution'");
+}
+
+// A certificate about the places of a table: the words before the number of a part, and of all parts.
+inline constexpr const char* kPlace = "place ";
+inline constexpr const char* kPlaces = "places ";
+
+/// How many parts of a certificate about places have each verdict.
+struct ClaimedPlaces {
+  std::size_t complete = 0, none = 0, incomplete = 0, solutions = 0;
+};
+
+/// Returns the claim of all its parts in words.
+[[nodiscard]] inline std::string describe_places_claim(const ClaimedPlaces& c) {
+  const std::size_t count = c.complete + c.none + c.incomplete;
+  std::string text = "the claim of each part about a place, of " + std::to_string(count);
+  const char* before = ": ";
+  for (const auto& [verdict, number] :
+       {std::pair{kComplete, c.complete}, {kNone, c.none}, {kIncomplete, c.incomplete}})
+    if (number > 0) {
+      text += before + std::string(verdict) + " at " + std::to_string(number);
+      before = ", ";
+    }
+  return text + "; " + std::to_string(c.solutions) + " solutions in all";
 }
 
 /// Returns a claim about singularity in words. Nothing but these functions words a claim.

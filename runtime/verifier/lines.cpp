@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <utility>
+
 #include "runtime/verifier/question.hpp"
 
 namespace regulus::verifier {
@@ -24,6 +26,12 @@ bool hides_text(std::string_view line) {
 }  // namespace
 
 bool Lines::next() {
+  if (!std::exchange(repeats_, false)) has_line_ = read();
+  if (has_line_ && keeps_) kept_.push_back(text_);
+  return has_line_;
+}
+
+bool Lines::read() {
   text_.clear();
   ++number_;
   named_ = 0;
@@ -31,7 +39,6 @@ bool Lines::next() {
     if (left_-- == 0) throw Rejection("the file is too large");
     if (c == '\n') {
       if (hides_text(text_)) throw Rejection("the line contains a control character");
-      if (keeps_) kept_.push_back(text_);
       return true;
     }
     if (c < ' ' || c == 127) throw Rejection("the line contains a control character");

@@ -30,6 +30,8 @@ class Lines {
   [[nodiscard]] std::size_t number() const noexcept { return named_ != 0 ? named_ : number_; }
   /// An earlier line is wrong: number() returns this line until the next one is read.
   void name_line(std::size_t number) noexcept { named_ = number; }
+  /// The next call of next() returns again what the last one has returned.
+  void repeat() noexcept { repeats_ = true; }
   /// From now on keeps the lines that are read, until take_kept.
   void keep() noexcept { keeps_ = true; }
   [[nodiscard]] std::vector<std::string> take_kept() {
@@ -38,11 +40,13 @@ class Lines {
   }
 
  private:
+  [[nodiscard]] bool read();
+
   std::istream& in_;
   std::uint64_t left_;
   std::string text_;
   std::size_t number_ = 0, named_ = 0;
-  bool keeps_ = false;
+  bool keeps_ = false, repeats_ = false, has_line_ = false;
   std::vector<std::string> kept_;
 };
 

@@ -10,6 +10,7 @@
 #include "runtime/verifier/model/waypoints.hpp"
 #include "runtime/verifier/nominal_copy.hpp"
 #include "runtime/verifier/pieces.hpp"
+#include "runtime/verifier/places.hpp"
 #include "runtime/verifier/proof.hpp"
 #include "runtime/verifier/quantity_lines.hpp"
 #include "runtime/verifier/shards.hpp"
@@ -21,12 +22,13 @@ namespace regulus::verifier {
 namespace {
 
 /// A trajectory has a singular pose on one of its pieces; other claims are about all of them.
-void compare(Question& question, const Options& options, Verification& result) {
+void compare(Question& question, const Options& options, Verification& result, PlacePart* place) {
   if (question.closure && question.matrix.empty()) {
     Question with_variables = with_unknowns(question);
-    return compare(with_variables, options, result);
+    return compare(with_variables, options, result, place);
   }
   const WrittenValues model = read_model_values(options.model_text);
+  if (place != nullptr) return compare_place(question, model, options, *place, result);
   if (question.solutions) return compare_with_file(question, model, options, result);
   const WaypointComparison waypoints(model, question.motion, options.model_name, options.waypoints);
   if (!waypoints.is_named()) return compare_with_file(question, model, options, result);
@@ -48,7 +50,9 @@ std::string digest_of(const std::vector<std::string>& head) {
   return digest.text();
 }
 
-void check(Lines& lines, Question& question, const Options& options, Verification& result) {
+/// `place`: that of a table which the claim must be about; null: the file is about no table.
+void check(Lines& lines, Question& question, const Options& options, Verification& result,
+           PlacePart* place) {
   lines.keep();
   read_question(lines, question);
   if (question.is_index && question.singular)
@@ -57,6 +61,8 @@ void check(Lines& lines, Question& question, const Options& options, Verificatio
     throw Unfinished("the proof about a closure must be in one file");
   if (question.is_index && question.solutions)
     throw Rejection("a claim about all solutions is in one file");
+  if (place != nullptr && !question.solutions)
+    throw Rejection("a part about a place has no claim about all solutions");
   if (question.is_piecewise) return check_pieces(lines, question.is_index, options, result);
   const std::vector<std::string> head = lines.take_kept();
   result.claim = question.claim();
@@ -64,7 +70,7 @@ void check(Lines& lines, Question& question, const Options& options, Verificatio
   result.sha256 = question.sha256;
   result.motion = question.motion;
   question.graph.end_of_file();
-  if (!options.model_text.empty()) compare(question, options, result);
+  if (!options.model_text.empty()) compare(question, options, result, place);
   if (question.solutions) return check_solutions(lines, question, options, result);
   describe_bound(question, result);
   if (question.quantity && !question.closure) border(question);
@@ -89,6 +95,12 @@ void check(Lines& lines, Question& question, const Options& options, Verificatio
   }
 }
 
+/// Proves one part of a certificate about the places of a table.
+void check_part(Lines& lines, const Options& options, PlacePart& place, Verification& result) {
+  Question question;
+  check(lines, question, options, result, &place);
+}
+
 std::string at_line(const Lines& lines, const std::string& why) {
   return "line " + std::to_string(lines.number()) + ": " + why;
 }
@@ -111,7 +123,12 @@ Verification verify(std::istream& file, const Options& options) {
   Lines lines(file, options.max_bytes);
   Question question;
   try {
-    check(lines, question, options, result);
+    const bool is_about_places = lines.next() && lines.text() == format::kPlacesMagic;
+    lines.repeat();
+    if (is_about_places)
+      check_places(lines, options, check_part, result);
+    else
+      check(lines, question, options, result, nullptr);
     result.outcome = Outcome::kVerified;
   } catch (const OtherModel& other) {
     result.outcome = Outcome::kRejected;
@@ -140,6 +157,7 @@ std::string describe(const Verification& v) {
     line("pieces", std::to_string(v.pieces) +
                        (v.are_sides ? ", the sides of cuts of atan2, with either limit on them"
                                     : " of a trajectory"));
+  if (v.places > 0) line("places", std::to_string(v.places) + ", each with its own proof");
   if (v.shards > 0) line("shards", std::to_string(v.shards));
   if (v.leaves > 0)
     line("leaves", std::to_string(v.leaves) + ", in " + std::to_string(v.boxes) +

@@ -46,6 +46,7 @@ struct Options {
   /// line has set them: "alpha", "range x", "tolerance base".
   std::set<std::string> overridden;
   bool all_overridden = false;  ///< every such value may differ
+  std::set<std::string> fixed;  ///< those that may not: a table gives them
   /// Called a few times a second with the counts so far; not called if empty.
   std::function<void(const Verification&)> progress;
 };
@@ -62,6 +63,7 @@ struct Verification {
   std::string model, sha256, motion;
   std::size_t pieces = 0;  ///< of a trajectory, or sides of cuts of atan2; 0: there are none
   bool are_sides = false;
+  std::size_t places = 0;  ///< of a table, each with its own proof; 0: the claim is about one
   std::size_t shards = 0;  ///< of an index; 0: the proof is in one file
   std::uint64_t leaves = 0;
   std::uint64_t boxes = 0;                                ///< into which the leaves were cut

@@ -136,17 +136,17 @@ TEST_F(Ranks, VerifyAProofInOneFileByTheFirst) {
 
 TEST(ManualPage, NamesTheCommandsThatRunOnRanks) {
   const std::string page = text_of(REGULUS_BINARY_DIR "/codegen/use/mpi/regulus-mpi.1");
-  for (const char* words :
-       {"check", "locate", "margin", "bound", "datasheet", "verify", "\\-\\-filter", "EXIT STATUS"})
+  for (const char* words : {"check", "locate", "margin", "bound", "datasheet", "solve", "verify",
+                            "\\-\\-filter", "EXIT STATUS"})
     EXPECT_THAT(page, HasSubstr(words));
 }
 
 TEST(Help, ListsTheCommandsThatRunOnRanksAlone) {
   const std::string help = run_command(ranks(1, {"--help"})).output;
   EXPECT_THAT(help, HasSubstr("mpirun -n 8 regulus-mpi check robot_1 wide_15"));
-  for (const char* command : {"check", "locate", "margin", "bound", "datasheet", "verify"})
+  for (const char* command : {"check", "locate", "margin", "bound", "datasheet", "solve", "verify"})
     EXPECT_THAT(help, HasSubstr("\n  " + std::string(command) + ' '));
-  for (const char* command : {"solve", "report", "explain", "generate", "import", "list", "shell"})
+  for (const char* command : {"report", "explain", "generate", "import", "list", "shell"})
     EXPECT_THAT(help, testing::Not(HasSubstr("\n  " + std::string(command) + ' ')));
 }
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """All solutions: arrays, truth values, many places, and errors in Python's words."""
 
+import functools
 import pickle
 import re
 from pathlib import Path
@@ -94,6 +95,31 @@ def test_a_table_is_many_places(tmp_path, command):
     assert found.verdicts.tolist() == ["complete", "none"]
     report = command("solve", "rpr_6", "--waypoints", str(table))
     assert found.json["places"] == report["places"]
+
+
+def test_a_certificate_of_many_places(tmp_path):
+    proof, table = tmp_path / "proof.txt", tmp_path / "lengths.csv"
+    table.write_text("rho_1,rho_2,rho_3\n14.98,15.38,12\n14.9,15.4,12.1\n")
+    found = RPR.solve_many(waypoints=table, certificate=proof)
+    assert found.certificate == str(proof) == found.json["certificate"]
+    verify = functools.partial(rg.verify, proof, model=RPR.path)
+    assert verify(waypoints=table).outcome == "verified"
+    assert verify().outcome == "unfinished"
+    table.write_text("rho_1,rho_2,rho_3\n14.9,15.4,12.1\n14.98,15.38,12\n")
+    assert verify(waypoints=table).outcome == "rejected"
+    arrays = RPR.solve_many(at={**LENGTHS, "rho_1": ["14.98", "14.9"]}, certificate=proof)
+    assert arrays.certificate and rg.verify(proof).outcome == "verified"
+    assert RPR.solve_many(waypoints=table).certificate is None
+
+
+def test_waypoints_of_a_motion_are_places(tmp_path):
+    (tmp_path / "way.csv").write_text("theta\n0.5\n0.75\n")
+    bars = rg.Robot(rg.load("four_bar").text + '[motion.way]\nwaypoints = "way.csv"\n')
+    bars.write(tmp_path / "bars.toml")
+    robot = rg.load(tmp_path / "bars.toml")
+    assert robot.solve_many("way").counts.tolist() == [2, 2]
+    with pytest.raises(rg.UsageError, match="ask solve_many"):
+        robot.solve("way")
 
 
 def test_answers_are_plain_data():

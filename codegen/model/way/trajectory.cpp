@@ -27,12 +27,15 @@ ex expression_of(const PieceOfPose& piece, const ex& s) {
   return result;
 }
 
+std::string file_of_waypoints(const Model& model, const Motion& motion) {
+  const std::filesystem::path path(motion.waypoints->file);
+  return path.is_absolute() ? path.string()
+                            : (std::filesystem::path(model.path).parent_path() / path).string();
+}
+
 void load_trajectory(const Model& model, Motion& motion) {
   if (!motion.waypoints || motion.trajectory) return;
-  const std::filesystem::path path(motion.waypoints->file);
-  const std::string file = path.is_absolute()
-                               ? path.string()
-                               : (std::filesystem::path(model.path).parent_path() / path).string();
+  const std::string file = file_of_waypoints(model, motion);
   auto trajectory = std::make_shared<Trajectory>(
       is_gcode_file(file) ? read_gcode(model, motion, file) : read_waypoints(model, motion, file));
   motion.trajectory = std::move(trajectory);

@@ -44,6 +44,11 @@ struct Trajectory {
 /// Returns the expression of a pose parameter in s, without terms whose coefficients are 0.
 [[nodiscard]] GiNaC::ex expression_of(const PieceOfPose& piece, const GiNaC::ex& s);
 
+/// Returns the file that Motion::waypoints names, which is beside that of the model.
+///
+/// Requires  the motion has way-points.
+[[nodiscard]] std::string file_of_waypoints(const Model& model, const Motion& motion);
+
 /// Reads the file that Motion::waypoints names, and fills Motion::trajectory.
 ///
 /// Errors    InputError with the line of the file; FileError.

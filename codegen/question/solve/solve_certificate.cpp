@@ -358,43 +358,39 @@ Trial trial_of(const std::string& head, const std::string& proof) {
 
 }  // namespace
 
-ProofStatus certify_solutions(const std::string& path, const Request& request,
-                              const Solutions& solutions, const ProofPlacing& placing) {
-  ProofStatus status(path);
-  if (!status.is_wanted()) return status;
+ListProof prove_list(const Request& request, const Solutions& solutions) {
   const FloatingPointScope nearest(FloatingPointRounding::kNearest);
-  status.set_obstacle(obstacle_of(request, solutions));
-  if (!status.obstacle().empty()) return status;
+  ListProof list;
+  list.obstacle = obstacle_of(request, solutions);
+  if (!list.obstacle.empty()) return list;
   const bool is_arm = request.model.arm != nullptr, is_closure = request.model.closure.has_value(),
              varies = has_tolerances(request),
              is_counted =
                  !is_arm && !is_closure && !is_in_plane(request) &&
                  (solutions.completeness != Completeness::kComplete || solutions.is_counted);
-  const std::string head =
-      is_arm                 ? head_of_arm(request, solutions)
-      : is_closure           ? head_of_equations(request, solutions)
-      : is_in_plane(request) ? head_of_platform(request, solutions, format::kOfThreeLegs,
-                                                planar_lines(request, solutions))
-      : is_counted || varies
-          ? head_of_platform(request, solutions, format::kOfSixLegs,
-                             solution_lines(solutions, size_of(request, solutions), varies))
-          : head_of_platform(request, solutions, format::kOfSixLegs,
-                             pose_lines(request, solutions));
-  status.set_obstacle(obstacle_of_head(head));
-  if (!status.obstacle().empty()) return status;
-  std::string proof = is_arm       ? fmt::format("opposite {}\nend\n", solutions.opposite)
-                      : is_counted ? root_lines(roots_of(solutions))
-                                   : "end\n";
-  Trial trial = trial_of(head, proof);
+  list.head = is_arm                 ? head_of_arm(request, solutions)
+              : is_closure           ? head_of_equations(request, solutions)
+              : is_in_plane(request) ? head_of_platform(request, solutions, format::kOfThreeLegs,
+                                                        planar_lines(request, solutions))
+              : is_counted || varies
+                  ? head_of_platform(request, solutions, format::kOfSixLegs,
+                                     solution_lines(solutions, size_of(request, solutions), varies))
+                  : head_of_platform(request, solutions, format::kOfSixLegs,
+                                     pose_lines(request, solutions));
+  list.obstacle = obstacle_of_head(list.head);
+  if (!list.obstacle.empty()) return list;
+  list.proof = is_arm       ? fmt::format("opposite {}\nend\n", solutions.opposite)
+               : is_counted ? root_lines(roots_of(solutions))
+                            : "end\n";
+  Trial trial = trial_of(list.head, list.proof);
   if (is_counted && varies && !trial.is_verified) {
     // A search proves wider tubes. And legs that meet in the middle of the tolerances have 16 complex poses there, and
     // others elsewhere.
-    proof = "end\n";
-    trial = trial_of(head, proof);
+    list.proof = "end\n";
+    trial = trial_of(list.head, list.proof);
   }
-  status.attempt([&] { write_witness(path, head, proof, placing); });
-  if (status.obstacle().empty()) status.set_written(trial.doubt);
-  return status;
+  list.doubt = trial.doubt;
+  return list;
 }
 
 }  // namespace regulus

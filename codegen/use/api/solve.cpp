@@ -30,8 +30,9 @@ SolveFinding solve(const Question& question, const SolveOptions& options,
                    const std::atomic<bool>* interrupt) {
   const AlgebraLock lock;
   Stopwatch watch;
-  const auto answer =
-      ask(asked_of(question, options), services_of(options.certificate, 0, interrupt));
+  AskSolve asked = asked_of(question, options);
+  asked.wanted = AskSolve::Places::kOne;
+  const auto answer = ask(asked, services_of(options.certificate, 0, interrupt));
   SolveFinding finding;
   finding.solutions = answer->solutions;
   set_proof(answer->proof, finding);
@@ -44,13 +45,14 @@ SolveManyFinding solve_many(const Question& question, const Places& places,
   const AlgebraLock lock;
   Stopwatch watch;
   AskSolve asked = asked_of(question, options);
-  if (places.numbers.empty() && places.table.empty()) throw UsageError("places: there are none");
+  asked.wanted = AskSolve::Places::kMany;
   asked.places = places.numbers;
   asked.table = places.table;
   const auto answer = ask(asked, services_of(options.certificate, 0, interrupt));
   SolveManyFinding finding;
   finding.places = answer->places;
   finding.left = answer->places_left;
+  set_proof(answer->proof, finding);
   set_told(*answer, watch, finding);
   return finding;
 }

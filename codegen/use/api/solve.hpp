@@ -16,7 +16,7 @@ struct SolveOptions {
   SearchOptions search{};
   std::vector<std::string> at{};    ///< "NAME=VALUE": numbers of the place
   std::vector<std::string> hold{};  ///< joints of an arm that keep the values of the motion
-  /// A file for the proof of solve(); empty: none.
+  /// A file for the proof, of solve_many() for the proofs at all places; empty: none.
   std::string certificate{};
 };
 
@@ -39,7 +39,7 @@ struct SolveFinding {
 /// in a file, as of way-points, with one a line.
 struct Places {
   std::vector<std::vector<std::string>> numbers{};
-  std::string table{};  ///< empty: the numbers above
+  std::string table{};  ///< empty: the numbers above, or the way-points of the motion
 };
 
 struct SolveManyFinding {
@@ -49,10 +49,12 @@ struct SolveManyFinding {
   std::string report;               ///< the lines that precede it on a terminal
   std::string json;                 ///< the report that --json prints
   double seconds = 0;               ///< of the whole call
+  std::string certificate{};        ///< the file of the proofs; empty: none
+  std::string no_certificate{};     ///< why none could be written, if one was wanted
 };
 
 /// Solves each of many places. Limits of the search are those of each place; threads and errors as
-/// check(), and UsageError if there is no place, or for a certificate.
+/// check(), and UsageError if there is no place.
 [[nodiscard]] SolveManyFinding solve_many(const Question& question, const Places& places,
                                           const SolveOptions& options = {},
                                           const std::atomic<bool>* interrupt = nullptr);

@@ -246,8 +246,8 @@ CommandTables::CommandTables(const std::string& shell_commands)
 void CommandTables::show_ranks() {
   app.name("regulus-mpi");
   app.description(std::string(kIntroductionOfRanks) + kVerdicts);
-  for (CLI::App* other : {solve_command, report_command, explain_command, generate_command,
-                          import_command, list_command, shell_command})
+  for (CLI::App* other : {report_command, explain_command, generate_command, import_command,
+                          list_command, shell_command})
     other->group("");
 }
 

@@ -24,6 +24,7 @@
 #include "codegen/use/mpi/agreement.hpp"
 #include "codegen/use/mpi/mpi_workers.hpp"
 #include "codegen/use/mpi/rank_service.hpp"
+#include "codegen/use/mpi/solve_together.hpp"
 #include "codegen/use/mpi/verify_together.hpp"
 
 namespace {
@@ -56,9 +57,10 @@ auto with_search(CommandLine& line, const Use& use) {
   if (line.margin) return use(*line.margin);
   if (line.bound) return use(*line.bound);
   if (line.datasheet) return use(*line.datasheet);
+  if (line.solve) return use(*line.solve);
   throw UsageError(
-      "check, locate, margin, bound, datasheet and verify run on several ranks; use regulus for "
-      "other commands");
+      "check, locate, margin, bound, datasheet, solve and verify run on several ranks; use regulus "
+      "for other commands");
 }
 
 /// The work of rank 0. Other ranks have been told to begin.
@@ -154,6 +156,7 @@ int run_together(Communicator& communicator, const Start& start) {
   });
   const bool first = communicator.is_first();
   if (!is_agreed(communicator, agreed)) return first ? kUsageError : 0;
+  if (line.solve) return solve_together(communicator, *line.solve, typed(start.words));
   if (first) return lead(communicator, line, ranks, typed(start.words));
   with_search(line, [&](auto& command) {
     const CommandQuestion question = question_of(command);

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/use/mpi/verify_together.hpp"
 
-#include <csignal>
-#include <cstdio>
 #include <optional>
 #include <utility>
 
 #include "codegen/support/errors.hpp"
 #include "codegen/use/command/commands.hpp"
+#include "codegen/use/mpi/together.hpp"
 #include "runtime/cluster/bytes.hpp"
 #include "runtime/verifier/verify.hpp"
 
@@ -58,7 +57,7 @@ class Exchange {
     own.put_text("");
     for (std::size_t i = communicator_.rank(); i < proofs.size(); i += communicator_.size())
       put(own, proofs[i]);
-    const auto all = gather(own.bytes());
+    const auto all = gather_parts(communicator_, own.bytes(), limit_);
     for (std::size_t rank = 1; rank < all.size(); ++rank)
       all[rank] ? take(*all[rank], rank, proofs) : miss(rank, "it does not answer", proofs);
   }
@@ -68,7 +67,7 @@ class Exchange {
     if (std::exchange(done_, true)) return;
     ByteWriter own;
     own.put_text(why.empty() ? "it does not read an index there" : why);
-    static_cast<void>(gather(own.bytes()));
+    static_cast<void>(gather_parts(communicator_, own.bytes(), limit_));
   }
 
  private:
@@ -86,30 +85,11 @@ class Exchange {
                          " has not proved it" + (failure.empty() ? "" : ": " + failure);
   }
 
-  /// A rank may be at work for long. It is named now and then, and given up after the limit of time.
-  std::vector<std::optional<std::string>> gather(const std::string& own) {
-    double named = 0;
-    return communicator_.gather(own, [&](const std::vector<unsigned>& ranks, double seconds) {
-      if (limit_ > 0 && seconds >= limit_ + kSecondsOfPatience) return true;
-      if (seconds - named < kSecondsOfPatience) return false;
-      named = seconds;
-      std::fprintf(stderr, "regulus-mpi: %s yet\n", describe_silent(ranks).c_str());
-      return false;
-    });
-  }
-
   Communicator& communicator_;
   const std::vector<RankIdentity>& ranks_;
   const double limit_;
   bool done_ = false;
 };
-
-/// There is nothing to save: a signal ends the process.
-void unblock_signals() {
-  sigset_t none;
-  sigemptyset(&none);
-  pthread_sigmask(SIG_SETMASK, &none, nullptr);
-}
 
 }  // namespace
 

@@ -104,7 +104,9 @@ void bind_solve_findings(py::module_& module) {
       .def_readonly("headline", &SolveManyFinding::headline)
       .def_readonly("report", &SolveManyFinding::report)
       .def_readonly("json", &SolveManyFinding::json)
-      .def_readonly("seconds", &SolveManyFinding::seconds);
+      .def_readonly("seconds", &SolveManyFinding::seconds)
+      .def_readonly("certificate", &SolveManyFinding::certificate)
+      .def_readonly("no_certificate", &SolveManyFinding::no_certificate);
 }
 
 }  // namespace
@@ -126,15 +128,15 @@ void bind_solutions(py::module_& module) {
       "solve_many",
       [](const Question& question, const SearchOptions& search, const std::vector<std::string>& at,
          const std::vector<std::string>& hold, const std::vector<std::vector<std::string>>& numbers,
-         const std::string& table) {
-        const SolveOptions options{search, at, hold};
+         const std::string& table, const std::string& certificate) {
+        const SolveOptions options{search, at, hold, certificate};
         const Places places{numbers, table};
         return run_there([=](const std::atomic<bool>& interrupt) {
           return solve_many(question, places, options, &interrupt);
         });
       },
       py::arg("question"), py::arg("options"), py::arg("at"), py::arg("hold"), py::arg("numbers"),
-      py::arg("table"));
+      py::arg("table"), py::arg("certificate") = "");
 }
 
 }  // namespace regulus

@@ -257,6 +257,15 @@ bool is_arm_in_degrees(const WrittenValues& values) {
   return unit != "rad";
 }
 
+FilePlace place_of_joint(const WrittenValues& values, const std::string& name) {
+  FilePlace place{"the frame of " + name, 0, "another"};
+  for (std::size_t i = 0; i < count_joints(values) && place.line == 0; ++i)
+    if (const auto found = values.find(joint_place(i) + "name");
+        found != values.end() && found->second.text == name)
+      place.line = found->second.line;
+  return place;
+}
+
 std::vector<ChainName> chain_names(const WrittenValues& values) {
   std::vector<ChainName> names;
   for (std::size_t i = 0; i < count_joints(values); ++i) {

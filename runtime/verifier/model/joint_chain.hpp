@@ -36,6 +36,9 @@ struct ChainName {
 /// Returns true if numbers of angles are degrees.
 [[nodiscard]] bool is_arm_in_degrees(const WrittenValues& values);
 
+/// Returns the place of a joint's frame, for messages.
+[[nodiscard]] FilePlace place_of_joint(const WrittenValues& values, const std::string& name);
+
 [[nodiscard]] bool depends_on_variables(const Graph& graph, NodeId node);
 
 /// The joints that move, and the frame of the tool in that of the last.

@@ -110,10 +110,8 @@ class PlaceComparison {
       comparer_.refuse_model(is_by_tool ? "the motion gives the place of the tool"
                                         : "the motion gives values of the joints");
     if (!stated.tool.empty()) {
-      // The value that a joint keeps beside the tool is an option, as that it keeps one.
       for (std::size_t k = 0; k < stated.joints.size(); ++k)
-        if (stated.joints[k].held != kNoNode)
-          comparer_.note_compared("joint " + std::to_string(k) + "_15");
+        compare_kept(arm.joints[k], stated.joints[k], "joint " + std::to_string(k) + "_15");
       return compare_tool(arm.tool, is_by_tool);
     }
     std::size_t free = 0;
@@ -124,12 +122,21 @@ class PlaceComparison {
         compare_value(arm.joints[k], "joint-value " + std::to_string(free++), has_values);
   }
 
+  /// The value that a joint keeps beside the tool may be an option, as that it keeps one.
+  void compare_kept(const SectionJoint& joint, const ArmJointLine& stated, const std::string& key) {
+    const bool has_value = value_of(joint.name) != kNoNode;
+    if (stated.held != kNoNode) return compare_value(joint, key, has_value);
+    if (has_value)
+      comparer_.leave_out(comparer_.place_of(motion_ + joint.name),
+                          "the certificate has a joint that keeps no value");
+  }
+
   /// Gives each joint its value of the motion, or any. Returns false if the file has no such motion.
   bool name_joints(bool is_by_tool) {
     bool has_all = !is_by_tool;
     Scope values;
     for (const SectionPose& pose : section_->pose()) {
-      values[pose.name] = is_by_tool ? kNoNode : value_of(pose.name);
+      values[pose.name] = value_of(pose.name);
       has_all = has_all && values[pose.name] != kNoNode;
     }
     if (!has_all && !is_by_tool && !comparer_.may_differ(kPlaceOption))
@@ -138,7 +145,9 @@ class PlaceComparison {
       comparer_.note_difference("the motion '" + q_.motion +
                                 "' gives no value of each joint; those are the certificate's");
     for (const auto& [name, value] : values)
-      q_.actual.insert_or_assign(name, has_all ? value : q_.graph.number(Rational(0L)));
+      q_.actual.insert_or_assign(name, has_all || (is_by_tool && value != kNoNode)
+                                           ? value
+                                           : q_.graph.number(Rational(0L)));
     return has_all;
   }
 
@@ -156,7 +165,7 @@ class PlaceComparison {
   }
 
   void compare_joint(const SectionJoint& joint, std::size_t number) {
-    const FilePlace from = place_of_joint(joint.name);
+    const FilePlace from = place_of_joint(values_, joint.name);
     if (joint.slides) comparer_.refuse(from, "a joint that turns");
     const ArmJointLine& stated = q_.solutions->arm->joints[number];
     if (stated.held != kNoNode) {
@@ -167,16 +176,6 @@ class PlaceComparison {
     for (std::size_t i = 0; i < 3; ++i)
       comparer_.compare(from, joint.axis[i],
                         "joint " + std::to_string(number) + '_' + std::to_string(12 + i));
-  }
-
-  [[nodiscard]] FilePlace place_of_joint(const std::string& name) const {
-    for (std::size_t i = 0;; ++i) {
-      const std::string joint = "serial.joints[" + std::to_string(i) + "].name";
-      const auto found = values_.find(joint);
-      if (found != values_.end() && found->second.text == name)
-        return {"the frame of " + name, found->second.line, "another"};
-      if (i > format::kMostLines) return {"the frame of " + name, 0, "another"};
-    }
   }
 
   void compare_frame(const PlacementNodes& frame, const FilePlace& from, const std::string& key) {

@@ -136,14 +136,16 @@ void QuestionComparer::compare(const FilePlace& from, NodeId value, const std::s
 }
 
 bool QuestionComparer::may_differ(const std::string& option) const {
-  return !option.empty() && (options_.all_overridden || options_.overridden.contains(option));
+  return !option.empty() && !options_.fixed.contains(option) &&
+         (options_.all_overridden || options_.overridden.contains(option));
 }
 
 void QuestionComparer::differ(const FilePlace& from, const StatedValue& stated,
                               const std::string& option) {
   if (!may_differ(option)) {
-    const std::string hint =
-        option.empty() ? "" : "; the option allow-options takes what options have changed";
+    const std::string hint = option.empty() || options_.fixed.contains(option)
+                                 ? ""
+                                 : "; the option allow-options takes what options have changed";
     refuse(from, quoted(stated) + hint);
   }
   changed_.insert(option);

@@ -103,7 +103,7 @@ WaypointTable read_waypoint_table(std::string_view text) {
     else
       table.rows.push_back(row_of(cells, table.columns.size(), line));
   }
-  if (table.rows.size() < 2) stop(1, "there are fewer than two rows");
+  if (table.rows.empty()) stop(1, "there are no rows");
   return table;
 }
 

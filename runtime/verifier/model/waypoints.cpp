@@ -12,6 +12,8 @@
 #include "runtime/verifier/input_file.hpp"
 #include "runtime/verifier/model/equality.hpp"
 #include "runtime/verifier/model/model_comparison.hpp"
+#include "runtime/verifier/model/model_expression.hpp"
+#include "runtime/verifier/model/place_table.hpp"
 #include "runtime/verifier/model/spline.hpp"
 
 namespace regulus::verifier {
@@ -44,11 +46,6 @@ bool names_degrees(const std::string& unit) { return unit == "deg" || unit == "Â
 bool is_angle(const std::string& unit) { return unit == "rad" || names_degrees(unit); }
 
 NodeId whole(Graph& graph, long value) { return graph.number(std::to_string(value)); }
-
-/// Returns pi/180.
-NodeId degree(Graph& graph) {
-  return graph.add(Op::kDivide, graph.add(Op::kPi), whole(graph, 180));
-}
 
 /// True if the expressions are equal for all values of the variables. Throws Unfinished.
 bool is_equal(Question& q, NodeId a, NodeId b) {
@@ -86,11 +83,6 @@ NodeId at(Question& q, NodeId root, long value) {
   return known.at(root);
 }
 
-std::string folder_of(const std::string& path) {
-  const std::size_t slash = path.rfind('/');
-  return slash == std::string::npos ? "" : path.substr(0, slash + 1);
-}
-
 bool is_program(const std::string& file) {
   for (const char* ending : {".gcode", ".nc", ".ngc", ".tap", ".gc"})
     if (file.ends_with(ending)) return true;
@@ -104,14 +96,24 @@ const std::string* text_at(const WrittenValues& model, const std::string& place)
 
 }  // namespace
 
+std::string factor_of_column(const WaypointTable::Column& column, const std::string& unit) {
+  const std::string& given = column.unit;
+  if (given.empty() || given == unit || (names_degrees(given) && names_degrees(unit))) return "";
+  if (names_degrees(given) && unit == "rad") return "pi/180";
+  if (given == "rad" && names_degrees(unit)) return "180/pi";
+  if (length_of(given) == 0 || length_of(unit) == 0)
+    throw Unfinished("the unit '" + given + "' of the way-points is not that of the model, '" +
+                     unit + "'");
+  return std::to_string(length_of(given)) + '/' + std::to_string(length_of(unit));
+}
+
 WaypointComparison::WaypointComparison(const WrittenValues& model, const std::string& motion,
                                        const std::string& model_name, const std::string& file)
     : model_(model), file_(file) {
   const std::string place = "motion." + motion + '.';
   if (const std::string* written = text_at(model, place + "interpolation"))
     interpolation_ = *written;
-  if (const std::string* written = text_at(model, place + "waypoints"); file_.empty() && written)
-    file_ = written->starts_with('/') ? *written : folder_of(model_name) + *written;
+  if (file_.empty()) file_ = table_of_motion(model, motion, model_name);
   if (file_.empty()) return;
   std::string text;
   try {
@@ -130,6 +132,7 @@ void WaypointComparison::read(const std::string& text) {
     return;
   }
   table_ = read_waypoint_table(text);
+  if (table_.rows.size() < 2) throw Unfinished("the way-points have fewer than two rows");
   find_columns();
 }
 
@@ -160,18 +163,14 @@ std::string WaypointComparison::unit_of_model(const std::string& parameter) cons
 
 /// Returns a number of the table in the unit of the model.
 NodeId WaypointComparison::scaled(Graph& graph, NodeId number, const std::string& parameter) const {
-  const std::string given = table_.columns[*column(parameter)].unit;
-  if (given.empty()) return number;
-  const std::string wanted = unit_of_model(parameter);
-  if (given == wanted || (names_degrees(given) && names_degrees(wanted))) return number;
-  if (names_degrees(given) && wanted == "rad")
-    return graph.add(Op::kMultiply, number, degree(graph));
-  if (given == "rad" && names_degrees(wanted)) return graph.add(Op::kDivide, number, degree(graph));
-  if (length_of(given) == 0 || length_of(wanted) == 0)
-    throw Unfinished("the unit '" + given + "' of the way-points is not that of the model, '" +
-                     wanted + "'");
-  const NodeId product = graph.add(Op::kMultiply, number, whole(graph, length_of(given)));
-  return graph.add(Op::kDivide, product, whole(graph, length_of(wanted)));
+  const WaypointTable::Column& given = table_.columns[*column(parameter)];
+  if (given.unit.empty()) return number;
+  const std::string factor = factor_of_column(given, unit_of_model(parameter));
+  if (factor.empty()) return number;
+  const NameMeaning no_names = [](std::string_view) { return kNoNode; };
+  int depth = 0;
+  return graph.add(Op::kMultiply, number,
+                   parse_model_expression(factor, no_names, graph, depth, {}, false));
 }
 
 NodeId WaypointComparison::cell(Graph& graph, std::size_t row, const std::string& parameter) const {

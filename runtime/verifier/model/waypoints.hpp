@@ -29,6 +29,11 @@ struct WaypointTable {
 /// Throws Unfinished, with the line, for a text that it does not understand.
 [[nodiscard]] WaypointTable read_waypoint_table(std::string_view text);
 
+/// Returns what takes the numbers of a column to the unit of the model, as an expression of model files:
+/// "1000/25400"; "": nothing. Throws Unfinished if the units are not of one kind.
+[[nodiscard]] std::string factor_of_column(const WaypointTable::Column& column,
+                                           const std::string& unit);
+
 class WaypointComparison {
  public:
   /// `file`: what the certificate should be about instead of the file that the motion names; empty:

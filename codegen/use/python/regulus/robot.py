@@ -582,6 +582,7 @@ class Robot:
         waypoints: Optional[Path] = None,
         hold: Sequence[str] = (),
         tolerance: Optional[Mapping[str, Number]] = None,
+        certificate: Optional[Path] = None,
         **options: Unpack[Options],
     ) -> SolvedPlaces:
         """Solves many places, each for itself.
@@ -589,7 +590,9 @@ class Robot:
         Args:
             at: as for solve(), with lists or arrays of NumPy, which have a number for each place; a
                 single number is that of all places.
-            waypoints: a table of places, one a line, in the place of lists.
+            waypoints: a table of places, one a line, in the place of lists. Without both, the
+                places are the way-points of the motion.
+            certificate: a file for the proofs at all places.
 
         Limits of the search are those of each place. The others and the errors are as for solve();
         the `result` of an interrupt is a SolvedPlaces.
@@ -601,7 +604,7 @@ class Robot:
         columns = {name: elements_of(value) for name, value in given.items()}
         single = {name: given[name] for name, list_of in columns.items() if list_of is None}
         lists = {name: list_of for name, list_of in columns.items() if list_of is not None}
-        if bool(lists) == (waypoints is not None):
+        if lists and waypoints is not None:
             raise UsageError(
                 "solve_many: give the places by lists or arrays in at, or by a table in waypoints"
             )
@@ -613,10 +616,11 @@ class Robot:
             return SolvedPlaces(question, finding, question.texts.notes)
 
         table = optional_path("waypoints", waypoints)
+        proof = optional_path("certificate", certificate)
         try:
             return result(
                 _regulus.solve_many(
-                    question.question, question.options, everywhere, held, places, table
+                    question.question, question.options, everywhere, held, places, table, proof
                 )
             )
         except KeyboardInterrupt as stop:

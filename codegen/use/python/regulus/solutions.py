@@ -113,6 +113,7 @@ class SolvedPlaces(Result[SolutionsAtPlacesReport]):
         left: how many places were not asked any more, after an interrupt.
         result: the last line of the command: "NONE at 1, COMPLETE at 2 of 3 places: 12 poses".
         seconds: of the whole call.
+        certificate: the file of the proofs; None if there is none.
     """
 
     def __init__(self, question: Question, finding: Any, notes: list[str]) -> None:
@@ -122,6 +123,7 @@ class SolvedPlaces(Result[SolutionsAtPlacesReport]):
         self.left: int = finding.left
         self.result: str = finding.headline
         self.seconds: float = finding.seconds
+        self.certificate: Optional[str] = finding.certificate or None
 
     def page(self, path: Path) -> str:
         """Writes one HTML file about the answer, for any browser, and returns its path.

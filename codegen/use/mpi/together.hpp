@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What commands share whose ranks each do a part of the work by themselves.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "codegen/use/mpi/communicator.hpp"
+
+namespace regulus {
+
+/// Each rank has no more than its part, and nothing to save: a signal ends the process.
+void unblock_signals();
+
+/// As Communicator::gather(). A rank may be at work for long: it is named now and then, and given up
+/// some time after `limit` seconds; 0: never.
+[[nodiscard]] std::vector<std::optional<std::string>> gather_parts(Communicator& communicator,
+                                                                   const std::string& own,
+                                                                   double limit);
+
+}  // namespace regulus

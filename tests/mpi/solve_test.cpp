@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `regulus-mpi solve`: the places of a table, with the bytes of one process.
+#include <fstream>
+#include <regex>
+
+#include "tests/mpi/ranks.hpp"
+
+namespace regulus::test {
+namespace {
+
+class SolvingRanks : public testing::Test {
+ protected:
+  [[nodiscard]] std::string file(const std::string& name) const {
+    return (directory_.path() / name).string();
+  }
+  const TemporaryDirectory directory_;
+};
+
+/// Each rank has some of the places; the last one has fewer, and 8 ranks have some without any.
+TEST_F(SolvingRanks, SolveThePlacesOfATableAsOneThreadDoes) {
+  std::ofstream(file("lengths.csv")) << "t [s], rho_1, rho_2, rho_3\n0, 14.98, 15.38, 12\n"
+                                        "1, 14.9, 15.4, 12.1\n2, 100, 1, 1\n3, 14.8, 15.5, 12.2\n"
+                                        "4, 14.7, 15.3, 12.1\n";
+  const auto solve = [this](const std::string& name) {
+    return Words{"solve",         model("rpr_6"), "--waypoints", file("lengths.csv"),
+                 "--certificate", file(name),     "--output",    file(name + ".jsonl")};
+  };
+  const CommandResult one = run_command(one_thread(solve("one")));
+  ASSERT_EQ(one.output, "NONE at 1, COMPLETE at 4 of 5 places: 24 poses\n") << one.errors;
+  const auto lines_of = [](const std::string& text) {
+    static const std::regex kTime("\"search\": ?[-+.0-9e]+|\"seconds\": ?[-+.0-9e]+");
+    return std::regex_replace(text, kTime, "");
+  };
+  for (const int count : {1, 2, 3, 8}) {
+    const CommandResult many = run_command(ranks(count, solve("many")));
+    EXPECT_EQ(many.exit_code, 1) << many.errors;
+    EXPECT_EQ(many.output, one.output);
+    EXPECT_TRUE(text_of(file("many")) == text_of(file("one"))) << count << " ranks";
+    EXPECT_EQ(lines_of(text_of(file("many.jsonl"))), lines_of(text_of(file("one.jsonl"))));
+  }
+}
+
+TEST_F(SolvingRanks, SolveOnePlaceOnce) {
+  const Words solve = {"solve", model("rpr_6"), "--certificate", file("proof")};
+  const CommandResult many = run_command(ranks(3, solve));
+  EXPECT_EQ(many.exit_code, 0) << many.errors;
+  EXPECT_EQ(many.output, "COMPLETE: 6 poses\n");
+  const std::string proof = text_of(file("proof"));
+  EXPECT_EQ(run_command(one_thread(solve)).exit_code, 0);
+  EXPECT_TRUE(text_of(file("proof")) == proof);
+}
+
+TEST_F(SolvingRanks, TellAMistakeOfATableOnce) {
+  std::ofstream(file("lengths.csv")) << "rho_1, rho_2, rho_3\n14.98, 15.38, -12\n";
+  const CommandResult many =
+      run_command(ranks(3, {"solve", model("rpr_6"), "--waypoints", file("lengths.csv")}));
+  EXPECT_EQ(many.exit_code, 65);
+  EXPECT_EQ(many.errors.find("negative"), many.errors.rfind("negative")) << many.errors;
+}
+
+}  // namespace
+}  // namespace regulus::test
