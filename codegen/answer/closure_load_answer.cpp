@@ -41,10 +41,14 @@ class ClosureLoad final : public LoadAnswer {
     checkpoint_line_ = checkpoint.line();
     const bool is_feasible = result_.verdict == FeasibilityVerdict::kFeasible;
     if (result_.reason.empty())
-      proof = certify_forces(services.certificate, prepared_.closure, prepared_.set(),
-                             is_feasible ? result_.tree : result_.branch.searched.branch.tree,
-                             is_feasible ? std::nullopt : PlaceOfValue(result_.shortage->place),
-                             {nullptr, services.shard_size});
+      proof = certify_forces(
+          services.certificate,
+          {prepared_.closure.request,
+           prepared_.closure.preparation.labels,
+           {is_feasible ? &result_.tree : &result_.branch.searched.branch.tree}},
+          prepared_.set(),
+          is_feasible ? std::nullopt : std::optional(PlaceOfValue{0, result_.shortage->place}),
+          {nullptr, services.shard_size});
     else if (!services.certificate.empty())
       proof = without_proof(services.certificate);
     if (proof.is_lost()) lost.push_back(proof.obstacle());
