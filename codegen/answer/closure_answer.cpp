@@ -143,7 +143,7 @@ class ClosurePaving final : public PavingAnswer {
   }
   void tell(Facts& facts) const override {
     tell_paving(prepared_.preparation, search_, options_, volumes_, result, facts);
-    tell_branch(prepared_, found_, facts);
+    tell_branch(prepared_, found_.searched.links, found_.folds, facts);
     proof.tell(facts);
   }
   [[nodiscard]] std::string about_files() const override { return checkpoint_line_; }
@@ -202,7 +202,7 @@ class ClosureMargin final : public MarginAnswer {
     if (!shown) return;
     tell_margin(shown->prepared.preparation, search_, request_.nominal(), question_, found_, gap_,
                 facts);
-    tell_branch(shown->prepared, shown->found, facts);
+    tell_branch(shown->prepared, shown->found.searched.links, shown->found.folds, facts);
     ends_.tell(facts);
   }
   [[nodiscard]] std::string about_files() const override { return ends_.lines(); }

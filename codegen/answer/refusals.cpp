@@ -29,9 +29,9 @@ constexpr std::string_view kNoPageOfTexts =
     "out";
 constexpr std::string_view kNoTheorem =
     "Coq has theorems about the rank of a matrix, and none about this; regulus-verify proves it";
-constexpr std::string_view kOnlyCheckOfClosureWays =
-    "only check, without a load, asks about a [closure] along way-points; give the motion by "
-    "ranges, or by formulas";
+constexpr std::string_view kNotOfClosureWays =
+    "check, bound, datasheet and the margin of a quantity ask about a [closure] along way-points, "
+    "and this question does not; give the motion by ranges, or by formulas";
 constexpr std::string_view kNoTheoremOfClosureWays =
     "Coq has no theorem about a branch along way-points; regulus-verify proves it";
 constexpr std::string_view kNoCheckpointOfClosureWays =
@@ -105,8 +105,8 @@ constexpr Refusal kRefusals[] = {
     {kClosureWayCheck, kCheckpoint, kNoCheckpointOfClosureWays},
     {kClosureWayCheck, kRanks, kNoRanksOfClosureWays},
     {kClosureWayCheck, kPage, kNoPageOfClosureWays},
-    {kClosureWayPaving, kAnswer, kOnlyCheckOfClosureWays},
-    {kClosureWayMargin, kAnswer, kOnlyCheckOfClosureWays},
+    {kClosureWayPaving, kAnswer, kNotOfClosureWays},
+    {kClosureWayMargin, kAnswer, kNotOfClosureWays},
     {kClosureWayLimitMargin, kShards, kNoShardsOfClosures},
     {kClosureWayLimitMargin, kTheorem, kNoTheoremOfClosureWays},
     {kClosureWayLimitMargin, kCheckpoint, kNoCheckpointOfClosureWays},
@@ -117,8 +117,12 @@ constexpr Refusal kRefusals[] = {
     {kClosureWayBound, kCheckpoint, kNoCheckpointOfClosureWays},
     {kClosureWayBound, kRanks, kNoRanksOfClosureWays},
     {kClosureWayBound, kPage, kNoPageOfClosureWays},
-    {kClosureWayLoad, kAnswer, kOnlyCheckOfClosureWays},
-    {kClosureWayLoadPaving, kAnswer, kOnlyCheckOfClosureWays},
+    {kClosureWayLoad, kShards, kNoShardsOfClosures},
+    {kClosureWayLoad, kTheorem, kNoTheoremOfClosureWays},
+    {kClosureWayLoad, kCheckpoint, kNoCheckpointOfClosureWays},
+    {kClosureWayLoad, kRanks, kNoRanksOfClosureWays},
+    {kClosureWayLoad, kPage, kNoPageOfClosureWays},
+    {kClosureWayLoadPaving, kAnswer, kNotOfClosureWays},
     {kClosureWayDatasheet, kShards, kNoShardsOfClosures},
     {kClosureWayDatasheet, kTheorem, kNoTheoremOfClosureWays},
     {kClosureWayDatasheet, kCheckpoint, kNoCheckpointOfClosureWays},
@@ -168,6 +172,7 @@ constexpr Refusal kRefusals[] = {
     {kClosureWayCheck, kPicture, kNoBoxes, false},
     {kClosureWayLimitMargin, kPicture, kNoBoxes, false},
     {kClosureWayBound, kPicture, kNoBoxes, false},
+    {kClosureWayLoad, kPicture, kNoBoxes, false},
     {kClosureWayCondition2, kPicture, kNoBoxes, false},
     {kClosureWayDatasheet, kPicture, kNoBoxes, false},
 };

@@ -14,7 +14,6 @@
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/exact/exact_double.hpp"
 #include "codegen/model/exact/expression_parser.hpp"
-#include "codegen/question/way/path_bounds.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 
 namespace regulus {
@@ -49,16 +48,6 @@ AttainedPlace place_at(const PreparedClosure& prepared, std::span<const Interval
   return result;
 }
 
-/// Returns "theta = 0.3 rad": the commanded pose at a place of a segment.
-std::string pose_on_segment(const Model& model, const TrajectoryPiece& piece, const Interval& s) {
-  std::string text;
-  for (std::size_t i = 0; i < piece.pose.size(); ++i)
-    text += fmt::format("{}{} = {:.6g}{}", text.empty() ? "" : ", ", model.pose[i].name,
-                        mid(CoordinateBounds(piece.pose[i]).over(s.lo, s.hi)),
-                        unit_suffix(model.pose[i].unit));
-  return text;
-}
-
 /// The same on a piece of a branch. `prepared`: the question about it.
 AttainedPlace place_on(const BranchInPieces& branch, std::size_t piece,
                        const PreparedClosure& prepared, std::span<const Interval> place,
@@ -67,10 +56,7 @@ AttainedPlace place_on(const BranchInPieces& branch, std::size_t piece,
   if (const Trajectory* const way = branch.trajectory()) {
     result.pose = describe_segment(*way, piece, place[0]);
     result.values =
-        Facts(Readers::kPeople)
-            .say("", pose_on_segment(prepared.request.model, way->pieces[piece], place[0]))
-            .text() +
-        result.values;
+        Facts(Readers::kPeople).say("", branch.pose_at(piece, place[0])).text() + result.values;
     result.json["segment"] = json_segment(*way, piece, place[0]);
   }
   return result;
@@ -260,7 +246,7 @@ std::shared_ptr<BranchInPieces> BranchBounds::branch(const Request& request,
   FormingWatch watch;
   watch.interrupt = settings.interrupt;
   const SearchOptions search = limited(settings.search, std::fmax(budget.left(), budget.all() / 2));
-  auto made = std::make_shared<BranchInPieces>(request, search, watch, by);
+  auto made = std::make_shared<BranchInPieces>(request, 0, search, watch, by);
   SearchDisplay display(settings.output);
   turn(request, component, settings,
        by == DerivativesBy::kVariablesAndNominal ? TopicKind::kBranchWithNominal

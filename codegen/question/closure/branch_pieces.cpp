@@ -1,23 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/closure/branch_pieces.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "codegen/answer/report/number_text.hpp"
 #include "codegen/model/way/trajectory.hpp"
 #include "codegen/question/closure/closure_certificate.hpp"
-#include "codegen/question/closure/closure_report.hpp"
 #include "codegen/question/closure/uncertain_values.hpp"
+#include "codegen/question/way/path_bounds.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 
 namespace regulus {
 namespace {
 
-PreparedWay prepare_pieces(const Request& request, const SearchOptions& search,
-                           const FormingWatch& watch, DerivativesBy by) {
-  if (request.motion.trajectory) return prepare_way(request, 0, search, watch, by);
-  return {request, prepare_closure(request, 0, search, watch, by),
+PreparedWay prepare_pieces(const Request& request, double model_seconds,
+                           const SearchOptions& search, const FormingWatch& watch,
+                           DerivativesBy by) {
+  if (request.motion.trajectory) return prepare_way(request, model_seconds, search, watch, by);
+  return {request, prepare_closure(request, model_seconds, search, watch, by),
           std::vector<std::vector<Interval>>(1)};
 }
 
@@ -60,9 +64,15 @@ void add(BracketOfPieces& all, ValueBracket found, std::size_t piece) {
 
 }  // namespace
 
-BranchInPieces::BranchInPieces(const Request& request, const SearchOptions& search,
-                               const FormingWatch& watch, DerivativesBy by)
-    : prepared_(prepare_pieces(request, search, watch, by)) {}
+BranchInPieces::BranchInPieces(const Request& request, double model_seconds,
+                               const SearchOptions& search, const FormingWatch& watch,
+                               DerivativesBy by)
+    : prepared_(prepare_pieces(request, model_seconds, search, watch, by)) {}
+
+void BranchInPieces::take(ClosureFinding found) {
+  folds_ = found.folds;
+  found_ = as_one_piece(common(), std::move(found));
+}
 
 void BranchInPieces::follow(const SearchOptions& search, const FormingWatch& watch,
                             Observer* progress, const KeepBranch& keep) {
@@ -71,12 +81,21 @@ void BranchInPieces::follow(const SearchOptions& search, const FormingWatch& wat
   if (trajectory() != nullptr)
     found_ = check_way(prepared_, search, watch, progress);
   else if (has_copies)
-    found_ = as_one_piece(
-        common(),
-        {run_closure(common(), settings_of(common(), search, watch.interrupt), progress, keep),
-         {}});
+    take({run_closure(common(), settings_of(common(), search, watch.interrupt), progress, keep),
+          {}});
   else
-    found_ = as_one_piece(common(), check_closure(common(), search, watch, progress, keep));
+    take(check_closure(common(), search, watch, progress, keep));
+}
+
+std::string BranchInPieces::pose_at(std::size_t piece, const Interval& s) const {
+  std::string text;
+  const std::vector<PieceOfPose>& pose = trajectory()->pieces.at(piece).pose;
+  for (std::size_t i = 0; i < pose.size(); ++i) {
+    const PoseParameter& p = prepared_.request.model.pose[i];
+    text += fmt::format("{}{} = {:.6g}{}", text.empty() ? "" : ", ", p.name,
+                        mid(CoordinateBounds(pose[i]).over(s.lo, s.hi)), unit_suffix(p.unit));
+  }
+  return text;
 }
 
 bool BranchInPieces::is_empty() const {

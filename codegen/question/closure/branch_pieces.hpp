@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "codegen/question/closure/closure_report.hpp"
 #include "codegen/question/closure/closure_way.hpp"
 #include "codegen/question/closure/value_certificate.hpp"
 #include "codegen/question/closure/value_search.hpp"
@@ -33,12 +34,15 @@ class BranchInPieces {
   ///
   /// Requires  request.model.closure.
   /// Throws    as prepare_closure() and prepare_way().
-  BranchInPieces(const Request& request, const SearchOptions& search, const FormingWatch& watch,
-                 DerivativesBy by);
+  BranchInPieces(const Request& request, double model_seconds, const SearchOptions& search,
+                 const FormingWatch& watch, DerivativesBy by);
 
   /// Follows the branch through all pieces. `progress` may be null; `keep`: over ranges alone.
   void follow(const SearchOptions& search, const FormingWatch& watch, Observer* progress,
               const KeepBranch& keep = {});
+
+  /// Takes what was found over ranges instead.
+  void take(ClosureFinding found);
 
   /// The kernel of all pieces; its request is about the common question.
   [[nodiscard]] PreparedClosure& common() { return prepared_.common; }
@@ -48,9 +52,16 @@ class BranchInPieces {
     return prepared_.request.motion.trajectory.get();
   }
   [[nodiscard]] std::size_t pieces() const { return prepared_.pieces(); }
+  /// Returns "theta = 0.3 rad": the commanded pose on a segment, about.
+  ///
+  /// Requires  trajectory().
+  [[nodiscard]] std::string pose_at(std::size_t piece, const Interval& s) const;
 
   // After follow().
   [[nodiscard]] const WayFinding& found() const { return found_; }
+  [[nodiscard]] const PreparedWay& way() const { return prepared_; }
+  /// Returns the singular configurations that were found over ranges, also those on no branch.
+  [[nodiscard]] const std::vector<Fold>& folds() const { return folds_; }
   [[nodiscard]] bool is_proved() const { return found_.is_proved(); }
   [[nodiscard]] bool is_empty() const;  ///< over ranges: the motion has no pose
   /// Returns the piece that ends in a singular configuration of the branch; null if none is shown.
@@ -80,6 +91,7 @@ class BranchInPieces {
  private:
   PreparedWay prepared_;  ///< over ranges with one piece, which has no constants
   WayFinding found_;
+  std::vector<Fold> folds_;
 };
 
 }  // namespace regulus

@@ -20,19 +20,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string words_of_segments(const PreparedWay& prepared) {
-  const Motion& motion = prepared.request.motion;
-  const bool has_errors =
-      std::ranges::any_of(motion.error, [](const GiNaC::ex& e) { return !e.is_zero(); });
-  const bool is_uncertain = uncertain_count(geometry_along_way(prepared.request)) > 0;
-  return fmt::format("every {}pose{} of the {} segment{}{}{}",
-                     motion.where == Where::kEverywhere ? "" : "reachable ",
-                     motion.constraints.empty() ? "" : " that the constraints allow",
-                     prepared.pieces(), prepared.pieces() == 1 ? "" : "s",
-                     has_errors ? " and of the tube around them" : "",
-                     is_uncertain ? " and every value of the uncertain quantities" : "");
-}
-
 std::string reason_of(const WayFinding& found) {
   return found.deciding && !found.deciding->is_refuted() ? found.deciding->obstacle
                                                          : describe(found.result.reason);
@@ -77,6 +64,25 @@ void tell_segment(const PreparedWay& prepared, const WayFinding& found, Facts& f
 
 }  // namespace
 
+std::string words_of_segments(const PreparedWay& prepared) {
+  const Motion& motion = prepared.request.motion;
+  const bool has_errors =
+      std::ranges::any_of(motion.error, [](const GiNaC::ex& e) { return !e.is_zero(); });
+  const bool is_uncertain = uncertain_count(geometry_along_way(prepared.request)) > 0;
+  return fmt::format("every {}pose{} of the {} segment{}{}{}",
+                     motion.where == Where::kEverywhere ? "" : "reachable ",
+                     motion.constraints.empty() ? "" : " that the constraints allow",
+                     prepared.pieces(), prepared.pieces() == 1 ? "" : "s",
+                     has_errors ? " and of the tube around them" : "",
+                     is_uncertain ? " and every value of the uncertain quantities" : "");
+}
+
+void tell_way_question(const PreparedWay& prepared, const WayFinding& found, Facts& facts) {
+  tell_way(prepared.request, facts);
+  say_uncertain_geometry(geometry_along_way(prepared.request), facts);
+  tell_begin(prepared, found, facts);
+}
+
 std::string describe_claim(const PreparedWay& prepared, const WayFinding& found) {
   if (found.is_proved())
     return fmt::format("{}, for {}", describe_regular_branch(prepared.common),
@@ -94,9 +100,7 @@ void tell_closure_way(const PreparedWay& prepared, const SearchOptions& search,
   const PreparedSearch& p = prepared.common.preparation;
   const Statistics& statistics = found.result.statistics;
   facts.add("verdict", json_name(found.result.verdict)).add("reason", reason_of(found));
-  tell_way(prepared.request, facts);
-  say_uncertain_geometry(geometry_along_way(prepared.request), facts);
-  tell_begin(prepared, found, facts);
+  tell_way_question(prepared, found, facts);
   facts.add("matrix", name(p.labels.matrix_kind));
   tell_threshold(p, facts);
   tell_method(p, search, found.result.method, statistics.boxes, facts);

@@ -119,10 +119,13 @@ TEST(Refusals, OfAClosureAlongWayPointsSayWhatIsAsked) {
   EXPECT_EQ(regulus::check(along).verdict, regulus::Verdict::kNoSingularity);
   regulus::BoundOptions options;
   options.quantity.quantity = "determinant";
-  EXPECT_THAT(message_of([&] { static_cast<void>(regulus::bound(along, options)); }),
-              HasSubstr("only check, without a load, asks"));
+  EXPECT_TRUE(regulus::bound(along, options).closed);
   EXPECT_THAT(message_of([&] { static_cast<void>(regulus::locate(along)); }),
-              HasSubstr("only check, without a load, asks"));
+              HasSubstr("give the motion by ranges"));
+  options.certificate = testing::TempDir() + "crank";
+  options.shard_size = 1000;
+  EXPECT_THAT(message_of([&] { static_cast<void>(regulus::bound(along, options)); }),
+              HasSubstr("its proof is one file"));
 }
 
 TEST(Refusals, OfQuantitiesOfAClosureSayWhy) {
