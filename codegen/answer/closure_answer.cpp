@@ -135,7 +135,7 @@ class ClosurePaving final : public PavingAnswer {
   }
   void tell(Facts& facts) const override {
     tell_paving(prepared_.preparation, search_, options_, volumes_, result, facts);
-    tell_branch(prepared_, found_, facts);
+    tell_branch(prepared_, found_.searched.links, found_.folds, facts);
     proof.tell(facts);
   }
   [[nodiscard]] std::string about_files() const override { return checkpoint_line_; }

@@ -10,7 +10,6 @@
 #include "codegen/answer/report/progress.hpp"
 #include "codegen/answer/report/report_text.hpp"
 #include "codegen/question/closure/branch_load.hpp"
-#include "codegen/question/closure/value_certificate.hpp"
 #include "runtime/problem/observers.hpp"
 
 namespace regulus {
@@ -23,9 +22,8 @@ void describe(const PreparedBranchLoad& prepared, const BranchLoadResult& result
   answer.verdict = result.verdict;
   answer.boxes = result.boxes;
   answer.reason = result.reason;
-  if (result.verdict == FeasibilityVerdict::kFeasible)
-    answer.claim = describe_claim(prepared.words());
-  for (const VariableLabel& variable : prepared.closure.preparation.labels.variables)
+  if (result.verdict == FeasibilityVerdict::kFeasible) answer.claim = claim_of(prepared);
+  for (const VariableLabel& variable : prepared.closure().preparation.labels.variables)
     answer.variables.push_back(variable.name);
 }
 
@@ -39,14 +37,7 @@ class ClosureLoad final : public LoadAnswer {
     services.begin_search();
     result_ = check_branch_load(prepared_, {display_of(services), services.interrupt, &checkpoint});
     checkpoint_line_ = checkpoint.line();
-    const bool is_feasible = result_.verdict == FeasibilityVerdict::kFeasible;
-    if (result_.reason.empty())
-      proof = certify_forces(services.certificate, prepared_.closure, prepared_.set(),
-                             is_feasible ? result_.tree : result_.branch.searched.branch.tree,
-                             is_feasible ? std::nullopt : PlaceOfValue(result_.shortage->place),
-                             {nullptr, services.shard_size});
-    else if (!services.certificate.empty())
-      proof = without_proof(services.certificate);
+    proof = certify_load(services.certificate, prepared_, result_, {nullptr, services.shard_size});
     if (proof.is_lost()) lost.push_back(proof.obstacle());
     describe(prepared_, result_, *this);
   }
@@ -58,12 +49,6 @@ class ClosureLoad final : public LoadAnswer {
   [[nodiscard]] std::string about_files() const override { return proof.line() + checkpoint_line_; }
 
  private:
-  static ProofStatus without_proof(const std::string& certificate) {
-    ProofStatus status(certificate);
-    status.set_obstacle(kNothingClaimed);
-    return status;
-  }
-
   PreparedBranchLoad prepared_;
   BranchLoadResult result_;
   std::string checkpoint_line_;
@@ -75,8 +60,8 @@ class ClosureLoadPaving final : public LoadPavingAnswer {
                     const Services& services)
       : prepared_(prepare_branch_load(std::move(request), model_seconds, asked.load, asked.search,
                                       watch_of(services, asked.search))),
-        volumes_(prepared_.closure.problem) {
-    const PreparedSearch& preparation = prepared_.closure.preparation;
+        volumes_(prepared_.closure().problem) {
+    const PreparedSearch& preparation = prepared_.closure().preparation;
     PavingOptions options = resolve_paving(asked.resolution, asked.search, preparation);
     options.encloses_determinants = false;
     Pictures pictures(services.pictures, options, preparation, word_of_stand_in,

@@ -60,7 +60,7 @@ class ClosureMargin final : public MarginAnswer {
   void tell_bracket(const CheckedBranch& shown, Facts& facts) const {
     tell_margin(shown.prepared.preparation, search_, request_.nominal(), question_, found_, gap_,
                 facts);
-    tell_branch(shown.prepared, shown.found, facts);
+    tell_branch(shown.prepared, shown.found.searched.links, shown.found.folds, facts);
   }
   void tell_bracket(const CheckedBranchOnWay& shown, Facts& facts) const {
     tell_way_margin(shown.prepared, search_, shown.found, question_, found_, gap_, facts);

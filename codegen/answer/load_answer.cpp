@@ -263,6 +263,7 @@ std::unique_ptr<LoadAnswer> ask(const AskLoad& asked, const Services& services) 
     if (!closed) return std::make_unique<VarietyLoad>(asked, services);
     return answer_closure(std::move(*closed), watch.lap(), asked, services);
   }
+  if (along->model.closure) return answer_closure(std::move(*along), watch.lap(), asked, services);
   services.begin_search();
   return std::make_unique<WayLoad>(std::move(*along), watch.lap(), asked, services);
 }

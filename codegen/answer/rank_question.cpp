@@ -229,7 +229,7 @@ class Topics {
       PreparedBranchLoad prepared =
           prepare_branch_load(std::move(*closed), 0, asked.load, forming(asked.search), {});
       BranchValue value = prepared.value();
-      return on_branch(std::move(prepared.closure), std::move(value));
+      return on_branch(std::move(prepared.branch.common()), std::move(value));
     }
     std::optional<Request> along = read_trajectory(asked.model);
     if (!along) return about_forces(prepare_forces(asked.model, asked.load, asked.search, {}));

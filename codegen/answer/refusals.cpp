@@ -29,11 +29,17 @@ constexpr std::string_view kNoPageOfTexts =
     "out";
 constexpr std::string_view kNoTheorem =
     "Coq has theorems about the rank of a matrix, and none about this; regulus-verify proves it";
-constexpr std::string_view kOnlyCheckOfClosureWays =
-    "check, locate and margin, without a load or a quantity, ask about a [closure] along "
-    "way-points; give the motion by ranges, or by formulas";
+constexpr std::string_view kNotOfClosureWays =
+    "check, locate, margin, bound and datasheet ask about a [closure] along way-points, and this "
+    "question does not; give the motion by ranges, or by formulas";
 constexpr std::string_view kNoTheoremOfClosureWays =
     "Coq has no theorem about a branch along way-points; regulus-verify proves it";
+constexpr std::string_view kNoCheckpointOfClosureWays =
+    "the bounds along a branch in pieces keep no checkpoint; leave it out";
+constexpr std::string_view kNoRanksOfClosureWays =
+    "the bounds along a branch in pieces have one process; use regulus";
+constexpr std::string_view kNoPageOfClosureWays =
+    "a page does not show the bounds along a branch in pieces; leave it out";
 constexpr std::string_view kNoTheoremOfFiniteErrors =
     "Coq has theorems about errors to first order, and none about finite ones; regulus-verify "
     "proves it";
@@ -100,12 +106,32 @@ constexpr Refusal kRefusals[] = {
     {kClosureWayPaving, kTheorem, kNoProofOfPavings, false},
     {kClosureWayMargin, kShards, kNoShardsOfClosures},
     {kClosureWayMargin, kTheorem, kNoTheoremOfClosureWays},
-    {kClosureWayLimitMargin, kAnswer, kOnlyCheckOfClosureWays},
-    {kClosureWayBound, kAnswer, kOnlyCheckOfClosureWays},
-    {kClosureWayLoad, kAnswer, kOnlyCheckOfClosureWays},
-    {kClosureWayLoadPaving, kAnswer, kOnlyCheckOfClosureWays},
-    {kClosureWayDatasheet, kAnswer, kOnlyCheckOfClosureWays},
-    {kClosureWayCondition2, kAnswer, kOnlyCheckOfClosureWays},
+    {kClosureWayLimitMargin, kShards, kNoShardsOfClosures},
+    {kClosureWayLimitMargin, kTheorem, kNoTheoremOfClosureWays},
+    {kClosureWayLimitMargin, kCheckpoint, kNoCheckpointOfClosureWays},
+    {kClosureWayLimitMargin, kRanks, kNoRanksOfClosureWays},
+    {kClosureWayLimitMargin, kPage, kNoPageOfClosureWays},
+    {kClosureWayBound, kShards, kNoShardsOfClosures},
+    {kClosureWayBound, kTheorem, kNoTheoremOfClosureWays},
+    {kClosureWayBound, kCheckpoint, kNoCheckpointOfClosureWays},
+    {kClosureWayBound, kRanks, kNoRanksOfClosureWays},
+    {kClosureWayBound, kPage, kNoPageOfClosureWays},
+    {kClosureWayLoad, kShards, kNoShardsOfClosures},
+    {kClosureWayLoad, kTheorem, kNoTheoremOfClosureWays},
+    {kClosureWayLoad, kCheckpoint, kNoCheckpointOfClosureWays},
+    {kClosureWayLoad, kRanks, kNoRanksOfClosureWays},
+    {kClosureWayLoad, kPage, kNoPageOfClosureWays},
+    {kClosureWayLoadPaving, kAnswer, kNotOfClosureWays},
+    {kClosureWayDatasheet, kShards, kNoShardsOfClosures},
+    {kClosureWayDatasheet, kTheorem, kNoTheoremOfClosureWays},
+    {kClosureWayDatasheet, kCheckpoint, kNoCheckpointOfClosureWays},
+    {kClosureWayDatasheet, kRanks, kNoRanksOfClosureWays},
+    {kClosureWayDatasheet, kPage, kNoPageOfClosureWays},
+    {kClosureWayCondition2, kShards, kNoShardsOfClosures},
+    {kClosureWayCondition2, kTheorem, kNoTheoremOfClosureWays},
+    {kClosureWayCondition2, kCheckpoint, kNoCheckpointOfClosureWays},
+    {kClosureWayCondition2, kRanks, kNoRanksOfClosureWays},
+    {kClosureWayCondition2, kPage, kNoPageOfClosureWays},
     {kClosureWayFiniteErrors, kAnswer, kNoFiniteErrors},
     {kClosureWaySolve, kShards, kNoShardsOfSolutions},
     {kClosureWaySolve, kTheorem, kNoTheoremOfSolutions},
@@ -144,6 +170,11 @@ constexpr Refusal kRefusals[] = {
     {kClosureLoad, kPicture, kNoBoxes, false},
     {kClosureWayCheck, kPicture, kNoBoxes, false},
     {kClosureWayMargin, kPicture, kNoBoxes, false},
+    {kClosureWayLimitMargin, kPicture, kNoBoxes, false},
+    {kClosureWayBound, kPicture, kNoBoxes, false},
+    {kClosureWayLoad, kPicture, kNoBoxes, false},
+    {kClosureWayCondition2, kPicture, kNoBoxes, false},
+    {kClosureWayDatasheet, kPicture, kNoBoxes, false},
 };
 
 constexpr OptionRefusal kOptionsOfLoads[] = {

@@ -28,6 +28,10 @@ void read_branch_quantity_lines(Lines& lines, Question& question);
 /// if the place is not certainly in the set.
 void read_value_line(Lines& lines, Question& question, const Variety& variety);
 
+/// The same from the words after `value`, which may be those of a piece.
+void read_place_of_value(std::span<const std::string_view> words, Question& question,
+                         const Variety& variety);
+
 class BranchQuantity {
  public:
   /// Requires  question.closure, question.quantity; of a finite error, after add_nominal_copy().

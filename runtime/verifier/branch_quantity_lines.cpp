@@ -2,6 +2,7 @@
 // Reads the lines of a quantity over a branch.
 #include <algorithm>
 #include <map>
+#include <span>
 
 #include "runtime/verifier/branch_quantity.hpp"
 #include "runtime/verifier/branch_singular_values.hpp"
@@ -141,16 +142,23 @@ bool is_finite_error(const Question& question) {
 void read_value_line(Lines& lines, Question& q, const Variety& variety) {
   if (!lines.next()) throw Rejection("the file ends before the line 'end' of the tree");
   const auto words = words_of(lines.text());
-  if (words[0] != format::kValue || words.size() != q.variables.size() + 1)
+  if (words[0] != format::kValue)
+    throw Rejection(std::string("expected the word '") + format::kValue + "'");
+  read_place_of_value(std::span(words).subspan(1), q, variety);
+}
+
+void read_place_of_value(std::span<const std::string_view> words, Question& q,
+                         const Variety& variety) {
+  if (words.size() != q.variables.size())
     throw Rejection(std::string("expected '") + format::kValue + "' and " +
                     std::to_string(q.variables.size()) + " numbers or words '" +
                     format::kOnlyValue + "'");
-  Box& place = q.quantity->attained;
+  Box& place = q.quantity->attained.emplace();
   for (std::size_t k = 0; k < q.variables.size(); ++k) {
-    const bool is_only = words[k + 1] == format::kOnlyValue;
+    const bool is_only = words[k] == format::kOnlyValue;
     if (is_only && variety.inner[k])
       throw Rejection(q.variables[k].name + " has more values than one, or a double");
-    place.push_back(is_only ? variety.outer[k] : point(read_double(words[k + 1])));
+    place.push_back(is_only ? variety.outer[k] : point(read_double(words[k])));
   }
   if (certain_outside(q, variety, place))
     throw Rejection("the place of the value is outside the ranges or the balls");

@@ -59,7 +59,7 @@ void BranchTree::check(Lines& lines, Verification& result, const BranchBoxes* be
   link(0, box);
   require_connection();
   if (before != nullptr) require_joint(*before);
-  if (q_.quantity && q_.singular) check_value();
+  if (q_.quantity && q_.quantity->attained) check_value();
   lines.name_line(0);
   result.links += links_;
 }
@@ -182,7 +182,7 @@ void BranchTree::check_start() {
 
 /// The configuration at the place of the value attains the bound.
 void BranchTree::check_value() {
-  const Box& place = q_.quantity->attained;
+  const Box& place = *q_.quantity->attained;
   const std::vector<std::size_t> tubes = tubes_at(boxes_, place);
   const TubeNumbers& tube = boxes_.tubes[tubes.front()];
   std::vector<double> start;

@@ -42,8 +42,8 @@ class BranchTree {
 
   /// Requires  the leaves tile box 0, and the claim of each is proved.
   /// Ensures   returns only if the tubes hold one continuous configuration, which is at the start the
-  ///           only one within the radius of the start, and if the question has a value that is
-  ///           attained, attains it at its place; throws Rejection or Unfinished otherwise.
+  ///           only one within the radius of the start, and if the question has a place where a value is
+  ///           attained, attains it there; throws Rejection or Unfinished otherwise.
   /// `before`: of the piece of a motion that this one follows, as PROOF.md, "Pieces of a closure", says;
   /// then its tubes, where its first variable is 1, have the configurations that those of this tree
   /// have where it is 0, and there is no start. May be null.

@@ -12,6 +12,7 @@
 #include "runtime/files/sha256.hpp"
 #include "runtime/verifier/bordered_matrix.hpp"
 #include "runtime/verifier/branch_joint.hpp"
+#include "runtime/verifier/branch_quantity.hpp"
 #include "runtime/verifier/branch_tree.hpp"
 #include "runtime/verifier/fold_path.hpp"
 #include "runtime/verifier/model/closure_comparison.hpp"
@@ -45,13 +46,14 @@ class PieceChecker {
 
   void check() {
     advance(lines_);
+    read_value();
     result_.are_sides = has_all_sides();
     for (std::size_t k = 0; k < pieces_.values.size(); ++k) {
       const bool is_last = k + 1 == pieces_.values.size();
       if (is_last && lines_.text().starts_with("reason ")) return check_fold(k);
       if (lines_.text() != "tree") throw Rejection("expected the line 'tree' of " + piece(k));
       check_piece(k);
-      if (is_last && question_->singular)
+      if (is_last && question_->singular && !question_->quantity)
         throw Rejection("the last piece has no singular configuration");
     }
     const auto words = words_of(lines_.text());
@@ -99,9 +101,32 @@ class PieceChecker {
     question.graph.end_of_file();
   }
 
+  /// The line `value PIECE X …`, if a bound over a branch is attained.
+  void read_value() {
+    const auto words = words_of(lines_.text());
+    if (words[0] != format::kValue) return;
+    if (words.size() < 2) throw Rejection("the line 'value' names no piece");
+    value_ = PlaceOfValue{read_count(words[1], pieces_.values.size()), lines_.number()};
+    if (value_->piece == 0) throw Rejection("pieces are numbered from 1");
+    value_->place.assign(words.begin() + 2, words.end());
+    advance(lines_);
+  }
+
+  /// Gives the place of the value to the piece on which it is.
+  void place_value(std::size_t k) {
+    if (value_.has_value() != (question_->closure && question_->quantity && question_->singular))
+      throw Rejection(value_ ? "a line 'value' is for a bound over a branch that is attained"
+                             : "there is no line 'value'");
+    if (!value_ || value_->piece != k + 1) return;
+    lines_.name_line(value_->line);
+    const std::vector<std::string_view> words(value_->place.begin(), value_->place.end());
+    read_place_of_value(words, *question_, *variety_);
+    lines_.name_line(0);
+  }
+
   /// A branch goes on from one piece to the next, where the equations of both are equal.
   void read_closure(std::size_t k) {
-    if (question_->quantity) throw Unfinished("a bound over a branch has no pieces");
+    if (is_finite_error(*question_)) throw Unfinished("a bound of finite errors has no pieces");
     result_.are_sides = false;
     question_->continues = k > 0;
     require_piece_of_closure(pieces_, *question_);
@@ -110,7 +135,7 @@ class PieceChecker {
 
   /// Prepares it for the proof of leaves.
   void enclose() {
-    if (question_->quantity) border(*question_);
+    if (question_->quantity && !question_->closure) border(*question_);
     variety_.emplace(enclose_variety(*question_));
     put_in_single_values(*question_);
   }
@@ -118,7 +143,8 @@ class PieceChecker {
   /// The branch that has come to a piece reaches a singular configuration on it.
   void check_fold(std::size_t k) {
     read(k);
-    if (!question_->singular) throw Rejection("expected the line 'tree' of " + piece(k));
+    if (!question_->singular || question_->quantity)
+      throw Rejection("expected the line 'tree' of " + piece(k));
     if (is_compared()) compare(*question_, k);
     enclose();
     check_fold_of_piece(lines_, *question_, *variety_, rest(), branch_ ? &*branch_ : nullptr,
@@ -129,6 +155,7 @@ class PieceChecker {
     read(k);
     if (is_compared()) compare(*question_, k);
     enclose();
+    place_value(k);
     const Shown shown =
         check_tree_of_piece(lines_, *question_, *variety_, rest(), branch_, result_);
     shown_.has_met_variety |= shown.has_met_variety;
@@ -194,7 +221,8 @@ class PieceChecker {
                        " pieces, and the motion names no file of way-points; name it by "
                        "--waypoints");
     // A branch that reaches a singular configuration ends on the last piece of its certificate.
-    if (question.singular ? waypoints_->pieces() < count : waypoints_->pieces() != count)
+    const bool may_end = question.singular && !question.quantity;
+    if (may_end ? waypoints_->pieces() < count : waypoints_->pieces() != count)
       throw OtherModel("the certificate is not about " + waypoints_->file() + ": it has " +
                        std::to_string(count) + " pieces, the file " +
                        std::to_string(waypoints_->pieces()));
@@ -216,6 +244,13 @@ class PieceChecker {
   Verification& result_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   const Pieces pieces_;
+  /// Where a bound is attained.
+  struct PlaceOfValue {
+    std::size_t piece = 0;  ///< from 1
+    std::uint64_t line = 0;
+    std::vector<std::string> place{};
+  };
+  std::optional<PlaceOfValue> value_{};
   std::optional<Question> question_;  ///< of the current piece
   std::optional<Variety> variety_;
   WrittenValues model_;

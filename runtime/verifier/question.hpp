@@ -109,9 +109,9 @@ struct QuantityLines {
   std::string claim;           ///< in words
 
   /// Over a branch: the derivatives of the equations by the pose parameters, row by row of the
-  /// equations; and the place where the bound is attained.
+  /// equations; and the place where the bound is attained, if it is on this piece.
   std::vector<NodeId> by_motor;
-  std::vector<Interval> attained;
+  std::optional<std::vector<Interval>> attained;
 
   /// After border(): the matrix of the model, and its shape.
   std::vector<NodeId> model_matrix;

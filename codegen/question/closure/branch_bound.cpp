@@ -14,10 +14,7 @@
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/exact/exact_double.hpp"
 #include "codegen/model/exact/expression_parser.hpp"
-#include "codegen/question/closure/closure_certificate.hpp"
-#include "codegen/question/closure/uncertain_values.hpp"
-#include "codegen/question/closure/value_certificate.hpp"
-#include "codegen/question/closure/value_search.hpp"
+#include "codegen/question/way/trajectory_report.hpp"
 
 namespace regulus {
 namespace {
@@ -51,6 +48,20 @@ AttainedPlace place_at(const PreparedClosure& prepared, std::span<const Interval
   return result;
 }
 
+/// The same on a piece of a branch. `prepared`: the question about it.
+AttainedPlace place_on(const BranchInPieces& branch, std::size_t piece,
+                       const PreparedClosure& prepared, std::span<const Interval> place,
+                       std::span<const Interval> unknowns) {
+  AttainedPlace result = place_at(prepared, place, unknowns);
+  if (const Trajectory* const way = branch.trajectory()) {
+    result.pose = describe_segment(*way, piece, place[0]);
+    result.values =
+        Facts(Readers::kPeople).say("", branch.pose_at(piece, place[0])).text() + result.values;
+    result.json["segment"] = json_segment(*way, piece, place[0]);
+  }
+  return result;
+}
+
 SearchOptions limited(SearchOptions search, double seconds) {
   if (seconds < kInfinity) search.time_limit = TimeBudget::option(seconds);
   return search;
@@ -59,12 +70,9 @@ SearchOptions limited(SearchOptions search, double seconds) {
 /// One component over a branch that is proved.
 class ComponentOverBranch {
  public:
-  ComponentOverBranch(PreparedClosure& prepared, const ClosureFinding& branch,
-                      const Component& component, const BoundSettings& settings)
-      : prepared_(prepared),
-        branch_(branch),
-        settings_(settings),
-        value_(prepared.request.model, component) {
+  ComponentOverBranch(const BranchInPieces& branch, const Component& component,
+                      const BoundSettings& settings)
+      : branch_(branch), settings_(settings), value_(branch.common().request.model, component) {
     result_.component = component;
     result_.proofs = proofs_of(component, settings);
   }
@@ -85,17 +93,11 @@ class ComponentOverBranch {
 
  private:
   void search(const TimeBudget& budget) {
-    const ValueQuestion question{prepared_.problem, prepared_.question(), value_};
-    BoxSearchSettings limits =
-        settings_of(prepared_, limited(settings_.search, budget.left()), settings_.interrupt);
+    const BoxSearchSettings limits = settings_of(
+        branch_.common(), limited(settings_.search, budget.left()), settings_.interrupt);
     SearchDisplay display(settings_.output);
-    SystemBoxes system(prepared_.problem, prepared_.scaling, prepared_.shape);
-    const IsPossible is_possible = [&](const std::vector<Interval>& point) {
-      return is_in_motion(prepared_, system, point);
-    };
     const auto search_with = [&](const BoxSearchSettings& chosen) {
-      return search_value(question, branch_.searched.branch.tree, aim(), chosen, is_possible,
-                          display.observer());
+      return branch_.bracket(value_, aim(), chosen, display.observer());
     };
     found_ =
         settings_.checkpoint == nullptr
@@ -105,7 +107,8 @@ class ComponentOverBranch {
     result_.boxes = found_.boxes;
     result_.seconds.search = found_.seconds;
     if (!found_.place) return;
-    result_.place = place_at(prepared_, found_.at, enclose(*found_.place, found_.at));
+    result_.place = place_on(branch_, found_.piece, branch_.common(), found_.at,
+                             enclose(*found_.place, found_.at));
   }
 
   [[nodiscard]] ValueAim aim() const {
@@ -159,18 +162,18 @@ class ComponentOverBranch {
   }
 
   void certify_safe(const GiNaC::ex& bound) {
-    certify_value(result_.proofs, prepared_, result_.component, bound, found_.tree, std::nullopt);
+    certify_value(result_.proofs, branch_.proved(found_.trees), result_.component, bound,
+                  std::nullopt);
   }
   void certify_attained(const GiNaC::ex& bound) {
-    certify_value(result_.proofs, prepared_, result_.component, bound, branch_.searched.branch.tree,
-                  std::span<const Interval>(found_.at));
+    certify_value(result_.proofs, branch_.proved(), result_.component, bound,
+                  PlaceOfValue{found_.piece, found_.at});
   }
 
-  PreparedClosure& prepared_;
-  const ClosureFinding& branch_;
+  const BranchInPieces& branch_;
   const BoundSettings& settings_;
   const BranchValue value_;
-  ValueBracket found_;
+  BracketOfPieces found_;
   ComponentBound result_;
 };
 
@@ -186,17 +189,17 @@ KeepBranch keep_branch(BracketCheckpoint* checkpoint, DerivativesBy by) {
 }
 
 /// Without a proof of the branch no value has a bound.
-ComponentBound without_branch(const PreparedClosure& prepared, const ClosureFinding& found,
-                              const Component& component, const BoundSettings& settings) {
+ComponentBound without_branch(const BranchInPieces& branch, const Component& component,
+                              const BoundSettings& settings) {
   ComponentBound result;
   result.component = component;
   result.proofs = ComponentOverBranch::proofs_of(component, settings);
-  result.is_empty = found.searched.branch.is_empty;
-  if (!found.is_refuted()) {
-    result.reason = result.is_empty ? "" : reason_of(found);
+  result.is_empty = branch.is_empty();
+  if (branch.end() == nullptr) {
+    result.reason = branch.obstacle();
     return result;
   }
-  const Fold& fold = *found.reached();
+  const Fold& fold = *branch.end()->fold;
   result.reason = "the branch ends in the motion";
   // A is singular where the branch ends: its determinant and a singular value are 0, and its inverse
   // has no bound.
@@ -210,10 +213,10 @@ ComponentBound without_branch(const PreparedClosure& prepared, const ClosureFind
   const bool exceeds_all = !has_bound && component.kind != QuantityKind::kFiniteError;
   if (settings.limit && (is_zero || exceeds_all)) result.verdict = LimitVerdict::kExceeded;
   if (has_bound && !is_zero) return result;
-  result.place = place_at(prepared, fold.place, fold.unknowns);
+  result.place =
+      place_on(branch, branch.end()->index, branch.question_of_end(), fold.place, fold.unknowns);
   if (!result.proofs.are_wanted()) return result;
-  const ProofStatus written =
-      certify_fold(result.proofs.singular_file(), prepared, fold, settings.placing);
+  const ProofStatus written = branch.certify_end(result.proofs.singular_file(), settings.placing);
   if (written.is_lost())
     result.proofs.lose_singular(written.obstacle());
   else if (written.is_written())
@@ -235,28 +238,21 @@ void BranchBounds::turn(const Request& request, const Component& component,
   turn_to(settings.search.workers, std::move(topic), request.motion);
 }
 
-std::shared_ptr<BranchBounds::Branch> BranchBounds::branch(const Request& request,
-                                                           const Component& component,
-                                                           DerivativesBy by,
-                                                           const BoundSettings& settings,
-                                                           const TimeBudget& budget) {
+std::shared_ptr<BranchInPieces> BranchBounds::branch(const Request& request,
+                                                     const Component& component, DerivativesBy by,
+                                                     const BoundSettings& settings,
+                                                     const TimeBudget& budget) {
   if (const auto known = branches_.find(by); known != branches_.end()) return known->second;
   FormingWatch watch;
   watch.interrupt = settings.interrupt;
   const SearchOptions search = limited(settings.search, std::fmax(budget.left(), budget.all() / 2));
-  auto made = std::make_shared<Branch>(Branch{prepare_closure(request, 0, search, watch, by), {}});
+  auto made = std::make_shared<BranchInPieces>(request, 0, search, watch, by);
   SearchDisplay display(settings.output);
-  const bool has_nominal = by == DerivativesBy::kVariablesAndNominal;
   turn(request, component, settings,
-       has_nominal ? TopicKind::kBranchWithNominal : TopicKind::kBranch);
-  const KeepBranch keep = keep_branch(settings.checkpoint, by);
-  if (has_nominal)
-    made->found.searched =
-        run_closure(made->prepared, settings_of(made->prepared, search, settings.interrupt),
-                    display.observer(), keep);
-  else
-    made->found = check_closure(made->prepared, search, watch, display.observer(), keep);
-  if (!made->found.searched.branch.stopped_by) branches_.emplace(by, made);
+       by == DerivativesBy::kVariablesAndNominal ? TopicKind::kBranchWithNominal
+                                                 : TopicKind::kBranch);
+  made->follow(search, watch, display.observer(), keep_branch(settings.checkpoint, by));
+  if (!made->stopped_by()) branches_.emplace(by, made);
   return made;
 }
 
@@ -269,20 +265,19 @@ ComponentBound BranchBounds::bound(const Request& request, const Component& comp
     const bool is_first = !branches_.contains(wanted);
     const auto branch = this->branch(request, component, wanted, settings, budget);
     if (is_first) {
-      boxes += branch->found.searched.branch.boxes;
-      seconds += branch->prepared.preparation.seconds_spent();
+      boxes += branch->boxes();
+      seconds += branch->common().preparation.seconds_spent();
     }
     return branch;
   };
   // The mechanism alone, without its copy, tells if the branch ends.
-  std::shared_ptr<Branch> branch;
+  std::shared_ptr<BranchInPieces> branch;
   if (by == DerivativesBy::kVariablesAndNominal) branch = found(DerivativesBy::kVariables);
-  if (!branch || branch->found.searched.is_proved()) branch = found(by);
+  if (!branch || branch->is_proved()) branch = found(by);
   turn(request, component, settings, TopicKind::kQuestion);
-  ComponentBound result =
-      branch->found.searched.is_proved()
-          ? ComponentOverBranch(branch->prepared, branch->found, component, settings).run(budget)
-          : without_branch(branch->prepared, branch->found, component, settings);
+  ComponentBound result = branch->is_proved()
+                              ? ComponentOverBranch(*branch, component, settings).run(budget)
+                              : without_branch(*branch, component, settings);
   result.boxes += boxes;
   result.seconds += seconds;
   return result;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bounds of quantities over one branch of a closure. The branch is first shown to be one; its boxes are
+// Bounds of quantities over one branch of a closure, over ranges or along way-points. The branch is first shown to be one; its boxes are
 // then divided where the quantity may be largest, and each part has a tube of its own, which holds the
 // configuration of the box that it is a part of.
 #pragma once
@@ -9,8 +9,7 @@
 #include <optional>
 
 #include "codegen/question/bound/bound_run.hpp"
-#include "codegen/question/closure/branch_value.hpp"
-#include "codegen/question/closure/closure_report.hpp"
+#include "codegen/question/closure/branch_pieces.hpp"
 #include "codegen/question/engine/search_topic.hpp"
 
 namespace regulus {
@@ -29,19 +28,16 @@ class BranchBounds {
                                      const BoundSettings& settings, const TimeBudget& budget);
 
  private:
-  struct Branch {
-    PreparedClosure prepared;
-    ClosureFinding found;
-  };
-  [[nodiscard]] std::shared_ptr<Branch> branch(const Request& request, const Component& component,
-                                               DerivativesBy by, const BoundSettings& settings,
-                                               const TimeBudget& budget);
+  [[nodiscard]] std::shared_ptr<BranchInPieces> branch(const Request& request,
+                                                       const Component& component, DerivativesBy by,
+                                                       const BoundSettings& settings,
+                                                       const TimeBudget& budget);
   /// Tells other processes what the next search is about.
   void turn(const Request& request, const Component& component, const BoundSettings& settings,
             TopicKind kind) const;
 
   const std::optional<double> value_;
-  std::map<DerivativesBy, std::shared_ptr<Branch>> branches_;
+  std::map<DerivativesBy, std::shared_ptr<BranchInPieces>> branches_;
 };
 
 /// For BoundSettings::over_branch.

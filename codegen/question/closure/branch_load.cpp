@@ -36,7 +36,8 @@ class LoadRun {
  public:
   LoadRun(PreparedBranchLoad& prepared, const BranchLoadRun& run)
       : prepared_(prepared),
-        closure_(prepared.closure),
+        branch_(prepared.branch),
+        closure_(branch_.common()),
         run_(run),
         budget_(TimeBudget::of_option(prepared.search.time_limit)),
         value_(prepared.value()) {
@@ -46,10 +47,9 @@ class LoadRun {
   BranchLoadResult check() {
     SearchDisplay display(run_.output);
     turn(TopicKind::kBranch);
-    result_.branch =
-        check_closure(closure_, prepared_.search, watch_, display.observer(), keep_branch());
+    branch_.follow(prepared_.search, watch_, display.observer(), keep_branch());
     note_branch();
-    if (!result_.branch.searched.is_proved()) return without_branch();
+    if (!branch_.is_proved()) return without_branch();
     find_forces();
     finish(false);
     return std::move(result_);
@@ -57,13 +57,13 @@ class LoadRun {
 
   BranchLoadResult pave(double resolution, const ForceListener& listener, Observer* progress) {
     turn(TopicKind::kBranch);
-    result_.branch =
-        pave_closure(closure_, prepared_.search, resolution, watch_, nullptr, keep_branch());
+    branch_.take(
+        pave_closure(closure_, prepared_.search, resolution, watch_, nullptr, keep_branch()));
     note_branch();
     turn(TopicKind::kQuestion);
     const auto search = [&](const BoxSearchSettings& chosen) {
-      return pave_forces(question(), result_.branch.searched, resolution, chosen, is_possible(),
-                         listener, progress);
+      return pave_forces(question(), branch_.found().pieces.front(), resolution, chosen,
+                         is_possible(), listener, progress);
     };
     // Another run may have another branch, if this one is not whole.
     const LoadPaving paving =
@@ -71,7 +71,7 @@ class LoadRun {
     note_search(paving.boxes, paving.seconds, paving.stopped_by);
     result_.is_empty = paving.is_empty;
     if (paving.place) {
-      show_shortage(*paving.place, paving.at);
+      show_shortage(0, *paving.place, paving.at);
     } else if (paving.is_feasible && !paving.is_empty) {
       result_.verdict = FeasibilityVerdict::kFeasible;
     } else {
@@ -111,9 +111,9 @@ class LoadRun {
   }
 
   void note_branch() {
-    result_.boxes = result_.branch.searched.branch.boxes;
-    result_.stopped_by = result_.branch.searched.branch.stopped_by;
-    result_.is_empty = result_.branch.searched.branch.is_empty;
+    result_.boxes = branch_.boxes();
+    result_.stopped_by = branch_.stopped_by();
+    result_.is_empty = branch_.is_empty();
   }
   void note_search(std::uint64_t boxes, double seconds, std::optional<Reason> stopped_by) {
     result_.boxes += boxes;
@@ -122,9 +122,10 @@ class LoadRun {
   }
 
   BranchLoadResult without_branch() {
-    result_.reason = result_.branch.is_refuted()
+    result_.reason = branch_.end() != nullptr
                          ? "the branch ends in the motion, where a motor may need any force"
-                         : reason_of(result_.branch);
+                     : result_.is_empty ? describe(Reason::kEmptyVariety)
+                                        : branch_.obstacle();
     finish(false);
     return std::move(result_);
   }
@@ -136,13 +137,12 @@ class LoadRun {
     SearchDisplay display(run_.output);
     turn(TopicKind::kQuestion);
     const auto search = [&](const BoxSearchSettings& chosen) {
-      return search_value(question(), result_.branch.searched.branch.tree, aim, chosen,
-                          is_possible(), display.observer());
+      return branch_.bracket(value_, aim, chosen, display.observer());
     };
-    ValueBracket found = kept(run_.checkpoint, limits(), search, kForces);
+    BracketOfPieces found = kept(run_.checkpoint, limits(), search, kForces);
     note_search(found.boxes, found.seconds, found.stopped_by);
     if (found.attained >= kBeyond)
-      show_shortage(*found.place, found.at);
+      show_shortage(found.piece, *found.place, found.at);
     else if (found.upper < kBeyond)
       result_.verdict = FeasibilityVerdict::kFeasible;
     else
@@ -150,17 +150,21 @@ class LoadRun {
                            ? describe(*found.stopped_by)
                            : "a force is too near its limit, or boxes at the least width are too "
                              "wide to decide";
-    result_.tree = std::move(found.tree);
+    result_.trees = std::move(found.trees);
   }
 
   /// The verdict is that of the search, which has shown it; the numbers are for people.
-  void show_shortage(const BranchTube& tube, const std::vector<Interval>& place) {
+  void show_shortage(std::size_t piece, const BranchTube& tube,
+                     const std::vector<Interval>& place) {
     result_.verdict = FeasibilityVerdict::kInfeasible;
     const FloatingPointScope nearest(FloatingPointRounding::kNearest);
-    TubeFinder finder(system_, closure_.shape, closure_.ranges);
+    const Problem problem = branch_.way().problem_of(piece);
+    SystemBoxes system(problem, closure_.scaling, closure_.shape);
+    TubeFinder finder(system, closure_.shape, closure_.ranges);
     const TubeTrial trial{place, tube, {}};
     const auto measured = finder.measure({&trial, 1});
     BranchShortage& shortage = result_.shortage.emplace();
+    shortage.piece = piece;
     shortage.place = place;
     shortage.unknowns = enclose(tube, place);
     if (!measured.front()) return;
@@ -176,6 +180,7 @@ class LoadRun {
   }
 
   PreparedBranchLoad& prepared_;
+  BranchInPieces& branch_;
   PreparedClosure& closure_;
   const BranchLoadRun& run_;
   const TimeBudget budget_;
@@ -187,23 +192,33 @@ class LoadRun {
 
 }  // namespace
 
-PreparedBranchLoad prepare_branch_load(Request request, double model_seconds,
+PreparedBranchLoad prepare_branch_load(const Request& request, double model_seconds,
                                        const std::string& load, const SearchOptions& search,
                                        const FormingWatch& watch) {
-  PreparedBranchLoad prepared;
-  prepared.load = choose_load(request.model, load).name;
-  prepared.limits = certain_limits(request.model);
-  prepared.force_unit = request.model.actuators.force_unit;
+  const std::string name = choose_load(request.model, load).name;
+  std::vector<Interval> limits = certain_limits(request.model);
   // It says what is wrong with the units.
-  static_cast<void>(quantity_of(request.model, {.quantity = "force", .load = prepared.load}));
-  prepared.search = search;
-  prepared.closure = prepare_closure(std::move(request), model_seconds, search, watch,
-                                     DerivativesBy::kVariablesAndPose);
-  return prepared;
+  static_cast<void>(quantity_of(request.model, {.quantity = "force", .load = name}));
+  return {BranchInPieces(request, model_seconds, search, watch, DerivativesBy::kVariablesAndPose),
+          search, name, request.model.actuators.force_unit, std::move(limits)};
 }
 
 BranchLoadResult check_branch_load(PreparedBranchLoad& prepared, const BranchLoadRun& run) {
   return LoadRun(prepared, run).check();
+}
+
+ProofStatus certify_load(const std::string& path, const PreparedBranchLoad& prepared,
+                         const BranchLoadResult& result, const ProofPlacing& placing) {
+  if (result.verdict == FeasibilityVerdict::kPossibleProblem) {
+    ProofStatus status(path);
+    if (status.is_wanted()) status.set_obstacle(kNothingClaimed);
+    return status;
+  }
+  if (result.shortage)
+    return certify_forces(path, prepared.branch.proved(), prepared.set(),
+                          PlaceOfValue{result.shortage->piece, result.shortage->place}, placing);
+  return certify_forces(path, prepared.branch.proved(result.trees), prepared.set(), std::nullopt,
+                        placing);
 }
 
 BranchLoadResult pave_branch_load(PreparedBranchLoad& prepared, double resolution,
@@ -215,9 +230,9 @@ BranchLoadResult pave_branch_load(PreparedBranchLoad& prepared, double resolutio
 /// The model's digest is in it.
 nlohmann::ordered_json checkpointed_question(const PreparedBranchLoad& prepared,
                                              std::optional<double> resolution) {
-  nlohmann::ordered_json question = json_question(prepared.closure.request, prepared.search);
+  nlohmann::ordered_json question = json_question(prepared.closure().request, prepared.search);
   question.erase("options");  // they change how long it takes
-  question["closure"] = prepared.closure.shape.unknowns;
+  question["closure"] = prepared.closure().shape.unknowns;
   question["load"] = prepared.load;
   if (resolution) question["resolution"] = *resolution;
   return question;

@@ -9,37 +9,40 @@
 
 #include "codegen/answer/report/output_options.hpp"
 #include "codegen/answer/report/search_checkpoint.hpp"
+#include "codegen/question/closure/branch_pieces.hpp"
 #include "codegen/question/closure/branch_value.hpp"
-#include "codegen/question/closure/closure_report.hpp"
-#include "codegen/question/closure/value_search.hpp"
 #include "codegen/question/load/feasibility_report.hpp"
 
 namespace regulus {
 
 /// A question that is ready to be searched.
 struct PreparedBranchLoad {
-  PreparedClosure closure;  ///< with the derivatives by the motors
+  BranchInPieces branch;  ///< with the derivatives by the motors
   SearchOptions search;
   std::string load;  ///< name
   std::string force_unit;
   std::vector<Interval> limits;  ///< by motor: forces in them are certainly within
 
-  [[nodiscard]] const VectorSet& set() const { return choose_load(closure.request.model, load); }
-  [[nodiscard]] BranchValue value() const { return {closure.request.model, set()}; }
-  [[nodiscard]] LoadWords words() const { return {closure.preparation, load, force_unit, limits}; }
+  [[nodiscard]] const PreparedClosure& closure() const { return branch.common(); }
+  [[nodiscard]] const VectorSet& set() const { return choose_load(closure().request.model, load); }
+  [[nodiscard]] BranchValue value() const { return {closure().request.model, set()}; }
+  [[nodiscard]] LoadWords words() const {
+    return {closure().preparation, load, force_unit, limits};
+  }
 };
 
 /// Forms the kernel.
 ///
 /// Requires  request.model.closure.
 /// Throws    UsageError if there is no such load or no limits; the exceptions of prepare_closure().
-[[nodiscard]] PreparedBranchLoad prepare_branch_load(Request request, double model_seconds,
+[[nodiscard]] PreparedBranchLoad prepare_branch_load(const Request& request, double model_seconds,
                                                      const std::string& load,
                                                      const SearchOptions& search,
                                                      const FormingWatch& watch);
 
 /// A force that is beyond its limits at one place, and is that of the load alone.
 struct BranchShortage {
+  std::size_t piece = 0;
   std::vector<Interval> place;     ///< by variable
   std::vector<Interval> unknowns;  ///< encloses the configuration
   ForceBeyond beyond;
@@ -47,9 +50,8 @@ struct BranchShortage {
 
 struct BranchLoadResult {
   FeasibilityVerdict verdict = FeasibilityVerdict::kPossibleProblem;
-  std::string reason;  ///< why neither was shown; otherwise empty
-  ClosureFinding branch;
-  BranchTree tree;  ///< of FEASIBLE: the load is held over each tube
+  std::string reason;             ///< why neither was shown; otherwise empty
+  std::vector<BranchTree> trees;  ///< of FEASIBLE: the load is held over each tube
   std::optional<BranchShortage> shortage{};
   bool is_empty = false;
   std::optional<Reason> stopped_by{};
@@ -63,13 +65,17 @@ struct BranchLoadRun {
   SearchCheckpoint* checkpoint = nullptr;  ///< of both searches; null: none
 };
 
-/// Shows the branch, and then that every force is within its limits, or that some force is not.
+/// Shows the branch, over ranges or along way-points, and then that every force is within its limits, or that some force is not.
 ///
 /// Ensures   kInfeasible: at `shortage` a force is beyond its limits, for some wrench of the load.
 [[nodiscard]] BranchLoadResult check_branch_load(PreparedBranchLoad& prepared,
                                                  const BranchLoadRun& run);
 
-/// Decides every box of the motion, down to so small a part of each range. `listener` receives every
+/// Writes the proof of a check. An empty `path` means no certificate.
+[[nodiscard]] ProofStatus certify_load(const std::string& path, const PreparedBranchLoad& prepared,
+                                       const BranchLoadResult& result, const ProofPlacing& placing);
+
+/// Decides every box of a motion over ranges, down to so small a part of each range. `listener` receives every
 /// leaf, in one order; `progress` may be null, and gets them as of search_forces().
 [[nodiscard]] BranchLoadResult pave_branch_load(PreparedBranchLoad& prepared, double resolution,
                                                 const BranchLoadRun& run,
@@ -78,6 +84,9 @@ struct BranchLoadRun {
 /// Returns everything that the boxes depend on, for a checkpoint. `resolution`: of a paving.
 [[nodiscard]] nlohmann::ordered_json checkpointed_question(const PreparedBranchLoad& prepared,
                                                            std::optional<double> resolution);
+
+/// Returns the claim of FEASIBLE.
+[[nodiscard]] std::string claim_of(const PreparedBranchLoad& prepared);
 
 /// Tells the question, the claim and the place where it fails; `volumes`: of a paving, or null.
 void tell_branch_load(const PreparedBranchLoad& prepared, const BranchLoadResult& result,

@@ -12,6 +12,8 @@
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/mechanism/twist.hpp"
 #include "codegen/question/closure/branch_load.hpp"
+#include "codegen/question/closure/closure_way_report.hpp"
+#include "codegen/question/way/trajectory_report.hpp"
 #include "runtime/interval/floating_point_scope.hpp"
 
 namespace regulus {
@@ -21,13 +23,13 @@ using Json = nlohmann::ordered_json;
 
 std::vector<std::string> units_of_unknowns(const PreparedBranchLoad& prepared) {
   std::vector<std::string> units;
-  for (const PoseParameter& unknown : prepared.closure.request.model.closure->unknowns)
+  for (const PoseParameter& unknown : prepared.closure().request.model.closure->unknowns)
     units.push_back(unknown.unit);
   return units;
 }
 
 std::vector<std::string> units_of_load(const PreparedBranchLoad& prepared) {
-  const Model& model = prepared.closure.request.model;
+  const Model& model = prepared.closure().request.model;
   return units_of_wrench(model, twist_of(model));
 }
 
@@ -58,8 +60,8 @@ std::vector<Interval> wrench_of(const PreparedBranchLoad& prepared, const ForceB
 /// The direction is that of the unknowns when the motor moves by 1, to the side of the limit. Along it
 /// the work of the load is the force.
 Json json_shortage(const PreparedBranchLoad& prepared, const BranchShortage& s) {
-  const PreparedSearch& p = prepared.closure.preparation;
-  const Model& model = prepared.closure.request.model;
+  const PreparedSearch& p = prepared.closure().preparation;
+  const Model& model = prepared.closure().request.model;
   Json unknowns = Json::object(), wrench = Json::array(), direction = Json::array();
   for (std::size_t i = 0; i < s.unknowns.size(); ++i)
     unknowns[model.closure->unknowns[i].name] = json_interval(s.unknowns[i]);
@@ -81,7 +83,7 @@ Json json_shortage(const PreparedBranchLoad& prepared, const BranchShortage& s) 
 }
 
 void say_shortage(const PreparedBranchLoad& prepared, const BranchShortage& s, Facts& facts) {
-  const Model& model = prepared.closure.request.model;
+  const Model& model = prepared.closure().request.model;
   std::string configuration;
   for (std::size_t i = 0; i < s.unknowns.size(); ++i) {
     const PoseParameter& unknown = model.closure->unknowns[i];
@@ -89,7 +91,7 @@ void say_shortage(const PreparedBranchLoad& prepared, const BranchShortage& s, F
                                  unknown.name, mid(s.unknowns[i]), unit_suffix(unknown.unit));
   }
   facts.say("", configuration);
-  facts.say("", describe_uncertain_values(prepared.closure.preparation, s.place));
+  facts.say("", describe_uncertain_values(prepared.closure().preparation, s.place));
   if (s.beyond.along.empty()) return;
   std::vector<double> wrench;
   for (const Interval& w : wrench_of(prepared, s.beyond)) wrench.push_back(mid(w));
@@ -102,13 +104,31 @@ void say_shortage(const PreparedBranchLoad& prepared, const BranchShortage& s, F
                             limit.hi, unit));
 }
 
+/// The segment with the place, or that on which the branch is not proved.
+void tell_segment(const PreparedBranchLoad& prepared, const BranchLoadResult& result,
+                  Facts& facts) {
+  const Trajectory& way = *prepared.branch.trajectory();
+  const auto& deciding = prepared.branch.found().deciding;
+  if (result.shortage)
+    facts.add("segment", json_segment(way, result.shortage->piece, result.shortage->place[0]));
+  else if (deciding)
+    facts.tell("segment", json_segment(way, deciding->index, std::nullopt), "blocked by",
+               describe_segment(way, deciding->index, std::nullopt));
+  else
+    facts.add("segment", nullptr);
+}
+
 void tell_shortage(const PreparedBranchLoad& prepared, const BranchLoadResult& result,
                    Facts& facts) {
   facts.add("witness", nullptr);
+  if (prepared.branch.trajectory() != nullptr) tell_segment(prepared, result, facts);
   if (!result.shortage) return;
   const BranchShortage& shortage = *result.shortage;
+  const Trajectory* const way = prepared.branch.trajectory();
   facts.tell("witness", json_shortage(prepared, shortage), "at",
-             describe_place(prepared.closure.preparation, shortage.place));
+             way == nullptr ? describe_place(prepared.closure().preparation, shortage.place)
+                            : describe_segment(*way, shortage.piece, shortage.place[0]));
+  if (way != nullptr) facts.say("", prepared.branch.pose_at(shortage.piece, shortage.place[0]));
   say_shortage(prepared, shortage, facts);
 }
 
@@ -116,24 +136,38 @@ void tell_reason(const PreparedBranchLoad& prepared, const BranchLoadResult& res
   facts.add("reason", nullptr).add("blocking_box", nullptr);
   const bool is_decided = result.verdict != FeasibilityVerdict::kPossibleProblem;
   if (!is_decided) facts.tell("reason", result.reason, "reason", result.reason);
-  const std::vector<Interval>& box = result.branch.searched.branch.blocking_box;
+  const std::vector<ClosureResult>& pieces = prepared.branch.found().pieces;
+  const std::vector<Interval> box =
+      pieces.empty() ? std::vector<Interval>{} : pieces.back().branch.blocking_box;
   if (!is_decided && !box.empty())
-    facts.tell("blocking_box", json_parameters(prepared.closure.preparation, box), "blocked by",
-               describe_short_place(prepared.closure.preparation, box));
+    facts.tell("blocking_box", json_parameters(prepared.closure().preparation, box), "blocked by",
+               describe_short_place(prepared.closure().preparation, box));
   // Without constraints the motion has every place of its ranges; a place of a witness has met them.
-  const Motion& motion = prepared.closure.request.motion;
+  const Motion& motion = prepared.closure().request.motion;
   const bool is_inhabited = result.shortage || (motion.constraints.empty() && motion.reach.empty());
   facts.add("nonempty", result.is_empty ? Json(false) : is_inhabited ? Json(true) : Json(nullptr));
 }
 
 }  // namespace
 
+std::string claim_of(const PreparedBranchLoad& prepared) {
+  if (prepared.branch.trajectory() == nullptr) return describe_claim(prepared.words());
+  return fmt::format("on the branch through the start, for {}, forces {} hold every wrench of {}",
+                     words_of_segments(prepared.branch.way()), describe_limits(prepared.words()),
+                     prepared.load);
+}
+
 void tell_branch_load(const PreparedBranchLoad& prepared, const BranchLoadResult& result,
                       const ForceVolumes* volumes, Facts& facts) {
-  const PreparedSearch& p = prepared.closure.preparation;
+  const PreparedSearch& p = prepared.closure().preparation;
   facts.add("verdict", json_word(result.verdict));
-  tell_question(p, prepared.closure.request, facts);
-  tell_branch(prepared.closure, result.branch, facts);
+  if (prepared.branch.trajectory() != nullptr) {
+    tell_way_question(prepared.branch.way(), prepared.branch.found(), facts);
+  } else {
+    tell_question(p, prepared.closure().request, facts);
+    tell_branch(prepared.closure(), prepared.branch.found().pieces.front().links,
+                prepared.branch.folds(), facts);
+  }
   tell_load(prepared.words(), facts);
   if (volumes != nullptr) tell_volumes(prepared.words(), *volumes, facts);
   facts.tell("boxes", result.boxes, "boxes", fmt::format("{} evaluated", result.boxes));
@@ -143,13 +177,14 @@ void tell_branch_load(const PreparedBranchLoad& prepared, const BranchLoadResult
     facts.say("stopped", describe(*result.stopped_by));
   facts.add("claim", nullptr);
   if (result.verdict == FeasibilityVerdict::kFeasible) {
-    const std::string claim = describe_claim(prepared.words());
+    const std::string claim = claim_of(prepared);
     facts.tell("claim", claim, "proved", claim);
   }
   tell_shortage(prepared, result, facts);
   tell_reason(prepared, result, facts);
   if (facts.are_for_programs())
-    add_search(prepared.search, json_question(prepared.closure.request, prepared.search), facts);
+    add_search(prepared.search, json_question(prepared.branch.way().request, prepared.search),
+               facts);
 }
 
 }  // namespace regulus

@@ -258,15 +258,16 @@ void tell_folds(const PreparedClosure& prepared, const std::vector<Fold>& found,
   facts.add("folds", std::move(folds));
 }
 
-void tell_branch(const PreparedClosure& prepared, const ClosureFinding& found, Facts& facts) {
+void tell_branch(const PreparedClosure& prepared, const BranchLinks& links,
+                 const std::vector<Fold>& folds, Facts& facts) {
   std::vector<StartCoordinate> place;
   for (std::size_t k = 0; k < prepared.shape.parameters; ++k) {
     const MotionParameter& p = prepared.request.motion.parameters[k];
     place.push_back({p.name, p.unit, prepared.start.place[k]});
   }
-  tell_start(prepared, place, found.searched.links.configuration, facts);
-  facts.add("links", found.searched.links.links);
-  tell_folds(prepared, found.folds, facts);
+  tell_start(prepared, place, links.configuration, facts);
+  facts.add("links", links.links);
+  tell_folds(prepared, folds, facts);
 }
 
 Result check_result(const PreparedClosure& prepared, const ClosureFinding& found) {
@@ -344,7 +345,7 @@ void tell_closure(const PreparedClosure& prepared, const SearchOptions& search,
   const bool is_decided = check.verdict != Verdict::kPossibleProblem;
   facts.add("reason", is_decided ? describe(check.reason) : reason_of(found));
   tell_question(p, prepared.request, facts);
-  tell_branch(prepared, found, facts);
+  tell_branch(prepared, found.searched.links, found.folds, facts);
   if (facts.are_for_programs()) add_search(search, json_question(prepared.request, search), facts);
   tell_method(p, search, check.method, check.statistics.boxes, facts);
   facts.add("kernel", nullptr);

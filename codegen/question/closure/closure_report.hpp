@@ -76,7 +76,8 @@ void tell_start(const PreparedClosure& prepared, const std::vector<StartCoordina
 /// Tells singular configurations.
 void tell_folds(const PreparedClosure& prepared, const std::vector<Fold>& folds, Facts& facts);
 /// Tells the equations, where the branch begins, and the singular configurations that were found.
-void tell_branch(const PreparedClosure& prepared, const ClosureFinding& found, Facts& facts);
+void tell_branch(const PreparedClosure& prepared, const BranchLinks& links,
+                 const std::vector<Fold>& folds, Facts& facts);
 
 void tell_closure(const PreparedClosure& prepared, const SearchOptions& search,
                   const ClosureFinding& found, Facts& facts);

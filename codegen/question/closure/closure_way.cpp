@@ -58,6 +58,7 @@ class WaySearch {
     ClosureQuestion question{problem, prepared_.common.scaling, prepared_.common.shape, near_,
                              prepared_.common.ranges};
     if (k > 0 && !begin_piece(question, k)) return;
+    found_.begins.push_back(near_);
     ClosureResult& result = found_.pieces.emplace_back();
     PieceWithoutBranch piece{k, "", {}, {}};
     result.branch = searched(question, settings_for(piece), k);
@@ -213,15 +214,15 @@ Problem PreparedWay::problem_of(std::size_t piece) const {
 }
 
 PreparedWay prepare_way(Request request, double model_seconds, const SearchOptions& search,
-                        const FormingWatch& watch) {
+                        const FormingWatch& watch, DerivativesBy by) {
   require_way_from_start(request.model, request.motion);
   PiecesRequest all = pieces_request(request);
   std::vector<PoseParameter> constants;
   for (const PieceConstant& constant : all.constants) constants.push_back(constant.quantity);
-  PreparedWay prepared{std::move(request),
-                       prepare_closure(std::move(all.request), model_seconds, search, watch,
-                                       DerivativesBy::kVariables, constants),
-                       {}};
+  PreparedWay prepared{
+      std::move(request),
+      prepare_closure(std::move(all.request), model_seconds, search, watch, by, constants),
+      {}};
   for (std::size_t k = 0; k < prepared.request.motion.trajectory->pieces.size(); ++k) {
     std::vector<Interval>& values = prepared.values.emplace_back();
     for (const PieceConstant& constant : all.constants)

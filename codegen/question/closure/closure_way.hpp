@@ -28,7 +28,8 @@ struct PreparedWay {
 /// Throws    UsageError if the way-points do not begin at the start of the closure; the exceptions of
 ///           prepare_closure().
 [[nodiscard]] PreparedWay prepare_way(Request request, double model_seconds,
-                                      const SearchOptions& search, const FormingWatch& watch);
+                                      const SearchOptions& search, const FormingWatch& watch,
+                                      DerivativesBy by = DerivativesBy::kVariables);
 
 /// The piece that decides, if the branch is not followed through all.
 struct PieceWithoutBranch {
@@ -42,6 +43,7 @@ struct PieceWithoutBranch {
 
 struct WayFinding {
   std::vector<ClosureResult> pieces;  ///< that were searched, in order
+  std::vector<BranchPoint> begins;    ///< where each of them begins, approximately
   std::optional<PieceWithoutBranch> deciding{};
   Result result;  ///< in the terms of a check, of all pieces
 

@@ -37,11 +37,6 @@ std::string words_of_poses(const PreparedWay& prepared, const std::string& set,
                      is_uncertain ? " and every value of the uncertain quantities" : "");
 }
 
-std::string words_of_segments(const PreparedWay& prepared) {
-  return words_of_poses(prepared, counted(prepared.pieces(), "segment", "segments"),
-                        " and of the tube around them");
-}
-
 std::string reason_of(const WayFinding& found) {
   return found.deciding && !found.deciding->is_refuted() ? found.deciding->obstacle
                                                          : describe(found.result.reason);
@@ -103,15 +98,24 @@ void tell_work(const PreparedWay& prepared, const SearchOptions& search, const W
 void tell_question(const PreparedWay& prepared, const SearchOptions& search,
                    const WayFinding& found, Facts& facts) {
   facts.add("verdict", json_name(found.result.verdict)).add("reason", reason_of(found));
-  tell_way(prepared.request, facts);
-  say_uncertain_geometry(geometry_along_way(prepared.request), facts);
-  tell_begin(prepared, found, facts);
+  tell_way_question(prepared, found, facts);
   tell_work(prepared, search, found, facts);
 }
 
 const char* word_of_claim(Claim claim) noexcept { return name(claim); }
 
 }  // namespace
+
+std::string words_of_segments(const PreparedWay& prepared) {
+  return words_of_poses(prepared, counted(prepared.pieces(), "segment", "segments"),
+                        " and of the tube around them");
+}
+
+void tell_way_question(const PreparedWay& prepared, const WayFinding& found, Facts& facts) {
+  tell_way(prepared.request, facts);
+  say_uncertain_geometry(geometry_along_way(prepared.request), facts);
+  tell_begin(prepared, found, facts);
+}
 
 std::string describe_claim(const PreparedWay& prepared, const WayFinding& found) {
   if (found.is_proved())

@@ -13,6 +13,12 @@ namespace regulus {
 /// Returns the claim, or why there is none, in words.
 [[nodiscard]] std::string describe_claim(const PreparedWay& prepared, const WayFinding& found);
 
+/// Returns the set that claims are about, in words.
+[[nodiscard]] std::string words_of_segments(const PreparedWay& prepared);
+
+/// Tells the question, and where the branch begins.
+void tell_way_question(const PreparedWay& prepared, const WayFinding& found, Facts& facts);
+
 void tell_closure_way(const PreparedWay& prepared, const SearchOptions& search,
                       const WayFinding& found, Facts& facts);
 

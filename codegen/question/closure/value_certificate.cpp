@@ -6,6 +6,7 @@
 #include "codegen/answer/certificate/certificate_expression_writer.hpp"
 #include "codegen/answer/certificate/certificate_question.hpp"
 #include "codegen/answer/certificate/load_question.hpp"
+#include "codegen/answer/certificate/piece_question.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/question/closure/closure_certificate.hpp"
 #include "codegen/question/closure/singular_values.hpp"
@@ -77,63 +78,92 @@ ValueLines lines_of_limits(const Model& model, const VectorSet& load) {
   return lines;
 }
 
-CertifiedQuestion question_of(const PreparedClosure& prepared, const ValueLines& lines) {
-  const std::set<std::string> uncertain = uncertain_names(prepared.preparation.labels);
-  CertifiedQuestion question = certified_question(prepared.request, uncertain);
-  question.text += lines.text;
-  const format::ClaimedSet set = claimed_set(prepared.request, uncertain);
-  question.no_singularity = format::describe_bound_claim(set, lines.words, false);
-  question.singularity = format::describe_bound_claim(set, lines.words, true);
-  return question;
+/// Returns the question about a motion over ranges, or the common one of all pieces.
+CertifiedAbout about(const ValueLines& lines) {
+  return [&lines](const Request& request, const std::set<std::string>& uncertain) {
+    CertifiedQuestion question = certified_question(request, uncertain);
+    question.text += lines.text;
+    const format::ClaimedSet set = claimed_set(request, uncertain);
+    question.no_singularity = format::describe_bound_claim(set, lines.words, false);
+    question.singularity = format::describe_bound_claim(set, lines.words, true);
+    return question;
+  };
 }
 
-/// Returns `value X …`: the place of an attained end.
-std::string value_line(std::span<const Interval> place) {
-  std::string line = format::kValue;
-  for (const Interval& x : place)
-    line += is_thin(x) ? fmt::format(" {:a}", x.lo) : fmt::format(" {}", format::kOnlyValue);
-  return line + '\n';
-}
+/// Writes the proof of one end of a value.
+class ValueProof {
+ public:
+  ValueProof(const ProvedPieces& branch, ValueLines lines, const std::optional<PlaceOfValue>& place)
+      : branch_(branch),
+        lines_(std::move(lines)),
+        place_(place),
+        uncertain_(uncertain_names(branch.labels)) {}
 
-/// Throws FileError.
-void write_value(const std::string& path, const CertifiedQuestion& question, const BranchTree& tree,
-                 PlaceOfValue place, const ProofPlacing& placing) {
-  const auto file = with_file_errors([&] { return std::make_shared<ProofFile>(path); });
-  file->begin(question.head(place.has_value()) + (place ? value_line(*place) : ""));
-  write_tree(*file, tree);
-  with_file_errors([&] { file->complete(); });
-  put_in_place(file, placing);
-}
+  /// Returns why the verifier could not read it; empty if it can.
+  [[nodiscard]] std::string obstacle() const {
+    const Request& request = branch_.request;
+    return certificate_obstacle(
+        about(lines_)(has_pieces() ? piece_request(request, 0) : request, uncertain_),
+        place_.has_value());
+  }
+
+  /// Throws FileError.
+  void write(const std::string& path, const ProofPlacing& placing) const {
+    const CertifiedQuestion question =
+        has_pieces() ? trajectory_question(branch_.request, uncertain_, about(lines_))
+                     : about(lines_)(branch_.request, uncertain_);
+    const auto file = with_file_errors([&] { return std::make_shared<ProofFile>(path); });
+    file->begin(question.head(place_.has_value()) + (place_ ? value_line() : ""));
+    for (const BranchTree* const tree : branch_.trees) {
+      if (has_pieces()) file->begin_tree();
+      write_tree(*file, *tree);
+    }
+    with_file_errors([&] { file->complete(); });
+    put_in_place(file, placing);
+  }
+
+ private:
+  [[nodiscard]] bool has_pieces() const { return branch_.request.motion.trajectory != nullptr; }
+
+  /// Returns `value X …`: the place of an attained end; along way-points `value PIECE X …`.
+  [[nodiscard]] std::string value_line() const {
+    std::string line = format::kValue;
+    if (has_pieces()) line += fmt::format(" {}", place_->piece + 1);
+    for (const Interval& x : place_->at)
+      line += is_thin(x) ? fmt::format(" {:a}", x.lo) : fmt::format(" {}", format::kOnlyValue);
+    return line + '\n';
+  }
+
+  const ProvedPieces& branch_;
+  const ValueLines lines_;
+  const std::optional<PlaceOfValue>& place_;
+  const std::set<std::string> uncertain_;
+};
 
 }  // namespace
 
-ProofStatus certify_forces(const std::string& path, const PreparedClosure& prepared,
-                           const VectorSet& load, const BranchTree& tree, PlaceOfValue place,
+ProofStatus certify_forces(const std::string& path, const ProvedPieces& branch,
+                           const VectorSet& load, const std::optional<PlaceOfValue>& place,
                            const ProofPlacing& placing) {
   ProofStatus status(path);
   if (!status.is_wanted()) return status;
-  const CertifiedQuestion question =
-      question_of(prepared, lines_of_limits(prepared.request.model, load));
-  status.set_obstacle(certificate_obstacle(question, place.has_value()));
+  const ValueProof proof(branch, lines_of_limits(branch.request.model, load), place);
+  status.set_obstacle(proof.obstacle());
   if (!status.obstacle().empty()) return status;
-  status.attempt([&] { write_value(path, question, tree, place, placing); });
+  status.attempt([&] { proof.write(path, placing); });
   if (status.obstacle().empty()) status.set_written();
   return status;
 }
 
-void certify_value(EndProofs& proofs, const PreparedClosure& prepared, const Component& component,
-                   const ex& bound, const BranchTree& tree, PlaceOfValue place) {
+void certify_value(EndProofs& proofs, const ProvedPieces& branch, const Component& component,
+                   const ex& bound, const std::optional<PlaceOfValue>& place) {
   if (!proofs.are_wanted()) return;
   const bool is_attained = place.has_value();
-  const auto refuse = [&](const std::string& why) {
-    is_attained ? proofs.set_no_singular(why) : proofs.set_no_safe(why);
-  };
-  const CertifiedQuestion question =
-      question_of(prepared, ValueText(prepared.request.model, component).lines(bound));
-  if (const std::string why = certificate_obstacle(question, is_attained); !why.empty())
-    return refuse(why);
+  const ValueProof proof(branch, ValueText(branch.request.model, component).lines(bound), place);
+  if (const std::string why = proof.obstacle(); !why.empty())
+    return is_attained ? proofs.set_no_singular(why) : proofs.set_no_safe(why);
   try {
-    write_value(is_attained ? proofs.singular_file() : proofs.safe_file(), question, tree, place,
+    proof.write(is_attained ? proofs.singular_file() : proofs.safe_file(),
                 {proofs.placing().held, 0});
     const std::string number = formula_text(bound);
     if (is_attained)

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "codegen/answer/certificate/proof_status.hpp"
 #include "codegen/question/closure/closure_run.hpp"
@@ -11,19 +12,30 @@
 
 namespace regulus {
 
-/// The place of an attained end, which has no coordinates if nothing moves; nullopt: of the safe end.
-using PlaceOfValue = std::optional<std::span<const Interval>>;
+/// A branch that is proved in pieces: over ranges in one, along way-points in all.
+struct ProvedPieces {
+  const Request& request;
+  const ReportLabels& labels;  ///< of the kernel
+  std::vector<const BranchTree*> trees;
+};
+
+/// The place of an attained end, which has no coordinates if nothing moves.
+struct PlaceOfValue {
+  std::size_t piece = 0;
+  std::span<const Interval> at;
+};
 
 /// Writes the file of the safe end, or of the attained one, which has a place; notes why there is none.
 ///
-/// Requires  each box of the tree has a tube or is outside, and the tubes are those of the branch.
-void certify_value(EndProofs& proofs, const PreparedClosure& prepared, const Component& component,
-                   const GiNaC::ex& bound, const BranchTree& tree, PlaceOfValue place);
+/// Requires  each box of the trees has a tube or is outside, and the tubes are those of the branch.
+void certify_value(EndProofs& proofs, const ProvedPieces& branch, const Component& component,
+                   const GiNaC::ex& bound, const std::optional<PlaceOfValue>& place);
 
-/// Writes the proof that every force is within its limits over the tubes of a tree, or, at a place, that
-/// some force is not. An empty `path` means no certificate. Requires the same.
-[[nodiscard]] ProofStatus certify_forces(const std::string& path, const PreparedClosure& prepared,
-                                         const VectorSet& load, const BranchTree& tree,
-                                         PlaceOfValue place, const ProofPlacing& placing);
+/// Writes the proof that every force is within its limits over the tubes of the trees, or, at a place,
+/// that some force is not. An empty `path` means no certificate. Requires the same.
+[[nodiscard]] ProofStatus certify_forces(const std::string& path, const ProvedPieces& branch,
+                                         const VectorSet& load,
+                                         const std::optional<PlaceOfValue>& place,
+                                         const ProofPlacing& placing);
 
 }  // namespace regulus

@@ -53,6 +53,7 @@ class ValueGoal {
         aim_(aim),
         is_possible_(is_possible),
         result_(result) {
+    result.attained = aim.attained;
     for (std::size_t k = 0; k < question.closure.shape.variables; ++k)
       ranges_.push_back(width_ru(question.problem.outer[k]));
   }
@@ -185,12 +186,7 @@ class ValueGoal {
   }
 
  private:
-  [[nodiscard]] bool is_enough(double upper) const {
-    if (aim_.from) return result_.attained >= *aim_.from || upper < *aim_.below;
-    return std::isfinite(upper) &&
-           upper - result_.attained <=
-               aim_.gap * std::fmax(std::fabs(upper), std::fabs(result_.attained));
-  }
+  [[nodiscard]] bool is_enough(double upper) const { return aim_.is_met(result_.attained, upper); }
 
   void take(std::vector<std::vector<Interval>>& boxes) {
     ValueBox box = open_.top();
@@ -307,6 +303,12 @@ class ValueGoal {
 };
 
 }  // namespace
+
+bool ValueAim::is_met(double attained_now, double upper) const {
+  if (from) return attained_now >= *from || upper < *below;
+  return std::isfinite(upper) &&
+         upper - attained_now <= gap * std::fmax(std::fabs(upper), std::fabs(attained_now));
+}
 
 ValueBracket search_value(const ValueQuestion& question, const BranchTree& branch,
                           const ValueAim& aim, const BoxSearchSettings& settings,

@@ -26,6 +26,10 @@ struct ValueAim {
   double gap = 0;                 ///< relative to the larger end
   std::optional<double> below{};  ///< a limit: it is kept, if upper is below this,
   std::optional<double> from{};   ///< or exceeded, if a value is at least that
+  double attained = -kInfinity;   ///< the branch has this value elsewhere
+
+  /// True if the search may end.
+  [[nodiscard]] bool is_met(double attained_now, double upper) const;
 };
 
 /// True if values at this place, of the variables and then the unknowns, are values of the motion.

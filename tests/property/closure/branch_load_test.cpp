@@ -124,14 +124,10 @@ PreparedBranchLoad prepared_of(const std::string& text) {
 CheckedLoad checked_load(const std::string& text) {
   CheckedLoad c{prepared_of(text), {}, {}};
   c.result = check_branch_load(c.prepared, {});
-  const bool is_feasible = c.result.verdict == FeasibilityVerdict::kFeasible;
   if (!c.result.reason.empty()) return c;
   const test::TemporaryDirectory directory;
   const std::string path = (directory.path() / "certificate").string();
-  const ProofStatus status =
-      certify_forces(path, c.prepared.closure, c.prepared.set(),
-                     is_feasible ? c.result.tree : c.result.branch.searched.branch.tree,
-                     is_feasible ? std::nullopt : PlaceOfValue(c.result.shortage->place), {});
+  const ProofStatus status = certify_load(path, c.prepared, c.result, {});
   EXPECT_TRUE(status.is_written()) << status.obstacle();
   std::ostringstream read;
   read << std::ifstream(path).rdbuf();

@@ -119,9 +119,12 @@ TEST(Refusals, OfAClosureAlongWayPointsSayWhatIsAsked) {
   EXPECT_EQ(regulus::check(along).verdict, regulus::Verdict::kNoSingularity);
   regulus::BoundOptions options;
   options.quantity.quantity = "determinant";
-  EXPECT_THAT(message_of([&] { static_cast<void>(regulus::bound(along, options)); }),
-              HasSubstr("check, locate and margin, without a load or a quantity, ask"));
+  EXPECT_TRUE(regulus::bound(along, options).closed);
   EXPECT_EQ(regulus::locate(along).verdict, regulus::Verdict::kNoSingularity);
+  options.certificate = testing::TempDir() + "crank";
+  options.shard_size = 1000;
+  EXPECT_THAT(message_of([&] { static_cast<void>(regulus::bound(along, options)); }),
+              HasSubstr("its proof is one file"));
 }
 
 TEST(Refusals, OfQuantitiesOfAClosureSayWhy) {

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/question/closure/branch_pieces.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "codegen/answer/report/number_text.hpp"
+#include "codegen/model/way/trajectory.hpp"
+#include "codegen/question/closure/closure_certificate.hpp"
+#include "codegen/question/closure/uncertain_values.hpp"
+#include "codegen/question/way/path_bounds.hpp"
+#include "codegen/question/way/trajectory_report.hpp"
+
+namespace regulus {
+namespace {
+
+PreparedWay prepare_pieces(const Request& request, double model_seconds,
+                           const SearchOptions& search, const FormingWatch& watch,
+                           DerivativesBy by) {
+  if (request.motion.trajectory) return prepare_way(request, model_seconds, search, watch, by);
+  return {request, prepare_closure(request, model_seconds, search, watch, by),
+          std::vector<std::vector<Interval>>(1)};
+}
+
+/// Returns the finding about a branch over ranges as that of one piece.
+WayFinding as_one_piece(const PreparedClosure& prepared, ClosureFinding found) {
+  WayFinding one;
+  if (!found.searched.is_proved()) {
+    const bool is_empty = found.searched.branch.is_empty;
+    one.deciding = PieceWithoutBranch{0, is_empty ? "" : reason_of(found), {}, {}};
+    if (const Fold* const fold = found.reached()) one.deciding->fold = *fold;
+  }
+  one.begins.push_back(prepared.near_start);
+  one.pieces.push_back(std::move(found.searched));
+  return one;
+}
+
+/// Returns the settings of a piece, which has its share of what is left.
+BoxSearchSettings share_of(const BoxSearchSettings& all, const BracketOfPieces& spent,
+                           std::size_t pieces) {
+  if (pieces == 1 && spent.boxes == 0) return all;
+  BoxSearchSettings share = all;
+  share.time_limit = std::fmax(0.0, all.time_limit - spent.seconds) / double(pieces);
+  share.max_boxes = (all.max_boxes - std::min(all.max_boxes, spent.boxes)) / pieces;
+  return share;
+}
+
+void add(BracketOfPieces& all, ValueBracket found, std::size_t piece) {
+  all.upper = piece == 0 ? found.upper : std::fmax(all.upper, found.upper);
+  if (found.place) {
+    all.attained = found.attained;
+    all.piece = piece;
+    all.place = std::move(found.place);
+    all.at = std::move(found.at);
+  }
+  if (!all.stopped_by) all.stopped_by = found.stopped_by;
+  all.boxes += found.boxes;
+  all.seconds += found.seconds;
+  all.trees.push_back(std::move(found.tree));
+}
+
+}  // namespace
+
+BranchInPieces::BranchInPieces(const Request& request, double model_seconds,
+                               const SearchOptions& search, const FormingWatch& watch,
+                               DerivativesBy by)
+    : prepared_(prepare_pieces(request, model_seconds, search, watch, by)) {}
+
+void BranchInPieces::take(ClosureFinding found) {
+  folds_ = found.folds;
+  found_ = as_one_piece(common(), std::move(found));
+}
+
+void BranchInPieces::follow(const SearchOptions& search, const FormingWatch& watch,
+                            Observer* progress, const KeepBranch& keep) {
+  const bool has_copies =
+      common().shape.unknowns != common().request.model.closure->unknowns.size();
+  if (trajectory() != nullptr)
+    found_ = check_way(prepared_, search, watch, progress);
+  else if (has_copies)
+    take({run_closure(common(), settings_of(common(), search, watch.interrupt), progress, keep),
+          {}});
+  else
+    take(check_closure(common(), search, watch, progress, keep));
+}
+
+std::string BranchInPieces::pose_at(std::size_t piece, const Interval& s) const {
+  std::string text;
+  const std::vector<PieceOfPose>& pose = trajectory()->pieces.at(piece).pose;
+  for (std::size_t i = 0; i < pose.size(); ++i) {
+    const PoseParameter& p = prepared_.request.model.pose[i];
+    text += fmt::format("{}{} = {:.6g}{}", text.empty() ? "" : ", ", p.name,
+                        mid(CoordinateBounds(pose[i]).over(s.lo, s.hi)), unit_suffix(p.unit));
+  }
+  return text;
+}
+
+bool BranchInPieces::is_empty() const {
+  return trajectory() == nullptr && found_.pieces.front().branch.is_empty;
+}
+
+const PieceWithoutBranch* BranchInPieces::end() const {
+  return found_.deciding && found_.deciding->is_refuted() ? &*found_.deciding : nullptr;
+}
+
+const PreparedClosure& BranchInPieces::question_of_end() const {
+  return found_.deciding && found_.deciding->alone ? *found_.deciding->alone : common();
+}
+
+std::string BranchInPieces::obstacle() const {
+  if (!found_.deciding || found_.deciding->obstacle.empty()) return "";
+  const PieceWithoutBranch& piece = *found_.deciding;
+  if (trajectory() == nullptr) return piece.obstacle;
+  return piece.obstacle + ", on " + describe_segment(*trajectory(), piece.index, std::nullopt);
+}
+
+std::uint64_t BranchInPieces::boxes() const {
+  std::uint64_t sum = 0;
+  for (const ClosureResult& piece : found_.pieces) sum += piece.branch.boxes;
+  return sum;
+}
+
+std::optional<Reason> BranchInPieces::stopped_by() const {
+  return found_.pieces.empty() ? std::nullopt : found_.pieces.back().branch.stopped_by;
+}
+
+ProvedPieces BranchInPieces::proved() const {
+  ProvedPieces proved{prepared_.request, common().preparation.labels, {}};
+  for (const ClosureResult& piece : found_.pieces) proved.trees.push_back(&piece.branch.tree);
+  return proved;
+}
+
+ProvedPieces BranchInPieces::proved(const std::vector<BranchTree>& trees) const {
+  ProvedPieces proved{prepared_.request, common().preparation.labels, {}};
+  for (const BranchTree& tree : trees) proved.trees.push_back(&tree);
+  return proved;
+}
+
+ProofStatus BranchInPieces::certify_end(const std::string& path,
+                                        const ProofPlacing& placing) const {
+  return trajectory() != nullptr ? certify_way(path, prepared_, found_, placing)
+                                 : certify_fold(path, common(), *end()->fold, placing);
+}
+
+BracketOfPieces BranchInPieces::bracket(const BranchValue& value, ValueAim aim,
+                                        const BoxSearchSettings& settings,
+                                        Observer* progress) const {
+  BracketOfPieces all;
+  for (std::size_t k = 0; k < pieces(); ++k) {
+    const Problem problem = prepared_.problem_of(k);
+    const ClosureQuestion branch{problem, common().scaling, common().shape, found_.begins[k],
+                                 common().ranges};
+    SystemBoxes system(problem, common().scaling, common().shape);
+    const IsPossible is_possible = [&](const std::vector<Interval>& point) {
+      return is_in_motion(common(), system, point);
+    };
+    aim.attained = all.attained;
+    add(all,
+        search_value({problem, branch, value}, found_.pieces[k].branch.tree, aim,
+                     share_of(settings, all, pieces() - k), is_possible, progress),
+        k);
+    if (aim.from && all.attained >= *aim.from) break;
+  }
+  if (all.trees.size() < pieces()) all.upper = kInfinity;
+  all.is_closed = aim.is_met(all.attained, all.upper);
+  if (all.is_closed) all.stopped_by.reset();
+  return all;
+}
+
+}  // namespace regulus
