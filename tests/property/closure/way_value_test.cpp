@@ -5,15 +5,12 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <map>
+#include <functional>
 #include <numbers>
 #include <random>
 
-#include "codegen/question/bound/bound_question.hpp"
-#include "codegen/question/closure/branch_bound.hpp"
 #include "codegen/question/closure/branch_load.hpp"
-#include "tests/property/closure/checked_ways.hpp"
-#include "tests/property/closure/four_bars.hpp"
+#include "tests/property/closure/checked_way_values.hpp"
 #include "tests/support/trials.hpp"
 
 namespace regulus::test {
@@ -21,53 +18,6 @@ namespace {
 
 using testing::HasSubstr;
 using verifier::Outcome;
-
-constexpr const char* kData =
-    "[actuators]\nerror = 0.01\nspeed = 2\nstiffness = 50\n[load.L]\nwrench = [[-1, 3], 2]\n";
-
-struct AskedOnWay {
-  QuantityOptions words;
-  double gap = 0.02;
-  std::string limit, certificate;
-  std::size_t component = 0;
-};
-
-ComponentBound bound_on_way(const std::string& model, const std::string& file,
-                            const AskedOnWay& asked) {
-  ModelOptions options;
-  options.motion = "m";
-  options.waypoints = file;
-  const Request request = read_request(model, options);
-  BoundSettings settings;
-  settings.gap = asked.gap;
-  settings.search = usual_options();
-  settings.over_branch = bounds_over_branch();
-  settings.certificate = asked.certificate;
-  Quantity quantity = quantity_of(request.model, asked.words);
-  quantity.components = {quantity.components.at(asked.component)};
-  if (!asked.limit.empty()) settings.limit = read_limit(asked.limit, quantity);
-  return bound_quantity(request, std::move(quantity), settings, [](const ComponentBound&) {})
-      .components.front();
-}
-
-QuantityOptions asked(const std::string& quantity, const std::string& norm = "") {
-  QuantityOptions words;
-  words.quantity = quantity;
-  words.norm = norm;
-  return words;
-}
-
-std::string theta_table(const std::vector<double>& places) {
-  std::string text = "theta\n";
-  for (const double place : places) text += fmt::format("{:.17g}\n", place);
-  return text;
-}
-
-std::string text_of_file(const std::string& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
 
 /// What the closed form and differences of it give of a linkage at one angle.
 struct AtAngle {
@@ -86,7 +36,7 @@ struct AtAngle {
   double sigma_max = 0, sigma_min = 0;
 };
 
-/// A quantity, its component, and its largest f for all loads and errors of kData.
+/// A quantity, its component, and its largest f for all loads and errors of kDataOfMotors.
 struct Case {
   const char* what;
   QuantityOptions words;
@@ -104,23 +54,23 @@ std::vector<Case> cases() {
     return M.cwiseAbs().rowwise().sum().maxCoeff();
   };
   return {
-      {"error of phi", asked("error"), 0, 1,
+      {"error of phi", words_of("error"), 0, 1,
        [](const AtAngle& v) { return 0.01 * std::fabs(v.J[0]); }},
-      {"error of psi", asked("error"), 1, 1,
+      {"error of psi", words_of("error"), 1, 1,
        [](const AtAngle& v) { return 0.01 * std::fabs(v.J[1]); }},
-      {"speed of psi", asked("speed"), 1, 1,
+      {"speed of psi", words_of("speed"), 1, 1,
        [](const AtAngle& v) { return 2 * std::fabs(v.J[1]); }},
-      {"force", asked("force"), 0, 1, [](const AtAngle& v) { return largest_work(v.J); }},
-      {"deflection of phi", asked("deflection"), 0, 1,
+      {"force", words_of("force"), 0, 1, [](const AtAngle& v) { return largest_work(v.J); }},
+      {"deflection of phi", words_of("deflection"), 0, 1,
        [](const AtAngle& v) { return std::fabs(v.J[0]) / 50 * largest_work(v.J); }},
-      {"determinant", asked("determinant"), 0, -1,
+      {"determinant", words_of("determinant"), 0, -1,
        [](const AtAngle& v) { return -std::fabs(v.A.determinant()); }},
-      {"condition", asked("condition"), 0, 1,
+      {"condition", words_of("condition"), 0, 1,
        [norm](const AtAngle& v) { return norm(v.A) * norm(v.A.inverse()); }},
-      {"condition 2", asked("condition", "2"), 0, 1,
+      {"condition 2", words_of("condition", "2"), 0, 1,
        [](const AtAngle& v) { return v.sigma_max / v.sigma_min; }},
-      {"sigma-min", asked("sigma-min"), 0, -1, [](const AtAngle& v) { return -v.sigma_min; }},
-      {"sigma-max", asked("sigma-max"), 0, 1, [](const AtAngle& v) { return v.sigma_max; }},
+      {"sigma-min", words_of("sigma-min"), 0, -1, [](const AtAngle& v) { return -v.sigma_min; }},
+      {"sigma-max", words_of("sigma-max"), 0, 1, [](const AtAngle& v) { return v.sigma_max; }},
   };
 }
 
@@ -171,7 +121,7 @@ struct RegularWay {
   double tolerance;
 
   [[nodiscard]] std::string model() const {
-    return linkage.text(places[0], places[0] - 0.1, places[0] + 0.1, tolerance) + kData;
+    return linkage.text(places[0], places[0] - 0.1, places[0] + 0.1, tolerance) + kDataOfMotors;
   }
 };
 
@@ -214,7 +164,7 @@ TEST(BoundsOnAWay, AreThoseOfRangesThatTheWayCovers) {
   for (const RegularWay& way : regular_ways(17, trials(2, 8))) {
     const auto [from, to] = std::ranges::minmax(way.places);
     const std::string model = way.model();
-    std::string over = way.linkage.text(way.places[0], from, to, way.tolerance) + kData;
+    std::string over = way.linkage.text(way.places[0], from, to, way.tolerance) + kDataOfMotors;
     const WayFile file(theta_table(way.places));
     for (const Case& c : cases()) {
       const ComponentBound along =
@@ -312,7 +262,7 @@ TEST_F(FiveBarOnAWay, HasTheErrorsOfItsConfigurations) {
       }
     const std::string path = (directory.path() / "error").string();
     const ComponentBound found =
-        bound_on_way(kModel, file.path(), {asked("error"), 0.02, "", path, freedom});
+        bound_on_way(kModel, file.path(), {words_of("error"), 0.02, "", path, freedom});
     const Case c{"error", {}, freedom, 1, {}};
     expect_bracket(found, seen, c);
     expect_proofs(found, path + certificate_suffix(found.component), kModel, file, 3, "error");
@@ -328,7 +278,8 @@ TEST(BoundsOnAWay, EndWithTheBranch) {
   const TemporaryDirectory directory;
   const std::string path = (directory.path() / "ends").string();
   const WayFile file("x\n0\n1\n-2\n");
-  const ComponentBound found = bound_on_way(model, file.path(), {asked("error"), 0.02, "", path});
+  const ComponentBound found =
+      bound_on_way(model, file.path(), {words_of("error"), 0.02, "", path});
   EXPECT_TRUE(found.is_unbounded) << found.reason;
   ASSERT_TRUE(found.place);
   EXPECT_THAT(found.place->pose, HasSubstr("segment 2"));
@@ -336,12 +287,13 @@ TEST(BoundsOnAWay, EndWithTheBranch) {
                          model, file.path())
                 .outcome,
             Outcome::kVerified);
-  const ComponentBound limit = bound_on_way(model, file.path(), {asked("error"), 0.02, "100", ""});
+  const ComponentBound limit =
+      bound_on_way(model, file.path(), {words_of("error"), 0.02, "100", ""});
   EXPECT_EQ(limit.verdict, LimitVerdict::kExceeded);
   // On the way there the error is 0.01/(2p).
   const WayFile before("x\n0\n1\n-0.75\n0\n");
   const ComponentBound bounded =
-      bound_on_way(model, before.path(), {asked("error"), 0.001, "", ""});
+      bound_on_way(model, before.path(), {words_of("error"), 0.001, "", ""});
   ASSERT_TRUE(bounded.proved && bounded.attained);
   EXPECT_LE(bounded.attained->approx, 0.01);
   EXPECT_GE(bounded.proved->approx, 0.01);
@@ -394,132 +346,6 @@ TEST(LoadsOnAWay, AreHeldWithinWhatVirtualWorkNeeds) {
       const double room = way.tolerance > 0 ? 0.05 * seen : 1e-4;
       EXPECT_GE(largest_work(AtAngle(way.linkage, at).J), part * seen - room);
     }
-  }
-}
-
-/// Certificates about one linkage, each damaged in one way.
-class ADamagedValueOnAWay : public testing::Test {
- protected:
-  void SetUp() override {
-    const std::string path = (directory_.path() / "end").string();
-    const ComponentBound found =
-        bound_on_way(model_, file_.path(), {asked("error"), 0.02, "", path});
-    suffix_ = certificate_suffix(found.component);
-    safe_ = text_of_file(path + suffix_ + ".safe");
-    attained_ = text_of_file(path + suffix_ + ".singular");
-    ASSERT_EQ(outcome(safe_), Outcome::kVerified);
-    ASSERT_EQ(outcome(attained_), Outcome::kVerified);
-  }
-  [[nodiscard]] Outcome outcome(const std::string& text, const std::string& model = "") const {
-    return verified_way(text, model.empty() ? model_ : model, file_.path()).outcome;
-  }
-  static std::string changed(std::string text, const std::string& key, const std::string& line) {
-    const std::size_t at = text.find('\n' + key + ' ') + 1;
-    EXPECT_NE(at, 0U) << key;
-    return text.replace(at, text.find('\n', at) - at, line);
-  }
-  static std::string line_of(const std::string& text, const std::string& key) {
-    const std::size_t at = text.find('\n' + key + ' ') + 1;
-    return text.substr(at, text.find('\n', at) - at);
-  }
-  void expect_refused(const std::string& text, const char* what) const {
-    EXPECT_NE(outcome(text), Outcome::kVerified) << what;
-    EXPECT_NE(verified(text).outcome, Outcome::kVerified) << what << ", of itself";
-  }
-
-  const FourBar linkage_{0.2, 0.35355, 0.25, 0.45};
-  const std::string model_ = linkage_.text(0.5, 0, 2) + kData;
-  const WayFile file_{theta_table({0.5, 1.2, 0.1, -0.4})};
-  const TemporaryDirectory directory_;
-  std::string suffix_, safe_, attained_;
-};
-
-TEST_F(ADamagedValueOnAWay, IsNotVerifiedAtAnotherPlace) {
-  const std::string value = line_of(attained_, "value");
-  std::istringstream words(value);
-  std::string word, s;
-  std::size_t piece = 0;
-  words >> word >> piece >> s;
-  EXPECT_GE(piece, 1U);
-  for (std::size_t other = 0; other <= 5; ++other)
-    if (other != piece)
-      expect_refused(changed(attained_, "value", fmt::format("value {} {}", other, s)),
-                     "on another piece");
-  for (const char* const line : {"value", "value 1", "value 1 0x1p-1 0x1p-1", "value 1 -",
-                                 "value 1 0x1p+1", "value -1 0x1p-1", "value x 0x1p-1"})
-    expect_refused(changed(attained_, "value", line), line);
-  std::string without = attained_;
-  without.erase(without.find(value), value.size() + 1);
-  expect_refused(without, "without its place");
-  std::string safe = safe_;
-  safe.insert(safe.find("\ntree\n") + 1, value + '\n');
-  expect_refused(safe, "with a place");
-}
-
-TEST_F(ADamagedValueOnAWay, IsNotVerifiedWithAnotherBound) {
-  const auto with_bound = [](std::string text, const std::string& bound) {
-    const std::string old = line_of(text, "bound").substr(6);
-    for (std::size_t at = text.find(old); at != std::string::npos && at < text.find("\nproof\n");
-         at = text.find(old, at + bound.size()))
-      text.replace(at, old.size(), bound);
-    return text;
-  };
-  // Weaker claims are true, and proved by the same trees.
-  EXPECT_EQ(outcome(with_bound(safe_, "1")), Outcome::kVerified);
-  EXPECT_EQ(outcome(with_bound(attained_, "1/1000")), Outcome::kVerified);
-  expect_refused(with_bound(safe_, "1/1000"), "a bound that is exceeded");
-  expect_refused(with_bound(attained_, "1"), "a bound that is not attained");
-  expect_refused(changed(safe_, "column", "column 2"), "another unknown, by the line alone");
-}
-
-TEST_F(ADamagedValueOnAWay, IsNotThatOfAnotherModelOrFile) {
-  const auto model_with = [&](const std::string& old, const std::string& by) {
-    std::string text = model_;
-    EXPECT_NE(text.find(old), std::string::npos) << old;
-    return text.replace(text.find(old), old.size(), by);
-  };
-  for (const std::string* const text : {&safe_, &attained_}) {
-    EXPECT_EQ(outcome(*text, model_with("error = 0.01", "error = 0.02")), Outcome::kRejected);
-    EXPECT_EQ(outcome(*text, model_with("d = \"0.45", "d = \"0.46")), Outcome::kRejected);
-    EXPECT_EQ(outcome(*text, model_with("psi = \"1e-4\"", "psi = \"1e-3\"")), Outcome::kRejected);
-    for (const std::vector<double>& places :
-         std::vector<std::vector<double>>{{0.5, 1.2, 0.1},
-                                          {0.5, 1.2, 0.1, -0.4, 0},
-                                          {0.5, 1.3, 0.1, -0.4},
-                                          {0.4, 1.2, 0.1, -0.4}}) {
-      file_.write(theta_table(places));
-      EXPECT_EQ(outcome(*text), Outcome::kRejected) << theta_table(places);
-    }
-    file_.write(theta_table({0.5, 1.2, 0.1, -0.4}));
-    EXPECT_EQ(outcome(*text), Outcome::kVerified);
-  }
-}
-
-TEST_F(ADamagedValueOnAWay, IsNotVerifiedWithOtherTrees) {
-  for (const std::string* const text : {&safe_, &attained_}) {
-    // Of the trees one is left out, or two change places.
-    std::vector<std::string> parts;
-    std::size_t at = 0;
-    for (std::size_t next = text->find("\ntree\n"); next != std::string::npos;
-         next = text->find("\ntree\n", at + 1)) {
-      parts.push_back(text->substr(at, next - at));
-      at = next;
-    }
-    const std::size_t end = text->rfind("\nend ");
-    parts.push_back(text->substr(at, end - at));
-    ASSERT_EQ(parts.size(), 4U);
-    const auto joined = [&](const std::vector<std::size_t>& order) {
-      std::string all = parts[0];
-      for (const std::size_t k : order) all += parts[k];
-      std::size_t leaves = 0;
-      for (std::size_t l = all.find("\nl "); l != std::string::npos; l = all.find("\nl ", l + 1))
-        ++leaves;
-      return all + "\nend " + std::to_string(leaves) + '\n';
-    };
-    EXPECT_EQ(joined({1, 2, 3}), *text);
-    for (const std::vector<std::size_t>& order : std::vector<std::vector<std::size_t>>{
-             {1, 2}, {2, 3}, {1, 3}, {2, 1, 3}, {1, 3, 2}, {3, 2, 1}, {1, 1, 3}, {1, 2, 3, 3}, {}})
-      expect_refused(joined(order), "with other trees");
   }
 }
 
