@@ -326,7 +326,7 @@ TEST_F(ForgedSearch, ProvesNothingOfABranch) {
     EXPECT_EQ(run.exit_code, 1) << run.errors;
     const json report = json::parse(run.output);
     EXPECT_EQ(report.at("verdict"), "singularity");
-    EXPECT_EQ(report.at("segment").at("segment"), 7);
+    EXPECT_EQ(report.at("segment").at("segment"), 6);
     EXPECT_LT(has_proof ? 0 : double(report.at("share").at("free")), 1);
   }
 }

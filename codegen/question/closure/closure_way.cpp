@@ -71,12 +71,18 @@ class WaySearch {
     piece.obstacle = result.branch.is_empty ? "the constraints exclude every pose of the segment"
                                             : reason_of({result, {}});
     const bool is_cut = result.branch.stopped_by || must_stop();
-    if (settings_.paves && !is_cut) {
-      std::vector<double> place = near_.variables;
-      place[0] = beyond_the_branch(result);
-      look_for_fold(piece, place, true);
-    }
+    if (settings_.paves && !is_cut) look_beyond(piece, beyond_the_branch(result));
     found_.deciding = std::move(piece);
+  }
+
+  /// The middles of the uncertain quantities may have the branch further, or on the whole piece.
+  void look_beyond(PieceWithoutBranch& piece, double lost) {
+    std::vector<double> place = near_.variables;
+    for (const auto& [s, is_lost] :
+         {std::pair(lost, true), std::pair(1.0, true), std::pair(lost, false)}) {
+      place[0] = s;
+      if (!piece.is_refuted()) look_for_fold(piece, place, is_lost);
+    }
   }
 
   [[nodiscard]] BranchResult searched(const ClosureQuestion& question,
