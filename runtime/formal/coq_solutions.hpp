@@ -13,7 +13,7 @@ namespace regulus::verifier {
 ///
 /// Requires: `question` has been read, and has a closure and solutions.
 /// Rounding: each interval of Coq contains that of the certificate. Its ends have few digits: it is wider by at most
-/// a fifth of its width, and at least as wide as doubles can decide.
+/// a fifth, or has the least part of its range that doubles can decide.
 [[nodiscard]] std::string coq_solutions(const Question& question);
 
 }  // namespace regulus::verifier
