@@ -29,6 +29,9 @@ void compare(Question& question, const Options& options, Verification& result, P
   }
   const WrittenValues model = read_model_values(options.model_text);
   if (place != nullptr) return compare_place(question, model, options, *place, result);
+  if (question.solutions && !options.waypoints.empty())
+    throw OtherModel("the certificate is about one place, and not about those of " +
+                     options.waypoints);
   if (question.solutions) return compare_with_file(question, model, options, result);
   const WaypointComparison waypoints(model, question.motion, options.model_name, options.waypoints);
   if (!waypoints.is_named()) return compare_with_file(question, model, options, result);

@@ -182,6 +182,14 @@ TEST_F(ForgedTable, WithoutItsTableIsUnfinished) {
             "UNFINISHED\n");
 }
 
+TEST_F(ForgedTable, IsNotThatOfOnePlace) {
+  static_cast<void>(file("part", parts_[0]));
+  EXPECT_EQ(verify("part", {}).output, "VERIFIED\n");
+  EXPECT_EQ(verify("part", {"--model", model_, "--allow-options"}).output, "VERIFIED\n");
+  EXPECT_EQ(verify("part", {"--model", model_, "--allow-options", "--waypoints", table_}).output,
+            "REJECTED\n");
+}
+
 TEST_F(ForgedTable, ThatIsCutIsRejected) {
   const std::string whole = text_of("proof");
   for (std::size_t end = whole.size() - 1; end > 0; end -= std::min<std::size_t>(end, 97)) {
