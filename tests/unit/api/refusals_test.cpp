@@ -123,7 +123,7 @@ TEST(Refusals, OfAClosureAlongWayPointsSayWhatIsAsked) {
   EXPECT_THAT(message_of([&] { static_cast<void>(regulus::locate(along)); }),
               HasSubstr("give the motion by ranges"));
   options.certificate = testing::TempDir() + "crank";
-  options.shard_size = 1000;
+  options.shard_size = 1 << 20;
   EXPECT_THAT(message_of([&] { static_cast<void>(regulus::bound(along, options)); }),
               HasSubstr("its proof is one file"));
 }
