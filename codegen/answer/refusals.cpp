@@ -144,37 +144,6 @@ constexpr Refusal kRefusals[] = {
     {kClosureSolve, kShards, kNoShardsOfSolutions},
     {kClosureSolve, kCheckpoint, kNoCheckpointOfSolutions},
     {kClosureSolve, kPicture, kNoBoxesOfSolutions, false},
-    // What has no boxes has no picture.
-    {kCheck, kPicture, kNoBoxes, false},
-    {kMargin, kPicture, kNoBoxes, false},
-    {kLimitMargin, kPicture, kNoBoxes, false},
-    {kBound, kPicture, kNoBoxes, false},
-    {kCondition2, kPicture, kNoBoxes, false},
-    {kLoad, kPicture, kNoBoxes, false},
-    {kDatasheet, kPicture, kNoBoxes, false},
-    {kWayCheck, kPicture, kNoBoxes, false},
-    {kWayMargin, kPicture, kNoBoxes, false},
-    {kWayLimitMargin, kPicture, kNoBoxes, false},
-    {kWayBound, kPicture, kNoBoxes, false},
-    {kWayCondition2, kPicture, kNoBoxes, false},
-    {kWayLoad, kPicture, kNoBoxes, false},
-    {kWayDatasheet, kPicture, kNoBoxes, false},
-    {kClosureCheck, kPicture, kNoBoxes, false},
-    {kClosureMargin, kPicture, kNoBoxes, false},
-    {kFiniteErrors, kPicture, kNoBoxes, false},
-    {kClosureFiniteErrors, kPicture, kNoBoxes, false},
-    {kClosureBound, kPicture, kNoBoxes, false},
-    {kClosureCondition2, kPicture, kNoBoxes, false},
-    {kClosureLimitMargin, kPicture, kNoBoxes, false},
-    {kClosureDatasheet, kPicture, kNoBoxes, false},
-    {kClosureLoad, kPicture, kNoBoxes, false},
-    {kClosureWayCheck, kPicture, kNoBoxes, false},
-    {kClosureWayMargin, kPicture, kNoBoxes, false},
-    {kClosureWayLimitMargin, kPicture, kNoBoxes, false},
-    {kClosureWayBound, kPicture, kNoBoxes, false},
-    {kClosureWayLoad, kPicture, kNoBoxes, false},
-    {kClosureWayCondition2, kPicture, kNoBoxes, false},
-    {kClosureWayDatasheet, kPicture, kNoBoxes, false},
 };
 
 constexpr OptionRefusal kOptionsOfLoads[] = {
@@ -319,7 +288,7 @@ std::string row_of(Kind kind, std::vector<std::string_view>& reasons) {
   for (std::size_t s = 1; s < kServices; ++s) {
     const auto service = Service(s);
     const auto why = refusal(kind, service);
-    const bool has_meaning = std::ranges::none_of(kRefusals, [&](const Refusal& r) {
+    const bool has_meaning = std::ranges::none_of(refusals(), [&](const Refusal& r) {
       return r.kind == kind && r.service == service && !r.has_meaning;
     });
     row += !why           ? std::string(" yes |")
@@ -351,13 +320,28 @@ std::string_view name(Service service) {
   return kNames[std::size_t(service)];
 }
 
-std::span<const Refusal> refusals() { return kRefusals; }
+/// What has no boxes has no picture: of all questions but pavings and those without an answer.
+std::span<const Refusal> refusals() {
+  static const std::vector<Refusal> kAll = [] {
+    std::vector<Refusal> all(std::begin(kRefusals), std::end(kRefusals));
+    for (std::size_t k = 0; k < kKinds; ++k) {
+      const auto variety = Kind(k % kVarieties);
+      const bool has_own_row = std::ranges::any_of(kRefusals, [k](const Refusal& r) {
+        return r.kind == Kind(k) && (r.service == kAnswer || r.service == kPicture);
+      });
+      if (variety != kPaving && variety != kLoadPaving && !has_own_row)
+        all.push_back({Kind(k), kPicture, kNoBoxes, false});
+    }
+    return all;
+  }();
+  return kAll;
+}
 std::span<const OptionRefusal> option_refusals_of_loads() { return kOptionsOfLoads; }
 std::span<const OptionRefusal> option_refusals_of_closures() { return kOptionsOfClosures; }
 std::span<const OptionRefusal> option_refusals_of_solutions() { return kOptionsOfSolutions; }
 
 std::optional<std::string_view> refusal(Kind kind, Service service) {
-  for (const Refusal& row : kRefusals)
+  for (const Refusal& row : refusals())
     if (row.kind == kind && (row.service == service || row.service == kAnswer)) return row.why;
   return std::nullopt;
 }

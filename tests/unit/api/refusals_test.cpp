@@ -122,7 +122,7 @@ TEST(Refusals, OfAClosureAlongWayPointsSayWhatIsAsked) {
   EXPECT_TRUE(regulus::bound(along, options).closed);
   EXPECT_EQ(regulus::locate(along).verdict, regulus::Verdict::kNoSingularity);
   options.certificate = testing::TempDir() + "crank";
-  options.shard_size = 1000;
+  options.shard_size = 1 << 20;
   EXPECT_THAT(message_of([&] { static_cast<void>(regulus::bound(along, options)); }),
               HasSubstr("its proof is one file"));
 }
