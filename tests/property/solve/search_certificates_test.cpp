@@ -203,6 +203,18 @@ TEST(ConfigurationsOfADoubleButterfly, AreVerifiedWithTheirFile) {
 }
 
 /// y² = x + a for a within its tolerance, x at a place of the file.
+TEST(AnUnknownThatIsZero, HasALineThatIsWideEnough) {
+  const std::string model = library_model("five_bar_closure");
+  for (const std::vector<std::string>& at :
+       {std::vector<std::string>{"theta1=120*deg", "theta2=60*deg"},
+        std::vector<std::string>{"theta1=135*deg", "theta2=45*deg"}}) {
+    const Certified made = certified(model, at);
+    EXPECT_EQ(made.solutions.found.size(), 2U);
+    const verifier::Verification v = verified(made.text, model, true);
+    EXPECT_EQ(v.outcome, Outcome::kVerified) << describe(v) << made.text;
+  }
+}
+
 TEST(SolutionsWithATolerance, AreVerifiedForAllItsValues) {
   const std::string model = R"toml(regulus = 1
 name = "root"
