@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "codegen/answer/ask.hpp"
@@ -70,12 +71,12 @@ class SolutionsAtPlaces final : public SolveAnswer {
     lines_.emplace(is_first ? services.lines : LinesRequest{});
     is_proved_ = !services.certificate.empty();
     SearchDisplay display(display_of(services));
-    const SolveRun run{asked.search,
-                       watch,
-                       services.interrupt,
-                       display.observer(),
-                       [&services] { services.begin_search(); },
-                       asked.held};
+    // The limit of time is that of each place.
+    const NewRun run = [&] {
+      return SolveRun{
+          asked.search,       watch_of(services, asked.search),         services.interrupt,
+          display.observer(), [&services] { services.begin_search(); }, asked.held};
+    };
     // A mistake is told before the first search.
     for (const PlaceRow& row : rows_) note(request_at(row, model).notes);
     first_ = request_at(rows_.front(), model);
@@ -147,19 +148,20 @@ class SolutionsAtPlaces final : public SolveAnswer {
         notes_.push_back(one);
   }
 
+  using NewRun = std::function<SolveRun()>;
   struct Found {
     Solutions solutions;
     ListProof proof{};
   };
 
-  [[nodiscard]] Found found_at(const Request& request, const SolveRun& run) const {
-    Found found{solve(request, run)};
+  [[nodiscard]] Found found_at(const Request& request, const NewRun& run) const {
+    Found found{solve(request, run())};
     if (is_proved_) found.proof = prove_list(request, found.solutions);
     return found;
   }
 
   /// Solves the part of this process, and gets that of others.
-  void share(const Model& model, const SolveRun& run, const SharedPlaces& shared) {
+  void share(const Model& model, const NewRun& run, const SharedPlaces& shared) {
     found_.resize(rows_.size());
     if (shared.parts < 2) return;
     for (std::size_t k = shared.part; k < rows_.size(); k += shared.parts) {
@@ -182,7 +184,7 @@ class SolutionsAtPlaces final : public SolveAnswer {
     return found;
   }
 
-  void add(const Request& request, std::size_t row, const SolveRun& run) {
+  void add(const Request& request, std::size_t row, const NewRun& run) {
     SolvedPlace& place = places.emplace_back();
     place.line = rows_[row].line;
     place.time = rows_[row].time;
