@@ -281,29 +281,10 @@ std::string pose_lines(const Request& request, const Solutions& solutions) {
   return lines;
 }
 
-/// Returns a usual size of each unknown. An unknown that is 0 is calculated from others, with their
-/// rounding: its size is a part of that of the largest one with its unit.
-std::vector<double> sizes_of(const Solutions& solutions) {
-  constexpr double kPartOfLargest = 0x1p-8;
-  const std::size_t n = solutions.unknowns.size();
-  std::vector<double> own(n, 0.0), size;
-  for (const CertainSolution& s : solutions.found)
-    for (std::size_t i = 0; i < n; ++i) own[i] = std::max(own[i], mag(s.values[i]));
-  for (std::size_t i = 0; i < n; ++i) {
-    double largest = own[i];
-    for (std::size_t j = 0; j < n; ++j)
-      if (solutions.unknowns[j].unit == solutions.unknowns[i].unit)
-        largest = std::max(largest, own[j]);
-    size.push_back(std::max(own[i], kPartOfLargest * largest));
-    if (solutions.unknowns[i].period > 0 || size[i] == 0) size[i] = std::max(size[i], 1.0);
-  }
-  return size;
-}
-
 std::string searched_lines(const Request& searched, const Solutions& solutions) {
   const Closure& closure = *searched.model.closure;
   const std::size_t n = closure.unknowns.size();
-  const std::vector<double> size = sizes_of(solutions);
+  const std::vector<double> size = usual_sizes(solutions);
   std::string lines;
   for (const CertainSolution& solution : solutions.found) {
     lines += "solution";

@@ -245,4 +245,21 @@ double approx_condition(std::span<const double> matrix, std::size_t n) {
   return vectors->values.front() / vectors->values.back();
 }
 
+std::vector<double> usual_sizes(const Solutions& solutions) {
+  constexpr double kPartOfLargest = 0x1p-8;
+  const std::size_t n = solutions.unknowns.size();
+  std::vector<double> own(n, 0.0), size;
+  for (const CertainSolution& s : solutions.found)
+    for (std::size_t i = 0; i < n; ++i) own[i] = std::max(own[i], mag(s.values[i]));
+  for (std::size_t i = 0; i < n; ++i) {
+    double largest = own[i];
+    for (std::size_t j = 0; j < n; ++j)
+      if (solutions.unknowns[j].unit == solutions.unknowns[i].unit)
+        largest = std::max(largest, own[j]);
+    size.push_back(std::max(own[i], kPartOfLargest * largest));
+    if (solutions.unknowns[i].period > 0 || size[i] == 0) size[i] = std::max(size[i], 1.0);
+  }
+  return size;
+}
+
 }  // namespace regulus

@@ -24,6 +24,10 @@ void require_values(const Request& request);
 /// Puts solutions in the order of the middles of their values.
 void sort_by_values(std::vector<CertainSolution>& solutions);
 
+/// Returns a usual size of each unknown. An unknown that is 0 is calculated from others, with their
+/// rounding: its size is a part of that of the largest one with its unit. At least 1 for what turns.
+[[nodiscard]] std::vector<double> usual_sizes(const Solutions& solutions);
+
 /// Returns the condition number of an n×n matrix in the 2-norm, approximately.
 [[nodiscard]] double approx_condition(std::span<const double> matrix, std::size_t n);
 
