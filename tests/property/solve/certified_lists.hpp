@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "codegen/question/solve/solve_certificate.hpp"
+#include "codegen/question/solve/list_file.hpp"
 #include "runtime/verifier/verify.hpp"
 #include "tests/property/solve/solved.hpp"
 #include "tests/support/temporary_directory.hpp"
@@ -48,7 +48,7 @@ inline Certified certified(const std::string& model, const std::vector<std::stri
   options.motion = motion;
   const Request request = read_solve_request(options, {});
   Certified result{solve(request, SolveRun{search, {}}), ProofStatus(), ""};
-  result.status = certify_solutions(path, request, result.solutions, {});
+  result.status = certify_solutions(path, request, result.solutions);
   if (result.status.is_written()) result.text = read_file(path);
   return result;
 }
