@@ -268,8 +268,8 @@ TEST_F(Ranks, ReportAMistakeOnce) {
 
 TEST_F(Ranks, NameTheCommandsThatTheyRun) {
   const CommandResult result = run_command(ranks(2, {"explain", model("robot_1")}));
-  EXPECT_THAT(result.errors,
-              HasSubstr("check, locate, margin, bound, datasheet and verify run on several ranks"));
+  EXPECT_THAT(result.errors, HasSubstr("check, locate, margin, bound, datasheet, solve and verify "
+                                       "run on several ranks"));
   EXPECT_EQ(result.exit_code, 64);
 }
 
