@@ -164,8 +164,11 @@ def test_a_branch_follows_way_points(command, tmp_path):
     expected = command("check", *words)
     assert bar.check("turn", waypoints=way).verdict == expected["verdict"] == "singularity"
     assert expected["segment"]["segment"] == 2 and len(expected["folds"]) == 1
-    with pytest.raises(rg.UsageError, match="without a load"):
-        bar.bound("turn", "determinant", waypoints=way)
+    way.write_text("theta [deg]\n0\n60\n-100.5\n")
+    bound = command("bound", bar.path, "turn", "determinant", *words[2:])
+    most = bar.bound("turn", "determinant", waypoints=way)
+    assert most.closed and bound["waypoints"]["segments"] == 2
+    assert (most.attained, most.proved) == (bound["attained"], bound["proved"])
 
 
 def test_a_load_is_answered_as_by_the_command(command, tmp_path):

@@ -333,7 +333,7 @@ TEST(ShardsOfClaims, AreRefusedWhereThereIsNoProofABranchOrAList) {
   for (std::size_t k = 0; k < kKinds; ++k) {
     const bool is_branch = Kind(k) == Kind::kFiniteErrors || Kind(k) >= Kind::kClosureCheck;
     // Of a list of solutions the proof has as many lines as there are roots.
-    const bool is_list = Kind(k) == Kind::kSolve || Kind(k) == Kind::kClosureSolve;
+    const bool is_list = k % std::size_t(Kind::kWayCheck) == std::size_t(Kind::kSolve);
     EXPECT_EQ(refusal(Kind(k), Service::kShards).has_value(),
               is_branch || is_list || refusal(Kind(k), Service::kProof).has_value())
         << name(Kind(k));
