@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The module answers as the command does: verdicts, boxes, certificates."""
 
+import math
 import pathlib
 
 import numpy
@@ -169,6 +170,13 @@ def test_a_branch_follows_way_points(command, tmp_path):
     most = bar.bound("turn", "determinant", waypoints=way)
     assert most.closed and bound["waypoints"]["segments"] == 2
     assert (most.attained, most.proved) == (bound["attained"], bound["proved"])
+    place = command(
+        "bound", bar.path, "turn", "determinant", *words[2:], "--tube", "theta=0.01"
+    )["components"][0]["place"]
+    assert place["segment"]["segment"] == 2
+    commanded = math.radians(60 - 160.5 * place["segment"]["s"][0])
+    error = place["uncertain"]["theta_error"][0]
+    assert place["pose"]["theta"][0] == pytest.approx(commanded + error, abs=1e-12)
 
 
 def test_a_load_is_answered_as_by_the_command(command, tmp_path):

@@ -87,13 +87,20 @@ void BranchInPieces::follow(const SearchOptions& search, const FormingWatch& wat
     take(check_closure(common(), search, watch, progress, keep));
 }
 
+std::vector<Interval> BranchInPieces::commanded(std::size_t piece, const Interval& s) const {
+  std::vector<Interval> values;
+  for (const PieceOfPose& part : trajectory()->pieces.at(piece).pose)
+    values.push_back(CoordinateBounds(part).over(s.lo, s.hi));
+  return values;
+}
+
 std::string BranchInPieces::pose_at(std::size_t piece, const Interval& s) const {
   std::string text;
-  const std::vector<PieceOfPose>& pose = trajectory()->pieces.at(piece).pose;
-  for (std::size_t i = 0; i < pose.size(); ++i) {
+  const std::vector<Interval> values = commanded(piece, s);
+  for (std::size_t i = 0; i < values.size(); ++i) {
     const PoseParameter& p = prepared_.request.model.pose[i];
-    text += fmt::format("{}{} = {:.6g}{}", text.empty() ? "" : ", ", p.name,
-                        mid(CoordinateBounds(pose[i]).over(s.lo, s.hi)), unit_suffix(p.unit));
+    text += fmt::format("{}{} = {:.6g}{}", text.empty() ? "" : ", ", p.name, mid(values[i]),
+                        unit_suffix(p.unit));
   }
   return text;
 }
