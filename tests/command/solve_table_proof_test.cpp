@@ -168,6 +168,7 @@ TEST_F(ForgedTable, OfAnotherTableIsRejected) {
   EXPECT_EQ(with_table("14.9,", "14.900,"), "VERIFIED\n");
   for (const bool allows : {false, true}) {
     EXPECT_EQ(with_table("14.9,", "14.9001,", allows), "REJECTED\n");
+    EXPECT_EQ(with_table("14.9,", "-14.9,", allows), "REJECTED\n");
     EXPECT_EQ(with_table("rho_1, rho_2", "rho_2, rho_1", allows), "REJECTED\n");
     EXPECT_EQ(with_table("500, 100, 1, 1\n", "", allows), "REJECTED\n");
   }

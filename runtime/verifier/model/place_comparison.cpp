@@ -303,14 +303,14 @@ class PlaceComparison {
   }
 
   void compare_given_lengths(const std::string& list, std::size_t count) {
-    const Scope none;
-    GraphAlgebra algebra(q_.graph);
     for (std::size_t i = 0; i < count; ++i) {
       const std::string place = list + '[' + std::to_string(i) + ']';
       if (!has(place)) comparer_.refuse_model("the motion has fewer lengths than there are legs");
-      const NodeId length = comparer_.expression_at(place, none);
-      comparer_.expect_defined(comparer_.place_of(place), length);
-      compare_square(comparer_.place_of(place), algebra.square(length), i);
+      const NodeId length = comparer_.expression_at(place, {});
+      const FilePlace from = comparer_.place_of(place);
+      comparer_.expect_defined(from, length);
+      comparer_.refuse_negative(from, length);
+      compare_square(from, GraphAlgebra(q_.graph).square(length), i);
     }
     compare_errors_of_lengths(count);
     if (has(list + '[' + std::to_string(count) + ']'))

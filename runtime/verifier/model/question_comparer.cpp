@@ -12,6 +12,7 @@ namespace regulus::verifier {
 namespace {
 
 constexpr std::size_t kLongestText = 120, kMostSentences = 3;
+constexpr long kBitsOfLength = 4096;
 
 std::string shortened(const std::string& text) {
   return text.size() <= kLongestText ? text : text.substr(0, kLongestText) + "…";
@@ -177,6 +178,13 @@ void QuestionComparer::refuse_stated(const std::string& stated) const {
 
 void QuestionComparer::refuse_model(const std::string& why) const {
   throw OtherModel("the certificate is not about " + options_.model_name + ": " + why);
+}
+
+void QuestionComparer::refuse_negative(const FilePlace& from, NodeId length) const {
+  const auto value = evaluate(q_.graph, {length}, {}, kBitsOfLength);
+  if (value && arb_is_negative((*value)[0].get()) != 0)
+    refuse_model(at_line(from.line) + from.place + " is the negative length '" +
+                 shortened(from.text) + '\'');
 }
 
 void QuestionComparer::expect_ball(const FilePlace& from, const std::vector<std::string>& names) {

@@ -79,6 +79,8 @@ class QuestionComparer final : public SectionComparer {
   /// Throws OtherModel: the certificate states this, and the file does not.
   [[noreturn]] void refuse_stated(const std::string& stated) const;
   [[noreturn]] void refuse_model(const std::string& why) const;
+  /// Throws OtherModel for a length that is negative, where the certificate has its square alone.
+  void refuse_negative(const FilePlace& from, NodeId length) const;
   /// Returns the expression, and nothing where the commanded pose has no errors.
   [[nodiscard]] NodeId without_errors(NodeId actual);
   /// The expressions of the file for entries, scales and conditions, by the actual pose.
