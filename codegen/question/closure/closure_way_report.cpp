@@ -107,8 +107,9 @@ const char* word_of_claim(Claim claim) noexcept { return name(claim); }
 }  // namespace
 
 std::string words_of_segments(const PreparedWay& prepared) {
-  return words_of_poses(prepared, counted(prepared.pieces(), "segment", "segments"),
-                        " and of the tube around them");
+  return words_of_poses(
+      prepared, counted(prepared.pieces(), "segment", "segments"),
+      prepared.pieces() == 1 ? " and of the tube around it" : " and of the tube around them");
 }
 
 void tell_way_question(const PreparedWay& prepared, const WayFinding& found, Facts& facts) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/answer/certificate/certificate_question.hpp"
+#include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/place_text.hpp"
 #include "codegen/answer/report/question_report.hpp"
 #include "codegen/answer/report/search_facts.hpp"
@@ -74,11 +75,14 @@ std::string describe_claim(const WayForces& found) {
   const bool is_uncertain = uncertain_count(found.hull.preparation) > 0;
   const bool has_errors =
       std::ranges::any_of(motion.error, [](const GiNaC::ex& e) { return !e.is_zero(); });
-  return fmt::format("at every {}{} of the {} segments{}{}, forces {} hold every wrench of {}",
+  const std::size_t pieces = trajectory_of(found).pieces.size();
+  return fmt::format("at every {}{} of the {}{}{}, forces {} hold every wrench of {}",
                      motion.where != Where::kEverywhere ? "reachable pose" : "pose",
                      motion.constraints.empty() ? "" : " that the constraints allow",
-                     trajectory_of(found).pieces.size(),
-                     has_errors ? " and of the tube around them" : "",
+                     counted(pieces, "segment", "segments"),
+                     !has_errors   ? ""
+                     : pieces == 1 ? " and of the tube around it"
+                                   : " and of the tube around them",
                      is_uncertain ? ", for every value of the uncertain quantities" : "",
                      describe_limits(found.hull), found.hull.load);
 }

@@ -197,13 +197,13 @@ void tell_deciding_piece(const TrajectoryCheck& check, Facts& facts) {
 
 std::string describe_trajectory_claim(const TrajectoryCheck& check) {
   const PreparedSearch& p = check.hull;
+  const std::size_t pieces = trajectory_of(check).pieces.size();
+  const char* const around =
+      pieces == 1 ? " and of the tube around it" : " and of the tube around them";
   const std::string of_path =
-      fmt::format("every {} of the {} segment{}", describe_poses_on_way(check),
-                  trajectory_of(check).pieces.size(),
-                  trajectory_of(check).pieces.size() == 1 ? "" : "s") +
-      (describe_tube(check.request.model, check.request.motion).empty()
-           ? ""
-           : " and of the tube around them") +
+      fmt::format("every {} of the {}", describe_poses_on_way(check),
+                  counted(pieces, "segment", "segments")) +
+      (describe_tube(check.request.model, check.request.motion).empty() ? "" : around) +
       (uncertain_count(p) == 0 ? "" : " and every value of the uncertain quantities");
   const bool threshold = p.variety.alpha.hi > 0;
   if (check.verdict == Verdict::kNoSingularity)
