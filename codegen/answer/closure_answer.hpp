@@ -30,7 +30,7 @@ struct Request;
                                                                double model_seconds,
                                                                const AskPaving& asked,
                                                                const Services& services);
-/// Of both.
+/// The same for a margin, over ranges or along way-points.
 [[nodiscard]] std::unique_ptr<MarginAnswer> answer_closure(const MarginQuestion& question,
                                                            Request request, const AskMargin& asked,
                                                            const Services& services);

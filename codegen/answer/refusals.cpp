@@ -320,7 +320,7 @@ std::string_view name(Service service) {
   return kNames[std::size_t(service)];
 }
 
-/// What has no boxes has no picture: of all questions but pavings and those without an answer.
+/// The table has a row for each answer that is no paving: without boxes it has no picture.
 std::span<const Refusal> refusals() {
   static const std::vector<Refusal> kAll = [] {
     std::vector<Refusal> all(std::begin(kRefusals), std::end(kRefusals));

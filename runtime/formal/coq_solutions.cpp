@@ -2,14 +2,14 @@
 #include "runtime/formal/coq_solutions.hpp"
 
 #include <algorithm>
-#include <cfenv>
 #include <cmath>
-#include <cstdio>
+#include <cstdint>
 #include <vector>
 
 #include "runtime/formal/coq_question.hpp"
 #include "runtime/verifier/evaluation.hpp"
 #include "runtime/verifier/proof.hpp"
+#include "runtime/verifier/rational.hpp"
 
 namespace regulus::verifier {
 namespace {
@@ -18,20 +18,28 @@ constexpr long kBitsOfRange = 64;
 constexpr double kNarrowest = 0x1p-50;  ///< a part of the range: doubles decide no narrower line
 constexpr int kMostDigits = 300;        ///< after the point
 
-/// x as a decimal with so many digits after the point, rounded to `direction`: FE_DOWNWARD or FE_UPWARD.
-/// Coq checks what the theorem states, so a wrong digit makes it no false theorem.
-std::string decimal(double x, int digits, int direction) {
-  const int before = std::fegetround();
-  std::fesetround(direction);
-  std::vector<char> text(std::size_t(digits) + 400);
-  std::snprintf(text.data(), text.size(), "%.*f", digits, x);
-  std::fesetround(before);
-  std::string result(text.data());
-  if (result.find('.') != std::string::npos) {
-    result.erase(result.find_last_not_of('0') + 1);
-    if (result.back() == '.') result.pop_back();
-  }
-  return result == "-0" ? "0" : result;
+enum class Side : std::uint8_t { kBelow, kAbove };
+
+/// Returns the nearest decimal with so many digits after the point that is not above x, or not below.
+std::string decimal(double x, int digits, Side side) {
+  const Rational exact = rational_of(x);
+  fmpz_t whole;
+  fmpz_init_set_ui(whole, 10);
+  fmpz_pow_ui(whole, whole, ulong(digits));
+  fmpz_mul(whole, whole, fmpq_numref(exact.get()));
+  (side == Side::kAbove ? fmpz_cdiv_q : fmpz_fdiv_q)(whole, whole, fmpq_denref(exact.get()));
+  const bool is_negative = fmpz_sgn(whole) < 0;
+  fmpz_abs(whole, whole);
+  char* const raw = fmpz_get_str(nullptr, 10, whole);
+  std::string text(raw);
+  flint_free(raw);
+  fmpz_clear(whole);
+  const auto after = std::size_t(digits);
+  if (text.size() <= after) text.insert(0, after + 1 - text.size(), '0');
+  if (after > 0) text.insert(text.size() - after, ".");
+  while (text.find('.') != std::string::npos && (text.back() == '0' || text.back() == '.'))
+    text.pop_back();
+  return (is_negative ? "-" : "") + text;
 }
 
 /// `(1.234, 1.236)`: the last digit stands for about a tenth of the width, or more.
@@ -41,7 +49,7 @@ std::string ends(const Interval& value, double range) {
       least > 0 ? std::clamp(int(std::ceil(1 - std::log10(least))), 0, kMostDigits) : kMostDigits;
   double lo = value.lo, hi = value.hi;
   if (const double more = (least - (hi - lo)) / 2; more > 0) lo -= more, hi += more;
-  return "(" + decimal(lo, digits, FE_DOWNWARD) + ", " + decimal(hi, digits, FE_UPWARD) + ")";
+  return "(" + decimal(lo, digits, Side::kBelow) + ", " + decimal(hi, digits, Side::kAbove) + ")";
 }
 
 }  // namespace

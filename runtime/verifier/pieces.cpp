@@ -244,7 +244,7 @@ class PieceChecker {
   Verification& result_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   const Pieces pieces_;
-  /// Where a bound is attained.
+  /// The place where a bound is attained.
   struct PlaceOfValue {
     std::size_t piece = 0;  ///< from 1
     std::uint64_t line = 0;

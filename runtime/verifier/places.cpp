@@ -56,7 +56,7 @@ class PlacesChecker {
     return part;
   }
 
-  /// What one part leaves open does not end the reading: another may be false.
+  /// An open part does not end the reading: another part may be false.
   void check_next(std::size_t k) {
     const std::size_t first = lines_.number();
     const std::string part = read_part();

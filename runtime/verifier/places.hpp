@@ -12,7 +12,7 @@ namespace regulus::verifier {
 /// The place that a part must be about.
 struct PlacePart {
   std::size_t number = 0;  ///< from 0
-  /// Of the file that --waypoints or the motion names; nullopt: not read yet, or there is none.
+  /// The file that --waypoints or the motion names; nullopt: it is not read yet, or there is none.
   std::optional<PlaceTable>* table = nullptr;
 };
 

@@ -145,7 +145,7 @@ TEST_F(ForgedTable, WithAnotherListIsNotVerified) {
 
 TEST_F(ForgedTable, WithAPartThatProvesNothingIsUnfinished) {
   EXPECT_EQ(with_model({parts_[0], "", parts_[2]}), "UNFINISHED\n");
-  // What is false is told, whatever comes before it.
+  // A false part is told, also after an open one.
   EXPECT_EQ(with_model({"", parts_[0], parts_[2]}), "REJECTED\n");
 }
 

@@ -105,7 +105,7 @@ TEST_P(Manual, SaysWhatHappens) {
     if (block.attribute == "from") require_excerpt(block);
     if (block.language != "console") continue;
     for (const Step& step : steps_of(block)) {
-      // What it prints depends on whether the library of theorems is compiled.
+      // Its output depends on whether the library of theorems is compiled.
       EXPECT_EQ(step.command.find("--theorem"), std::string::npos)
           << "line " << step.first_line << ": show it in a block of another language";
       const auto printed = run(step.command, folder);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bounds of quantities over one branch of a closure, over ranges or along way-points. The branch is first shown to be one; its boxes are
-// then divided where the quantity may be largest, and each part has a tube of its own, which holds the
-// configuration of the box that it is a part of.
+// Bounds of quantities over one branch of a closure, over ranges or along way-points. The branch is
+// first shown to be one; its boxes are then divided where the quantity may be largest, and each part has
+// a tube of its own, which holds the configuration of the box that it is a part of.
 #pragma once
 
 #include <map>

@@ -65,7 +65,8 @@ struct BranchLoadRun {
   SearchCheckpoint* checkpoint = nullptr;  ///< of both searches; null: none
 };
 
-/// Shows the branch, over ranges or along way-points, and then that every force is within its limits, or that some force is not.
+/// Shows the branch, over ranges or along way-points, and then that every force is within its limits,
+/// or that some force is not.
 ///
 /// Ensures   kInfeasible: at `shortage` a force is beyond its limits, for some wrench of the load.
 [[nodiscard]] BranchLoadResult check_branch_load(PreparedBranchLoad& prepared,
@@ -75,8 +76,8 @@ struct BranchLoadRun {
 [[nodiscard]] ProofStatus certify_load(const std::string& path, const PreparedBranchLoad& prepared,
                                        const BranchLoadResult& result, const ProofPlacing& placing);
 
-/// Decides every box of a motion over ranges, down to so small a part of each range. `listener` receives every
-/// leaf, in one order; `progress` may be null, and gets them as of search_forces().
+/// Decides every box of a motion over ranges, down to so small a part of each range. `listener`
+/// receives every leaf, in one order; `progress` may be null, and gets them as of search_forces().
 [[nodiscard]] BranchLoadResult pave_branch_load(PreparedBranchLoad& prepared, double resolution,
                                                 const BranchLoadRun& run,
                                                 const ForceListener& listener, Observer* progress);

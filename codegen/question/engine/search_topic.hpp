@@ -37,7 +37,7 @@ struct SearchTopic {
   std::optional<double> value{};
   /// The piece that is searched alone; nullopt: all are searched together.
   std::optional<std::uint64_t> piece{};
-  /// Of a closure: approximately the unknowns where the piece begins.
+  /// The unknowns of a closure where the piece begins, approximately.
   std::vector<double> start{};
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What was found at a place of a table, as a message between ranks that share the places.
+// Writes the solutions at a place of a table as a message between ranks that share the places.
 #pragma once
 
 #include "codegen/question/solve/solutions.hpp"

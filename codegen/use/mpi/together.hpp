@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What commands share whose ranks each do a part of the work by themselves.
+// Functions for commands in which each rank does a part of the work by itself.
 #pragma once
 
 #include <optional>

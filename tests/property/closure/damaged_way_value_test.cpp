@@ -109,7 +109,7 @@ TEST_F(ADamagedValueOnAWay, IsNotThatOfAnotherModelOrFile) {
 
 TEST_F(ADamagedValueOnAWay, IsNotVerifiedWithOtherTrees) {
   for (const std::string* const text : {&safe_, &attained_}) {
-    // Of the trees one is left out, or two change places.
+    // One tree is left out, or two change places.
     std::vector<std::string> parts;
     std::size_t at = 0;
     for (std::size_t next = text->find("\ntree\n"); next != std::string::npos;

@@ -19,7 +19,7 @@ namespace {
 using testing::HasSubstr;
 using verifier::Outcome;
 
-/// What the closed form and differences of it give of a linkage at one angle.
+/// The values that a closed form and its differences give for a linkage at one angle.
 struct AtAngle {
   AtAngle(const FourBar& f, double theta) {
     constexpr double h = 1e-6;

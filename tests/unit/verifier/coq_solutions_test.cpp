@@ -41,6 +41,15 @@ TEST(ATheoremAboutAllSolutions, HasEachLineInDecimalsAroundIt) {
             "Regulus.Closures.all_solutions Re");
 }
 
+TEST(ATheoremAboutAllSolutions, RoundsEndsOutwardOnBothSidesOfZero) {
+  const std::string claim =
+      std::string(kMechanism) + "has exactly 2 configurations, one within each line 'solution'";
+  const std::string text =
+      list_of("COMPLETE", claim,
+              std::string(kRoots) + "solution -0x1.7p+0:-0x1.6p+0\nsolution -0x1p-10:0x1.8p-10\n");
+  EXPECT_THAT(text, HasSubstr("[[(-1.438, -1.375)];\n   [(-0.001, 0.0015)]].\n"));
+}
+
 TEST(ATheoremAboutAllSolutions, OfNoneHasAnEmptyListAndOfSomeAnotherClaim) {
   EXPECT_THAT(list_of("NONE", std::string(kMechanism) + "has no configuration", kRoots),
               HasSubstr("the_solutions : list line :=\n  [].\n"));
