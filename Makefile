@@ -3,7 +3,7 @@
 .PHONY: help demo build without-page deb test test-all formal paper growth ablation datasheets bench fuzz attack asan ubsan tsan clang dependencies format clean
 .DEFAULT_GOAL := help
 # Several sources are compiled as one: half the time of a whole build.
-WHOLE := -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=20
+WHOLE := -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=60
 CONFIGURE := cmake --preset release -DREGULUS_TESTS=OFF $(WHOLE) >build-configure.log 2>&1 || \
 	{ cat build-configure.log; rm -f build-configure.log; exit 1; }; rm -f build-configure.log
 

@@ -14,6 +14,7 @@
 #include "codegen/model/request.hpp"
 #include "codegen/question/closure/closure_certificate.hpp"
 #include "codegen/question/closure/closure_report.hpp"
+#include "codegen/question/closure/paving_certificate.hpp"
 #include "runtime/problem/observers.hpp"
 
 namespace regulus {
@@ -113,6 +114,9 @@ class ClosurePaving final : public PavingAnswer {
     found_ = pave_closure(prepared_, search_, options_.resolution, watch_of(services, search_),
                           display.observer(), checkpoint.keeper());
     checkpoint_line_ = checkpoint.line();
+    proof = certify_paving(services.certificate, prepared_, found_.searched,
+                           {nullptr, services.shard_size});
+    if (proof.is_lost()) lost.push_back(proof.obstacle());
     std::optional<PavingTree> tree;
     if (services.tree != nullptr) tree.emplace(problem_, 0);
     std::vector<Observer*> watching =
@@ -138,7 +142,7 @@ class ClosurePaving final : public PavingAnswer {
     tell_branch(prepared_, found_.searched.links, found_.folds, facts);
     proof.tell(facts);
   }
-  [[nodiscard]] std::string about_files() const override { return checkpoint_line_; }
+  [[nodiscard]] std::string about_files() const override { return proof.line() + checkpoint_line_; }
 
  private:
   void conclude() {

@@ -41,5 +41,10 @@ struct Request;
                                                                double model_seconds,
                                                                const AskLoadPaving& asked,
                                                                const Services& services);
+/// The same of a motion along way-points.
+[[nodiscard]] std::unique_ptr<LoadPavingAnswer> answer_closure_way(Request request,
+                                                                   double model_seconds,
+                                                                   const AskLoadPaving& asked,
+                                                                   const Services& services);
 
 }  // namespace regulus

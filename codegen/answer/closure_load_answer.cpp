@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Do the motors of a closure hold a load within their limits, and where?
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "codegen/answer/closure_answer.hpp"
 #include "codegen/answer/lines_file.hpp"
+#include "codegen/answer/load_stretches.hpp"
 #include "codegen/answer/outputs.hpp"
 #include "codegen/answer/picture/pictures.hpp"
+#include "codegen/answer/picture/way_picture.hpp"
 #include "codegen/answer/report/paving_options.hpp"
 #include "codegen/answer/report/progress.hpp"
 #include "codegen/answer/report/report_text.hpp"
 #include "codegen/question/closure/branch_load.hpp"
+#include "codegen/question/closure/closure_way_paving.hpp"
+#include "codegen/question/load/way_force_paving.hpp"
 #include "runtime/problem/observers.hpp"
 
 namespace regulus {
@@ -32,8 +38,9 @@ class ClosureLoad final : public LoadAnswer {
   ClosureLoad(Request request, double model_seconds, const AskLoad& asked, const Services& services)
       : prepared_(prepare_branch_load(std::move(request), model_seconds, asked.load, asked.search,
                                       watch_of(services, asked.search))) {
-    SearchCheckpoint checkpoint(services.checkpoint,
-                                [&] { return checkpointed_question(prepared_, std::nullopt); });
+    SearchCheckpoint checkpoint(
+        services.checkpoint, [&] { return checkpointed_question(prepared_, std::nullopt); },
+        prepared_.branch.trajectory() != nullptr);
     services.begin_search();
     result_ = check_branch_load(prepared_, {display_of(services), services.interrupt, &checkpoint});
     checkpoint_line_ = checkpoint.line();
@@ -54,6 +61,19 @@ class ClosureLoad final : public LoadAnswer {
   std::string checkpoint_line_;
 };
 
+/// The boxes of a search that is kept are not numbered as its proof needs them.
+ProofStatus prove(const Services& services, const PreparedBranchLoad& prepared,
+                  const BranchLoadResult& result) {
+  if (services.checkpoint.path.empty() || services.certificate.empty())
+    return certify_load_paving(services.certificate, prepared, result,
+                               {nullptr, services.shard_size});
+  ProofStatus none(services.certificate);
+  none.set_obstacle(
+      "a paving of a load on a branch that is kept in a checkpoint has no proof; leave the "
+      "checkpoint out");
+  return none;
+}
+
 class ClosureLoadPaving final : public LoadPavingAnswer {
  public:
   ClosureLoadPaving(Request request, double model_seconds, const AskLoadPaving& asked,
@@ -73,7 +93,7 @@ class ClosureLoadPaving final : public LoadPavingAnswer {
       if (!(lines.stream() << report_text(line) << '\n')) lines.finish();
     };
     write(json_forces_header(prepared_.words(), options.resolution));
-    const auto listen = [&](std::span<const Interval> box, ForceClaim held) {
+    const auto listen = [&](std::size_t, std::span<const Interval> box, ForceClaim held) {
       volumes_.add(box, held);
       write(json_forces_box(prepared_.words(), box, held));
       if (services.on_force_box) services.on_force_box(held, box);
@@ -92,10 +112,10 @@ class ClosureLoadPaving final : public LoadPavingAnswer {
     proof.tell(facts);
     facts.say("map", map_);
   }
-  [[nodiscard]] std::string about_files() const override { return checkpoint_line_; }
+  [[nodiscard]] std::string about_files() const override { return proof.line() + checkpoint_line_; }
 
  private:
-  void pave(const Services& services, double resolution, const ForceListener& listener,
+  void pave(const Services& services, double resolution, const PieceForceListener& listener,
             const std::vector<Observer*>& pictures) {
     SearchCheckpoint checkpoint(services.checkpoint,
                                 [&] { return checkpointed_question(prepared_, resolution); });
@@ -109,6 +129,8 @@ class ClosureLoadPaving final : public LoadPavingAnswer {
                                &observers);
     checkpoint_line_ = checkpoint.line();
     describe(prepared_, result_, *this);
+    proof = prove(services, prepared_, result_);
+    if (proof.is_lost()) lost.push_back(proof.obstacle());
     feasible = volumes_.fraction(ForceClaim::kFeasible);
     infeasible = volumes_.fraction(ForceClaim::kInfeasible);
     undecided = volumes_.fraction(ForceClaim::kUndecided);
@@ -119,6 +141,64 @@ class ClosureLoadPaving final : public LoadPavingAnswer {
   ForceVolumes volumes_;
   BranchLoadResult result_;
   std::string map_, checkpoint_line_;
+};
+
+/// Along way-points: stretches, and no boxes.
+class ClosureWayLoadPaving final : public LoadPavingAnswer {
+ public:
+  ClosureWayLoadPaving(Request request, double model_seconds, const AskLoadPaving& asked,
+                       const Services& services)
+      : lines_(services.lines),
+        resolution_(asked.resolution.empty() ? kPathResolution : read_resolution(asked.resolution)),
+        prepared_(prepare_branch_load(std::move(request), model_seconds, asked.load, asked.search,
+                                      watch_of(services, asked.search))) {
+    WayPictures pictures(services.pictures);
+    services.begin_search();
+    pave(services);
+    describe(prepared_, result_, *this);
+    proof = prove(services, prepared_, result_);
+    if (proof.is_lost()) lost.push_back(proof.obstacle());
+    variables.clear();
+    const Request& asked_about = prepared_.branch.way().request;
+    const Trajectory& way = *prepared_.branch.trajectory();
+    stretches = stretches_of_load(way, parts_);
+    write_beside([this] { write_stretches(stretches, json(), lines_); });
+    write_beside([&] {
+      pictures.draw({fmt::format("{}, {}, load {}", asked_about.model.name, asked_about.motion.name,
+                                 prepared_.load),
+                     way, parts_, word_of_stand_in});
+    });
+  }
+
+  void tell(Facts& facts) const override {
+    tell_branch_load(prepared_, result_, nullptr, facts);
+    tell_force_stretches(*prepared_.branch.trajectory(), resolution_, parts_, facts);
+    proof.tell(facts);
+  }
+  [[nodiscard]] std::string about_files() const override { return proof.line() + checkpoint_line_; }
+
+ private:
+  /// The first variable of a piece is s, and a paving halves no other.
+  void pave(const Services& services) {
+    SearchCheckpoint checkpoint(
+        services.checkpoint, [&] { return checkpointed_question(prepared_, resolution_); }, true);
+    SearchDisplay display(display_of(services));
+    const auto listen = [this](std::size_t piece, std::span<const Interval> box, ForceClaim held) {
+      parts_.push_back({stand_in(held), {}, {piece, box[0].lo}, {piece, box[0].hi}});
+    };
+    result_ = pave_branch_load(prepared_, resolution_,
+                               {display_of(services), services.interrupt, &checkpoint}, listen,
+                               display.observer());
+    parts_ = stretches_in_order(std::move(parts_), prepared_.branch.pieces(), {});
+    checkpoint_line_ = checkpoint.line();
+  }
+
+  LinesFile lines_;
+  double resolution_;
+  PreparedBranchLoad prepared_;
+  BranchLoadResult result_;
+  std::vector<PathStretch> parts_;  ///< with claims that stand for those about forces
+  std::string checkpoint_line_;
 };
 
 }  // namespace
@@ -132,6 +212,12 @@ std::unique_ptr<LoadPavingAnswer> answer_closure(Request request, double model_s
                                                  const AskLoadPaving& asked,
                                                  const Services& services) {
   return std::make_unique<ClosureLoadPaving>(std::move(request), model_seconds, asked, services);
+}
+
+std::unique_ptr<LoadPavingAnswer> answer_closure_way(Request request, double model_seconds,
+                                                     const AskLoadPaving& asked,
+                                                     const Services& services) {
+  return std::make_unique<ClosureWayLoadPaving>(std::move(request), model_seconds, asked, services);
 }
 
 }  // namespace regulus

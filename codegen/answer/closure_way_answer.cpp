@@ -15,6 +15,7 @@
 #include "codegen/model/request.hpp"
 #include "codegen/question/closure/closure_certificate.hpp"
 #include "codegen/question/closure/closure_way_report.hpp"
+#include "codegen/question/closure/paving_certificate.hpp"
 #include "codegen/question/way/margin_checkpoint.hpp"
 
 namespace regulus {
@@ -107,6 +108,8 @@ class ClosureWayPaving final : public PavingAnswer {
     found_ = pave_way(prepared_, search_, resolution_, watch_of(services, search_),
                       display.observer(), checkpoint.keeper());
     result = found_.result;
+    proof = certify_paving(services.certificate, prepared_, found_, {nullptr, services.shard_size});
+    if (proof.is_lost()) lost.push_back(proof.obstacle());
     stretches_ = stretches_of(prepared_, found_);
     const Request& request_asked = prepared_.request;
     const Trajectory& trajectory = *request_asked.motion.trajectory;
@@ -128,7 +131,7 @@ class ClosureWayPaving final : public PavingAnswer {
     tell_way_paving(prepared_, search_, resolution_, found_, stretches_, facts);
     proof.tell(facts);
   }
-  [[nodiscard]] std::string about_files() const override { return checkpoint_line_; }
+  [[nodiscard]] std::string about_files() const override { return proof.line() + checkpoint_line_; }
 
  private:
   void write() {

@@ -59,9 +59,9 @@ constexpr Key kGroup[] = {
     {"quantities", "count"},
 };
 constexpr Key kSeconds[] = {
-    {"model", "approx"},
-    {"symbolic", "approx"},
-    {"program", "approx", "from expressions to the list of operations"},
+    {"model?", "approx", "absent, with the next two: solve, which tells of its search alone"},
+    {"symbolic?", "approx"},
+    {"program?", "approx", "from expressions to the list of operations"},
     {"emit?", "approx", "of C++ text"},
     {"compile?", "approx", "by a compiler, or to find its code; absent: interpreted at first"},
     {"search", "approx"},

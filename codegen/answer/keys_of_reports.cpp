@@ -227,11 +227,12 @@ std::vector<ObjectKind> kinds_of_other_answers() {
        kOfForces},
       {"path_forces",
        "check --load of a motion along way-points",
-       {kForces, kWay, kExcluded, kSegment, kNonempty, kBlocking, kCertificate},
+       {kForces, kWay, kExcluded, kSegment, kNonempty, kBlocking, kClosure, kCertificate},
        kOfForces},
       {"path_force_paving",
        "locate --load of a motion along way-points",
-       {kForces, kWay, kExcluded, kSegment, kNonempty, kBlocking, kStretches, kCertificate},
+       {kForces, kWay, kExcluded, kSegment, kNonempty, kBlocking, kStretches, kClosure,
+        kCertificate},
        kOfForces},
   };
 }

@@ -41,12 +41,15 @@ class CheckAnswer : public Answer {
 };
 
 /// A part of a motion along way-points, as PathStretch, with its JSON line.
-struct StretchOfWay {
-  Claim claim = Claim::kUndecided;
+template <class WhatIsClaimed>
+struct StretchWith {
+  WhatIsClaimed claim = WhatIsClaimed::kUndecided;
   std::size_t first_segment = 1, last_segment = 1;  ///< from 1
   double begin = 0, end = 1;  ///< the places, as parts of the first and of the last segment
   std::string line;
 };
+using StretchOfWay = StretchWith<Claim>;
+using StretchOfLoad = StretchWith<ForceClaim>;
 
 /// Where has it one?
 class PavingAnswer : public Answer {
@@ -116,7 +119,9 @@ class LoadAnswer : public Answer {
 /// Where do they?
 class LoadPavingAnswer : public LoadAnswer {
  public:
+  /// Bounds of the part of the motion's box with each claim; [0, 1] along way-points.
   Interval feasible{0, 1}, infeasible{0, 1}, undecided{0, 1}, outside{0, 1};
+  std::vector<StretchOfLoad> stretches;  ///< along way-points: in order, without gaps
 };
 
 /// Asks for all solutions.

@@ -7,6 +7,7 @@
 #include "codegen/answer/ask.hpp"
 #include "codegen/answer/closure_answer.hpp"
 #include "codegen/answer/lines_file.hpp"
+#include "codegen/answer/load_stretches.hpp"
 #include "codegen/answer/outputs.hpp"
 #include "codegen/answer/picture/pictures.hpp"
 #include "codegen/answer/picture/way_picture.hpp"
@@ -219,12 +220,14 @@ class WayLoadPaving final : public LoadPavingAnswer {
     if (verdict == FeasibilityVerdict::kPossibleProblem) reason = describe_reason(paving_.found);
     proof = certify_way_forces(services.certificate, paving_.found, {nullptr, services.shard_size});
     if (proof.is_lost()) lost.push_back(proof.obstacle());
-    write_beside([this] { write(); });
+    const std::vector<PathStretch> parts = as_path_stretches(paving_);
+    stretches = stretches_of_load(*paving_.found.request.motion.trajectory, parts);
+    write_beside([&] { write_stretches(stretches, json(), lines_); });
     const Request& asked_about = paving_.found.request;
     write_beside([&] {
       pictures.draw({fmt::format("{}, {}, load {}", asked_about.model.name, asked_about.motion.name,
                                  asked.load),
-                     *asked_about.motion.trajectory, as_path_stretches(paving_), word_of_stand_in});
+                     *asked_about.motion.trajectory, parts, word_of_stand_in});
     });
     write_beside([&] { checkpoint.finish(paving_.found.can_continue); });
     checkpoint_line_ = checkpoint.line();
@@ -237,14 +240,6 @@ class WayLoadPaving final : public LoadPavingAnswer {
   [[nodiscard]] std::string about_files() const override { return proof.line() + checkpoint_line_; }
 
  private:
-  void write() {
-    if (!lines_.is_wanted()) return;
-    for (const ForceStretch& stretch : paving_.stretches)
-      lines_.stream() << report_text(json_force_stretch(paving_, stretch)) << '\n';
-    lines_.stream() << report_text({{"summary", json()}}) << '\n';
-    lines_.finish();
-  }
-
   LinesFile lines_;
   WayForcePaving paving_;
   std::string checkpoint_line_;
@@ -280,6 +275,8 @@ std::unique_ptr<LoadPavingAnswer> ask(const AskLoadPaving& asked, const Services
     if (!closed) return std::make_unique<VarietyLoadPaving>(asked, services);
     return answer_closure(std::move(*closed), watch.lap(), asked, services);
   }
+  if (along->model.closure)
+    return answer_closure_way(std::move(*along), watch.lap(), asked, services);
   services.begin_search();
   return std::make_unique<WayLoadPaving>(std::move(*along), watch.lap(), asked, services);
 }

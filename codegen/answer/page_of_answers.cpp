@@ -10,7 +10,6 @@
 #include "codegen/answer/ask.hpp"
 #include "codegen/answer/certificate/certificate_question.hpp"
 #include "codegen/answer/page/drawing_json.hpp"
-#include "codegen/answer/refusals.hpp"
 #include "codegen/model/file/read_file.hpp"
 #include "codegen/model/place.hpp"
 #include "codegen/model/request.hpp"
@@ -69,31 +68,48 @@ ShownAnswer shown(const Asked& asked, const Answer& answer) {
   return {kind_of(asked), answer.headline(), facts.text(), without_files(facts.report())};
 }
 
-/// The proof of a check is in the page, whether a file of it is wanted or not.
-std::unique_ptr<Answer> ask_with_proof(const AskCheck& asked, const Services& services,
+/// A proof for the page, whether a file of it is wanted or not.
+class ProofForPage {
+ public:
+  explicit ProofForPage(Services& services) {
+    if (services.certificate.empty())
+      services.certificate = scratch_.emplace().path() / "certificate";
+  }
+
+  /// Adds what is shown, with the proof, and leaves that out of the answer if no file is wanted.
+  void add(ShownAnswer what, ProofStatus& proof, PageOfAnswers& page) {
+    if (proof.is_written()) what.certificate = proof.path();
+    what.no_certificate = proof.obstacle();
+    page.add(std::move(what));
+    if (scratch_) proof = ProofStatus();
+  }
+
+ private:
+  std::optional<ScratchFolder> scratch_;
+};
+
+std::unique_ptr<Answer> ask_with_proof(const AskCheck& asked, Services services,
                                        PageOfAnswers& page) {
-  std::optional<ScratchFolder> scratch;
-  Services with_proof = services;
-  if (services.certificate.empty())
-    with_proof.certificate = scratch.emplace().path() / "certificate";
-  std::unique_ptr<CheckAnswer> answer = ask(asked, with_proof);
-  ShownAnswer what = shown(asked, *answer);
-  if (answer->proof.is_written()) what.certificate = answer->proof.path();
-  what.no_certificate = answer->proof.obstacle();
-  page.add(std::move(what));
-  if (scratch) answer->proof = ProofStatus();
+  ProofForPage proof(services);
+  std::unique_ptr<CheckAnswer> answer = ask(asked, services);
+  proof.add(shown(asked, *answer), answer->proof, page);
   return answer;
 }
 
-std::unique_ptr<Answer> ask_with_tree(const AskPaving& asked, const Services& services,
+/// Of a branch the boxes have a proof.
+std::unique_ptr<Answer> ask_with_tree(const AskPaving& asked, Services services,
                                       PageOfAnswers& page) {
   std::string tree;
-  Services with_tree = services;
-  with_tree.tree = &tree;
-  std::unique_ptr<PavingAnswer> answer = ask(asked, with_tree);
+  services.tree = &tree;
+  std::optional<ProofForPage> proof;
+  if (page.is_about_branch()) proof.emplace(services);
+  std::unique_ptr<PavingAnswer> answer = ask(asked, services);
   ShownAnswer what = shown(asked, *answer);
   what.paving = paving_of(*answer, std::move(tree));
-  page.add(std::move(what));
+  if (proof)
+    proof->add(std::move(what), answer->proof, page);
+  else
+    page.add(std::move(what));
   return answer;
 }
 
@@ -150,9 +166,11 @@ PageOfAnswers::PageOfAnswers(PageTemplate page, const ModelOptions& model, const
 
 PageOfAnswers::~PageOfAnswers() = default;
 
+bool PageOfAnswers::is_about_branch() const { return request_ && request_->model.closure; }
+
 void PageOfAnswers::add(ShownAnswer answer) {
   paths_.add(answer.certificate);
-  const bool is_closed = request_ && request_->model.closure;
+  const bool is_closed = is_about_branch();
   if (answer.kind == "bound") data_.bounds.push_back(answer.report);
   if (answer.kind == "datasheet")
     for (const Json& bound : answer.report["bounds"]) data_.bounds.push_back(bound);
@@ -167,9 +185,9 @@ void PageOfAnswers::add(ShownAnswer answer) {
   data_.report = without_files(std::move(answer.report));
   if (answer.kind == kSolutions) leave_out_open_boxes(data_.report);
   data_.certificate_note = answer.no_certificate;
-  if (is_closed && answer.kind == "paving")
-    data_.certificate_note = refusal(Kind::kClosurePaving, Service::kProof).value_or("");
-  if (answer.kind != "check" && answer.kind != kSolutions) return;
+  const bool is_paved_branch = is_closed && answer.kind == "paving";
+  if (is_paved_branch) data_.again.front() = data_.command;
+  if (answer.kind != "check" && answer.kind != kSolutions && !is_paved_branch) return;
   // A page runs no proof of a closure.
   if (request_ && request_->motion.trajectory && !is_closed && !data_.report["segment"].is_null())
     set_deciding_segment(data_, *request_, uncertain_names(*request_));
@@ -178,7 +196,8 @@ void PageOfAnswers::add(ShownAnswer answer) {
 
 void PageOfAnswers::take_proof(const std::string& file) {
   data_.certificate = read_start(file, kLongestProof + 1, Readable::kFile);
-  const bool is_index = data_.certificate.starts_with(format::kIndexMagic),
+  const bool is_index = data_.certificate.starts_with(format::kIndexMagic) ||
+                        data_.certificate.starts_with(format::kPlacesIndexMagic),
              is_of_places = data_.certificate.starts_with(format::kPlacesMagic);
   if (!is_index && !is_of_places && data_.certificate.size() <= kLongestProof) return;
   data_.certificate.clear();

@@ -57,6 +57,9 @@ class PageOfAnswers {
   /// Throws    FileError if the certificate cannot be read; UsageError for a paving that is too long.
   void add(ShownAnswer answer);
 
+  /// True of a [closure].
+  [[nodiscard]] bool is_about_branch() const;
+
   /// Writes the page, without the folders of files. Returns its size in bytes. Throws FileError.
   std::size_t write(const std::string& file) const;
 

@@ -10,8 +10,8 @@
 #include "codegen/question/bound/bracket_question.hpp"
 #include "codegen/question/bound/datasheet.hpp"
 #include "codegen/question/closure/branch_load.hpp"
+#include "codegen/question/closure/branch_pieces.hpp"
 #include "codegen/question/closure/closure_run.hpp"
-#include "codegen/question/closure/closure_way.hpp"
 #include "codegen/question/closure/value_judge.hpp"
 #include "codegen/question/condition/box_judge.hpp"
 #include "codegen/question/condition/condition_kernel.hpp"
@@ -229,7 +229,9 @@ class Topics {
       PreparedBranchLoad prepared =
           prepare_branch_load(std::move(*closed), 0, asked.load, forming(asked.search), {});
       BranchValue value = prepared.value();
-      return on_branch(std::move(prepared.branch.common()), std::move(value));
+      return on_branch(from_start_of_piece(std::move(prepared.branch.common()),
+                                           prepared.branch.way().request.motion),
+                       std::move(value));
     }
     std::optional<Request> along = read_trajectory(asked.model);
     if (!along) return about_forces(prepare_forces(asked.model, asked.load, asked.search, {}));
@@ -249,11 +251,23 @@ class Topics {
   /// The kernel is that of all pieces; the search has the numbers of one, and the topic its start.
   [[nodiscard]] Found on_way_of_branch(Request request, const SearchOptions& search) const {
     if (!is_told_) return std::nullopt;
-    require_same_way(request.motion);
-    PreparedClosure closed = prepare_way(std::move(request), 0, forming(search), {}).common;
+    return about_branch(closed_of(std::move(request), search, DerivativesBy::kVariables));
+  }
+
+  [[nodiscard]] PreparedClosure closed_of(Request request, const SearchOptions& search,
+                                          DerivativesBy by) const {
+    BranchInPieces branch(request, 0, forming(search), {}, by);
+    return from_start_of_piece(std::move(branch.common()), request.motion);
+  }
+
+  /// Along way-points the kernel begins where the topic says, in the same file.
+  [[nodiscard]] PreparedClosure from_start_of_piece(PreparedClosure closed,
+                                                    const Motion& motion) const {
+    if (!motion.trajectory) return closed;
+    require_same_way(motion);
     if (topic_.start.size() != closed.shape.unknowns) throw cluster::MalformedMessage();
     closed.near_start.unknowns = topic_.start;
-    return about_branch(std::move(closed));
+    return closed;
   }
 
   /// A question about values has two searches: the first is of the branch alone.
@@ -268,7 +282,7 @@ class Topics {
     DerivativesBy by = BranchValue::needed(component.kind);
     if (topic_.kind == TopicKind::kBranch && by == DerivativesBy::kVariablesAndNominal)
       by = DerivativesBy::kVariables;
-    PreparedClosure closed = prepare_closure(std::move(request), 0, forming(search), {}, by);
+    PreparedClosure closed = closed_of(std::move(request), search, by);
     BranchValue value(closed.request.model, component);
     return on_branch(std::move(closed), std::move(value));
   }

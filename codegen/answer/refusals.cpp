@@ -29,40 +29,23 @@ constexpr std::string_view kNoPageOfTexts =
     "out";
 constexpr std::string_view kNoTheorem =
     "Coq has theorems about the rank of a matrix, and none about this; regulus-verify proves it";
-constexpr std::string_view kNotOfClosureWays =
-    "check, locate, margin, bound and datasheet ask about a [closure] along way-points, and this "
-    "question does not; give the motion by ranges, or by formulas";
-constexpr std::string_view kNoTheoremOfClosureWays =
-    "Coq has no theorem about a branch along way-points; regulus-verify proves it";
-constexpr std::string_view kNoCheckpointOfClosureWays =
-    "the bounds along a branch in pieces keep no checkpoint; leave it out";
-constexpr std::string_view kNoRanksOfClosureWays =
-    "the bounds along a branch in pieces have one process; use regulus";
-constexpr std::string_view kNoPageOfClosureWays =
-    "a page does not show the bounds along a branch in pieces; leave it out";
 constexpr std::string_view kNoTheoremOfFiniteErrors =
     "Coq has theorems about errors to first order, and none about finite ones; regulus-verify "
     "proves it";
-constexpr std::string_view kNoShardsOfClosures =
-    "the boxes of a branch are linked, so its proof is one file; leave the shards out";
-constexpr std::string_view kNoProofOfPavings =
-    "a paving of a [closure] has no proof; check has one of the whole motion";
-constexpr std::string_view kNoProofOfLoadPavings =
-    "a paving of a load on a [closure] has no proof; check with the load has one of the whole "
-    "motion";
-constexpr std::string_view kNoFiniteErrors =
-    "finite errors are bounded over ranges alone; leave finite out, for errors to first order";
+constexpr std::string_view kNoTheoremOfPavings =
+    "Coq has no theorem about a paving of a branch; check has one of the whole motion, and "
+    "regulus-verify proves the paving";
 constexpr std::string_view kNoTheoremOfLoadPavings =
     "Coq has no theorem about a paving of a load; check with the load has one, and regulus-verify "
     "proves the paving";
 
-constexpr std::string_view kNoShardsOfSolutions =
-    "a proof of a list of solutions is short, and one file; leave the shards out";
 constexpr std::string_view kNoTheoremOfSolutions =
     "Coq has theorems about lists of configurations and of poses in the plane, and none about "
     "poses in space and postures; regulus-verify proves these";
 constexpr std::string_view kNoCheckpointOfSolutions =
-    "a search for all solutions keeps no checkpoint; leave it out";
+    "no answer rests on a checkpoint, so each list would be proved again from its beginning; leave "
+    "it "
+    "out, and of a table ask for the places that are left";
 constexpr std::string_view kNoBoxesOfSolutions =
     "a picture is of the boxes of a paving, not of solutions";
 constexpr std::string_view kOneMethodOfSolutions =
@@ -76,72 +59,25 @@ constexpr Refusal kRefusals[] = {
     {kLoadPaving, kTheorem, kNoTheoremOfLoadPavings},
     {kWayCondition2, kTheorem, kNoTheorem},
     {kWayLoadPaving, kTheorem, kNoTheoremOfLoadPavings},
-    {kClosureCheck, kShards, kNoShardsOfClosures},
-    {kClosurePaving, kProof, kNoProofOfPavings},
-    {kClosurePaving, kShards, kNoProofOfPavings, false},
-    {kClosurePaving, kTheorem, kNoProofOfPavings, false},
-    {kClosureMargin, kShards, kNoShardsOfClosures},
-    {kClosureLimitMargin, kShards, kNoShardsOfClosures},
-    {kClosureBound, kShards, kNoShardsOfClosures},
-    {kClosureCondition2, kShards, kNoShardsOfClosures},
+    {kClosurePaving, kTheorem, kNoTheoremOfPavings},
     {kClosureCondition2, kTheorem, kNoTheorem},
-    {kClosureLoad, kShards, kNoShardsOfClosures},
-    {kClosureLoadPaving, kProof, kNoProofOfLoadPavings},
-    {kClosureLoadPaving, kShards, kNoProofOfLoadPavings, false},
-    {kClosureLoadPaving, kTheorem, kNoProofOfLoadPavings, false},
-    {kClosureDatasheet, kShards, kNoShardsOfClosures},
-    {kFiniteErrors, kShards, kNoShardsOfClosures},
+    {kClosureLoadPaving, kTheorem, kNoTheoremOfLoadPavings},
     {kFiniteErrors, kTheorem, kNoTheoremOfFiniteErrors},
-    {kWayFiniteErrors, kAnswer, kNoFiniteErrors},
-    {kClosureFiniteErrors, kShards, kNoShardsOfClosures},
+    {kWayFiniteErrors, kTheorem, kNoTheoremOfFiniteErrors},
     {kClosureFiniteErrors, kTheorem, kNoTheoremOfFiniteErrors},
-    {kWaySolve, kShards, kNoShardsOfSolutions},
     {kWaySolve, kTheorem, kNoTheoremOfSolutions},
     {kWaySolve, kCheckpoint, kNoCheckpointOfSolutions},
     {kWaySolve, kPicture, kNoBoxesOfSolutions, false},
-    {kClosureWayCheck, kShards, kNoShardsOfClosures},
-    {kClosureWayCheck, kTheorem, kNoTheoremOfClosureWays},
-    {kClosureWayPaving, kProof, kNoProofOfPavings},
-    {kClosureWayPaving, kShards, kNoProofOfPavings, false},
-    {kClosureWayPaving, kTheorem, kNoProofOfPavings, false},
-    {kClosureWayMargin, kShards, kNoShardsOfClosures},
-    {kClosureWayMargin, kTheorem, kNoTheoremOfClosureWays},
-    {kClosureWayLimitMargin, kShards, kNoShardsOfClosures},
-    {kClosureWayLimitMargin, kTheorem, kNoTheoremOfClosureWays},
-    {kClosureWayLimitMargin, kCheckpoint, kNoCheckpointOfClosureWays},
-    {kClosureWayLimitMargin, kRanks, kNoRanksOfClosureWays},
-    {kClosureWayLimitMargin, kPage, kNoPageOfClosureWays},
-    {kClosureWayBound, kShards, kNoShardsOfClosures},
-    {kClosureWayBound, kTheorem, kNoTheoremOfClosureWays},
-    {kClosureWayBound, kCheckpoint, kNoCheckpointOfClosureWays},
-    {kClosureWayBound, kRanks, kNoRanksOfClosureWays},
-    {kClosureWayBound, kPage, kNoPageOfClosureWays},
-    {kClosureWayLoad, kShards, kNoShardsOfClosures},
-    {kClosureWayLoad, kTheorem, kNoTheoremOfClosureWays},
-    {kClosureWayLoad, kCheckpoint, kNoCheckpointOfClosureWays},
-    {kClosureWayLoad, kRanks, kNoRanksOfClosureWays},
-    {kClosureWayLoad, kPage, kNoPageOfClosureWays},
-    {kClosureWayLoadPaving, kAnswer, kNotOfClosureWays},
-    {kClosureWayDatasheet, kShards, kNoShardsOfClosures},
-    {kClosureWayDatasheet, kTheorem, kNoTheoremOfClosureWays},
-    {kClosureWayDatasheet, kCheckpoint, kNoCheckpointOfClosureWays},
-    {kClosureWayDatasheet, kRanks, kNoRanksOfClosureWays},
-    {kClosureWayDatasheet, kPage, kNoPageOfClosureWays},
-    {kClosureWayCondition2, kShards, kNoShardsOfClosures},
-    {kClosureWayCondition2, kTheorem, kNoTheoremOfClosureWays},
-    {kClosureWayCondition2, kCheckpoint, kNoCheckpointOfClosureWays},
-    {kClosureWayCondition2, kRanks, kNoRanksOfClosureWays},
-    {kClosureWayCondition2, kPage, kNoPageOfClosureWays},
-    {kClosureWayFiniteErrors, kAnswer, kNoFiniteErrors},
-    {kClosureWaySolve, kShards, kNoShardsOfSolutions},
+    {kClosureWayPaving, kTheorem, kNoTheoremOfPavings},
+    {kClosureWayLoadPaving, kTheorem, kNoTheoremOfLoadPavings},
+    {kClosureWayCondition2, kTheorem, kNoTheorem},
+    {kClosureWayFiniteErrors, kTheorem, kNoTheoremOfFiniteErrors},
     {kClosureWaySolve, kTheorem, kNoTheoremOfSolutions},
     {kClosureWaySolve, kCheckpoint, kNoCheckpointOfSolutions},
     {kClosureWaySolve, kPicture, kNoBoxesOfSolutions, false},
-    {kSolve, kShards, kNoShardsOfSolutions},
     {kSolve, kTheorem, kNoTheoremOfSolutions},
     {kSolve, kCheckpoint, kNoCheckpointOfSolutions},
     {kSolve, kPicture, kNoBoxesOfSolutions, false},
-    {kClosureSolve, kShards, kNoShardsOfSolutions},
     {kClosureSolve, kCheckpoint, kNoCheckpointOfSolutions},
     {kClosureSolve, kPicture, kNoBoxesOfSolutions, false},
 };
@@ -255,7 +191,6 @@ void refuse_text(Kind kind, const SearchOptions& search, const Services& service
 
 void refuse_services_of(Kind kind, const SearchOptions& search, const Services& services) {
   refuse_text(kind, search, services);
-  if (const auto why = refusal(kind, kAnswer)) throw UsageError(std::string(*why));
   for (const RequestedService& request : requested(search, services))
     if (const auto why = refusal(kind, request.service))
       throw UsageError(*request.option == '\0'
@@ -285,7 +220,7 @@ std::size_t number_of(std::string_view reason, std::vector<std::string_view>& re
 
 std::string row_of(Kind kind, std::vector<std::string_view>& reasons) {
   std::string row = fmt::format("| {} |", name(kind));
-  for (std::size_t s = 1; s < kServices; ++s) {
+  for (std::size_t s = 0; s < kServices; ++s) {
     const auto service = Service(s);
     const auto why = refusal(kind, service);
     const bool has_meaning = std::ranges::none_of(refusals(), [&](const Refusal& r) {
@@ -316,7 +251,7 @@ std::string name(Kind kind) {
 
 std::string_view name(Service service) {
   static constexpr std::array<std::string_view, kServices> kNames = {
-      "answer", "proof", "shards", "theorem", "checkpoint", "ranks", "picture", "page"};
+      "proof", "shards", "theorem", "checkpoint", "ranks", "picture", "page"};
   return kNames[std::size_t(service)];
 }
 
@@ -326,9 +261,8 @@ std::span<const Refusal> refusals() {
     std::vector<Refusal> all(std::begin(kRefusals), std::end(kRefusals));
     for (std::size_t k = 0; k < kKinds; ++k) {
       const auto variety = Kind(k % kVarieties);
-      const bool has_own_row = std::ranges::any_of(kRefusals, [k](const Refusal& r) {
-        return r.kind == Kind(k) && (r.service == kAnswer || r.service == kPicture);
-      });
+      const bool has_own_row = std::ranges::any_of(
+          kRefusals, [k](const Refusal& r) { return r.kind == Kind(k) && r.service == kPicture; });
       if (variety != kPaving && variety != kLoadPaving && !has_own_row)
         all.push_back({Kind(k), kPicture, kNoBoxes, false});
     }
@@ -342,7 +276,7 @@ std::span<const OptionRefusal> option_refusals_of_solutions() { return kOptionsO
 
 std::optional<std::string_view> refusal(Kind kind, Service service) {
   for (const Refusal& row : refusals())
-    if (row.kind == kind && (row.service == service || row.service == kAnswer)) return row.why;
+    if (row.kind == kind && row.service == service) return row.why;
   return std::nullopt;
 }
 
@@ -358,7 +292,7 @@ void refuse_services(Kind kind, const ModelOptions& model, const SearchOptions& 
   }
   refuse_services_of(kind, search, services);
   const Kind along = along_way(kind);
-  if (!refusal(along, kAnswer) && !has_refused_service(along, search, services)) return;
+  if (!has_refused_service(along, search, services)) return;
   if (if_readable([&] { return read_trajectory(model, watch); }))
     refuse_services_of(along, search, services);
 }
@@ -373,10 +307,10 @@ void refuse_changed_options(std::span<const OptionRefusal> refused, const ModelO
 
 std::string what_works() {
   std::string page = fmt::format("{}| question |", kIntroduction);
-  for (std::size_t s = 1; s < kServices; ++s) page += fmt::format(" {} |", name(Service(s)));
+  for (std::size_t s = 0; s < kServices; ++s) page += fmt::format(" {} |", name(Service(s)));
   page += "\n|---|" + [] {
     std::string line;
-    for (std::size_t s = 1; s < kServices; ++s) line += "---|";
+    for (std::size_t s = 0; s < kServices; ++s) line += "---|";
     return line;
   }() + '\n';
   std::vector<std::string_view> reasons;

@@ -70,7 +70,7 @@ inline constexpr std::size_t kKinds = std::size_t(Kind::kClosureWaySolve) + 1;
 [[nodiscard]] std::string name(Kind kind);
 
 /// What a question may ask for beside its answer.
-enum class Service { kAnswer, kProof, kShards, kTheorem, kCheckpoint, kRanks, kPicture, kPage };
+enum class Service { kProof, kShards, kTheorem, kCheckpoint, kRanks, kPicture, kPage };
 inline constexpr std::size_t kServices = std::size_t(Service::kPage) + 1;
 [[nodiscard]] std::string_view name(Service service);
 

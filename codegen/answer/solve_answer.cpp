@@ -14,6 +14,7 @@
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/progress.hpp"
 #include "codegen/answer/report/report_text.hpp"
+#include "codegen/answer/report/search_facts.hpp"
 #include "codegen/model/way/place_file.hpp"
 #include "codegen/question/solve/list_file.hpp"
 #include "codegen/question/solve/solution_bytes.hpp"
@@ -90,7 +91,7 @@ class SolutionsAtPlaces final : public SolveAnswer {
     }
     if (!is_first) return;
     places_left = rows_.size() - places.size();
-    proof = certify_places(services.certificate, proofs_, places_left);
+    proof = certify_places(services.certificate, proofs_, places_left, services.shard_size);
     if (proof.is_lost()) lost.push_back(proof.obstacle());
     write_beside([&] {
       if (lines_->is_wanted()) lines_->finish();
@@ -229,7 +230,7 @@ class SolutionsAtPlaces final : public SolveAnswer {
       boxes += place.solutions.boxes;
     }
     facts.tell("boxes", boxes, "boxes", fmt::format("{} evaluated", in_thousands(boxes)));
-    facts.add("seconds", nlohmann::ordered_json{{"search", seconds}});
+    facts.add("seconds", json_seconds(seconds));
     facts.say("time", fmt::format("search {:.3f} ms", 1e3 * seconds));
     if (places_left > 0) facts.say("left", fmt::format("{} places", places_left));
     facts.add("places_left", places_left);

@@ -95,7 +95,8 @@ void require_way_from_start(const Model& model, const Motion& motion) {
   const std::vector<PieceOfPose>& first = motion.trajectory->pieces.front().pose;
   for (std::size_t i = 0; i < model.pose.size(); ++i)
     require_equal(
-        model, motion, model.pose[i], first.at(i).power[0] + first.at(i).cosine,
+        model, motion, model.pose[i],
+        i < first.size() ? first[i].power[0] + first[i].cosine : motion.pose.at(i),
         model.closure->start_pose[i],
         "let the way-points begin at closure.start, or move closure.start to the first of "
         "them");

@@ -79,6 +79,10 @@ std::string alternatives(std::span<const std::string> words) { return joined(wor
 
 std::string enumeration(std::span<const std::string> words) { return joined(words, ", "); }
 
+std::string plural(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
 std::string suggestion(std::string_view name, std::span<const std::string> candidates,
                        const std::string& otherwise) {
   const std::string meant = nearest(name, candidates);

@@ -2,6 +2,7 @@
 // The names that a model file may use, and the report of an unknown one.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,6 +27,9 @@ namespace regulus {
 
 /// Returns "a, b, c"; for many words, the first ones and "…".
 [[nodiscard]] std::string enumeration(std::span<const std::string> words);
+
+/// Returns "1 leg", "2 legs".
+[[nodiscard]] std::string plural(std::size_t count, const std::string& noun);
 
 /// Returns "did you mean 'WORD'?" with the nearest candidate; if none is near, `otherwise`.
 [[nodiscard]] std::string suggestion(std::string_view name, std::span<const std::string> candidates,

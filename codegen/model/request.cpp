@@ -78,6 +78,9 @@ std::vector<GivenNumber> numbers_at(const ModelOptions& options) {
   std::vector<GivenNumber> numbers;
   for (const std::string& at : options.at) {
     const Assignment given = split_assignment(at, "--at");
+    if (given.value.find('=') != std::string::npos)
+      throw UsageError("--at: " + in_quotes(at) +
+                       " gives more than one value; repeat the option, one NAME=VALUE each");
     if (std::ranges::find(numbers, given.name, &GivenNumber::name) != numbers.end())
       throw UsageError("--at: " + in_quotes(given.name) + " is given twice; give one value");
     numbers.push_back({given.name, given.value});

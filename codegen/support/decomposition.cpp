@@ -10,7 +10,7 @@ namespace regulus {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-SingularVectors decompose(const MatrixXd& A) {
+SingularValueDecomposition decompose(const MatrixXd& A) {
   const Eigen::JacobiSVD<MatrixXd> svd(A, Eigen::ComputeFullU | Eigen::ComputeFullV);
   return {svd.matrixU(), svd.matrixV(), svd.singularValues()};
 }

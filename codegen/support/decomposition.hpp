@@ -9,12 +9,12 @@
 namespace regulus {
 
 /// A = u·diag(sigma)·vᵀ, with square u and v; the largest singular value first.
-struct SingularVectors {
+struct SingularValueDecomposition {
   Eigen::MatrixXd u, v;
   Eigen::VectorXd sigma;
 };
 
-[[nodiscard]] SingularVectors decompose(const Eigen::MatrixXd& A);
+[[nodiscard]] SingularValueDecomposition decompose(const Eigen::MatrixXd& A);
 
 /// The largest first.
 [[nodiscard]] Eigen::VectorXd singular_values(const Eigen::MatrixXd& A);

@@ -41,18 +41,20 @@ Section Check.
   Definition is_tested (t : tube) (b : box) : bool :=
     match test_tube c full t b with Some _ => true | None => false end.
 
-  (** Over b, the configuration in the first tube is in the second one, too. *)
-  Definition leads (b : box) (s t : tube) : bool :=
-    match test_tube c full s b with
+  (** Over a, the configuration in the first tube is in the second one at the same place of b. *)
+  Definition leads_to (a b : box) (s t : tube) : bool :=
+    match test_tube c full s a with
     | Some v =>
-        let vs := variables full b in
         forallb (fun i =>
-          let gap := form_range (subtract_forms (axis_form s vs (length b) i)
-                                                (axis_form t vs (length b) i)) in
+          let gap := form_range (subtract_forms
+                       (axis_form s (variables full a) (length a) i)
+                       (axis_form t (variables full b) (length b) i)) in
           is_not_positive (subtract (add (I.abs gap) (departure n s v i))
                                     (point (number (reach t) i)))) (seq 0 n)
     | None => false
     end.
+
+  Definition leads (b : box) (s t : tube) : bool := leads_to b b s t.
 
   Definition linked (x y : leaf) : bool :=
     match fst x, fst y with
@@ -112,30 +114,36 @@ Section Check.
     - rewrite nth_overflow by (rewrite map_length, seq_length; exact K). apply unknown_encloses.
   Qed.
 
+  Lemma leads_to_correct a b s t x y p : leads_to a b s t = true -> in_box a x -> in_box b y ->
+    coordinate a x = coordinate b y -> in_tube n s x p -> solves c x p -> in_tube n t y p.
+  Proof.
+    unfold leads_to. destruct (test_tube c full s a) as [w|] eqn:T; [|discriminate].
+    intros H A B Co P S. rewrite forallb_forall in H.
+    pose proof (only_solution c full s a w x T A p P S) as E.
+    split; [apply P|]. intros i I. specialize (H i ltac:(apply in_seq; fold n in I; lia)).
+    destruct (solution_within c full s a w x T A i I) as (d & D & Q & _). rewrite <- E in Q.
+    pose proof (coordinate_in_unit_box a x A) as U.
+    assert (G : encloses (form_range (subtract_forms
+        (axis_form s (variables full a) (length a) i) (axis_form t (variables full b) (length b)
+          i)))
+        (axis s x i - axis t y i)).
+    { apply (form_range_encloses (coordinate a x)); [exact U|].
+      rewrite (proj1 A), (proj1 B). apply subtract_forms_enclose; apply axis_form_encloses;
+        [|rewrite Co]; apply variables_known; assumption. }
+    pose proof (is_not_positive_correct _ _ H (subtract_encloses _ _ _ _
+      (add_encloses _ _ _ _ (absolute_encloses _ _ G) D) (point_encloses (number (reach t) i)))) as
+        Z.
+    replace (nth i p 0 - axis t y i) with ((nth i p 0 - axis s x i) + (axis s x i - axis t y i))
+      by ring.
+    eapply Rle_trans; [apply Rabs_triang|]. lra.
+  Qed.
+
   Lemma leads_correct b s t v x p : leads b s t = true -> in_box b x ->
     in_tube n s x p -> solves c x p ->
     forall b', test_tube c full t b' = Some v -> in_box b' x -> p = tube_solution c t v x.
   Proof.
-    unfold leads. destruct (test_tube c full s b) as [w|] eqn:T; [|discriminate].
-    intros H B P S b' T' B'. rewrite forallb_forall in H.
-    pose proof (only_solution c full s b w x T B p P S) as E.
-    apply (only_solution c full t b' v x T' B'); [|exact S].
-    split; [apply P|]. intros i I. specialize (H i ltac:(apply in_seq; fold n in I; lia)).
-    destruct (solution_within c full s b w x T B i I) as (d & D & Q & _). rewrite <- E in Q.
-    assert (K : known (coordinate b x) (variables full b) x) by apply variables_known, B.
-    pose proof (coordinate_in_unit_box b x B) as U.
-    assert (G : encloses (form_range (subtract_forms
-        (axis_form s (variables full b) (length b) i) (axis_form t (variables full b) (length b)
-          i)))
-        (axis s x i - axis t x i)).
-    { apply (form_range_encloses (coordinate b x)); [exact U|].
-      rewrite (proj1 B). apply subtract_forms_enclose; apply axis_form_encloses, K. }
-    pose proof (is_not_positive_correct _ _ H (subtract_encloses _ _ _ _
-      (add_encloses _ _ _ _ (absolute_encloses _ _ G) D) (point_encloses (number (reach t) i)))) as
-        Z.
-    replace (nth i p 0 - axis t x i) with ((nth i p 0 - axis s x i) + (axis s x i - axis t x i))
-      by ring.
-    eapply Rle_trans; [apply Rabs_triang|]. lra.
+    intros H B P S b' T' B'. apply (only_solution c full t b' v x T' B'); [|exact S].
+    exact (leads_to_correct b b s t x x p H B B eq_refl P S).
   Qed.
 
   Lemma linked_correct s a v t b w x : linked (Some s, a) (Some t, b) = true ->
@@ -215,27 +223,57 @@ Section Check.
         else configuration u (upper_part b k p) x
     end.
 
+  (** No tube holds the configuration at x, because a constraint is positive there. *)
+  Fixpoint is_excluded_at (g : tubes) (x : list R) : bool :=
+    match g with
+    | Excluded => true
+    | Held _ => false
+    | Cut k p l u => if Rle_dec (nth k x 0) (real_of p) then is_excluded_at l x
+                     else is_excluded_at u x
+    end.
+
+  Lemma in_lower_part b k p x : in_box b x -> nth k x 0 <= real_of p -> in_box (lower_part b k p) x.
+  Proof.
+    intros B L. apply in_box_replace; [exact B|]. apply meet_encloses; [apply B|].
+    exact (I.lower_extent_correct _ _ _ (point_encloses p) L).
+  Qed.
+
+  Lemma in_upper_part b k p x :
+    in_box b x -> ~ nth k x 0 <= real_of p -> in_box (upper_part b k p) x.
+  Proof.
+    intros B L. apply in_box_replace; [exact B|]. apply meet_encloses; [apply B|].
+    refine (I.upper_extent_correct _ _ _ (point_encloses p) _). lra.
+  Qed.
+
   Lemma configuration_held g : forall b x, check_tubes g b = true -> in_box b x ->
-    (forall b', In (None, b') (leaves_of g b) -> ~ in_box b' x) ->
-    held_at (leaves_of g b) x (configuration g b x).
+    is_excluded_at g x = false -> held_at (leaves_of g b) x (configuration g b x).
   Proof.
     induction g as [|t|k m l IHl u IHu]; intros b x H B N.
-    - elim (N b); [left; reflexivity|exact B].
+    - discriminate.
     - simpl in *. unfold is_tested in H. destruct (test_tube c full t b) as [v|] eqn:T;
       [|discriminate].
       exists t, b, v. split; [left; reflexivity|]. split; [exact B|]. split; [exact T|reflexivity].
-    - simpl in H. apply andb_prop in H as [H H3]. apply andb_prop in H as [H1 H2]. simpl.
+    - simpl in H. apply andb_prop in H as [H H3]. apply andb_prop in H as [H1 H2]. simpl in N |- *.
       destruct (Rle_dec (nth k x 0) (real_of m)) as [L|L].
-      + destruct (IHl (lower_part b k m) x H1) as (t1 & b1 & v1 & I1 & R1).
-        * apply in_box_replace; [exact B|]. apply meet_encloses; [apply B|].
-          exact (I.lower_extent_correct _ _ _ (point_encloses m) L).
-        * intros b' I'. apply N. simpl. apply in_or_app. left. exact I'.
-        * exists t1, b1, v1. split; [apply in_or_app; left; exact I1|exact R1].
-      + destruct (IHu (upper_part b k m) x H2) as (t1 & b1 & v1 & I1 & R1).
-        * apply in_box_replace; [exact B|]. apply meet_encloses; [apply B|].
-          refine (I.upper_extent_correct _ _ _ (point_encloses m) _). lra.
-        * intros b' I'. apply N. simpl. apply in_or_app. right. exact I'.
-        * exists t1, b1, v1. split; [apply in_or_app; right; exact I1|exact R1].
+      + destruct (IHl (lower_part b k m) x H1 (in_lower_part b k m x B L) N)
+          as (t1 & b1 & v1 & I1 & R1).
+        exists t1, b1, v1. split; [apply in_or_app; left; exact I1|exact R1].
+      + destruct (IHu (upper_part b k m) x H2 (in_upper_part b k m x B L) N)
+          as (t1 & b1 & v1 & I1 & R1).
+        exists t1, b1, v1. split; [apply in_or_app; right; exact I1|exact R1].
+  Qed.
+
+  Lemma not_excluded g : forall b x, in_box b x ->
+    (forall b', In (None, b') (leaves_of g b) -> ~ in_box b' x) -> is_excluded_at g x = false.
+  Proof.
+    induction g as [|t|k m l IHl u IHu]; intros b x B N.
+    - elim (N b); [left; reflexivity|exact B].
+    - reflexivity.
+    - simpl in N |- *. destruct (Rle_dec (nth k x 0) (real_of m)) as [L|L].
+      + apply (IHl (lower_part b k m) x (in_lower_part b k m x B L)). intros b' I.
+        apply N, in_or_app. left. exact I.
+      + apply (IHu (upper_part b k m) x (in_upper_part b k m x B L)). intros b' I.
+        apply N, in_or_app. right. exact I.
   Qed.
 
   Lemma excluded_leaves g : forall b x, check_tubes g b = true -> in_set (places c) x ->
@@ -247,6 +285,13 @@ Section Check.
     - destruct I as [E|[]]. discriminate.
     - simpl in H. apply andb_prop in H as [H H3]. apply andb_prop in H as [H1 H2].
       simpl in I. apply in_app_or in I as [I|I]; [eapply IHl|eapply IHu]; eassumption.
+  Qed.
+
+  Lemma held_in_set g b x : check_tubes g b = true -> in_box b x -> in_set (places c) x ->
+    is_excluded_at g x = false /\ held_at (leaves_of g b) x (configuration g b x).
+  Proof.
+    intros H B S. pose proof (not_excluded g b x B (excluded_leaves g b x H S)) as N.
+    split; [exact N|]. exact (configuration_held g b x H B N).
   Qed.
 
   Lemma leaves_length g : forall b t b', In (t, b') (leaves_of g b) -> length b' = length b.
@@ -429,11 +474,12 @@ Section Leaf.
     eapply Rle_lt_trans; [apply Rabs_triang|]. lra.
   Qed.
 
-  Lemma leaf_unique q : continuous_at q s -> (forall r, solves c (m r) (q r)) ->
+  Lemma leaf_unique q : continuous_at q s ->
     (in_box b (m s) -> q s = tube_solution c t v (m s)) ->
-    locally s (fun r => in_box b (m r) -> q r = tube_solution c t v (m r)).
+    locally s (fun r => in_box b (m r) -> solves c (m r) (q r) ->
+      q r = tube_solution c t v (m r)).
   Proof.
-    intros Cq Sq P. destruct (classic (in_box b (m s))) as [B|N].
+    intros Cq P. destruct (classic (in_box b (m s))) as [B|N].
     2: { generalize (outside_stays b m s C L N). apply filter_imp. intros r X Y. contradiction. }
     specialize (P B).
     assert (H : locally s (fun r => forall i, (i < n)%nat ->
@@ -451,11 +497,99 @@ Section Leaf.
         with ((nth i (q r) 0 - axis t (m r) i - (nth i (q s) 0 - axis t (m s) i))
               + (nth i (q s) 0 - axis t (m s) i)) by ring.
       eapply Rle_trans; [apply Rabs_triang|]. lra. }
-    revert H. apply filter_imp. intros r X Br.
-    apply (only_solution c full t b v (m r) tested Br); [|apply Sq].
+    revert H. apply filter_imp. intros r X Br Sq.
+    apply (only_solution c full t b v (m r) tested Br); [|exact Sq].
     split; [apply Sq|exact X].
   Qed.
 End Leaf.
+
+(** p is what each chart says while the motion is in it. *)
+Section Charts.
+  Variables (A : Type) (charts : list A) (n : nat).
+  Variables (within on : A -> R -> Prop) (chart : A -> R -> list R) (p : R -> list R).
+  Hypothesis covered : forall r, exists a, In a charts /\ within a r /\ on a r.
+  Hypothesis agrees : forall a r, In a charts -> within a r -> p r = chart a r.
+  Hypothesis size : forall r, length (p r) = n.
+  Hypothesis chart_continuous : forall a s, In a charts -> forall eps : posreal,
+    locally s (fun r => within a r ->
+      forall i, (i < n)%nat -> Rabs (nth i (chart a r) 0 - nth i (p s) 0) < eps).
+
+  Lemma charts_continuous : continuous_motion p.
+  Proof.
+    intros k s. destruct (Nat.lt_ge_cases k n) as [K|K].
+    2: { apply (continuity_pt_ext (fun _ => 0)); [|apply continuous_constant].
+         intros r. rewrite nth_overflow; [reflexivity|]. rewrite size. exact K. }
+    apply continuity_pt_locally. intros eps.
+    generalize (locally_in charts _ s (fun a I => chart_continuous a s I eps)).
+    apply filter_imp. intros r H. destruct (covered r) as (a & I & W & _).
+    rewrite (agrees a r I W). exact (H a I W k K).
+  Qed.
+
+  Variable q : R -> list R.
+  Hypothesis Cq : continuous_motion q.
+  Hypothesis sizes : forall r, length (q r) = n.
+  Hypothesis chart_unique : forall a s, In a charts -> q s = p s ->
+    locally s (fun r => within a r -> on a r -> q r = chart a r).
+
+  Lemma stays_equal s : q s = p s -> locally s (fun r => q r = p r).
+  Proof.
+    intros E. generalize (locally_in charts _ s (fun a I => chart_unique a s I E)).
+    apply filter_imp. intros r H. destruct (covered r) as (a & I & W & O).
+    rewrite (agrees a r I W). exact (H a I W O).
+  Qed.
+
+  Lemma stays_different s : q s <> p s -> locally s (fun r => q r <> p r).
+  Proof.
+    intros N.
+    assert (E : exists i, nth i (q s) 0 <> nth i (p s) 0).
+    { apply not_all_ex_not. intros B. apply N, list_equal; [|auto].
+      rewrite size. apply sizes. }
+    destruct E as [i E].
+    assert (K : continuity_pt (fun r => nth i (q r) 0 - nth i (p r) 0) s).
+    { apply (continuity_pt_minus (fun r => nth i (q r) 0)); [apply Cq|apply charts_continuous]. }
+    rewrite continuity_pt_locally in K.
+    assert (G : 0 < Rabs (nth i (q s) 0 - nth i (p s) 0)) by (apply Rabs_pos_lt; lra).
+    generalize (K (mkposreal _ G)). apply filter_imp. simpl. intros r X Y. rewrite Y in X.
+    rewrite Rminus_eq_0, Rminus_0_l, Rabs_Ropp in X. lra.
+  Qed.
+
+  Theorem charts_unique s : q s = p s -> forall t, q t = p t.
+  Proof.
+    intros E. set (f := fun r => if list_eq_dec Req_EM_T (q r) (p r) then 0 else 1).
+    assert (D : forall r, is_derive f r 0).
+    { intros r. destruct (list_eq_dec Req_EM_T (q r) (p r)) as [Y|Y].
+      - apply (is_derive_ext_loc (fun _ => 0)); [|apply @is_derive_const].
+        generalize (stays_equal r Y). apply filter_imp. intros t T. unfold f.
+        destruct list_eq_dec; [reflexivity|contradiction].
+      - apply (is_derive_ext_loc (fun _ => 1)); [|apply @is_derive_const].
+        generalize (stays_different r Y). apply filter_imp. intros t T. unfold f.
+        destruct list_eq_dec; [contradiction|reflexivity]. }
+    assert (S : forall a b, a < b -> f a = f b) by (intros a b; apply eq_is_derive; auto).
+    intros t. assert (F : f t = f s).
+    { destruct (Rtotal_order t s) as [T|[->|T]]; [apply S, T|reflexivity|symmetry; apply S, T]. }
+    unfold f in F. destruct (list_eq_dec Req_EM_T (q s) (p s)); [|contradiction].
+    destruct (list_eq_dec Req_EM_T (q t) (p t)); [assumption|lra].
+  Qed.
+End Charts.
+
+(** The leaves with tubes, and what the test says of them. *)
+Definition held_leaf := (tube * box * tube_bounds)%type.
+
+Definition held_leaves (c : closure) (full : nat) (ls : list leaf) : list held_leaf :=
+  flat_map (fun x => match fst x with
+    | Some t => match test_tube c full t (snd x) with Some v => [(t, snd x, v)] | None => [] end
+    | None => []
+    end) ls.
+
+Lemma in_held_leaves c full ls t b v : In (t, b, v) (held_leaves c full ls) <->
+  In (Some t, b) ls /\ test_tube c full t b = Some v.
+Proof.
+  unfold held_leaves. rewrite in_flat_map. split.
+  - intros ([[s|] a] & I & E); simpl in E; [|contradiction].
+    destruct (test_tube c full s a) as [w|] eqn:T; [|contradiction].
+    destruct E as [[= <- <- <-]|[]]. auto.
+  - intros [I T]. exists (Some t, b). split; [exact I|]. simpl. rewrite T. left. reflexivity.
+Qed.
 
 Section Branch.
   Variables (c : closure) (full : nat) (g : tubes) (root : box).
@@ -473,10 +607,20 @@ Section Branch.
     intros I r. rewrite (leaves_length g root t b I). symmetry. apply in_root.
   Qed.
 
-  Lemma agrees t b v r : In (Some t, b) ls -> test_tube c full t b = Some v -> in_box b (m r) ->
-    p (m r) = tube_solution c t v (m r).
+  Let within (a : held_leaf) (r : R) : Prop := in_box (snd (fst a)) (m r).
+  Let chart (a : held_leaf) (r : R) : list R := tube_solution c (fst (fst a)) (snd a) (m r).
+
+  Lemma leaves_cover (on : R -> Prop) : (forall r, on r) ->
+    forall r, exists a, In a (held_leaves c full ls) /\ within a r /\ on r.
   Proof.
-    intros I T B. apply (leaves_agree c full g root (m r)); [exact checked|apply held|].
+    intros O r. destruct (held r) as (t & b & v & I & B & T & _).
+    exists (t, b, v). split; [apply in_held_leaves; auto|]. split; [exact B|apply O].
+  Qed.
+
+  Lemma leaf_agrees a r : In a (held_leaves c full ls) -> within a r -> p (m r) = chart a r.
+  Proof.
+    destruct a as [[t b] v]. intros I B. apply in_held_leaves in I as [I T].
+    apply (leaves_agree c full g root (m r)); [exact checked|apply held|].
     exists t, b, v. auto.
   Qed.
 
@@ -485,84 +629,33 @@ Section Branch.
     destruct (held r) as (t & b & v & _ & B & T & E). rewrite E. apply beside_length.
   Qed.
 
+  Lemma leaves_continuous a s : In a (held_leaves c full ls) -> forall eps : posreal,
+    locally s (fun r => within a r ->
+      forall i, (i < n)%nat -> Rabs (nth i (chart a r) 0 - nth i (p (m s)) 0) < eps).
+  Proof.
+    intros I. pose proof (leaf_agrees a s I) as G. destruct a as [[t b] v].
+    apply in_held_leaves in I as [I T].
+    exact (leaf_continuous c full t b v T m s (fun k => C k s) (length_in_leaf _ _ I) (p (m s)) G).
+  Qed.
+
   Lemma configuration_continuous : continuous_motion (fun t => p (m t)).
   Proof.
-    intros k s. destruct (Nat.lt_ge_cases k n) as [K|K].
-    2: { apply (continuity_pt_ext (fun _ => 0)); [|apply continuous_constant].
-         intros r. rewrite nth_overflow; [reflexivity|]. rewrite configuration_length. exact K. }
-    apply continuity_pt_locally. intros eps.
-    assert (H : locally s (fun r => forall a, In a ls -> forall t v, fst a = Some t ->
-      test_tube c full t (snd a) = Some v -> in_box (snd a) (m r) ->
-      forall i, (i < n)%nat -> Rabs (nth i (tube_solution c t v (m r)) 0 - nth i (p (m s)) 0) <
-        eps)).
-    { apply locally_in. intros [[t|] b] I; [|apply filter_forall; discriminate].
-      destruct (test_tube c full t b) as [v|] eqn:T.
-      - pose proof (leaf_continuous c full t b v T m s (fun k => C k s) (length_in_leaf _ _ I)
-          (p (m s)) (fun B => agrees t b v s I T B) eps) as H.
-        revert H. apply filter_imp. simpl. intros r H t' v' [= <-] T'. rewrite T in T'.
-        injection T' as <-. exact H.
-      - apply filter_forall. simpl. intros r t' v' [= <-]. rewrite T. discriminate. }
-    revert H. apply filter_imp. intros r H.
-    destruct (held r) as (t & b & v & I & B & T & E). rewrite E.
-    exact (H _ I t v eq_refl T B k K).
+    exact (charts_continuous _ _ n within (fun _ _ => True) chart (fun t => p (m t))
+      (leaves_cover (fun _ => True) (fun _ => Logic.I)) leaf_agrees configuration_length
+      leaves_continuous).
   Qed.
 
-  Variable q : R -> list R.
-  Hypothesis Cq : continuous_motion q.
-  Hypothesis Sq : forall t, solves c (m t) (q t).
-
-  Lemma stays_equal s : q s = p (m s) -> locally s (fun r => q r = p (m r)).
+  Theorem configuration_unique q : continuous_motion q -> (forall t, solves c (m t) (q t)) ->
+    forall s, q s = p (m s) -> forall t, q t = p (m t).
   Proof.
-    intros E.
-    assert (H : locally s (fun r => forall a, In a ls -> forall t v, fst a = Some t ->
-      test_tube c full t (snd a) = Some v -> in_box (snd a) (m r) ->
-      q r = tube_solution c t v (m r))).
-    { apply locally_in. intros [[t|] b] I; [|apply filter_forall; discriminate].
-      destruct (test_tube c full t b) as [v|] eqn:T.
-      - pose proof (leaf_unique c full t b v T m s (fun k => C k s) (length_in_leaf _ _ I)
-          q (fun k => Cq k s) Sq) as H.
-        assert (P : in_box b (m s) -> q s = tube_solution c t v (m s)).
-        { intros B. rewrite E. apply agrees with (b := b); assumption. }
-        generalize (H P). apply filter_imp. simpl. intros r X t' v' [= <-] T'. rewrite T in T'.
-        injection T' as <-. exact X.
-      - apply filter_forall. simpl. intros r t' v' [= <-]. rewrite T. discriminate. }
-    revert H. apply filter_imp. intros r H.
-    destruct (held r) as (t & b & v & I & B & T & Er). rewrite Er.
-    exact (H _ I t v eq_refl T B).
-  Qed.
-
-  Lemma stays_different s : q s <> p (m s) -> locally s (fun r => q r <> p (m r)).
-  Proof.
-    intros N.
-    assert (E : exists i, nth i (q s) 0 <> nth i (p (m s)) 0).
-    { apply not_all_ex_not. intros A. apply N, list_equal; [|auto].
-      rewrite configuration_length. apply Sq. }
-    destruct E as [i E].
-    assert (K : continuity_pt (fun r => nth i (q r) 0 - nth i (p (m r)) 0) s).
-    { apply (continuity_pt_minus (fun r => nth i (q r) 0)); [apply Cq|apply
-      configuration_continuous]. }
-    rewrite continuity_pt_locally in K.
-    assert (G : 0 < Rabs (nth i (q s) 0 - nth i (p (m s)) 0)) by (apply Rabs_pos_lt; lra).
-    generalize (K (mkposreal _ G)). apply filter_imp. simpl. intros r X Y. rewrite Y in X.
-    rewrite Rminus_eq_0, Rminus_0_l, Rabs_Ropp in X. lra.
-  Qed.
-
-  Theorem configuration_unique s : q s = p (m s) -> forall t, q t = p (m t).
-  Proof.
-    intros E. set (f := fun r => if list_eq_dec Req_EM_T (q r) (p (m r)) then 0 else 1).
-    assert (D : forall r, is_derive f r 0).
-    { intros r. destruct (list_eq_dec Req_EM_T (q r) (p (m r))) as [Y|Y].
-      - apply (is_derive_ext_loc (fun _ => 0)); [|apply @is_derive_const].
-        generalize (stays_equal r Y). apply filter_imp. intros t T. unfold f.
-        destruct list_eq_dec; [reflexivity|contradiction].
-      - apply (is_derive_ext_loc (fun _ => 1)); [|apply @is_derive_const].
-        generalize (stays_different r Y). apply filter_imp. intros t T. unfold f.
-        destruct list_eq_dec; [contradiction|reflexivity]. }
-    assert (S : forall a b, a < b -> f a = f b) by (intros a b; apply eq_is_derive; auto).
-    intros t. assert (F : f t = f s).
-    { destruct (Rtotal_order t s) as [T|[->|T]]; [apply S, T|reflexivity|symmetry; apply S, T]. }
-    unfold f in F. destruct (list_eq_dec Req_EM_T (q s) (p (m s))); [|contradiction].
-    destruct (list_eq_dec Req_EM_T (q t) (p (m t))); [assumption|lra].
+    intros Cq Sq.
+    apply (charts_unique _ _ n within (fun _ r => solves c (m r) (q r)) chart (fun t => p (m t))
+      (leaves_cover (fun r => solves c (m r) (q r)) Sq) leaf_agrees configuration_length
+      leaves_continuous q Cq); [intros r; apply Sq|].
+    intros a s I E. pose proof (leaf_agrees a s I) as G. destruct a as [[t b] v].
+    apply in_held_leaves in I as [I T].
+    apply (leaf_unique c full t b v T m s (fun k => C k s) (length_in_leaf _ _ I) q
+      (fun k => Cq k s)). intros B. rewrite E. exact (G B).
   Qed.
 End Branch.
 
@@ -678,7 +771,8 @@ Definition check_branch (c : closure) (full : nat) (around tight : tube) (g : tu
 Lemma check_branch_holds c full around tight g :
   check_branch c full around tight g = true -> is_given c /\
   exists root, enclose_ranges (ranges (places c)) = Some root /\
-    check_tubes c full g root = true /\ is_branch c (configuration c full g root).
+    check_tubes c full g root = true /\ is_branch c (configuration c full g root) /\
+    in_box root (the_start c) /\ is_excluded_at g (the_start c) = false.
 Proof.
   unfold check_branch. destruct (enclose_ranges (ranges (places c))) as [root|] eqn:R;
     [|discriminate].
@@ -697,8 +791,13 @@ Proof.
   { intros x X. eapply enclose_ranges_correct; [exact R|apply X]. }
   assert (held : forall x, in_set (places c) x ->
             held_at c full (leaves_of g root) x (configuration c full g root x)).
-  { intros x X. apply configuration_held; [exact H2|apply rooted, X|].
-    apply (excluded_leaves c full g root x H2 X). }
+  { intros x X. apply (held_in_set c full g root x H2 (rooted x X) X). }
+  apply and_comm. split.
+  { unfold starts in H3. apply andb_prop in H3 as [H3 H8]. rewrite forallb_forall in H8.
+    do 4 (apply andb_prop in H3 as [H3 _]).
+    pose proof (subset_boxes_correct b root (the_start c) H3 S2) as X0. split; [exact X0|].
+    apply (not_excluded g root _ X0). intros b' I B. specialize (H8 _ I). simpl in H8.
+    rewrite orb_false_r in H8. exact (boxes_apart_correct b' b _ H8 B S2). }
   split; [|split].
   - intros x X. destruct (held x X) as (t & b' & v & _ & B & T & E). rewrite E.
     split; [exact (tube_solution_solves c full t b' v x T B)|].
@@ -715,8 +814,8 @@ Proof.
     (* The configuration at the start is within the radii. *)
     assert (P0 : solves c x0 p0 /\ is_near c p0).
     { destruct (configuration_held c full g root x0 H2 X0) as (t & b' & v & I & B & T & E).
-      { intros b' I B. specialize (H8 _ I). simpl in H8. rewrite orb_false_r in H8.
-        exact (boxes_apart_correct b' b x0 H8 B S2). }
+      { apply (not_excluded g root x0 X0). intros b' I B. specialize (H8 _ I). simpl in H8.
+        rewrite orb_false_r in H8. exact (boxes_apart_correct b' b x0 H8 B S2). }
       fold p0 in E. specialize (H8 _ I). simpl in H8. apply orb_prop in H8 as [H8|H8].
       { elim (boxes_apart_correct b' b x0 H8 B S2). }
       unfold is_within in H9. destruct (test_tube c full tight b) as [u|] eqn:U; [|discriminate].
@@ -772,7 +871,7 @@ Qed.
 Theorem check_branch_correct c full around tight g :
   check_branch c full around tight g = true -> one_branch c.
 Proof.
-  intros H. apply check_branch_holds in H as (G & root & _ & _ & B).
+  intros H. apply check_branch_holds in H as (G & root & _ & _ & B & _).
   split; [exact G|]. exists (configuration c full g root). exact B.
 Qed.
 

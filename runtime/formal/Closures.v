@@ -122,3 +122,76 @@ Definition all_solutions (c : closure) (lines : list line) : Prop :=
 Definition some_solutions (c : closure) (lines : list line) : Prop :=
   is_searched c lines /\
   forall x, in_set (places c) x -> exists ps, NoDup ps /\ Forall2 (is_the_one c x) lines ps.
+
+(** ** Ways *)
+
+(** The numbers of the pieces of a straight way: for each number a at a way-point that is b at the next
+    one, a and b - a. *)
+Fixpoint segment (a b : list expression) : list expression :=
+  match a, b with
+  | x :: a', y :: b' => x :: Subtract y x :: segment a' b'
+  | _, _ => []
+  end.
+
+Fixpoint segments (way_points : list (list expression)) : list (list expression) :=
+  match way_points with
+  | a :: ((b :: _) as later) => segment a b :: segments later
+  | _ => []
+  end.
+
+(** A way is a list of pieces. The first variable goes from 0 to 1 on each, and where a piece ends, the
+    next one begins. A place x of the way has the variables of a piece but for the first number, which
+    is between 0 and the number of pieces; on piece k, the first one being piece 0, it is k more than
+    the first variable of the piece. *)
+Definition on_piece (k : nat) (x : list R) : list R :=
+  match x with [] => [] | u :: y => u - INR k :: y end.
+
+(** The mechanism of piece k is c, and x is a place of its set. *)
+Definition is_on (way : list closure) (x : list R) (k : nat) (c : closure) : Prop :=
+  nth_error way k = Some c /\ in_set (places c) (on_piece k x).
+
+(** The range of the first variable. *)
+Definition goes_from_0_to_1 (c : closure) : Prop :=
+  match ranges (places c) with
+  | (a, b) :: _ => value [] a = 0 /\ value [] b = 1
+  | [] => False
+  end.
+
+(** They have as many unknowns, the other variables have the same ranges, and where c ends and d
+    begins, they have the same configurations. *)
+Definition are_joined (c d : closure) : Prop :=
+  unknowns c = unknowns d /\ tl (ranges (places c)) = tl (ranges (places d)) /\
+  forall y p, S (length y) = length (ranges (places c)) ->
+    solves c (1 :: y) p <-> solves d (0 :: y) p.
+
+Fixpoint all_joined (way : list closure) : Prop :=
+  match way with
+  | c :: ((d :: _) as later) => are_joined c d /\ all_joined later
+  | _ => True
+  end.
+
+Definition is_way (way : list closure) : Prop :=
+  match way with [] => False | c :: _ => start_defined c end /\
+  Forall (fun c => ends_defined (places c) /\ length (equations c) = unknowns c /\
+                   goes_from_0_to_1 c) way /\
+  all_joined way.
+
+(** The same of a way as [is_branch] of a mechanism. The start is on the first piece, and a motion may
+    go along the way from piece to piece. *)
+Definition is_branch_along (way : list closure) (p : list R -> list R) : Prop :=
+  (forall x k c, is_on way x k c -> let y := on_piece k x in
+     solves c y (p x) /\ has_values c y (p x) /\ regular_at c y (p x)) /\
+  match way with
+  | [] => False
+  | c :: _ => forall q, solves c (the_start c) q /\ is_near c q <-> q = p (the_start c)
+  end /\
+  (forall m, continuous_motion m -> (forall t, exists k c, is_on way (m t) k c) ->
+     continuous_motion (fun t => p (m t)) /\
+     forall q, continuous_motion q ->
+       (forall t k c, is_on way (m t) k c -> solves c (on_piece k (m t)) (q t)) ->
+       forall t0, q t0 = p (m t0) -> forall t, q t = p (m t)).
+
+(** NO SINGULARITY of a closure along a way, where c is the mechanism on each piece. *)
+Definition one_branch_along (c : list expression -> closure) (pieces : list (list expression)) :
+    Prop :=
+  is_way (map c pieces) /\ exists p, is_branch_along (map c pieces) p.

@@ -54,6 +54,9 @@ Definition acos (x : expression) : expression := pi / 2 - asin x.
 Definition atan2 (yx : expression * expression) : expression :=
   let (y, x) := yx in 2 * atan (y / (sqrt (x ^ 2 + y ^ 2) + x)).
 
+(** An angle of so many degrees is a multiple of this. *)
+Definition deg : expression := pi / 180.
+
 (** The range middle +- spread. *)
 Definition within (middle spread : expression) : expression * expression :=
   (middle - spread, middle + spread).

@@ -6,7 +6,7 @@ From Coq Require Import Reals QArith Qreals Lra Lia List PArith Bool.
 From Coq Require PrimFloat.
 From Regulus Require Import Expressions Intervals Forms Evaluation Boxes Hints Regularity.
 From Regulus Require Import Continuity Existence Derivatives LinearAlgebra Questions Search Forces.
-From Regulus Require Import Limits Closures Tubes Branches.
+From Regulus Require Import Limits Closures Tubes Branches Ways.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -73,28 +73,62 @@ Definition over_branch (P : (nat -> nat -> R) -> Prop) (c : closure) (motors : l
   is_given c /\ exists p, is_branch c p /\
     forall x, in_set (places c) x -> exists J, has_rates c motors x (p x) J /\ P J.
 
-Definition branch_satisfies (bound : R -> Prop) (c : closure) (motors : list nat) (q : measured)
-    (s : vectors) : Prop :=
-  fits (unknowns c) (length motors) q s /\ vectors_defined s /\
-  over_branch (fun J => forall w, in_vectors s w ->
-    bound (measure (unknowns c) (length motors) J q w)) c motors.
+(** The same along a way, on each piece. *)
+Definition over_branch_along (P : (nat -> nat -> R) -> Prop) (c : list expression -> closure)
+    (pieces : list (list expression)) (motors : list nat) : Prop :=
+  let way := map c pieces in
+  is_way way /\ exists p, is_branch_along way p /\
+    forall x k d, is_on way x k d ->
+      exists J, has_rates d motors (on_piece k x) (p x) J /\ P J.
 
-Definition branch_within (c : closure) motors q s (limit : expression) : Prop :=
-  defined [] limit /\ branch_satisfies (fun y => Rabs y < value [] limit) c motors q s.
-Definition branch_below (c : closure) motors q s (limit : expression) : Prop :=
-  defined [] limit /\ branch_satisfies (fun y => y < value [] limit) c motors q s.
-Definition branch_above (c : closure) motors q s (limit : expression) : Prop :=
-  defined [] limit /\ branch_satisfies (fun y => value [] limit < y) c motors q s.
+(** All pieces have as many unknowns. *)
+Definition unknowns_along (c : list expression -> closure) (pieces : list (list expression)) :=
+  match map c pieces with d :: _ => unknowns d | [] => O end.
+
+(** [over P] says that P is true of J everywhere, for n unknowns and d motors. *)
+Definition is_bounded_over (over : ((nat -> nat -> R) -> Prop) -> Prop) (n d : nat)
+    (bound : R -> Prop) (q : measured) (s : vectors) : Prop :=
+  fits n d q s /\ vectors_defined s /\
+  over (fun J => forall w, in_vectors s w -> bound (measure n d J q w)).
+
+Definition is_within_over over n d q s (limit : expression) : Prop :=
+  defined [] limit /\ is_bounded_over over n d (fun y => Rabs y < value [] limit) q s.
+Definition is_below_over over n d q s (limit : expression) : Prop :=
+  defined [] limit /\ is_bounded_over over n d (fun y => y < value [] limit) q s.
+Definition is_above_over over n d q s (limit : expression) : Prop :=
+  defined [] limit /\ is_bounded_over over n d (fun y => value [] limit < y) q s.
 
 (** The force of each motor is between its limits, for each load. *)
-Definition branch_within_limits (c : closure) (motors : list nat) (load : vectors)
-    (limits : list (expression * expression)) : Prop :=
-  length (components load) = unknowns c /\ length limits = length motors /\
+Definition keeps_limits_over (over : ((nat -> nat -> R) -> Prop) -> Prop) (n d : nat)
+    (load : vectors) (limits : list (expression * expression)) : Prop :=
+  length (components load) = n /\ length limits = d /\
   vectors_defined load /\ Forall (fun l => defined [] (fst l) /\ defined [] (snd l)) limits /\
-  over_branch (fun J => forall w, in_vectors load w -> forall k, (k < length motors)%nat ->
-    value_of [] (map fst limits) k
-      <= measure (unknowns c) (length motors) J (Force k) w
-      <= value_of [] (map snd limits) k) c motors.
+  over (fun J => forall w, in_vectors load w -> forall k, (k < d)%nat ->
+    value_of [] (map fst limits) k <= measure n d J (Force k) w
+      <= value_of [] (map snd limits) k).
+
+Definition branch_within (c : closure) (motors : list nat) :=
+  is_within_over (fun P => over_branch P c motors) (unknowns c) (length motors).
+Definition branch_below (c : closure) (motors : list nat) :=
+  is_below_over (fun P => over_branch P c motors) (unknowns c) (length motors).
+Definition branch_above (c : closure) (motors : list nat) :=
+  is_above_over (fun P => over_branch P c motors) (unknowns c) (length motors).
+Definition branch_within_limits (c : closure) (motors : list nat) :=
+  keeps_limits_over (fun P => over_branch P c motors) (unknowns c) (length motors).
+
+Definition branch_within_along (c : list expression -> closure) pieces (motors : list nat) :=
+  is_within_over (fun P => over_branch_along P c pieces motors) (unknowns_along c pieces)
+    (length motors).
+Definition branch_below_along (c : list expression -> closure) pieces (motors : list nat) :=
+  is_below_over (fun P => over_branch_along P c pieces motors) (unknowns_along c pieces)
+    (length motors).
+Definition branch_above_along (c : list expression -> closure) pieces (motors : list nat) :=
+  is_above_over (fun P => over_branch_along P c pieces motors) (unknowns_along c pieces)
+    (length motors).
+Definition branch_within_limits_along (c : list expression -> closure) pieces
+    (motors : list nat) :=
+  keeps_limits_over (fun P => over_branch_along P c pieces motors) (unknowns_along c pieces)
+    (length motors).
 
 (** ** The derivatives of the equations by variable k of m *)
 
@@ -786,15 +820,58 @@ Proof.
   destruct (enclose_ranges (ranges (places c))) as [root|] eqn:R; [|discriminate].
   set (full := second_order m). set (h := refined c full (deepest m) g). intros H.
   apply andb_prop in H as [H1 H2].
-  apply check_branch_holds in H1 as (Gi & root' & R' & Ct & Br). rewrite R in R'.
+  apply check_branch_holds in H1 as (Gi & root' & R' & Ct & Br & _). rewrite R in R'.
   injection R' as <-. split; [exact Gi|]. exists (configuration c full h root). split; [exact Br|].
   intros x X. assert (B : in_box root x) by (eapply enclose_ranges_correct; [exact R|apply X]).
-  destruct (configuration_held c full h root x Ct B (excluded_leaves c full h root x Ct X))
-    as (t & b' & v & I & B' & V & E).
+  destruct (held_in_set c full h root x Ct B X) as [_ (t & b' & v & I & B' & V & E)].
   rewrite forallb_forall in H2. specialize (H2 _ I). cbn [fst snd] in H2.
   rewrite E. refine (shown_correct c full motors good holds G halvings x _ _ t b' H2 B' _).
   - exact (tube_solution_solves c full t b' v x V B').
   - exact (solution_in_tube c full t b' v x V B').
+Qed.
+
+(** The same along a way. *)
+Definition check_over_along (halvings : nat) (good : (nat -> nat -> form) -> bool)
+    (c : list expression -> closure) (pieces : list (list expression)) (motors : list nat)
+    (m : method) (gs : list tubes) : bool :=
+  let full := second_order m in
+  match stretches full (deepest m) (map c pieces) gs with
+  | Some l =>
+      check_stretches full l
+      && forallb (fun s => forallb (fun u : leaf => match fst u with
+           | Some t => shown (mechanism s) full motors good halvings t (snd u)
+           | None => true
+           end) (leaves_on s)) l
+  | None => false
+  end.
+
+Lemma check_over_along_correct halvings good (holds : (nat -> nat -> R) -> Prop) c pieces motors m
+    gs :
+  (forall s F J, in_unit_box s ->
+    (forall j k, (j < unknowns_along c pieces)%nat -> (k < length motors)%nat ->
+       form_encloses s (F j k) (J j k)) -> good F = true -> holds J) ->
+  check_over_along halvings good c pieces motors m gs = true ->
+  over_branch_along holds c pieces motors.
+Proof.
+  intros G. unfold check_over_along. set (full := second_order m).
+  destruct (stretches full (deepest m) (map c pieces) gs) as [l|] eqn:L; [|discriminate].
+  apply stretches_correct in L as [M E]. intros H. apply andb_prop in H as [H1 H2].
+  apply (check_stretches_correct _ _ E) in H1 as (W & B & others & n & K & Li).
+  assert (U : forall s, In s l -> unknowns (mechanism s) = unknowns_along c pieces).
+  { unfold unknowns_along. rewrite <- M. intros s I.
+    rewrite (has_unknowns _ _ _ s (are_pieces full l others n E K s I)).
+    destruct l as [|s0 l0]; [destruct I|]. simpl. symmetry.
+    exact (has_unknowns _ _ _ s0 (are_pieces full _ others n E K s0 (or_introl eq_refl))). }
+  unfold over_branch_along. rewrite <- M. split; [exact W|]. exists (along full 0 l). split; [exact B|].
+  intros x k d D.
+  destruct (along_on_piece full l others n E K Li x k d D)
+    as (s & t & b & v & N & <- & I & Bx & _ & V & ->).
+  rewrite forallb_forall in H2. pose proof (H2 s (nth_error_In _ _ N)) as H3.
+  rewrite forallb_forall in H3. specialize (H3 _ I). cbn [fst snd] in H3.
+  rewrite <- (U s (nth_error_In _ _ N)) in G.
+  refine (shown_correct (mechanism s) full motors good holds G halvings _ _ _ t b H3 Bx _).
+  - exact (tube_solution_solves (mechanism s) full t b v _ V Bx).
+  - exact (solution_in_tube (mechanism s) full t b v _ V Bx).
 Qed.
 
 Definition most_halvings : nat := 12.
@@ -833,73 +910,86 @@ Definition obeys (s : side) (i limit : interval) : bool :=
   | Above => is_positive (subtract i limit)
   end.
 
-Definition check_measure (which : side) (c : closure) (motors : list nat) (q : measured)
-    (s : vectors) (limit : expression) (m : method) (g : tubes) : bool :=
-  is_fitting (unknowns c) (length motors) q s && are_vectors_known s
-  && is_known (evaluate [] limit)
-  && check_over most_halvings (fun F =>
-       obeys which (range_over s (part_of F q)) (range_or_none (evaluate [] limit))) c motors m g.
+(** [tests good] shows [over holds], if good F is a reason for holds J where F encloses J. *)
+Definition shows (tests : ((nat -> nat -> form) -> bool) -> bool)
+    (over : ((nat -> nat -> R) -> Prop) -> Prop) (n d : nat) : Prop :=
+  forall good (holds : (nat -> nat -> R) -> Prop),
+    (forall s F J, in_unit_box s ->
+      (forall j k, (j < n)%nat -> (k < d)%nat -> form_encloses s (F j k) (J j k)) ->
+      good F = true -> holds J) ->
+    tests good = true -> over holds.
 
-Lemma check_measure_correct which (bound : R -> Prop) c motors q s limit m g :
-  (forall i y, obeys which i (range_or_none (evaluate [] limit)) = true -> encloses i y ->
-     encloses (range_or_none (evaluate [] limit)) (value [] limit) -> bound y) ->
-  check_measure which c motors q s limit m g = true ->
-  defined [] limit /\ branch_satisfies bound c motors q s.
-Proof.
-  intros O H. unfold check_measure in H.
-  apply andb_prop in H as [H C]. apply andb_prop in H as [H L]. apply andb_prop in H as [Q K].
-  apply is_fitting_correct in Q. split; [exact (closed_value _ L)|].
-  split; [exact Q|]. split; [apply are_vectors_known_correct, K|].
-  refine (check_over_correct most_halvings _ _ c motors m g _ C). intros t F J T E G w W.
-  apply (O _ _ G); [exact (measured_encloses t _ _ q s F J w T K Q E W)|].
-  destruct (evaluate [] limit) as [v|] eqn:V; [|discriminate].
-  exact (proj2 (Threshold.threshold_known _ _ V)).
-Qed.
+Definition check_measure_over (which : side) (tests : ((nat -> nat -> form) -> bool) -> bool)
+    (n d : nat) (q : measured) (s : vectors) (limit : expression) : bool :=
+  is_fitting n d q s && are_vectors_known s && is_known (evaluate [] limit)
+  && tests (fun F =>
+       obeys which (range_over s (part_of F q)) (range_or_none (evaluate [] limit))).
 
-Theorem check_branch_within_correct c motors q s limit m g :
-  check_measure Within c motors q s limit m g = true -> branch_within c motors q s limit.
-Proof.
-  apply check_measure_correct. intros i y H Y L.
-  pose proof (is_negative_correct _ _ H (subtract_encloses _ _ _ _ (absolute_encloses _ _ Y) L)).
-  lra.
-Qed.
+Section Measures.
+  Variables (tests : ((nat -> nat -> form) -> bool) -> bool)
+    (over : ((nat -> nat -> R) -> Prop) -> Prop) (n d : nat).
+  Hypothesis shown_over : shows tests over n d.
 
-Theorem check_branch_below_correct c motors q s limit m g :
-  check_measure Below c motors q s limit m g = true -> branch_below c motors q s limit.
-Proof.
-  apply check_measure_correct. intros i y H Y L.
-  pose proof (is_negative_correct _ _ H (subtract_encloses _ _ _ _ Y L)). lra.
-Qed.
+  Lemma check_measure_over_correct which (bound : R -> Prop) q s limit :
+    (forall i y, obeys which i (range_or_none (evaluate [] limit)) = true -> encloses i y ->
+       encloses (range_or_none (evaluate [] limit)) (value [] limit) -> bound y) ->
+    check_measure_over which tests n d q s limit = true ->
+    defined [] limit /\ is_bounded_over over n d bound q s.
+  Proof.
+    intros O H. unfold check_measure_over in H.
+    apply andb_prop in H as [H C]. apply andb_prop in H as [H L]. apply andb_prop in H as [Q K].
+    apply is_fitting_correct in Q. split; [exact (closed_value _ L)|].
+    split; [exact Q|]. split; [apply are_vectors_known_correct, K|].
+    refine (shown_over _ _ _ C). intros t F J T E G w W.
+    apply (O _ _ G); [exact (measured_encloses t _ _ q s F J w T K Q E W)|].
+    destruct (evaluate [] limit) as [v|] eqn:V; [|discriminate].
+    exact (proj2 (Threshold.threshold_known _ _ V)).
+  Qed.
 
-Theorem check_branch_above_correct c motors q s limit m g :
-  check_measure Above c motors q s limit m g = true -> branch_above c motors q s limit.
-Proof.
-  apply check_measure_correct. intros i y H Y L.
-  pose proof (is_positive_correct _ _ H (subtract_encloses _ _ _ _ Y L)). lra.
-Qed.
+  Lemma check_within_over q s limit : check_measure_over Within tests n d q s limit = true ->
+    is_within_over over n d q s limit.
+  Proof.
+    apply check_measure_over_correct. intros i y H Y L.
+    pose proof (is_negative_correct _ _ H (subtract_encloses _ _ _ _ (absolute_encloses _ _ Y) L)).
+    lra.
+  Qed.
 
-Definition check_branch_within_limits (c : closure) (motors : list nat) (load : vectors)
-    (limits : list (expression * expression)) (m : method) (g : tubes) : bool :=
-  Nat.eqb (length (components load)) (unknowns c)
-  && Nat.eqb (length limits) (length motors) && are_vectors_known load
+  Lemma check_below_over q s limit : check_measure_over Below tests n d q s limit = true ->
+    is_below_over over n d q s limit.
+  Proof.
+    apply check_measure_over_correct. intros i y H Y L.
+    pose proof (is_negative_correct _ _ H (subtract_encloses _ _ _ _ Y L)). lra.
+  Qed.
+
+  Lemma check_above_over q s limit : check_measure_over Above tests n d q s limit = true ->
+    is_above_over over n d q s limit.
+  Proof.
+    apply check_measure_over_correct. intros i y H Y L.
+    pose proof (is_positive_correct _ _ H (subtract_encloses _ _ _ _ Y L)). lra.
+  Qed.
+End Measures.
+
+Definition check_limits_over (tests : ((nat -> nat -> form) -> bool) -> bool) (n d : nat)
+    (load : vectors) (limits : list (expression * expression)) : bool :=
+  Nat.eqb (length (components load)) n
+  && Nat.eqb (length limits) d && are_vectors_known load
   && forallb (fun l => is_known (evaluate [] (fst l)) && is_known (evaluate [] (snd l))) limits
-  && check_over most_halvings (fun F => forallb (fun k =>
+  && tests (fun F => forallb (fun k =>
        let i := range_over load (part_of F (Force k)) in
        is_not_negative (subtract i (nth k (bounds_of_limits (map fst limits)) I.nai))
        && is_not_positive (subtract i (nth k (bounds_of_limits (map snd limits)) I.nai)))
-       (seq 0 (length motors))) c motors m g.
+       (seq 0 d)).
 
-Theorem check_branch_within_limits_correct c motors load limits m g :
-  check_branch_within_limits c motors load limits m g = true ->
-  branch_within_limits c motors load limits.
+Lemma check_limits_over_correct tests over n d load limits : shows tests over n d ->
+  check_limits_over tests n d load limits = true -> keeps_limits_over over n d load limits.
 Proof.
-  unfold check_branch_within_limits. intros H.
+  unfold check_limits_over. intros S H.
   apply andb_prop in H as [H C]. apply andb_prop in H as [H L]. apply andb_prop in H as [H K].
   apply andb_prop in H as [A D]. apply Nat.eqb_eq in A, D. rewrite forallb_forall in L.
   split; [exact A|]. split; [exact D|]. split; [apply are_vectors_known_correct, K|]. split.
   { apply Forall_forall. intros l In_l. specialize (L l In_l). apply andb_prop in L as [L1 L2].
     split; apply closed_value; assumption. }
-  refine (check_over_correct most_halvings _ _ c motors m g _ C). intros t F J T E G w W k Hk.
+  refine (S _ _ _ C). intros t F J T E G w W k Hk.
   rewrite forallb_forall in G. specialize (G k ltac:(apply in_seq; lia)). cbv zeta in G.
   apply andb_prop in G as [G1 G2].
   pose proof (measured_encloses t _ _ (Force k) load F J w T K (conj Hk A) E W) as R.
@@ -916,3 +1006,70 @@ Proof.
   - apply Rminus_le. refine (is_not_positive_correct _ _ G2 (subtract_encloses _ _ _ _ R _)).
     apply N. intros l In_l. specialize (L l In_l). apply andb_prop in L as [_ L2]. exact L2.
 Qed.
+
+(** Over the ranges of one mechanism. *)
+Definition check_measure (which : side) c motors q s limit m g : bool :=
+  check_measure_over which (fun good => check_over most_halvings good c motors m g) (unknowns c)
+    (length motors) q s limit.
+Definition check_branch_within_limits c motors load limits m g : bool :=
+  check_limits_over (fun good => check_over most_halvings good c motors m g) (unknowns c)
+    (length motors) load limits.
+
+Section Ranges.
+  Variables (c : closure) (motors : list nat).
+  Let tests (m : method) (g : tubes) good := check_over most_halvings good c motors m g.
+  Let over P := over_branch P c motors.
+  Let shown_over m g : shows (tests m g) over (unknowns c) (length motors).
+  Proof. intros good holds G. exact (check_over_correct _ _ _ c motors m g G). Qed.
+
+  Theorem check_branch_within_correct q s limit m g :
+    check_measure Within c motors q s limit m g = true -> branch_within c motors q s limit.
+  Proof. apply check_within_over, shown_over. Qed.
+  Theorem check_branch_below_correct q s limit m g :
+    check_measure Below c motors q s limit m g = true -> branch_below c motors q s limit.
+  Proof. apply check_below_over, shown_over. Qed.
+  Theorem check_branch_above_correct q s limit m g :
+    check_measure Above c motors q s limit m g = true -> branch_above c motors q s limit.
+  Proof. apply check_above_over, shown_over. Qed.
+  Theorem check_branch_within_limits_correct load limits m g :
+    check_branch_within_limits c motors load limits m g = true ->
+    branch_within_limits c motors load limits.
+  Proof. apply check_limits_over_correct, shown_over. Qed.
+End Ranges.
+
+(** Along the pieces of a way. *)
+Definition check_measure_along (which : side) c pieces motors q s limit m gs : bool :=
+  check_measure_over which
+    (fun good => check_over_along most_halvings good c pieces motors m gs)
+    (unknowns_along c pieces) (length motors) q s limit.
+Definition check_limits_along c pieces motors load limits m gs : bool :=
+  check_limits_over (fun good => check_over_along most_halvings good c pieces motors m gs)
+    (unknowns_along c pieces) (length motors) load limits.
+
+Section Way.
+  Variables (c : list expression -> closure) (pieces : list (list expression)).
+  Variable motors : list nat.
+  Let tests (m : method) (gs : list tubes) good :=
+    check_over_along most_halvings good c pieces motors m gs.
+  Let over P := over_branch_along P c pieces motors.
+  Let n := unknowns_along c pieces.
+  Let shown_over m gs : shows (tests m gs) over n (length motors).
+  Proof. intros good holds G. exact (check_over_along_correct _ _ _ c pieces motors m gs G). Qed.
+
+  Theorem check_branch_within_along_correct q s limit m gs :
+    check_measure_along Within c pieces motors q s limit m gs = true ->
+    branch_within_along c pieces motors q s limit.
+  Proof. apply check_within_over, shown_over. Qed.
+  Theorem check_branch_below_along_correct q s limit m gs :
+    check_measure_along Below c pieces motors q s limit m gs = true ->
+    branch_below_along c pieces motors q s limit.
+  Proof. apply check_below_over, shown_over. Qed.
+  Theorem check_branch_above_along_correct q s limit m gs :
+    check_measure_along Above c pieces motors q s limit m gs = true ->
+    branch_above_along c pieces motors q s limit.
+  Proof. apply check_above_over, shown_over. Qed.
+  Theorem check_branch_within_limits_along_correct load limits m gs :
+    check_limits_along c pieces motors load limits m gs = true ->
+    branch_within_limits_along c pieces motors load limits.
+  Proof. apply check_limits_over_correct, shown_over. Qed.
+End Way.

@@ -19,10 +19,12 @@ constexpr auto kImports = std::to_array<std::string_view>(
     {"From Coq Require Import List", "From Coq Require Import PrimFloat",
      "From Regulus Require Import Expressions Questions Search Singularity Threshold Forces",
      "From Regulus Require Import Notations", "Import ListNotations"});
-/// In place of the third one, of a closure, of a quantity over its branch, of its solutions, and of forces
-/// within limits.
+/// In place of the third one, of a closure, along a way, of a quantity over its branch, of its solutions, and
+/// of forces within limits.
 constexpr std::string_view kClosureImport =
     "From Regulus Require Import Expressions Questions Search Closures Tubes Branches";
+constexpr std::string_view kWaysImport =
+    "From Regulus Require Import Expressions Questions Search Closures Tubes Branches Ways";
 constexpr std::string_view kRatesImport =
     "From Regulus Require Import Expressions Questions Search Closures Tubes Branches Rates";
 constexpr std::string_view kSolutionsImport =
@@ -44,7 +46,9 @@ constexpr auto kDefinitions =
                                      "the_scales : list expression",
                                      "the_threshold : expression",
                                      "the_closure : closure",
+                                     "the_closure ( piece : list expression ) : closure",
                                      "the_tubes : tubes",
+                                     "the_tubes : list tubes",
                                      "the_solutions : list line",
                                      "the_row : nat",
                                      "the_load : list expression",
@@ -56,11 +60,11 @@ constexpr auto kDefinitions =
 
 /// The words of their bodies. Each has one meaning, that of the imports: no definition has its name.
 constexpr auto kWords = std::to_array<std::string_view>(
-    {"Vectors", "Force", "Motion",   "nat",      "Closure",     "Tube",  "Excluded",
-     "Held",    "Cut",   "Question", "Method",   "Name",        "Leaf",  "Split",
-     "within",  "nth",   "piece",    "no_entry", "pi",          "sqrt",  "sin",
-     "cos",     "tan",   "asin",     "acos",     "atan",        "atan2", "exp",
-     "log",     "abs",   "float",    "infinity", "neg_infinity"});
+    {"Vectors", "Force", "Motion",   "nat",      "Closure",  "Tube",     "Excluded",
+     "Held",    "Cut",   "Question", "Method",   "Name",     "Leaf",     "Split",
+     "within",  "nth",   "piece",    "no_entry", "segments", "deg",      "pi",
+     "sqrt",    "sin",   "cos",      "tan",      "asin",     "acos",     "atan",
+     "atan2",   "exp",   "log",      "abs",      "float",    "infinity", "neg_infinity"});
 
 constexpr std::string_view kSymbols = "()[];,+-*/^%";
 
@@ -84,6 +88,11 @@ constexpr auto kBranchClaims = std::to_array<Claim>(
      {"branch_below", " the_motors the_measure the_vectors the_limit", "Rates"},
      {"branch_above", " the_motors the_measure the_vectors the_limit", "Rates"},
      {"branch_within_limits", " the_motors the_vectors the_limits", "Rates"},
+     {"one_branch_along", " pieces", "Closures"},
+     {"branch_within_along", " pieces the_motors the_measure the_vectors the_limit", "Rates"},
+     {"branch_below_along", " pieces the_motors the_measure the_vectors the_limit", "Rates"},
+     {"branch_above_along", " pieces the_motors the_measure the_vectors the_limit", "Rates"},
+     {"branch_within_limits_along", " pieces the_motors the_vectors the_limits", "Rates"},
      {"all_solutions", " the_solutions", "Closures"},
      {"some_solutions", " the_solutions", "Closures"}});
 
@@ -117,8 +126,8 @@ class PlainReader {
 
   void expect_import(std::string_view import) {
     const std::string current = sentences_.current();
-    const bool is_of_closure =
-        current == kClosureImport || current == kRatesImport || current == kSolutionsImport;
+    const bool is_of_closure = current == kClosureImport || current == kWaysImport ||
+                               current == kRatesImport || current == kSolutionsImport;
     if (import != kImports[2] || !(is_of_closure || current == kLimitsImport))
       return sentences_.expect(import);
     is_closure_ = is_of_closure;

@@ -14,6 +14,7 @@
 #include "runtime/formal/coq_question.hpp"
 #include "runtime/formal/coq_solutions.hpp"
 #include "runtime/formal/coq_tubes.hpp"
+#include "runtime/formal/coq_way.hpp"
 #include "runtime/verifier/pieces.hpp"
 #include "runtime/verifier/planar_platform.hpp"
 #include "runtime/verifier/proof.hpp"
@@ -31,9 +32,10 @@ constexpr int kDeepestSearch = 400;
 std::string imports(const Question& q) {
   if (q.closure)
     return std::string("Expressions Questions Search Closures Tubes Branches") +
-           (q.quantity    ? " Rates"
-            : q.solutions ? " Solutions"
-                          : "");
+           (q.quantity       ? " Rates"
+            : q.solutions    ? " Solutions"
+            : q.is_piecewise ? " Ways"
+                             : "");
   return std::string("Expressions Questions Search Singularity Threshold Forces") +
          (q.load ? " Limits" : "");
 }
@@ -152,44 +154,52 @@ std::string solutions_theorem(const Question& question, const std::vector<std::s
                  "check_" + claim + "_correct the_closure the_method the_solutions");
 }
 
-/// The tubes of a certificate as hints, and the theorem.
+/// The closure of a theorem, its pieces, and its tubes, which are hints.
 std::string theorem_of_tubes(Lines& lines, const Question& question, const CoqQuestion& coq,
-                             const VariablesOfCoq& variables, const std::string& claim,
-                             const std::string& check, const std::string& arguments) {
-  return coq_tubes(lines, question, variables) +
+                             const VariablesOfCoq& variables, const Pieces& pieces,
+                             const std::string& claim, const std::string& check,
+                             const std::string& arguments) {
+  const std::size_t count = pieces.values.size();
+  const std::string along = count == 0 ? "" : "_along",
+                    all = (count == 0 ? " the_closure" : " the_closure pieces") + arguments;
+  return (count == 0 ? "" : coq_way(pieces, question)) +
+         coq_tubes(lines, question, variables, count) +
          "\n(** The variables of second order, and how often a box is halved whose tube is too "
          "narrow. *)\nDefinition the_method : method := Method " +
          std::to_string(coq.second_order) + " 6.\n" +
-         theorem(claim + " the_closure" + arguments,
-                 check + "_correct the_closure" + arguments + " the_method the_tubes");
+         theorem(claim + along + all, check + along + "_correct" + all + " the_method the_tubes");
 }
 
 /// The theorem about a quantity over the branch of a closure.
 std::string branch_theorem(Lines& lines, const Question& question,
-                           const std::vector<std::string>& kept) {
+                           const std::vector<std::string>& kept, const Pieces& pieces) {
   const BranchQuantityText branch = split_branch(question, kept);
   std::istringstream text(branch.question);
   Lines plain(text);
   Question closure;
   read_question(plain, closure);
-  const CoqQuestion coq = coq_question(lines_of(branch.question), closure);
+  const CoqQuestion coq = coq_question(lines_of(branch.question), closure, pieces.names);
   return heading(question) + coq.text + branch.definitions +
-         theorem_of_tubes(lines, question, coq, {branch.places, closure.variables.size()},
+         theorem_of_tubes(lines, question, coq, {branch.places, closure.variables.size()}, pieces,
                           branch.claim, "check_" + branch.claim, branch.arguments);
 }
 
-/// The theorem about one branch of a closure. Coq has the tubes of the certificate as hints.
+/// The theorem about one branch of a closure, along the pieces if there are some.
 std::string closure_theorem(Lines& lines, const Question& question,
-                            const std::vector<std::string>& kept) {
-  if (question.is_index) throw Unfinished("there is no theorem about a closure in shards");
-  if (question.quantity) return branch_theorem(lines, question, kept);
+                            const std::vector<std::string>& kept, const Pieces& pieces) {
+  if (question.is_index)
+    throw Unfinished(
+        "the theorem about a closure has the tubes of one file; write the proof without shards");
+  if (question.paves) throw Unfinished("there is no theorem about a paving of a branch yet");
+  if (question.quantity) return branch_theorem(lines, question, kept, pieces);
   if (question.singular)
     throw Unfinished("there is no theorem about a singular configuration of a closure yet");
-  const CoqQuestion coq = coq_question(kept, question);
+  const CoqQuestion coq = coq_question(kept, question, pieces.names);
   VariablesOfCoq variables{{}, question.variables.size()};
   for (std::size_t k = 0; k < variables.count; ++k) variables.places.push_back(k);
   return heading(question) + coq.text +
-         theorem_of_tubes(lines, question, coq, variables, "one_branch", "check_closure", "");
+         theorem_of_tubes(lines, question, coq, variables, pieces, "one_branch", "check_closure",
+                          "");
 }
 
 /// `claim arguments`, of the question or of each piece, and the check that proves it.
@@ -273,10 +283,11 @@ std::string trajectory(Lines& lines, CoqStatement statement) {
   Lines first(text);
   Question question;
   read_question(first, question);
-  if (question.singular) throw Rejection("a singular pose lies on one piece: there are several");
   if (question.solutions) throw Rejection("solutions are at one place, and on no pieces");
-  if (question.closure) throw Unfinished("there is no theorem about a closure along pieces");
   const std::vector<std::string> kept = lines_of(pieces.question_of(0));
+  question.is_piecewise = true;
+  if (question.closure) return closure_theorem(lines, question, kept, pieces);
+  if (question.singular) throw Rejection("a singular pose lies on one piece: there are several");
   if (question.load) return limits(question, kept, pieces);
   if (question.quantity || statement == CoqStatement::kForce) return force(question, kept, pieces);
   const CoqQuestion coq = coq_question(kept, question, pieces.names);
@@ -294,7 +305,7 @@ std::string read_and_write(Lines& lines, CoqStatement statement, Question& quest
   if (statement == CoqStatement::kForce && question.closure && !question.quantity)
     throw Unfinished("this certificate of a closure states no force");
   if (question.is_piecewise) return trajectory(lines, statement);
-  if (question.closure) return closure_theorem(lines, question, kept = lines.take_kept());
+  if (question.closure) return closure_theorem(lines, question, kept = lines.take_kept(), {});
   if (question.load) return limits(question, lines.take_kept(), {});
   if (question.quantity || statement == CoqStatement::kForce)
     return force(question, lines.take_kept(), {});

@@ -73,13 +73,13 @@ class QuestionWriter {
 
   [[nodiscard]] std::string text() const {
     if (q_.closure) return closure_text();
-    std::string text =
-        "(** The names: the variables, then the definitions of the question. *)\n" + names_text_ +
-        "\n(** The question, in the order of its certificate: the ranges of the "
-        "variables, the definitions,\n    the constraints, more expressions that "
-        "must have a value, the matrix and its number of columns. *)\n"
-        "Definition the_question " +
-        (piece_names_.empty() ? "" : "(piece : list expression) ") + ": question := Question\n";
+    std::string text = "(** The names: the variables, then the definitions of the question. *)\n" +
+                       names_text_ +
+                       "\n(** The question, in the order of its certificate: the ranges of the "
+                       "variables, the definitions,\n    the constraints, more expressions that "
+                       "must have a value, the matrix and its number of columns. *)\n"
+                       "Definition the_question " +
+                       argument() + ": question := Question\n";
     for (const auto* list : {&ranges_, &definitions_, &constraints_, &defined_})
       text += "  " + coq_list(*list, "   ") + "\n";
     text += "  " + matrix() + "\n  " + std::to_string(q_.columns) + ".\n";
@@ -121,6 +121,11 @@ class QuestionWriter {
     return coq_identifier(name) + "'commanded";
   }
   static std::string error_of(std::string_view name) { return coq_identifier(name) + "'error"; }
+
+  /// The constants of a piece.
+  [[nodiscard]] std::string argument() const {
+    return piece_names_.empty() ? "" : "(piece : list expression) ";
+  }
 
   /// A shared expression may have the name of a parameter that the matrix does not use.
   std::string fresh(std::string identifier) {
@@ -198,7 +203,7 @@ class QuestionWriter {
                                    "looked for: within a radius of a value, for each unknown"
                                  : "the place of the start, and the values of the\n    unknowns "
                                    "there with their radii") +
-        ". *)\nDefinition the_closure : closure := Closure\n  (Question\n";
+        ". *)\nDefinition the_closure " + argument() + ": closure := Closure\n  (Question\n";
     for (const auto* list : {&ranges_, &definitions_, &constraints_, &defined_})
       text += "  " + coq_list(*list, "   ") + "\n";
     text += "  [] 0)\n  " + std::to_string(q_.closure->names.size()) + "\n";

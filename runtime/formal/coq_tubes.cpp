@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "runtime/formal/coq_question.hpp"
 #include "runtime/proof/format.hpp"
 #include "runtime/verifier/proof.hpp"
 
@@ -58,8 +59,9 @@ class TreeOfTubes {
   TreeOfTubes(Lines& lines, const Question& question, const VariablesOfCoq& variables)
       : lines_(lines), variables_(variables), n_(question.closure->names.size()) {}
 
+  /// Reads on to the line after the tree.
   std::string text() {
-    while (lines_.next()) {
+    while (next()) {
       const auto words = words_of(lines_.text());
       if (words.size() == 4 && words[0] == "s")
         cut(words);
@@ -68,17 +70,18 @@ class TreeOfTubes {
       else
         break;
     }
-    if (words_of(lines_.text()).empty() || words_of(lines_.text())[0] != "end")
-      throw Rejection("expected 's BOX VARIABLE AT', 'l BOX RULE' or 'end LEAVES'");
     std::string text;
     print(0, text);
-    return "\n(** Where the set is cut, and the tubes over its parts. They are hints: Coq checks "
-           "them. *)\nDefinition the_tubes : tubes := (\n  " +
-           text + ")%float.\n";
+    return text;
   }
 
  private:
   static constexpr std::size_t kDeepest = 1000;  ///< as the verifier allows
+
+  bool next() {
+    if (lines_.next()) return true;
+    throw Rejection("the file ends before the line 'end'");
+  }
 
   BoxOfTree& open_box(std::string_view word) {
     const std::size_t number = read_count(word, std::size_t(-1));
@@ -129,8 +132,25 @@ class TreeOfTubes {
 
 }  // namespace
 
-std::string coq_tubes(Lines& lines, const Question& question, const VariablesOfCoq& variables) {
-  return TreeOfTubes(lines, question, variables).text();
+std::string coq_tubes(Lines& lines, const Question& question, const VariablesOfCoq& variables,
+                      std::size_t pieces) {
+  std::vector<CoqItem> trees;
+  if (pieces == 0) {
+    trees.push_back({"", TreeOfTubes(lines, question, variables).text()});
+  } else if (!lines.next()) {
+    throw Rejection("the file ends before the line 'tree'");
+  }
+  while (trees.size() < pieces) {
+    if (lines.text() != "tree") throw Rejection("expected the line 'tree' of a piece");
+    trees.push_back({"piece " + std::to_string(trees.size() + 1),
+                     TreeOfTubes(lines, question, variables).text()});
+  }
+  if (!lines.text().starts_with("end "))
+    throw Rejection("expected 's BOX VARIABLE AT', 'l BOX RULE' or 'end LEAVES'");
+  return "\n(** Where the set is cut, and the tubes over its parts. They are hints: Coq checks "
+         "them. *)\nDefinition the_tubes : " +
+         (pieces == 0 ? "tubes := (\n  " + trees[0].text + ")%float.\n"
+                      : "list tubes := (\n  " + coq_list(trees, "   ") + ")%float.\n");
 }
 
 }  // namespace regulus::verifier

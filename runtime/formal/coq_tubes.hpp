@@ -16,8 +16,9 @@ struct VariablesOfCoq {
 };
 
 /// Reads the proof of a closure, and returns its definition `the_tubes`: the cuts and the tubes, which
-/// are hints for Coq. Throws Rejection if they are no tree.
+/// are hints for Coq. `pieces`: so many trees, as a list; 0: the question has no pieces. Throws Rejection
+/// if they are no trees.
 [[nodiscard]] std::string coq_tubes(Lines& lines, const Question& question,
-                                    const VariablesOfCoq& variables);
+                                    const VariablesOfCoq& variables, std::size_t pieces);
 
 }  // namespace regulus::verifier

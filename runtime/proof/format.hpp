@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace regulus::format {
@@ -13,6 +14,8 @@ inline constexpr const char* kMagic = "regulus-certificate 1";
 inline constexpr const char* kIndexMagic = "regulus-certificate-index 1";
 inline constexpr const char* kShardMagic = "regulus-certificate-shard 1";
 inline constexpr const char* kPlacesMagic = "regulus-certificate-places 1";
+inline constexpr const char* kPlacesIndexMagic = "regulus-certificate-places-index 1";
+inline constexpr const char* kPlacesShardMagic = "regulus-certificate-places-shard 1";
 inline constexpr const char* kNoSingularity = "NO SINGULARITY";
 inline constexpr const char* kSingularity = "SINGULARITY";
 inline constexpr const char* kOppositeSigns = "opposite-signs";
@@ -40,6 +43,10 @@ inline constexpr const char* kOutsideLeaf = "outside";
 inline constexpr const char* kNoneLeaf = "none";  ///< of a claim about all solutions
 inline constexpr const char* kOneLeaf = "one";
 inline constexpr const char* kTubeLeaf = "tube";  ///< of a claim about a closure
+/// Returns true if a leaf of a claim about a closure has the numbers of a tube after this word.
+[[nodiscard]] inline bool has_tube(std::string_view word) {
+  return word == kTubeLeaf || word == kFeasibleLeaf || word == kInfeasibleLeaf;
+}
 // Lines of a singular configuration of a closure, and a coordinate that stays where it starts.
 inline constexpr const char* kFold = "fold";  ///< and the reason
 inline constexpr const char* kTowards = "towards";
@@ -222,6 +229,18 @@ struct ClaimedBound {
            " singular, " + describe_place(set, false) + " of the variety";
   return "the mechanism has exactly one configuration on its branch, and the " + equations +
          " defined and regular there, " + describe_place(set, true) + " of the variety";
+}
+
+/// Returns the claim PAVING about a closure in words. `load`: the name of the load whose forces are compared
+/// with limits; empty: there is none.
+[[nodiscard]] inline std::string describe_branch_paving(const ClaimedSet& set,
+                                                        const std::string& load) {
+  const std::string branch = describe_closure_claim(set, false) + " in a leaf with a tube";
+  if (load.empty()) return branch;
+  return branch + "; the forces of all motors under the load " + load +
+         " are within their limits for every vector of it in a leaf '" + kFeasibleLeaf +
+         "', and that of some motor is beyond its limits for some vector of it in a leaf '" +
+         kInfeasibleLeaf + "'";
 }
 
 /// A claim about all solutions.

@@ -13,6 +13,7 @@
 
 #include "runtime/files/atomic_file.hpp"
 #include "runtime/files/temporary.hpp"
+#include "runtime/proof/format.hpp"
 #include "runtime/proof/shards.hpp"
 
 namespace regulus {
@@ -94,10 +95,11 @@ void ProofFile::complete_with(std::string_view head, std::string_view witness) {
   put(witness);
   make_safe();
   has_trees_ = false;
+  has_places_ = head.starts_with(format::kPlacesMagic);
 }
 
 bool ProofFile::must_be_cut() const {
-  if (!has_trees_ || shard_size_ == 0) return false;
+  if (!(has_trees_ || has_places_) || shard_size_ == 0) return false;
   struct stat status {};
   check(::fstat(fileno(file_.get()), &status) == 0, "be put in its place");
   return static_cast<std::uint64_t>(status.st_size) > shard_size_;
@@ -114,7 +116,8 @@ void ProofFile::put_in_place() {
 
 /// The index comes last. So it exists only if all shards do.
 void ProofFile::put_index_in_place() try {
-  const std::string index = write_shards(temporary_, path_, shard_size_);
+  const std::string index =
+      (has_places_ ? write_shards_of_places : write_shards)(temporary_, path_, shard_size_);
   AtomicFile file(path_);
   file.write(index);
   file.put_in_place_durably();

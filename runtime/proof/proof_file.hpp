@@ -25,7 +25,8 @@ class ProofFile {
   ProofFile& operator=(const ProofFile&) = delete;
   ProofFile& operator=(ProofFile&&) = delete;
 
-  /// A proof with trees that has more bytes is cut into shards of about this size; 0: it is not.
+  /// A proof with trees, or about places of a table, that has more bytes is cut into shards of about
+  /// this size; 0: it is not.
   void set_shard_size(std::uint64_t bytes) noexcept { shard_size_ = bytes; }
 
   // A failure to write is noted; finish() reports it.
@@ -71,6 +72,7 @@ class ProofFile {
   std::uint64_t leaves_ = 0;
   std::uint64_t shard_size_ = 0;
   bool has_trees_ = true;  ///< and no witness
+  bool has_places_ = false;
   bool in_place_ = false;
   bool failed_ = false;  ///< a part of the file is missing
 };

@@ -70,10 +70,19 @@ class ShardOutput {
   std::uint64_t size_ = 0;
 };
 
+void require_few(std::size_t shards) {
+  if (shards > format::kMostShards)
+    throw std::runtime_error("be cut into more than " + std::to_string(format::kMostShards) +
+                             " shards; use a larger --shard-size");
+}
+
 class ShardCutter {
  public:
   ShardCutter(const std::string& certificate, std::string folder, std::uint64_t size)
-      : folder_(std::move(folder)), size_(size), file_(certificate, std::ios::binary) {
+      : folder_(std::move(folder)),
+        size_(size),
+        file_(certificate, std::ios::binary),
+        tubes_(certificate, std::ios::binary) {
     read_head();
     read_tree();
   }
@@ -81,9 +90,7 @@ class ShardCutter {
   /// Returns the index.
   [[nodiscard]] std::string write() {
     for (std::size_t shard = 1; !is_done(); ++shard) {
-      if (shard > format::kMostShards)
-        throw std::runtime_error("be cut into more than " + std::to_string(format::kMostShards) +
-                                 " shards; use a larger --shard-size");
+      require_few(shard);
       write_shard(shard);
     }
     return index_ + "end " + std::to_string(leaves_) + '\n';
@@ -92,6 +99,8 @@ class ShardCutter {
  private:
   void read_head();
   void read_tree();
+  [[nodiscard]] bool read_line(std::string& line);
+  [[nodiscard]] std::string rule_of(const ProofTree::Node& leaf);
   [[nodiscard]] bool is_done() const { return waiting_.empty() && !has_more_trees_; }
   void write_shard(std::size_t shard);
   [[nodiscard]] std::string head(std::size_t shard) const;
@@ -99,7 +108,8 @@ class ShardCutter {
 
   const std::string folder_;
   const std::uint64_t size_;
-  std::ifstream file_;
+  std::ifstream file_, tubes_;
+  std::uint64_t offset_ = 0;  ///< of the next line of file_, in bytes
   std::string index_, question_;
   bool has_more_trees_ = false;  ///< after the current one
   std::size_t piece_ = 0;        ///< whose tree is the current one; 0: the motion has no pieces
@@ -111,16 +121,21 @@ class ShardCutter {
 void ShardCutter::read_head() {
   Sha256 question;
   std::string line;
-  std::getline(file_, line);
+  static_cast<void>(read_line(line));
   index_ = std::string(format::kIndexMagic) + '\n';
-  for (bool more = true; more && std::getline(file_, line); more = line != "proof") {
+  for (bool more = true; more && read_line(line); more = line != "proof") {
     index_ += line + '\n';
     question.add(line + '\n');
   }
   question_ = question.text();
-  if (file_.peek() != kBeginsTree[0]) return;
-  std::getline(file_, line);
-  piece_ = 1;
+  if (file_.peek() == format::kValue[0] && read_line(line)) index_ += line + '\n';
+  if (file_.peek() == kBeginsTree[0] && read_line(line)) piece_ = 1;
+}
+
+bool ShardCutter::read_line(std::string& line) {
+  if (!std::getline(file_, line)) return false;
+  offset_ += line.size() + 1;
+  return true;
 }
 
 /// Reads the next tree, whose box 0 waits then.
@@ -129,9 +144,9 @@ void ShardCutter::read_tree() {
   next_ = 1;
   waiting_.push_back({0, 0, {}});
   std::string line;
-  while (std::getline(file_, line)) {
+  for (std::uint64_t offset = offset_; read_line(line); offset = offset_) {
     has_more_trees_ = line == kBeginsTree;
-    if (has_more_trees_ || !tree_.add(line)) return;
+    if (has_more_trees_ || !tree_.add(line, offset)) return;
   }
   throw std::runtime_error("be read again");
 }
@@ -153,6 +168,15 @@ std::string ShardCutter::head(std::size_t shard) const {
   return text + "proof\n";
 }
 
+/// Returns what the line of a leaf says after the number of its box.
+std::string ShardCutter::rule_of(const ProofTree::Node& leaf) {
+  if (const std::string* rule = tree_.rule(leaf)) return *rule;
+  std::string line;
+  tubes_.seekg(static_cast<std::streamoff>(leaf.offset));
+  if (!std::getline(tubes_, line)) throw std::runtime_error("be read again");
+  return line.substr(line.find(' ', 2) + 1);
+}
+
 /// Returns the line of the next box, whose halves wait then; after the last box of a tree the line
 /// that begins the next one.
 std::string ShardCutter::take_next() {
@@ -167,7 +191,7 @@ std::string ShardCutter::take_next() {
   const std::string id = std::to_string(box.id);
   if (node.lower == 0) {
     ++leaves_;
-    return "l " + id + ' ' + tree_.rule(node) + '\n';
+    return "l " + id + ' ' + rule_of(node) + '\n';
   }
   Waiting upper{node.lower + std::uint64_t{1}, next_ + 1, box.ranges};
   upper.ranges[node.variable].lower = node.at;
@@ -192,16 +216,55 @@ void ShardCutter::write_shard(std::size_t shard) {
   index_ += "shard " + std::to_string(shard) + ' ' + leaves + ' ' + file.close() + '\n';
 }
 
-}  // namespace
+/// Returns the index.
+std::string cut_places(const std::string& certificate, const std::string& folder,
+                       std::uint64_t size) {
+  std::ifstream file(certificate, std::ios::binary);
+  std::string line, index = std::string(format::kPlacesIndexMagic) + '\n';
+  std::getline(file, line);
+  bool more = bool(std::getline(file, line));
+  for (std::size_t shard = 1; more && line.starts_with(format::kPlace); ++shard) {
+    require_few(shard);
+    ShardOutput output(folder + '/' + std::to_string(shard));
+    output.put(std::string(format::kPlacesShardMagic) + "\nshard " + std::to_string(shard) + '\n');
+    std::size_t places = 0;
+    do {
+      ++places;
+      do output.put(line + '\n');
+      while ((more = bool(std::getline(file, line))) && !line.starts_with(format::kPlace) &&
+             !line.starts_with(format::kPlaces));
+    } while (more && line.starts_with(format::kPlace) && output.size() < size);
+    output.put(format::kPlaces + std::to_string(places) + '\n');
+    index += "shard " + std::to_string(shard) + ' ' + std::to_string(places) + ' ' +
+             output.close() + '\n';
+  }
+  if (!more) throw std::runtime_error("be read again");
+  return index + line + '\n';
+}
 
-std::string write_shards(const std::string& certificate, const std::string& path,
-                         std::uint64_t size) try {
+template <class Cut>
+std::string in_folder(const std::string& path, const Cut& cut) try {
   TemporaryFolder folder(path + format::kShardsEnding);
-  std::string index = ShardCutter(certificate, folder.path(), size).write();
+  std::string index = cut(folder.path());
   folder.put_in_place_durably(path + format::kShardsEnding);
   return index;
 } catch (const std::system_error& error) {
   throw std::runtime_error("be cut: " + path + format::kShardsEnding + " cannot " + error.what());
+}
+
+}  // namespace
+
+std::string write_shards(const std::string& certificate, const std::string& path,
+                         std::uint64_t size) {
+  return in_folder(path, [&](const std::string& folder) {
+    return ShardCutter(certificate, folder, size).write();
+  });
+}
+
+std::string write_shards_of_places(const std::string& certificate, const std::string& path,
+                                   std::uint64_t size) {
+  return in_folder(
+      path, [&](const std::string& folder) { return cut_places(certificate, folder, size); });
 }
 
 }  // namespace regulus

@@ -18,4 +18,10 @@ namespace regulus {
 [[nodiscard]] std::string write_shards(const std::string& certificate, const std::string& path,
                                        std::uint64_t size);
 
+/// Cuts a certificate about the places of a table between two places: the same for its parts.
+///
+/// Requires  `certificate` is such a file; there is no such folder yet.
+[[nodiscard]] std::string write_shards_of_places(const std::string& certificate,
+                                                 const std::string& path, std::uint64_t size);
+
 }  // namespace regulus

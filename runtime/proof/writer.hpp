@@ -17,6 +17,7 @@ struct CertifiedQuestion {
   std::string text;            ///< FORMAT.md, "The question": lines from `model` to `constraint`
   std::string no_singularity;  ///< the claim, for either verdict
   std::string singularity;
+  std::string paving{};  ///< of a closure
 
   /// Returns a certificate up to its proof.
   [[nodiscard]] std::string head(bool singular) const;

@@ -19,11 +19,13 @@ class BranchProver final : public SplittingProver {
   }
 
   void prove(const Leaf& leaf) override {
-    tube_ = leaf.tube;
+    tube_ = &leaf.tube;
     SplittingProver::prove(leaf);
   }
 
  private:
+  /// After the test was true.
+  [[nodiscard]] bool holds(LeafClaim claim);
   [[nodiscard]] BoxAnswer decide(const Box& box, LeafClaim claim) override;
   [[nodiscard]] std::optional<std::size_t> variable_to_split(const Box& box) const override;
   [[nodiscard]] std::string contradiction(const Box& point, LeafClaim claim) override;
@@ -32,7 +34,7 @@ class BranchProver final : public SplittingProver {
   BranchTest test_;
   Outside outside_;
   Evaluation motion_;
-  std::optional<BranchQuantity> quantity_;  ///< that must keep its bound
+  std::optional<BranchQuantity> quantity_;  ///< that keeps its bound, or attains it all over
   const TubeNumbers* tube_ = nullptr;       ///< of the leaf
   std::vector<double> impact_;              ///< for the last box
   bool is_hopeless_ = false;                ///< the tube does not hold even at its middle

@@ -18,6 +18,9 @@ namespace regulus::verifier {
 /// Returns true for a claim about finite errors.
 [[nodiscard]] bool is_finite_error(const Question& question);
 
+/// Returns true for a bound over a branch that is attained: its proof is a line `value` and trees.
+[[nodiscard]] bool is_attained_bound(const Question& question);
+
 /// Reads from the line `quantity KIND` up to the line after `bound`, and forms the derivatives of the
 /// equations by the pose parameters. Throws Rejection.
 ///

@@ -25,6 +25,7 @@ class BranchQuantityReader {
   void read() {
     quantity_.kind = words_.quantity = lines_.take("quantity");
     if (is_of({format::kForceLimits})) return read_limits();
+    if (q_.paves) throw Rejection("a paving of a branch has no bound of a quantity");
     quantity_.side = words_.side = lines_.take("side");
     require_side();
     const std::size_t motors = closure_.poses.size();
@@ -56,7 +57,9 @@ class BranchQuantityReader {
   }
 
   void finish() {
-    quantity_.claim = format::describe_bound_claim(q_.claimed_set(), words_, q_.singular);
+    quantity_.claim = q_.paves
+                          ? format::describe_branch_paving(q_.claimed_set(), words_.set)
+                          : format::describe_bound_claim(q_.claimed_set(), words_, q_.singular);
     if (has_branch_rates(quantity_.kind)) derive_by_motors();
   }
 
@@ -137,6 +140,10 @@ bool has_branch_rates(const std::string& kind) {
 
 bool is_finite_error(const Question& question) {
   return question.closure && question.quantity && question.quantity->kind == format::kFiniteError;
+}
+
+bool is_attained_bound(const Question& question) {
+  return question.closure && question.quantity && question.singular;
 }
 
 void read_value_line(Lines& lines, Question& q, const Variety& variety) {

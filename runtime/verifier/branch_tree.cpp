@@ -27,26 +27,34 @@ void BranchTree::split(std::uint64_t number, std::size_t variable, double at) {
   boxes_.nodes.resize(boxes_.nodes.size() + 2, BranchNode{.depth = depth});
 }
 
-const TubeNumbers* BranchTree::add_leaf(std::uint64_t number,
-                                        const std::vector<std::string_view>& words,
-                                        std::size_t line) {
-  const bool is_tube = words[2] == format::kTubeLeaf;
-  const std::size_t m = q_.variables.size(), n = q_.closure->equations.size();
+std::string LeafPlace::text() const {
+  return std::to_string(line) +
+         (shard.number == 0 ? "" : " of shard " + std::to_string(shard.number));
+}
+
+TubeNumbers read_tube(const Question& q, const std::vector<std::string_view>& words) {
+  const bool is_tube = format::has_tube(words[2]);
+  const std::size_t m = q.variables.size(), n = q.closure->equations.size();
   const std::size_t count = is_tube ? m + n + n * m + n : 0;
   if (words.size() != 3 + count)
     throw Rejection("expected " + std::to_string(count) + " numbers after the word '" +
                     std::string(words[2]) + "'");
-  if (!is_tube) return nullptr;
-  numbers_ += count;
-  if (boxes_.tubes.size() == format::kMostTubes || numbers_ > format::kMostTubeNumbers)
-    throw Unfinished("there are too many tubes");
-  TubeNumbers& tube = boxes_.tubes.emplace_back();
+  TubeNumbers tube;
+  if (!is_tube) return tube;
   for (const std::string_view word : std::span(words).subspan(3)) tube.push_back(read_double(word));
   if (!std::all_of(tube.end() - std::ptrdiff_t(n), tube.end(), [](double r) { return r > 0.0; }))
     throw Rejection("a radius of a tube is not positive");
-  boxes_.lines.push_back(line);
+  return tube;
+}
+
+void BranchTree::add_leaf(std::uint64_t number, const TubeNumbers& tube, std::size_t line) {
+  if (tube.empty()) return;
+  numbers_ += tube.size();
+  if (boxes_.tubes.size() == format::kMostTubes || numbers_ > format::kMostTubeNumbers)
+    throw Unfinished("there are too many tubes");
+  boxes_.tubes.push_back(tube);
+  boxes_.lines.push_back({line, shard_});
   boxes_.nodes[number].next = std::uint32_t(boxes_.tubes.size());
-  return &tube;
 }
 
 void BranchTree::check(Lines& lines, Verification& result, const BranchBoxes* before) {
@@ -58,16 +66,22 @@ void BranchTree::check(Lines& lines, Verification& result, const BranchBoxes* be
   if (before == nullptr) check_start();
   link(0, box);
   require_connection();
-  if (before != nullptr) require_joint(*before);
+  // A piece without tubes claims nothing; those after it can have none, as they would meet none here.
+  if (before != nullptr && !(q_.paves && boxes_.tubes.empty())) require_joint(*before);
   if (q_.quantity && q_.quantity->attained) check_value();
   lines.name_line(0);
   result.links += links_;
 }
 
 void BranchTree::give_up(std::size_t tube, bool is_rejection, const std::string& why) {
-  lines_->name_line(boxes_.lines[tube]);
-  if (is_rejection) throw Rejection(why);
-  throw Unfinished(why);
+  const LeafPlace& place = boxes_.lines[tube];
+  const bool is_in_shard = place.shard.number != 0;
+  lines_->name_line(is_in_shard ? place.shard.listed : place.line);
+  const std::string here = is_in_shard ? "shard " + std::to_string(place.shard.number) + ": line " +
+                                             std::to_string(place.line) + ": "
+                                       : "";
+  if (is_rejection) throw Rejection(here + why);
+  throw Unfinished(here + why);
 }
 
 /// Links all neighbours in a box.
@@ -135,8 +149,8 @@ void BranchTree::require_link(std::size_t a, std::size_t b, const Box& face) {
 /// The equations of both are equal there.
 void BranchTree::require_link(const BranchBoxes& of_a, std::size_t a, std::size_t b,
                               const Box& at_a, const Box& at_b) {
-  const std::string names = "the tubes of lines " + std::to_string(of_a.lines[a]) + " and " +
-                            std::to_string(boxes_.lines[b]);
+  const std::string names =
+      "the tubes of lines " + of_a.lines[a].text() + " and " + boxes_.lines[b].text();
   const TubeNumbers &first = of_a.tubes[a], &other = boxes_.tubes[b];
   std::vector<double> start, scale;
   for (const Interval p : test_->middle_of(first, at_a)) start.push_back(mid(p));
@@ -229,7 +243,7 @@ void BranchTree::require_connection() {
   for (std::uint32_t tube = 1; tube < boxes_.tubes.size(); ++tube)
     if (root_of(tube) != root_of(0))
       give_up(tube, false,
-              "no chain of neighbours joins the tube of line " + std::to_string(boxes_.lines[0]) +
+              "no chain of neighbours joins the tube of line " + boxes_.lines[0].text() +
                   " to this one");
 }
 

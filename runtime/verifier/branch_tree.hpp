@@ -17,12 +17,31 @@ struct BranchNode {
   std::uint32_t depth = 0;
 };
 
+/// The shard that is read.
+struct ShardOfTree {
+  std::size_t number = 0;  ///< from 1; 0: the proof is in one file
+  std::size_t listed = 0;  ///< its line in the index
+};
+
+/// The place of the line of a leaf.
+struct LeafPlace {
+  std::size_t line;
+  ShardOfTree shard;
+
+  /// Returns "7", or "7 of shard 2".
+  [[nodiscard]] std::string text() const;
+};
+
 /// The boxes of a tree that is checked, for the piece of a motion that follows it.
 struct BranchBoxes {
   std::vector<BranchNode> nodes{1};  ///< by the number of the box
   std::deque<TubeNumbers> tubes{};
-  std::vector<std::size_t> lines{};  ///< by tube
+  std::vector<LeafPlace> lines{};  ///< by tube
 };
+
+/// Returns the numbers of a leaf's tube; none if it is outside. Throws Rejection. `words`: of the line.
+[[nodiscard]] TubeNumbers read_tube(const Question& question,
+                                    const std::vector<std::string_view>& words);
 
 /// Returns the tubes of the leaves in which a place may lie. Throws Rejection if one has no tube.
 [[nodiscard]] std::vector<std::size_t> tubes_at(const BranchBoxes& boxes, const Box& place);
@@ -35,15 +54,16 @@ class BranchTree {
 
   /// Box `number` is cut; its parts have the next two numbers. Throws Unfinished.
   void split(std::uint64_t number, std::size_t variable, double at);
-  /// Adds a leaf, and returns the numbers of its tube; nullptr if it is outside. Throws Rejection or
-  /// Unfinished. `words`: of the line.
-  const TubeNumbers* add_leaf(std::uint64_t number, const std::vector<std::string_view>& words,
-                              std::size_t line);
+  /// Adds a leaf. Throws Unfinished. `tube`: as read_tube() returns it.
+  void add_leaf(std::uint64_t number, const TubeNumbers& tube, std::size_t line);
+  /// The next lines are those of this shard.
+  void begin_shard(const ShardOfTree& shard) { shard_ = shard; }
 
   /// Requires  the leaves tile box 0, and the claim of each is proved.
   /// Ensures   returns only if the tubes hold one continuous configuration, which is at the start the
   ///           only one within the radius of the start, and if the question has a place where a value is
-  ///           attained, attains it there; throws Rejection or Unfinished otherwise.
+  ///           attained, attains it there; throws Rejection or Unfinished otherwise. A piece of a PAVING
+  ///           that follows another one may have no tube.
   /// `before`: of the piece of a motion that this one follows, as PROOF.md, "Pieces of a closure", says;
   /// then its tubes, where its first variable is 1, have the configurations that those of this tree
   /// have where it is 0, and there is no start. May be null.
@@ -73,6 +93,7 @@ class BranchTree {
   const Options& options_;
   WorkClock& clock_;
   BranchBoxes boxes_;
+  ShardOfTree shard_;
   std::size_t numbers_ = 0;  ///< of all tubes
 
   // For check.

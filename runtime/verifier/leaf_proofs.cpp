@@ -112,8 +112,7 @@ void LeafProofs::merge(Lines& lines, const Batch& batch) {
     lines.name_line(leaf.line);
     const std::string here = leaf.name + ": ";
     ++counts_.leaves, ++shown_.leaves;
-    if (question_.load && question_.load->verdict == format::kPaving)
-      ++counts_.paved[static_cast<std::size_t>(leaf.claim)];
+    if (question_.paves) ++counts_.paved[static_cast<std::size_t>(leaf.claim)];
     if (i == batch.boxes.size() && batch.failure->is_rejection)
       throw Rejection(here + batch.failure->why);
     if (i == batch.boxes.size()) throw Unfinished(here + batch.failure->why);

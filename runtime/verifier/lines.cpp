@@ -28,6 +28,7 @@ bool hides_text(std::string_view line) {
 bool Lines::next() {
   if (!std::exchange(repeats_, false)) has_line_ = read();
   if (has_line_ && keeps_) kept_.push_back(text_);
+  if (has_line_ && digest_ != nullptr) digest_->add(text_ + '\n');
   return has_line_;
 }
 

@@ -18,6 +18,7 @@
 #include "runtime/verifier/model/closure_comparison.hpp"
 #include "runtime/verifier/model/model_comparison.hpp"
 #include "runtime/verifier/model/waypoints.hpp"
+#include "runtime/verifier/nominal_copy.hpp"
 #include "runtime/verifier/proof.hpp"
 #include "runtime/verifier/quantity_lines.hpp"
 #include "runtime/verifier/shards.hpp"
@@ -65,9 +66,15 @@ class PieceChecker {
 
   /// The same for trees in shards. A shard may begin at any piece, so all are compared before.
   void check_index() {
+    advance(lines_);
+    read_value();
+    lines_.repeat();
+    result_.are_sides = has_all_sides();
     for (std::size_t k = 0; k == 0 || (is_compared() && k < pieces_.values.size()); ++k) {
       read(k);
-      if (question_->closure) throw Unfinished("the proof about a closure must be in one file");
+      if (question_->singular && !is_attained_bound(*question_))
+        throw Rejection("an index is for the proof of a claim about all poses");
+      require_value_line();
       if (is_compared()) compare(*question_, k);
     }
     check_shards(lines_,
@@ -75,6 +82,7 @@ class PieceChecker {
                   [this](std::size_t k) {
                     read(k);
                     enclose();
+                    place_value(k);
                     return TreeQuestion{*question_, *variety_};
                   }},
                  options_, result_);
@@ -112,11 +120,15 @@ class PieceChecker {
     advance(lines_);
   }
 
-  /// Gives the place of the value to the piece on which it is.
-  void place_value(std::size_t k) {
-    if (value_.has_value() != (question_->closure && question_->quantity && question_->singular))
+  void require_value_line() const {
+    if (value_.has_value() != is_attained_bound(*question_))
       throw Rejection(value_ ? "a line 'value' is for a bound over a branch that is attained"
                              : "there is no line 'value'");
+  }
+
+  /// Gives the place of the value to the piece on which it is.
+  void place_value(std::size_t k) {
+    require_value_line();
     if (!value_ || value_->piece != k + 1) return;
     lines_.name_line(value_->line);
     const std::vector<std::string_view> words(value_->place.begin(), value_->place.end());
@@ -126,7 +138,6 @@ class PieceChecker {
 
   /// A branch goes on from one piece to the next, where the equations of both are equal.
   void read_closure(std::size_t k) {
-    if (is_finite_error(*question_)) throw Unfinished("a bound of finite errors has no pieces");
     result_.are_sides = false;
     question_->continues = k > 0;
     require_piece_of_closure(pieces_, *question_);
@@ -136,6 +147,7 @@ class PieceChecker {
   /// Prepares it for the proof of leaves.
   void enclose() {
     if (question_->quantity && !question_->closure) border(*question_);
+    if (is_finite_error(*question_)) add_nominal_copy(*question_);
     variety_.emplace(enclose_variety(*question_));
     put_in_single_values(*question_);
   }

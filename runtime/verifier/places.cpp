@@ -2,6 +2,9 @@
 // The lines of a part are read as the file of a certificate about one place. Nothing is taken from one
 // part for another, so what is true of such a file is true of each part. With a model file, the numbers
 // of a row of the table are put in the place of those of the motion, and the part is compared with that.
+//
+// Parts in shards have the numbers that they have in one file, so all are there, once and in order. The
+// hashes only tell which file is wrong.
 #include "runtime/verifier/places.hpp"
 
 #include <algorithm>
@@ -10,33 +13,56 @@
 
 #include "runtime/verifier/model/model_comparison.hpp"
 #include "runtime/verifier/proof.hpp"
+#include "runtime/verifier/shard_file.hpp"
 
 namespace regulus::verifier {
 namespace {
 
-class PlacesChecker {
- public:
-  PlacesChecker(Lines& lines, const Options& options, CheckPart check_part, Verification& result)
-      : lines_(lines), options_(options), check_part_(check_part), result_(result) {}
+using Clock = std::chrono::steady_clock;
 
-  void check() {
-    advance();  // to the first line, which next() returns again
+constexpr ListedWords kListed{"places", "places", "PLACES"};
+
+/// The sum of what the parts of a file, or of a shard, claim.
+struct ClaimedParts {
+  format::ClaimedPlaces claimed;
+  std::optional<std::string> unfinished;  ///< why the first such part is not proved
+};
+
+void add_differences(const std::vector<std::string>& from, std::vector<std::string>& into) {
+  for (const std::string& difference : from)
+    if (std::ranges::find(into, difference) == into.end()) into.push_back(difference);
+}
+
+std::size_t proved_places(const format::ClaimedPlaces& claimed) {
+  return claimed.complete + claimed.none + claimed.incomplete;
+}
+
+class PartsChecker {
+ public:
+  /// `first`: the number of the first part, from 0. `counts` receives what is said of all parts.
+  PartsChecker(Lines& lines, const Options& options, CheckPart check_part, Clock::time_point start,
+               std::optional<PlaceTable>& table, std::size_t first, Verification& counts)
+      : lines_(lines),
+        options_(options),
+        check_part_(check_part),
+        start_(start),
+        table_(table),
+        first_(first),
+        counts_(counts) {}
+
+  /// Reads on to the end of the file, and proves each part.
+  ClaimedParts check() {
     advance();
-    for (std::size_t k = 0; lines_.text().starts_with(format::kPlace); ++k) {
+    for (std::size_t k = first_; lines_.text().starts_with(format::kPlace); ++k) {
       if (k == format::kMostPlaces) throw Rejection("there are too many places");
       const std::string expected = format::kPlace + std::to_string(k + 1);
       if (lines_.text() != expected) throw Rejection("expected the line '" + expected + '\'');
       check_next(k);
     }
-    if (result_.places == 0 || lines_.text() != format::kPlaces + std::to_string(result_.places))
+    if (counts_.places == 0 || lines_.text() != format::kPlaces + std::to_string(counts_.places))
       throw Rejection("expected the next place, or the number of all in a line 'places'");
     if (lines_.next()) throw Rejection("there is text after the line 'places'");
-    if (table_ && table_->rows() != result_.places)
-      throw OtherModel("the certificate is not about " + table_->file() + ": it has " +
-                       std::to_string(result_.places) + " places, the file " +
-                       std::to_string(table_->rows()));
-    result_.claim = format::describe_places_claim(claimed_);
-    if (unfinished_) throw Unfinished(*unfinished_);
+    return std::move(parts_);
   }
 
  private:
@@ -60,13 +86,13 @@ class PlacesChecker {
   void check_next(std::size_t k) {
     const std::size_t first = lines_.number();
     const std::string part = read_part();
-    ++result_.places;
+    ++counts_.places;
     lines_.name_line(first);
     try {
       if (part.empty()) throw Unfinished("it has no proof");
       prove(k, part);
     } catch (const Unfinished& why) {
-      if (!unfinished_) unfinished_ = name_of(k) + ": " + why.what();
+      if (!parts_.unfinished) parts_.unfinished = name_of(k) + ": " + why.what();
     }
     lines_.name_line(0);
   }
@@ -92,7 +118,7 @@ class PlacesChecker {
     } catch (const Rejection& why) {
       throw Rejection(name_of(k) + ": " + here(why));
     } catch (const Unfinished& why) {
-      result_.boxes += of_part.boxes;
+      counts_.boxes += of_part.boxes;
       throw Unfinished(here(why));
     }
     add(k, of_part, part);
@@ -103,13 +129,13 @@ class PlacesChecker {
     Options rest = options_;
     if (options_.time_limit > 0) rest.time_limit = options_.time_limit - seconds();
     if (rest.time_limit < 0) throw Unfinished("the time limit was reached");
-    if (result_.boxes >= options_.max_boxes)
+    if (counts_.boxes >= options_.max_boxes)
       throw Unfinished("all places together need more than " + std::to_string(options_.max_boxes) +
                        " boxes");
-    rest.max_boxes = options_.max_boxes - result_.boxes;
+    rest.max_boxes = options_.max_boxes - counts_.boxes;
     if (options_.progress)
       rest.progress = [this](const Verification& of_part) {
-        Verification total = result_;
+        Verification total = counts_;
         total.boxes += of_part.boxes;
         options_.progress(total);
       };
@@ -117,48 +143,169 @@ class PlacesChecker {
   }
 
   void add(std::size_t k, const Verification& of_part, const std::string& part) {
-    if (result_.model.empty() && claimed_.complete + claimed_.none + claimed_.incomplete == 0) {
-      result_.model = of_part.model;
-      result_.sha256 = of_part.sha256;
-      result_.motion = of_part.motion;
+    if (counts_.model.empty() && proved_places(parts_.claimed) == 0) {
+      counts_.model = of_part.model;
+      counts_.sha256 = of_part.sha256;
+      counts_.motion = of_part.motion;
     }
-    if (of_part.model != result_.model || of_part.sha256 != result_.sha256 ||
-        of_part.motion != result_.motion)
+    if (of_part.model != counts_.model || of_part.sha256 != counts_.sha256 ||
+        of_part.motion != counts_.motion)
       throw Rejection(name_of(k) + ": it is about another model or motion than the first part");
-    result_.boxes += of_part.boxes;
-    result_.leaves += of_part.leaves;
-    result_.roots += of_part.roots;
-    result_.real_roots += of_part.real_roots;
-    result_.numbers += of_part.numbers;
-    for (const std::string& difference : of_part.differences)
-      if (std::ranges::find(result_.differences, difference) == result_.differences.end())
-        result_.differences.push_back(difference);
+    counts_.boxes += of_part.boxes;
+    counts_.leaves += of_part.leaves;
+    counts_.roots += of_part.roots;
+    counts_.real_roots += of_part.real_roots;
+    counts_.numbers += of_part.numbers;
+    add_differences(of_part.differences, counts_.differences);
     count(part);
   }
 
   /// The part is true, so its lines are what they say.
   void count(const std::string& part) {
     std::istringstream text(part);
+    format::ClaimedPlaces& claimed = parts_.claimed;
     for (std::string line; std::getline(text, line);) {
-      claimed_.solutions += line.starts_with("solution ");
-      claimed_.complete += line == std::string("verdict ") + format::kComplete;
-      claimed_.none += line == std::string("verdict ") + format::kNone;
-      claimed_.incomplete += line == std::string("verdict ") + format::kIncomplete;
+      claimed.solutions += line.starts_with("solution ");
+      claimed.complete += line == std::string("verdict ") + format::kComplete;
+      claimed.none += line == std::string("verdict ") + format::kNone;
+      claimed.incomplete += line == std::string("verdict ") + format::kIncomplete;
     }
   }
 
   [[nodiscard]] double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    return std::chrono::duration<double>(Clock::now() - start_).count();
+  }
+
+  Lines& lines_;
+  const Options& options_;
+  const CheckPart check_part_;
+  const Clock::time_point start_;
+  std::optional<PlaceTable>& table_;
+  const std::size_t first_;
+  Verification& counts_;
+  ClaimedParts parts_;
+};
+
+class PlacesChecker {
+ public:
+  PlacesChecker(Lines& lines, const Options& options, CheckPart check_part, Verification& result)
+      : lines_(lines), options_(options), check_part_(check_part), result_(result) {}
+
+  void check() {
+    if (!lines_.next())
+      throw Rejection("the file is empty");  // next() returns its first line again
+    if (lines_.text() == format::kPlacesIndexMagic)
+      check_index();
+    else
+      parts_ = checker(lines_, options_, 0, result_).check();
+    if (table_ && table_->rows() != result_.places)
+      throw OtherModel("the certificate is not about " + table_->file() + ": it has " +
+                       std::to_string(result_.places) + " places, the file " +
+                       std::to_string(table_->rows()));
+    result_.claim = format::describe_places_claim(parts_.claimed);
+    if (parts_.unfinished) throw Unfinished(*parts_.unfinished);
+  }
+
+ private:
+  PartsChecker checker(Lines& lines, const Options& options, std::size_t first,
+                       Verification& counts) {
+    return {lines, options, check_part_, start_, table_, first, counts};
+  }
+
+  void check_index() {
+    if (options_.path.empty()) throw Unfinished("the shards of an index need its path");
+    const std::vector<ListedShard> listed = read_listed(lines_, kListed);
+    std::vector<ShardProof> proofs(listed.size());
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < listed.size(); first += listed[i++].leaves)
+      if (i % options_.parts == options_.part) prove(listed[i], first, proofs[i]);
+    if (options_.parts > 1) options_.exchange(proofs);
+    result_ = {};
+    result_.shards = listed.size();
+    for (std::size_t i = 0; i < listed.size(); ++i) {
+      lines_.name_line(listed[i].line);
+      join("shard " + std::to_string(listed[i].number) + ": ", listed[i], proofs[i]);
+    }
+    lines_.name_line(0);
+  }
+
+  /// An open part does not end the reading: a part of another shard may be false.
+  void prove(const ListedShard& listed, std::size_t first, ShardProof& proof) try {
+    ShardFile file(format::shard_file(options_.path, listed.number), listed, "");
+    Options options = options_;
+    if (options_.progress)
+      options.progress = [this](const Verification& of_shard) {
+        Verification total = result_;
+        total.boxes += of_shard.boxes;
+        options_.progress(total);
+      };
+    Verification counts;
+    try {
+      const ClaimedParts parts = checker(file.lines(), options, first, counts).check();
+      if (counts.places != listed.leaves)
+        throw Rejection("the index gives another number of places");
+      put(parts, counts, proof);
+    } catch (const OtherModel&) {
+      throw;
+    } catch (const Rejection& why) {
+      throw Rejection("line " + std::to_string(file.lines().number()) + ": " + why.what());
+    }
+    result_.boxes += counts.boxes;
+  } catch (const OtherModel& why) {
+    proof.is_rejected = proof.is_of_other_model = true;
+    proof.reason = why.what();
+  } catch (const Rejection& why) {
+    proof.is_rejected = true;
+    proof.reason = why.what();
+  }
+
+  static void put(const ClaimedParts& parts, const Verification& counts, ShardProof& proof) {
+    const format::ClaimedPlaces& c = parts.claimed;
+    proof.is_proved = !parts.unfinished;
+    proof.reason = parts.unfinished.value_or("");
+    proof.boxes = counts.boxes, proof.leaves = counts.leaves;
+    proof.about = {counts.model, counts.sha256, counts.motion};
+    proof.differences = counts.differences;
+    proof.of_places = {c.complete,        c.none,        c.incomplete, c.solutions, counts.roots,
+                       counts.real_roots, counts.numbers};
+  }
+
+  void join(const std::string& here, const ListedShard& listed, const ShardProof& proof) {
+    if (proof.is_of_other_model) throw OtherModel(here + proof.reason);
+    if (proof.is_rejected) throw Rejection(here + proof.reason);
+    if (!proof.is_proved && !parts_.unfinished) parts_.unfinished = here + proof.reason;
+    result_.places += listed.leaves;
+    if (proof.about.size() != 3 || proof.of_places.size() != 7) {
+      if (proof.is_proved) throw Rejection(here + "it has no proof");
+      return;  // no process has read it
+    }
+    const auto& n = proof.of_places;
+    if (n[0] + n[1] + n[2] > 0) take_model(here, proof.about);
+    result_.boxes += proof.boxes, result_.leaves += proof.leaves;
+    format::ClaimedPlaces& c = parts_.claimed;
+    c.complete += n[0], c.none += n[1], c.incomplete += n[2], c.solutions += n[3];
+    result_.roots += n[4], result_.real_roots += n[5], result_.numbers += n[6];
+    add_differences(proof.differences, result_.differences);
+    if (result_.boxes > options_.max_boxes)
+      throw Unfinished(here + "all places together need more than " +
+                       std::to_string(options_.max_boxes) + " boxes");
+  }
+
+  void take_model(const std::string& here, const std::vector<std::string>& about) {
+    if (!has_model_) result_.model = about[0], result_.sha256 = about[1], result_.motion = about[2];
+    has_model_ = true;
+    if (about != std::vector{result_.model, result_.sha256, result_.motion})
+      throw Rejection(here + "it is about another model or motion than the first part");
   }
 
   Lines& lines_;
   const Options& options_;
   const CheckPart check_part_;
   Verification& result_;
-  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  const Clock::time_point start_ = Clock::now();
   std::optional<PlaceTable> table_;
-  format::ClaimedPlaces claimed_;
-  std::optional<std::string> unfinished_;  ///< why the first such part is not proved
+  ClaimedParts parts_;
+  bool has_model_ = false;  ///< of an index
 };
 
 /// Reads the table that the options or the motion name. Throws Unfinished if there is none, unless the

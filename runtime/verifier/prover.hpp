@@ -19,6 +19,7 @@ enum class LeafClaim {
   kInfeasible,  ///< PAVING: some wrench of the load is held by no forces
   kUndecided,   ///< PAVING: nothing
   kOutside,     ///< PAVING: no point of the leaf is in the variety
+  kBranch,      ///< PAVING of a closure: the branch is regular, and nothing about forces
 };
 
 /// The numbers of a tube, as a leaf of a closure states them: x₀, c, S row by row, r.
@@ -29,7 +30,7 @@ struct Leaf {
   std::string name;  ///< for messages
   std::size_t line;
   LeafClaim claim = LeafClaim::kWhole;
-  const TubeNumbers* tube = nullptr;  ///< of a closure, with the claim kWhole
+  TubeNumbers tube{};  ///< of a closure, if the leaf has one
 };
 
 class Prover {

@@ -125,6 +125,7 @@ class QuestionReader {
   void read_verdict() {
     const std::string verdict = take("verdict");
     q_.singular = verdict == format::kSingularity || verdict == format::kInfeasible;
+    q_.paves = verdict == format::kPaving;
     if (verdict == format::kFeasible || verdict == format::kInfeasible ||
         verdict == format::kPaving)
       q_.load.emplace().verdict = verdict;
@@ -376,6 +377,7 @@ std::string Question::claim() const {
                                              solutions->solutions.size(), claimed_set().uncertain});
   if (load) return format::describe_load_claim(claimed_set(), load->verdict);
   if (quantity) return quantity->claim;
+  if (closure && paves) return format::describe_branch_paving(claimed_set(), "");
   if (closure) return format::describe_closure_claim(claimed_set(), singular);
   return format::describe_claim(claimed_set(), singular);
 }

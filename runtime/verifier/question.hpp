@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/files/sha256.hpp"
 #include "runtime/proof/format.hpp"
 #include "runtime/verifier/exact_range.hpp"
 #include "runtime/verifier/expression.hpp"
@@ -32,6 +33,8 @@ class Lines {
   void name_line(std::size_t number) noexcept { named_ = number; }
   /// The next call of next() returns again what the last one has returned.
   void repeat() noexcept { repeats_ = true; }
+  /// From now on adds each line that is read, with its end, to a digest that must outlive this object.
+  void digest_into(Sha256& digest) noexcept { digest_ = &digest; }
   /// From now on keeps the lines that are read, until take_kept.
   void keep() noexcept { keeps_ = true; }
   [[nodiscard]] std::vector<std::string> take_kept() {
@@ -48,6 +51,7 @@ class Lines {
   std::size_t number_ = 0, named_ = 0;
   bool keeps_ = false, repeats_ = false, has_line_ = false;
   std::vector<std::string> kept_;
+  Sha256* digest_ = nullptr;
 };
 
 enum class VariableKind { kParameter, kUncertain, kError };
@@ -177,6 +181,7 @@ struct StatedValue {
 
 struct Question {
   bool singular = false;  ///< the claim is shown by a witness: SINGULARITY or INFEASIBLE
+  bool paves = false;     ///< PAVING: each leaf has a claim of its own
   bool is_index = false;  ///< the proof is in shards
   /// The question is about several pieces: nothing after the line `piecewise` has been read.
   bool is_piecewise = false;

@@ -27,11 +27,49 @@ InputFile opened(const std::string& path) try {
 
 }  // namespace
 
+std::vector<ListedShard> read_listed(Lines& lines, const ListedWords& listed) {
+  std::vector<ListedShard> shards;
+  std::uint64_t sum = 0;
+  for (;;) {
+    if (!lines.next())
+      throw Rejection("the file ends before the line '" + std::string(listed.last) + '\'');
+    const auto words = words_of(lines.text());
+    if (words.size() != 4 || words[0] != "shard") break;
+    if (shards.size() == format::kMostShards) throw Rejection("there are too many shards");
+    shards.push_back({read_count(words[1], format::kMostShards),
+                      read_count(words[2], std::size_t(-1)), std::string(words[3]),
+                      lines.number()});
+    if (shards.back().number != shards.size())
+      throw Rejection("expected shard " + std::to_string(shards.size()));
+    sum += shards.back().leaves;
+  }
+  const auto words = words_of(lines.text());
+  if (words.size() != 2 || words[0] != listed.last || shards.empty())
+    throw Rejection("expected 'shard NUMBER " + std::string(listed.shown) + " SHA256' or '" +
+                    listed.last + ' ' + listed.shown + '\'');
+  if (read_count(words[1], std::size_t(-1)) != sum)
+    throw Rejection("the line '" + std::string(listed.last) + "' gives a wrong number of " +
+                    listed.counted);
+  if (lines.next())
+    throw Rejection("there is text after the line '" + std::string(listed.last) + '\'');
+  return shards;
+}
+
+std::string begin_of_state(std::size_t tree, std::size_t open) {
+  return "tree " + std::to_string(tree + 1) + ", " + std::to_string(open) + " open, ";
+}
+
+std::string state_text(std::size_t tree, const OpenBoxes& open) {
+  return begin_of_state(tree, open.boxes.size()) + open.text();
+}
+
 ShardFile::ShardFile(const std::string& path, const ListedShard& listed,
                      const std::string& question)
     : bytes_(opened(path)), stream_(&bytes_), lines_(stream_) {
-  require(format::kShardMagic, "it is not a shard of a certificate");
-  require("question " + question, "it belongs to the proof of another question");
+  require(question.empty() ? format::kPlacesShardMagic : format::kShardMagic,
+          "it is not a shard of a certificate");
+  if (!question.empty())
+    require("question " + question, "it belongs to the proof of another question");
   require("shard " + std::to_string(listed.number), "it is another shard");
   if (digest_of(path) != listed.sha256)
     throw Rejection("its bytes are not those of the index: their SHA-256 is another one");

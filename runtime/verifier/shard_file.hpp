@@ -11,16 +11,30 @@ namespace regulus::verifier {
 
 /// An entry of the index: one shard.
 struct ListedShard {
-  std::size_t number = 0;  ///< from 1
-  std::uint64_t leaves = 0;
+  std::size_t number = 0;    ///< from 1
+  std::uint64_t leaves = 0;  ///< or places
   std::string sha256;
   std::size_t line = 0;  ///< of the index
 };
 
+/// The words by which an index names its last line and what it counts.
+struct ListedWords {
+  const char *last, *counted, *shown;  ///< "end", "leaves", "LEAVES"
+};
+
+/// Reads the lines `shard NUMBER LEAVES SHA256` from the next one on, up to the end of the file, whose
+/// last line has the sum. Throws Rejection.
+[[nodiscard]] std::vector<ListedShard> read_listed(Lines& lines, const ListedWords& words);
+
+/// Begins the text of a state between two lines: the number of the tree, from 0, and of its open boxes.
+[[nodiscard]] std::string begin_of_state(std::size_t tree, std::size_t open);
+/// Returns equal texts for equal states.
+[[nodiscard]] std::string state_text(std::size_t tree, const OpenBoxes& open);
+
 class ShardFile {
  public:
   /// Throws Rejection if the file cannot be read, is another shard, or has other bytes than the
-  /// index says. `question`: SHA-256 of the question.
+  /// index says. `question`: SHA-256 of the question; empty: the shard has places of a table.
   ShardFile(const std::string& path, const ListedShard& listed, const std::string& question);
 
   /// Reads the line `piece`: returns the number, from 0, of the piece in or behind whose tree the

@@ -7,10 +7,13 @@
 //
 // The state between two lines also has the number of the tree. It begins with the first, ends with
 // the last, and grows by one at each line `tree`, where no box waits. So every tree tiles its box 0.
+//
+// The leaves of a branch are linked when all are proved: branch_shards.hpp.
 #include "runtime/verifier/shards.hpp"
 
 #include <optional>
 
+#include "runtime/verifier/branch_shards.hpp"
 #include "runtime/verifier/shard_file.hpp"
 
 namespace regulus::verifier {
@@ -28,7 +31,8 @@ class ShardsChecker {
 
   void check() {
     if (options_.path.empty()) throw Unfinished("the shards of an index need its path");
-    read_list();
+    listed_ = read_listed(lines_, {"end", "leaves", "LEAVES"});
+    result_.shards = listed_.size();
     proofs_of_shards_.resize(listed_.size());
     prove_own_part();
     if (options_.parts > 1) options_.exchange(proofs_of_shards_);
@@ -59,36 +63,6 @@ class ShardsChecker {
     OpenBoxes root;
     root.boxes.emplace(0, tree_at(tree).about.variety.outer);
     return root;
-  }
-
-  /// Begins the text of a state between two lines.
-  static std::string place(std::size_t tree, std::size_t open) {
-    return "tree " + std::to_string(tree + 1) + ", " + std::to_string(open) + " open, ";
-  }
-  static std::string state_text(std::size_t tree, const OpenBoxes& open) {
-    return place(tree, open.boxes.size()) + open.text();
-  }
-
-  void read_list() {
-    for (;;) {
-      if (!lines_.next()) throw Rejection("the file ends before the line 'end'");
-      const auto words = words_of(lines_.text());
-      if (words.size() != 4 || words[0] != "shard") break;
-      if (listed_.size() == format::kMostShards) throw Rejection("there are too many shards");
-      listed_.push_back({read_count(words[1], format::kMostShards),
-                         read_count(words[2], std::size_t(-1)), std::string(words[3]),
-                         lines_.number()});
-      if (listed_.back().number != listed_.size())
-        throw Rejection("expected shard " + std::to_string(listed_.size()));
-      leaves_ += listed_.back().leaves;
-    }
-    const auto words = words_of(lines_.text());
-    if (words.size() != 2 || words[0] != "end" || listed_.empty())
-      throw Rejection("expected 'shard NUMBER LEAVES SHA256' or 'end LEAVES'");
-    if (read_count(words[1], std::size_t(-1)) != leaves_)
-      throw Rejection("the line 'end' gives a wrong number of leaves");
-    if (lines_.next()) throw Rejection("there is text after the line 'end'");
-    result_.shards = listed_.size();
   }
 
   /// Counts all shards, not the current one alone.
@@ -130,11 +104,14 @@ class ShardsChecker {
       std::size_t tree = trees_.is_piecewise ? file.read_piece(trees_.count) : 0;
       OpenBoxes open = file.read_open(tree_at(tree).about.variety.outer);
       proof.before = state_text(tree, open);
+      Sha256 digest;
+      if (is_branch()) file.lines().digest_into(digest);
       while (read_tree(file.lines(), tree, open, proof)) open = root_of(++tree);
       if (proof.leaves != listed.leaves)
         throw Rejection("the index gives another number of leaves");
       proof.after = state_text(tree, open);
       proof.question = trees_.sha256;
+      if (is_branch()) proof.lines = digest.text();
       proof.paved = of_shard_.paved;
     } catch (const Rejection& why) {
       throw Rejection("line " + std::to_string(file.lines().number()) + ": " + why.what());
@@ -147,7 +124,7 @@ class ShardsChecker {
   /// another tree follows.
   bool read_tree(Lines& lines, std::size_t number, OpenBoxes& open, ShardProof& proof) {
     Tree& tree = tree_at(number);
-    TreeReader reader(lines, tree.about.question, open, tree.proofs, clock_);
+    TreeReader reader(lines, tree.about.question, open, &tree.proofs, clock_);
     const Shown shown = reader.read();
     proof.leaves += shown.leaves;
     proof.boxes += shown.boxes;
@@ -183,12 +160,18 @@ class ShardsChecker {
       expected = proof.after;
       add(proof, here, shown);
     }
-    if (!expected.starts_with(place(trees_.count - 1, 0)))
+    if (!expected.starts_with(begin_of_state(trees_.count - 1, 0)))
       throw Rejection("after the last shard there are boxes without a leaf" +
                       std::string(trees_.is_piecewise ? ", or pieces without a tree" : ""));
     lines_.name_line(0);
     require_poses(tree_at(trees_.count - 1).about.question, shown, result_);
+    if (!is_branch()) return;
+    tree_.reset();
+    link_shards({lines_, trees_, listed_, proofs_of_shards_}, options_, clock_, result_);
   }
+
+  /// Once a tree is there: all are about one closure, or none.
+  [[nodiscard]] bool is_branch() const { return tree_ && tree_->about.question.closure; }
 
   void add(const ShardProof& proof, const std::string& here, Shown& shown) {
     result_.leaves += proof.leaves;
@@ -215,7 +198,6 @@ class ShardsChecker {
   std::optional<Tree> tree_;
   std::vector<ListedShard> listed_;
   std::vector<ShardProof> proofs_of_shards_;
-  std::uint64_t leaves_ = 0;
 };
 
 }  // namespace

@@ -99,6 +99,9 @@ bool breaks_singular_claim(SingularClaim claim, const std::vector<Ball>& A, std:
     times_square(low.length, N, bits);
     return arb_is_positive(low.length.get()) != 0 && arb_le(low.image.get(), low.length.get()) != 0;
   }
+  // Each matrix but 0 has a ratio of at least 1, also where all vectors have the same.
+  if (arb_le(N.get(), Ball(point(1.0), bits).get()) != 0)
+    return arb_is_positive(high.image.get()) != 0;
   // |Au|²|v|² ≥ N²|Av|²|u|²
   arb_mul(high.image.get(), high.image.get(), low.length.get(), bits);
   arb_mul(low.image.get(), low.image.get(), high.length.get(), bits);

@@ -18,7 +18,7 @@ class TreeChecker {
         branch_(question.closure ? std::make_unique<BranchTree>(question, variety, options, clock_)
                                  : nullptr),
         proofs_(question, variety, options, clock_, counts),
-        reader_(lines, question, open_, proofs_, clock_, branch_.get()) {
+        reader_(lines, question, open_, &proofs_, clock_, branch_.get()) {
     open_.boxes.emplace(0, variety.outer);
   }
 

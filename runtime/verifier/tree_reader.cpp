@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdio>
 #include <map>
+#include <optional>
 
 #include "runtime/verifier/proof.hpp"
 
@@ -17,13 +18,24 @@ constexpr std::array<std::string_view, 11> kRules = {
     "outside", "h-matrix",    "mean-value", "second-order",   "determinant", "elimination",
     "rohn",    "closed-form", "filter",     "multiprecision", "orthants"};
 
-/// Returns the claim of a leaf of a question; throws Rejection for a word that it does not have.
+/// Returns the claim of a leaf of a question; nullopt for a word that it does not have.
+std::optional<LeafClaim> claim_of_branch(const Question& question, std::string_view word) {
+  if (word == format::kOutsideLeaf) return LeafClaim::kOutside;
+  if (word == format::kTubeLeaf) return question.paves ? LeafClaim::kBranch : LeafClaim::kWhole;
+  if (!question.paves) return std::nullopt;
+  if (word == format::kUndecidedLeaf) return LeafClaim::kUndecided;
+  if (question.quantity && word == format::kFeasibleLeaf) return LeafClaim::kWhole;
+  if (question.quantity && word == format::kInfeasibleLeaf) return LeafClaim::kInfeasible;
+  return std::nullopt;
+}
+
+/// The same; throws Rejection for a word that it does not have.
 LeafClaim claim_of(const Question& question, std::string_view word) {
   const bool is_about_load = question.load.has_value();
-  const bool paves = is_about_load && question.load->verdict == format::kPaving;
+  const bool paves = is_about_load && question.paves;
   const bool is_rule = std::find(kRules.begin(), kRules.end(), word) != kRules.end();
-  if (question.closure && word == format::kTubeLeaf) return LeafClaim::kWhole;
-  if (question.closure && word == format::kOutsideLeaf) return LeafClaim::kOutside;
+  if (question.closure)
+    if (const auto claim = claim_of_branch(question, word)) return *claim;
   if (!is_about_load && !question.closure && is_rule) return LeafClaim::kWhole;
   if (is_about_load && word == format::kFeasibleLeaf) return LeafClaim::kWhole;
   if (is_about_load && word == format::kOutsideLeaf)
@@ -55,10 +67,10 @@ Shown TreeReader::read() {
   try {
     read_boxes();
   } catch (const Rejection&) {
-    static_cast<void>(proofs_.finish(lines_));
+    if (proofs_ != nullptr) static_cast<void>(proofs_->finish(lines_));
     throw;
   }
-  return proofs_.finish(lines_);
+  return proofs_ != nullptr ? proofs_->finish(lines_) : Shown{};
 }
 
 void TreeReader::read_boxes() {
@@ -68,7 +80,7 @@ void TreeReader::read_boxes() {
     const auto words = words_of(lines_.text());
     if (words.size() == 4 && words[0] == "s")
       split(words);
-    else if ((words.size() == 3 || (branch_ != nullptr && words.size() > 3)) && words[0] == "l")
+    else if ((words.size() == 3 || (question_.closure && words.size() > 3)) && words[0] == "l")
       leaf(words);
     else
       return;
@@ -104,9 +116,10 @@ void TreeReader::leaf(const std::vector<std::string_view>& words) {
   Leaf leaf{std::move(box->second),
             "leaf of box " + std::string(words[1]) + " (" + std::string(words[2]) + ")",
             lines_.number(), claim};
-  if (branch_ != nullptr) leaf.tube = branch_->add_leaf(box->first, words, leaf.line);
+  if (question_.closure) leaf.tube = read_tube(question_, words);
+  if (branch_ != nullptr) branch_->add_leaf(box->first, leaf.tube, leaf.line);
   open_.boxes.erase(box);
-  proofs_.add(lines_, std::move(leaf));
+  if (proofs_ != nullptr) proofs_->add(lines_, std::move(leaf));
 }
 
 void TreeReader::require_end_word() const {

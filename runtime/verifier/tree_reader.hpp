@@ -22,8 +22,9 @@ struct OpenBoxes {
 
 class TreeReader {
  public:
-  /// All must outlive this object. `branch` receives the tree; only that of a closure needs one.
-  TreeReader(Lines& lines, const Question& question, OpenBoxes& open, LeafProofs& proofs,
+  /// All must outlive this object. `proofs`: null if the leaves are proved elsewhere. `branch` receives
+  /// the tree of a closure, and may be null.
+  TreeReader(Lines& lines, const Question& question, OpenBoxes& open, LeafProofs* proofs,
              WorkClock& clock, BranchTree* branch = nullptr)
       : lines_(lines),
         question_(question),
@@ -33,7 +34,8 @@ class TreeReader {
         branch_(branch) {}
 
   /// Reads up to the first line that is neither a split nor a leaf, and waits until all leaves
-  /// before it are proved. Throws Rejection or Unfinished, for the first line that is wrong.
+  /// before it are proved. Throws Rejection or Unfinished, for the first line that is wrong. Nothing is
+  /// shown if the leaves are proved elsewhere.
   [[nodiscard]] Shown read();
 
   /// Throws Rejection unless the current line is a line 'end'.
@@ -54,7 +56,7 @@ class TreeReader {
   Lines& lines_;
   const Question& question_;
   OpenBoxes& open_;
-  LeafProofs& proofs_;
+  LeafProofs* proofs_;
   WorkClock& clock_;
   BranchTree* branch_;
 };

@@ -58,10 +58,9 @@ void check(Lines& lines, Question& question, const Options& options, Verificatio
            PlacePart* place) {
   lines.keep();
   read_question(lines, question);
-  if (question.is_index && question.singular)
+  if (question.is_index && question.singular && !question.is_piecewise &&
+      !is_attained_bound(question))
     throw Rejection("an index is for the proof of a claim about all poses");
-  if (question.is_index && question.closure)
-    throw Unfinished("the proof about a closure must be in one file");
   if (question.is_index && question.solutions)
     throw Rejection("a claim about all solutions is in one file");
   if (place != nullptr && !question.solutions)
@@ -80,6 +79,7 @@ void check(Lines& lines, Question& question, const Options& options, Verificatio
   if (is_finite_error(question)) add_nominal_copy(question);
   const Variety variety = enclose_variety(question);
   put_in_single_values(question);
+  if (is_attained_bound(question)) read_value_line(lines, question, variety);
   if (question.is_index)
     check_shards(lines,
                  {.sha256 = digest_of(head),
@@ -92,10 +92,8 @@ void check(Lines& lines, Question& question, const Options& options, Verificatio
     check_fold(lines, question, variety, options, result);
   else if (question.singular && !question.closure)
     check_witness(lines, question, variety, options, result);
-  else {
-    if (question.singular) read_value_line(lines, question, variety);
+  else
     check_tree(lines, question, variety, options, result);
-  }
 }
 
 /// Proves one part of a certificate about the places of a table.
@@ -126,7 +124,8 @@ Verification verify(std::istream& file, const Options& options) {
   Lines lines(file, options.max_bytes);
   Question question;
   try {
-    const bool is_about_places = lines.next() && lines.text() == format::kPlacesMagic;
+    const bool is_about_places = lines.next() && (lines.text() == format::kPlacesMagic ||
+                                                  lines.text() == format::kPlacesIndexMagic);
     lines.repeat();
     if (is_about_places)
       check_places(lines, options, check_part, result);

@@ -53,7 +53,8 @@ struct Options {
 
 /// The claims of a paving's leaves, in the order of LeafClaim.
 inline constexpr std::array kPavedWords{format::kFeasibleLeaf, format::kInfeasibleLeaf,
-                                        format::kUndecidedLeaf, format::kOutsideLeaf};
+                                        format::kUndecidedLeaf, format::kOutsideLeaf,
+                                        format::kTubeLeaf};
 
 struct Verification {
   Outcome outcome = Outcome::kUnfinished;
@@ -85,10 +86,16 @@ struct ShardProof {
   std::uint64_t leaves = 0;
   std::uint64_t boxes = 0;       ///< into which the leaves were cut
   std::string before, after;     ///< the boxes that wait at its beginning and at its end, as text
+  std::string lines;             ///< of a branch: the SHA-256 of its lines after `proof`
   bool has_met_variety = false;  ///< some leaf was not outside the constraints
   bool has_met_point = false;    ///< a point of the set was shown to exist
   int sign = 0;                  ///< of det A at a point of the set, if one is known
   std::array<std::uint64_t, kPavedWords.size()> paved{};  ///< as Verification::paved
+  // Of places of a table: model, SHA-256 and motion; as Verification::differences; complete, none,
+  // incomplete, solutions, roots, real roots, numbers.
+  std::vector<std::string> about{}, differences{};
+  std::vector<std::uint64_t> of_places{};
+  bool is_of_other_model = false;  ///< and so rejected
 };
 
 /// Ensures   kVerified only if the claim of the file is true (PROOF.md). Uses the usual

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tests `regulus bound` and `regulus datasheet` as users see them.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -241,6 +242,25 @@ TEST_F(BoundCommandTest, ClaimsNoSpeedWhereTheScaleOfARowIsUndefined) {
   EXPECT_EQ(r.exit_code, 2) << r.output;
 }
 
+/// The time is not the reason.
+TEST_F(BoundCommandTest, SaysWhyNothingIsKnownWhereTheMatrixIsUndefined) {
+  const auto ask = [&](const char* entry, const char* range) {
+    std::ofstream(model_) << fmt::format(
+        "regulus = 1\nname = \"m\"\n[pose]\nx = \"1\"\n[matrix]\nrows = "
+        "[[\"{}\"]]\n[motion.m]\nx = {}\n",
+        entry, range);
+    return regulus({"bound", model_, "sigma-max"});
+  };
+  const CommandResult part = ask("sqrt(x)", "[-1, 3]");
+  EXPECT_EQ(part.exit_code, 2) << part.output;
+  EXPECT_THAT(part.errors, HasSubstr("an expression is undefined in or near a pose"));
+  for (const char* entry : {"sqrt(x)", "sqrt(x)*sqrt(x - 1)", "abs(sqrt(x))", "log(x + 1)"}) {
+    const CommandResult nowhere = ask(entry, "-1");
+    EXPECT_EQ(nowhere.exit_code, 65) << nowhere.output;
+    EXPECT_THAT(nowhere.errors, HasSubstr("is undefined at every pose of the motion")) << entry;
+  }
+}
+
 TEST_F(BoundCommandTest, MakesADatasheetThatComparesLimits) {
   const CommandResult r = regulus({"datasheet", model_});
   EXPECT_EQ(r.exit_code, 1) << r.errors;  // a force exceeds its limit
@@ -251,9 +271,19 @@ TEST_F(BoundCommandTest, MakesADatasheetThatComparesLimits) {
   EXPECT_THAT(markdown.output, HasSubstr("Attained at:"));
   EXPECT_THAT(markdown.output, HasSubstr("```text\nmodel "));
   EXPECT_THAT(markdown.output, HasSubstr("\nuncertain "));
-  EXPECT_THAT(markdown.output, HasSubstr("| least \\|det J^-1\\| "));
+  EXPECT_THAT(markdown.output, HasSubstr("| least \\|det J⁻¹\\| "));
   const json report = json::parse(regulus({"datasheet", model_, "--json", "--quiet"}).output);
   EXPECT_GE(report.at("bounds").size(), 8u);
+}
+
+TEST_F(BoundCommandTest, MakesADatasheetOfOnePose) {
+  const std::string path = folder_.path() / "fixed.toml";
+  std::ofstream(path)
+      << "regulus = 1\nname = \"arm\"\n[pose]\nx = \"m\"\ny = \"m\"\n[matrix]\n"
+         "rows = [[\"x + 2\", \"y\"], [\"x*y\", 1]]\n[motion.m]\nx = 0.25\ny = 0.5\n";
+  const CommandResult r = regulus({"datasheet", path});
+  EXPECT_EQ(r.exit_code, 0) << r.errors;
+  EXPECT_THAT(r.output, HasSubstr("condition number of J⁻¹ in the 2-norm"));
 }
 
 TEST_F(BoundCommandTest, ADatasheetHasProofsAndContinues) {

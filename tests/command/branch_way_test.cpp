@@ -6,9 +6,11 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "tests/support/bars.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/interrupted_runs.hpp"
 #include "tests/support/temporary_directory.hpp"
@@ -136,9 +138,16 @@ TEST_F(BranchOnWay, IsPavedUpToItsEnd) {
   EXPECT_LE(double(certain.at("s").at(1)), at);
   EXPECT_GE(double(certain.at("s").at(1)), at - 1.0 / 64);
   EXPECT_EQ(json::parse(undecided).at("segments"), json({3, 4}));
-  const CommandResult refused = ask("locate", {"--certificate", path("proof")});
-  EXPECT_EQ(refused.exit_code, 64);
-  EXPECT_THAT(refused.errors, HasSubstr("a paving of a [closure] has no proof"));
+  // The proof says up to where the branch is certain.
+  EXPECT_EQ(ask("locate", {"--certificate", path("proof")}).exit_code, 1);
+  EXPECT_THAT(text_of(path("proof")), HasSubstr("\nverdict PAVING\n"));
+  EXPECT_EQ(verified(path("proof")), 0);
+  write_way("0\n100\n-120\n141\n0\n");
+  EXPECT_EQ(verified(path("proof")), 1);
+  const CommandResult theorem = run_command(
+      {REGULUS_BINARY_DIR "/bin/regulus-verify", "--coq", path("proof.v"), path("proof")});
+  EXPECT_NE(theorem.exit_code, 0);
+  EXPECT_THAT(theorem.errors, HasSubstr("there is no theorem about a paving of a branch"));
 }
 
 /// The first segment is excluded, so that the way has no branch to follow.
@@ -181,6 +190,153 @@ TEST_F(BranchOnWay, HasPages) {
   EXPECT_THAT(page_of("check", {}), HasSubstr("NO SINGULARITY"));
   EXPECT_THAT(page_of("margin", {"--tube", "theta=0:0.2"}), HasSubstr("SAFE UP TO"));
   EXPECT_THAT(page_of("locate", {}), HasSubstr("stretches"));
+}
+
+/// The bars have errors, loads and motors.
+class BarsOnWay : public BranchOnWay {
+ protected:
+  BarsOnWay() {
+    write_bars("[-1000, 1000]");
+    write_way("0\n-10\n-40\n");
+  }
+  void write_bars(const std::string& force) const {
+    std::ofstream(path("bars.toml")) << bars("0.002", force);
+  }
+  [[nodiscard]] CommandResult ask_bars(const std::string& command, const Words& more) const {
+    Words words{REGULUS_BINARY_DIR "/bin/regulus",
+                command,
+                path("bars.toml"),
+                "m",
+                "--waypoints",
+                way_,
+                "--threads",
+                "1",
+                "--json",
+                "--quiet"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_command(words);
+  }
+  [[nodiscard]] CommandResult verify_bars(const std::string& proof) const {
+    return run_command({REGULUS_BINARY_DIR "/bin/regulus", "verify", proof, "--model",
+                        path("bars.toml"), "--waypoints", way_});
+  }
+};
+
+TEST_F(BarsOnWay, ContinueABound) {
+  const auto bound = [this](const std::string& name, const Words& more) {
+    Words words{"error", "--freedom", "psi", "--gap", "1e-2", "--certificate", path(name)};
+    words.insert(words.end(), more.begin(), more.end());
+    return ask_bars("bound", words);
+  };
+  const CommandResult whole = bound("whole", {});
+  ASSERT_EQ(whole.exit_code, 0) << whole.errors;
+  for (const char* most : {"3", "20", "60"})
+    EXPECT_EQ(bound("part", {"--checkpoint", path("saved"), "--max-boxes", most}).exit_code, 2);
+  const CommandResult last = bound("part", {"--checkpoint", path("saved")});
+  const json a = json::parse(last.output), b = json::parse(whole.output);
+  for (const char* key : {"proved", "attained", "boxes"}) EXPECT_EQ(a.at(key), b.at(key)) << key;
+  for (const char* end : {".psi.safe", ".psi.singular"}) {
+    EXPECT_NE(text_of(path("whole") + end), "") << end;
+    EXPECT_TRUE(text_of(path("part") + end) == text_of(path("whole") + end)) << end;
+  }
+}
+
+TEST_F(BarsOnWay, ContinueADatasheet) {
+  const auto ends = [](const CommandResult& run) {
+    const json sheet = json::parse(run.output);
+    json found;
+    for (const json& bound : sheet.at("bounds"))
+      found.push_back({bound.at("quantity"), bound.at("proved"), bound.at("attained")});
+    return found;
+  };
+  const CommandResult whole = ask_bars("datasheet", {"--gap", "0.05"});
+  ASSERT_EQ(whole.exit_code, 0) << whole.errors;
+  const Words kept{"--gap", "0.05", "--checkpoint", path("saved")};
+  Words stopped = kept;
+  stopped.insert(stopped.end(), {"--max-boxes", "20"});
+  EXPECT_EQ(ask_bars("datasheet", stopped).exit_code, 2);
+  EXPECT_EQ(ends(ask_bars("datasheet", kept)), ends(whole));
+}
+
+TEST_F(BarsOnWay, RefuseTheSearchOfAnotherQuestion) {
+  const auto expect_refused = [this](const std::string& command, Words more) {
+    more.insert(more.end(), {"--checkpoint", path("saved")});
+    const CommandResult run = ask_bars(command, more);
+    EXPECT_EQ(run.exit_code, 65) << run.output;
+    EXPECT_THAT(run.errors, HasSubstr("another question"));
+  };
+  const Words bound{"error", "--gap", "0.1"}, load{"--load", "L"};
+  Words begun = bound;
+  begun.insert(begun.end(), {"--checkpoint", path("saved"), "--max-boxes", "5"});
+  EXPECT_EQ(ask_bars("bound", begun).exit_code, 2);
+  write_way("0\n-10\n-41\n");
+  expect_refused("bound", bound);
+  std::filesystem::remove(path("saved"));
+  Words held = load;
+  held.insert(held.end(), {"--checkpoint", path("saved"), "--max-boxes", "2"});
+  EXPECT_EQ(ask_bars("check", held).exit_code, 2);
+  write_bars("[-999, 1000]");
+  expect_refused("check", load);
+  write_bars("[-1000, 1000]");
+  write_way("0\n-10\n-40\n");
+  expect_refused("check", load);
+}
+
+TEST_F(BarsOnWay, ArePavedForALoad) {
+  write_bars("[-2, 2]");
+  write_way("0\n60\n-85\n10\n");
+  const Words files{"--output",      path("lines"),   "--picture",
+                    path("way.svg"), "--certificate", path("proof")};
+  Words words{"--load", "L"};
+  words.insert(words.end(), files.begin(), files.end());
+  const CommandResult run = ask_bars("locate", words);
+  EXPECT_EQ(run.exit_code, 1) << run.errors;
+  const json report = json::parse(run.output);
+  EXPECT_EQ(report.at("verdict"), "infeasible");
+  EXPECT_EQ(report.at("searched_alone"), 3);
+  const CommandResult proof = verify_bars(path("proof"));
+  EXPECT_EQ(proof.exit_code, 0) << proof.output;
+  EXPECT_THAT(proof.errors, HasSubstr(" infeasible, "));
+  // The stretches have no gaps, and their shares are those of the report.
+  std::istringstream lines(text_of(path("lines")));
+  std::map<std::string, double> shares;
+  double at = 0;
+  std::string line;
+  for (std::size_t k = 0; k < report.at("stretches"); ++k) {
+    std::getline(lines, line);
+    const json stretch = json::parse(line);
+    const double begin = double(stretch.at("segments")[0]) - 1 + double(stretch.at("s")[0]);
+    const double end = double(stretch.at("segments")[1]) - 1 + double(stretch.at("s")[1]);
+    EXPECT_EQ(begin, at) << line;
+    at = end;
+    shares[stretch.at("kind")] += (end - begin) / 3;
+  }
+  EXPECT_EQ(at, 3);
+  std::getline(lines, line);
+  json summary = json::parse(line).at("summary");
+  EXPECT_EQ(summary.at("share"), report.at("share"));
+  for (const char* kind : {"feasible", "infeasible"}) {
+    EXPECT_GT(shares[kind], 0.05) << kind;
+    EXPECT_NEAR(shares[kind], report.at("share").at(kind), 1e-9) << kind;
+  }
+  EXPECT_THAT(text_of(path("way.svg")), HasSubstr("bars, m, load L"));
+  Words paged{"--load", "L", "--page", path("page.html")};
+  EXPECT_EQ(ask_bars("locate", paged).exit_code, 1);
+  EXPECT_THAT(text_of(path("page.html")), HasSubstr("infeasible segment"));
+}
+
+/// The data name the segments.
+TEST_F(BarsOnWay, HavePages) {
+  for (const auto& [command, more] : std::vector<std::pair<std::string, Words>>{
+           {"bound", {"error", "--gap", "0.1"}}, {"check", {"--load", "L"}}}) {
+    Words words = more;
+    words.insert(words.end(), {"--page", path("page.html")});
+    const CommandResult run = ask_bars(command, words);
+    EXPECT_EQ(run.exit_code, 0) << run.errors;
+    const std::string page = text_of(path("page.html"));
+    EXPECT_THAT(page, HasSubstr("piecewise")) << command;
+    EXPECT_THAT(page, HasSubstr("\"segments\":2}")) << command;
+  }
 }
 
 }  // namespace

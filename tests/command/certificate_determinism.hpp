@@ -47,13 +47,13 @@ class ACertificateFile : public testing::TestWithParam<AskedTwice> {
 inline const std::string kFirstRobot = "/models/robot_1.toml",
                          kSecondRobot = "/models/robot_2.toml";
 
-inline const auto kAskedTwice = testing::Values(
+inline const std::vector<AskedTwice> kAskedTwice = {
     AskedTwice{"SingularWorkspace", kFirstRobot, {"wide_40"}},
     AskedTwice{"Trajectory", kFirstRobot, {"T2_errors", "--tolerance", "base,platform=0.05"}},
     AskedTwice{"Threshold", kFirstRobot, {"table4_5", "--alpha", "1/2*sqrt(2)"}},
     AskedTwice{"Tolerances", kSecondRobot, {"table5_20", "--tolerance", "base,platform=20"}},
     AskedTwice{"Planar", "/models/planar_3rpr.toml", {"regular"}},
-    AskedTwice{"Point", "/models/rump.toml", {"point"}});
+    AskedTwice{"Point", "/models/rump.toml", {"point"}}};
 
 inline std::string name_of_asked(const testing::TestParamInfo<AskedTwice>& asked) {
   return asked.param.name;

@@ -13,7 +13,8 @@ TEST_P(ACertificateOfAnyThreads, DoesNotDependOnWhatTheCacheHolds) {
       expect_whatever_the_cache_holds(engine, threads, first);
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, ACertificateOfAnyThreads, kAskedTwice, name_of_asked);
+INSTANTIATE_TEST_SUITE_P(Models, ACertificateOfAnyThreads, testing::ValuesIn(kAskedTwice),
+                         name_of_asked);
 
 }  // namespace
 }  // namespace regulus::test

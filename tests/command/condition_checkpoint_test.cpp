@@ -13,6 +13,7 @@
 #include "tests/support/command.hpp"
 #include "tests/support/damage.hpp"
 #include "tests/support/temporary_directory.hpp"
+#include "tests/support/trials.hpp"
 #include "tests/support/turn_model.hpp"
 
 namespace regulus::test {
@@ -89,7 +90,7 @@ TEST_F(ConditionCheckpointTest, SurvivesKills) {
   saved.insert(saved.end(), {"--checkpoint", file_});
   std::mt19937 random(1);
   int continued = 0;
-  for (int kill = 0; kill < 6; ++kill) {
+  for (int kill = 0; kill < trials(3, 6); ++kill) {
     continued += is_saved() ? 1 : 0;
     RunningCommand run(words(saved));
     wait_until_saved();

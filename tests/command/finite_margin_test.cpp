@@ -147,9 +147,6 @@ TEST_F(FiniteMargin, RefusesErrorsThatDoNotCount) {
   };
   refused(margin(kOctahedral, {"level_89", "--tube", "x=0:0.1", "--limit", "0.05"}),
           "name leg_1 to leg_6");
-  refused(margin(kOctahedral, {"level_89", "--tolerance", "base=0:0.1", "--limit", "0.05",
-                               "--certificate", "c", "--shard-size", "4096"}),
-          "the boxes of a branch are linked");
   refused(regulus({"margin", kOctahedral, "level_89", "--tube", "x=0:0.1"},
                   {"--quantity", "error", "--limit", "0.05"}),
           "--tube");

@@ -4,13 +4,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <functional>
+#include <iterator>
 #include <numbers>
 
 #include "tests/command/forged_checkpoints.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/interrupted_runs.hpp"
+#include "tests/support/trials.hpp"
 
 namespace regulus::test {
 namespace {
@@ -65,7 +68,7 @@ bool is_at_most(const Told& told, const char* key, double most) {
 struct Kind {
   const char* name;
   std::vector<std::string> words;  ///< command, model, options
-  const char* easy;                ///< a range in which a better answer is true
+  Words easy;                      ///< a motion along which a better answer is true
   IsTrue is_true;                  ///< of an answer over the whole range
 };
 
@@ -135,16 +138,45 @@ Words words_in(const char* text) {
   return {std::istream_iterator<std::string>(in), {}};
 }
 
-std::vector<Kind> kinds() {
-  const auto touch = [](const char* name, const char* words, IsTrue is_true) {
-    return Kind{name, words_in(words), "x=0:1", std::move(is_true)};
-  };
+std::vector<Kind> kinds_of_linkages() {
   const auto bar = [](const char* name, const char* command, const char* more, IsTrue is_true) {
     Words words{command, kFourBar, "turn"};
     for (const std::string& word : words_in(more)) words.push_back(word);
-    return Kind{name, std::move(words), "theta=-2:2", std::move(is_true)};
+    return Kind{name, std::move(words), {"--range", "theta=-2:2"}, std::move(is_true)};
   };
   return {
+      bar("check_closure", "check", "", is_not_regular),
+      bar("locate_closure", "locate", "--resolution 1/256", is_open_at_toggles),
+      bar("margin_closure", "margin", "--scale 0.5:1 --gap 0.05",
+          is_proved_up_to("certified", kToggle / (140 * std::numbers::pi / 180))),
+      {"bound_closure",
+       {"bound", kFourBar, "turn", "condition", "--gap", "0.01", "--range", "theta=-2:2"},
+       {"--range", "theta=-1:1"},
+       is_condition_of_bars},
+      {"bound_closure_way",
+       {"bound", kFourBar, "turn", "condition", "--gap", "0.01", "--waypoints", "way"},
+       {"--waypoints", "near"},
+       is_condition_of_bars},
+      {"check_load_closure",
+       {"check", "bars", "all", "--load", "push"},
+       {"--range", "theta=-0.01:1.5"},
+       is_not_feasible},
+      {"check_load_closure_way",
+       {"check", "bars", "all", "--load", "push", "--waypoints", "back"},
+       {"--waypoints", "ahead"},
+       is_not_feasible},
+      {"locate_load_closure",
+       {"locate", "bars", "all", "--load", "push", "--resolution", "1/256"},
+       {"--range", "theta=-0.01:1.5"},
+       is_open_beyond_the_limit},
+  };
+}
+
+std::vector<Kind> kinds() {
+  const auto touch = [](const char* name, const char* words, IsTrue is_true) {
+    return Kind{name, words_in(words), {"--range", "x=0:1"}, std::move(is_true)};
+  };
+  std::vector<Kind> all{
       touch("check", "check touch all", is_not_regular),
       touch("check_variables", "check touch all --tolerance base=0.001 --uncertainty variables",
             is_not_regular),
@@ -162,23 +194,9 @@ std::vector<Kind> kinds() {
       touch("condition", "bound touch all condition --norm 2 --gap 0.05 --range x=0:1.3",
             is_condition),
       touch("datasheet", "datasheet touch all --gap 0.3 --range x=0:1.3", is_datasheet),
-      bar("check_closure", "check", "", is_not_regular),
-      bar("locate_closure", "locate", "--resolution 1/256", is_open_at_toggles),
-      bar("margin_closure", "margin", "--scale 0.5:1 --gap 0.05",
-          is_proved_up_to("certified", kToggle / (140 * std::numbers::pi / 180))),
-      {"bound_closure",
-       {"bound", kFourBar, "turn", "condition", "--gap", "0.01", "--range", "theta=-2:2"},
-       "theta=-1:1",
-       is_condition_of_bars},
-      {"check_load_closure",
-       {"check", "bars", "all", "--load", "push"},
-       "theta=-0.01:1.5",
-       is_not_feasible},
-      {"locate_load_closure",
-       {"locate", "bars", "all", "--load", "push", "--resolution", "1/256"},
-       "theta=-0.01:1.5",
-       is_open_beyond_the_limit},
   };
+  std::ranges::move(kinds_of_linkages(), std::back_inserter(all));
+  return all;
 }
 
 class ForgedCheckpoint : public testing::TestWithParam<Kind> {
@@ -186,6 +204,10 @@ class ForgedCheckpoint : public testing::TestWithParam<Kind> {
   ForgedCheckpoint() {
     std::ofstream(path("touch")) << kTouch;
     std::ofstream(path("bars")) << kBars;
+    std::ofstream(path("way")) << "theta\n0\n2\n-2\n";
+    std::ofstream(path("near")) << "theta\n0\n1\n-1\n";
+    std::ofstream(path("back")) << "theta\n0\n1.5\n-1\n";
+    std::ofstream(path("ahead")) << "theta\n0\n1.5\n1\n";
   }
 
   [[nodiscard]] std::string path(const std::string& name) const { return folder_.path() / name; }
@@ -193,13 +215,15 @@ class ForgedCheckpoint : public testing::TestWithParam<Kind> {
   [[nodiscard]] CommandResult run(const std::vector<std::string>& more) const {
     std::vector<std::string> words{kCommand};
     for (const std::string& word : GetParam().words)
-      words.push_back(word == "touch" || word == "bars" ? path(word) : word);
-    if (std::ranges::find(more, "--range") != more.end())
-      if (const auto range = std::ranges::find(words, "--range"); range != words.end())
-        words.erase(range, range + 2);
+      words.push_back(std::filesystem::exists(path(word)) ? path(word) : word);
+    for (const char* motion : {"--range", "--waypoints"})
+      if (std::ranges::find(more, motion) != more.end())
+        if (const auto given = std::ranges::find(words, motion); given != words.end())
+          words.erase(given, given + 2);
     words.insert(words.end(), {"--threads", "1", "--engine", "interpreted", "--json"});
     if (is_paving()) words.insert(words.end(), {"--output", path("lines")});
-    words.insert(words.end(), more.begin(), more.end());
+    for (const std::string& word : more)
+      words.push_back(word == "near" || word == "ahead" ? path(word) : word);
     return run_command(words);
   }
   [[nodiscard]] static bool is_paving() { return GetParam().words[0] == "locate"; }
@@ -254,6 +278,7 @@ TEST_P(ForgedCheckpoint, ProvesNothing) {
     if (!saved.is_object()) continue;
     expect_true_answer(saved, "as it is");
     if (!has_tree(saved)) break;
+    if (saved != late && trials(0, 1) == 0) continue;
     for (const std::string& claim : kClaims) {
       expect_true_answer(with_leaves_for_open(saved, claim), "open boxes claim " + claim);
       expect_true_answer(with_claims(saved, claim), "leaves claim " + claim);
@@ -283,7 +308,7 @@ TEST_P(ForgedCheckpoint, DoesNotCountMoreBoxes) {
 
 /// The search of one question with the question of another, for which its claims are false.
 TEST_P(ForgedCheckpoint, OfAnotherRangeProvesNothing) {
-  json easy = saved_late({"--range", GetParam().easy});
+  json easy = saved_late(GetParam().easy);
   const json hard = saved_after(4, {});
   ASSERT_TRUE(easy.is_object() && hard.is_object()) << "the search is too short";
   expect_true_answer(easy, "the question of the file is another");
@@ -296,7 +321,10 @@ TEST_P(ForgedCheckpoint, OfAnotherRangeProvesNothing) {
 
 std::string name_of(const testing::TestParamInfo<Kind>& kind) { return kind.param.name; }
 
-INSTANTIATE_TEST_SUITE_P(Of, ForgedCheckpoint, testing::ValuesIn(kinds()), name_of);
+INSTANTIATE_TEST_SUITE_P(Of, ForgedCheckpoint, testing::ValuesIn(every_second(kinds(), 0)),
+                         name_of);
+INSTANTIATE_TEST_SUITE_P(NightlyOf, ForgedCheckpoint, testing::ValuesIn(every_second(kinds(), 1)),
+                         name_of);
 
 }  // namespace
 }  // namespace regulus::test

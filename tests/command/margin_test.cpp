@@ -173,10 +173,19 @@ TEST_F(Margin, ExitsWith2WhenALimitEndsItEarly) {
   EXPECT_TRUE(found["certified"].is_null());
 }
 
+/// The time is not the reason.
+TEST_F(Margin, SaysWhyNothingIsKnownWhereTheMatrixIsUndefined) {
+  std::ofstream(model_) << "regulus = 1\nname = \"root\"\n[pose]\nx = \"1\"\n[matrix]\n"
+                           "rows = [[\"sqrt(x - 2)\"]]\n[motion.m]\nx = [-1, 1]\n";
+  const CommandResult result = margin({"m", "--scale", "1:2"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.errors, HasSubstr("decided nothing: an expression is undefined in or near a"));
+}
+
 TEST_F(Margin, RefusesWrongUseWith64AndSaysWhy) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
       {{"small"}, "margin: 0 options have a range"},
-      {{"small", "--tolerance", "a=0.1"}, "margin: 0 options have a range"},
+      {{"small", "--tolerance", "a=0.1"}, "such as 0:0.5 (one number is a value, no range)"},
       {{"small", "--tolerance", "a=0:1", "--alpha", "0:1"}, "margin: 2 options have a range"},
       {{"small", "--tolerance", "a=1:0"}, "expected LO below HI"},
       {{"small", "--tolerance", "a=-1:0"}, "a number ≥ 0"},

@@ -142,6 +142,27 @@ TEST_F(Message, HasTheUnitsOfAWrench) {
   EXPECT_TRUE(report["witness"].contains("work_unit"));
 }
 
+TEST(MessageOfClosures, SpeaksOfOneUncertainQuantity) {
+  const CommandResult result = regulus({"check", model_path("four_bar"), "swing"});
+  EXPECT_THAT(result.errors + result.output,
+              HasSubstr("every value of the uncertain quantity (1 control error)"));
+}
+
+TEST(MessageOfDatasheet, TellsAReasonOnce) {
+  const CommandResult result =
+      regulus({"datasheet", model_path("planar_3rpr"), "regular", "--time-limit", "1", "--quiet"});
+  const std::string start = "not bounded: condition";
+  const std::size_t first = result.output.find(start);
+  ASSERT_NE(first, std::string::npos) << result.output;
+  EXPECT_EQ(result.output.find(start, first + 1), std::string::npos) << result.output;
+}
+
+TEST(MessageOfSolve, NamesTheOptionThatGivesAValue) {
+  const CommandResult result = regulus({"solve", model_path("four_bar"), "turn"});
+  EXPECT_EQ(result.exit_code, 64);
+  EXPECT_THAT(result.errors, HasSubstr("give theta=VALUE by the option at"));
+}
+
 TEST(MessageOfSolve, HasTheDashesOfAnOption) {
   EXPECT_THAT(regulus({"solve", model_path("rpr_6"), "--method", "jk"}).errors,
               HasSubstr("--method: all solutions are found by one method"));

@@ -176,7 +176,7 @@ TEST_F(APage, OfABoundHasItsBars) {
       page_of({"bound", kModels + "orthoglide.toml", "cube", "sigma-min", "--gap", "0.5"}, 0);
   EXPECT_EQ(data["headline"], headline_);
   EXPECT_EQ(data["bounds"].size(), 1U);
-  EXPECT_EQ(data["bounds"][0]["bound"], "least singular value of J^-1");
+  EXPECT_EQ(data["bounds"][0]["bound"], "least singular value of J⁻¹");
   EXPECT_TRUE(data["certificate"].is_null());
 }
 

@@ -192,6 +192,8 @@ TEST_F(AllSolutionsByCommand, RefuseWhatHasNoMeaning) {
   refuse({"rpr_6", "--at", "rho_1=1:2"}, 64, "found ':'");
   refuse({"robot_1", "wide_15", "--at", "rho_1=1"}, 64,
          "gives the pose, and 'rho_1' takes its place; give all of rho_1");
+  refuse({"rpr_6", "--at", "rho_1=1,rho_2=2"}, 64,
+         "gives more than one value; repeat the option, one NAME=VALUE each");
   refuse({"robot_1", "--at", "x=1"}, 64, "y, z, psi, theta, phi have no value");
   refuse({"four_bar", "--at", "teta=1"}, 64, "did you mean 'theta'?");
   refuse({"rpr_6", "--waypoints", table, "--at", "rho_1=3"}, 65, "'rho_1' is given for all places");

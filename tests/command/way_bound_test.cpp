@@ -312,7 +312,7 @@ TEST_F(WayBoundTest, ThreadsAndCheckpointsChangeNothing) {
 TEST_F(WayBoundTest, HasADatasheet) {
   const CommandResult r = regulus({"datasheet", shear_, "way", "--threads", "1"});
   EXPECT_THAT(r.output, HasSubstr("speed of the motors for along"));
-  EXPECT_THAT(r.output, HasSubstr("least |det J^-1|"));
+  EXPECT_THAT(r.output, HasSubstr("least |det J⁻¹|"));
   EXPECT_THAT(r.output, HasSubstr("kept"));
 }
 

@@ -29,7 +29,10 @@ function(expect_statement claim model)
                   COMMAND_ERROR_IS_FATAL ANY)
   file(READ ${WORK_DIR}/claim.v text)
   string(REPLACE "Questions Search Singularity Threshold Forces." "LinearAlgebra Questions." text "${text}")
-  string(REPLACE "Questions Search Closures Tubes Branches Solutions." "LinearAlgebra Questions Closures." text "${text}")
+  string(REGEX REPLACE "Questions Search Closures Tubes Branches (Solutions|Ways)\\." "LinearAlgebra Questions Closures."
+         text "${text}")
+  string(REGEX REPLACE "\n\\(\\*\\* Where the set is cut.*\n\n\\(\\*\\* The variables of second order" "\n(** The variables" text
+         "${text}")
   string(REGEX REPLACE "\nDefinition the_method[^\n]*\n" "\n" text "${text}")
   if(NOT text MATCHES "\nTheorem the_claim : ([^\n]*)\\.\nProof\\.")
     message(FATAL_ERROR "${model} ${ARGN}: no theorem\n${text}")
@@ -51,6 +54,8 @@ expect_statement("Forall (fun piece => no_singularity (the_question piece)) piec
                  --waypoints ${WORK_DIR}/way.csv)
 expect_statement("determinant_above the_question the_scales the_threshold" robot_1 table6_5_5 --alpha 1)
 expect_statement("all_solutions the_closure the_solutions" four_bar --at theta=45*deg)
+file(WRITE ${WORK_DIR}/way.csv "theta [deg]\n0\n50\n-57.5\n")
+expect_statement("one_branch_along the_closure pieces" four_bar swing --waypoints ${WORK_DIR}/way.csv)
 expect_statement("force_within the_question the_row the_load the_limit" robot_1 table4_5 force --load payload
                  --leg 3 --limit 2000)
 expect_statement("force_below the_question the_row the_load the_limit" robot_1 table4_5 force --load payload

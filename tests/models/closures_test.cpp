@@ -312,7 +312,6 @@ TEST(Closures, AreShownOrRefusedByNameByEveryCommand) {
       {{"check", "MODEL", "inside", "--range", "phi=1:2"}, 64, "'phi'"},
       {{"check", "MODEL", "inside", "--tube", "psi=1"}, 64, "'psi'"},
       {{"locate", "MODEL", "inside", "--load", "push"}, 64, "the model has no [load"},
-      {{"locate", "MODEL", "inside", "--certificate", "c"}, 64, "certificate: "},
       {{"bound", "MODEL", "inside", "error", "--finite"}, 64, "nothing has an error"},
       {{"bound", "MODEL", "inside", "speed", "--finite"}, 64, "--finite is about error"},
       {{"bound", "MODEL", "inside", "error", "--finite", "--method", "reg"},

@@ -13,9 +13,10 @@ class RanksOnABranch : public testing::Test {
   }
   const TemporaryDirectory directory_;
 };
+using NightlyRanksOnABranch = RanksOnABranch;
 
 /// Shared after 16 384 boxes.
-TEST_F(RanksOnABranch, PaveAsOneThreadDoes) {
+TEST_F(NightlyRanksOnABranch, PaveAsOneThreadDoes) {
   const Words locate = {
       "locate",  model("five_bar_closure"), "wide", "--resolution", "1/400", "--max-boxes", "18000",
       "--output"};
@@ -45,7 +46,7 @@ TEST_F(RanksOnABranch, BracketAsOneThreadDoes) {
 
 /// From the second segment on each begins with a configuration that the ranks are told. The last one
 /// has a toggle; the paving beyond it is shared.
-TEST_F(RanksOnABranch, PaveAWayAsOneThreadDoes) {
+TEST_F(NightlyRanksOnABranch, PaveAWayAsOneThreadDoes) {
   std::ofstream(file("way.csv")) << "theta\n0\n1.5\n-2\n2.4\n";
   const Words locate = {"locate",        model("four_bar"), "turn",      "--waypoints",
                         file("way.csv"), "--resolution",    "1/1000000", "--max-boxes",
@@ -97,7 +98,33 @@ TEST_F(RanksOnABranch, BoundAsOneThreadDoes) {
         << end;
 }
 
-TEST_F(RanksOnABranch, BoundSingularValuesAsOneThreadDoes) {
+/// Each rank proves the leaves of some shards; the first one links those of all.
+TEST_F(RanksOnABranch, VerifyTheShardsOfAProof) {
+  std::ofstream(file("bars.toml")) << kBars;
+  const Words bound = {"bound",   file("bars.toml"), "m",     "error",        "--freedom",
+                       "phi",     "--gap",           "0.01",  "--shard-size", "16kiB",
+                       "--quiet", "--max-boxes",     "18000", "--certificate"};
+  const CommandResult one = run_command(one_thread(joined(bound, {file("one")})));
+  const CommandResult shared = run_command(ranks(2, joined(bound, {file("many")})));
+  EXPECT_EQ(shared.output, one.output) << shared.errors;
+  const std::string index = file("one.phi.safe");
+  EXPECT_EQ(text_of(file("many.phi.safe")), text_of(index));
+  const CommandResult alone =
+      run_command({REGULUS_BINARY_DIR "/bin/regulus", "verify", index, "--threads", "2"});
+  EXPECT_EQ(alone.output, "VERIFIED\n") << alone.errors;
+  EXPECT_THAT(alone.errors, testing::ContainsRegex("shards +[0-9]+\nleaves .*\nlinks "));
+  for (const int count : {1, 3}) {
+    const CommandResult many = run_command(ranks(count, {"verify", index}));
+    EXPECT_EQ(many.output, alone.output) << many.errors;
+    EXPECT_THAT(many.errors, testing::HasSubstr(alone.errors));
+  }
+  std::filesystem::remove(index + ".shards/2");
+  const CommandResult lacking = run_command(ranks(2, {"verify", index}));
+  EXPECT_EQ(lacking.output, "REJECTED\n");
+  EXPECT_THAT(lacking.errors, testing::HasSubstr("shard 2: it is missing"));
+}
+
+TEST_F(NightlyRanksOnABranch, BoundSingularValuesAsOneThreadDoes) {
   std::ofstream(file("bars.toml")) << kBars;
   for (const Words& quantity : {Words{"condition", "--norm", "2"}, Words{"sigma-min"}}) {
     Words bound = {"bound",       file("bars.toml"), "m",       "--gap",        "1e-12",
@@ -127,7 +154,7 @@ TEST_F(RanksOnABranch, BoundFiniteErrorsAsOneThreadDoes) {
         << end;
 }
 
-TEST_F(RanksOnABranch, CompareAndSumUpAsOneThreadDoes) {
+TEST_F(NightlyRanksOnABranch, CompareAndSumUpAsOneThreadDoes) {
   std::ofstream(file("bars.toml")) << kBars;
   for (const Words& asked :
        {Words{"margin", file("bars.toml"), "m", "--scale", "0.5:1.2", "--quantity", "error",

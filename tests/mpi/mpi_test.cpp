@@ -4,7 +4,6 @@
 
 #include "codegen/use/mpi/agreement.hpp"
 #include "tests/mpi/ranks.hpp"
-#include "tests/support/trials.hpp"
 
 namespace regulus::test {
 namespace {
@@ -19,13 +18,14 @@ class Ranks : public testing::Test {
   }
   const TemporaryDirectory directory_;
 };
+using NightlyRanks = Ranks;
 
 TEST_F(Ranks, GiveTheCertificateOfOneThread) {
   const CommandResult one =
       run_command(one_thread(joined(long_check(), {"--certificate", file("one")})));
   ASSERT_EQ(one.exit_code, 0) << one.errors;
   const std::string expected = text_of(file("one"));
-  for (const int count : {1, 2, 4, 16}) {
+  for (const int count : numbers_of_ranks({1, 2, 4, 16})) {
     const CommandResult many =
         run_command(ranks(count, joined(long_check(), {"--certificate", file("many")})));
     EXPECT_EQ(many.exit_code, 0) << many.errors;
@@ -90,15 +90,14 @@ TEST_F(Ranks, CutAProofAsOneThreadDoes) {
   EXPECT_GT(shards, 5U);
 }
 
-TEST_F(Ranks, VerifyTheShardsOfAnIndex) {
+TEST_F(NightlyRanks, VerifyTheShardsOfAnIndex) {
   const Words cut = {"check",         model("robot_1"), "table4_5",     "--method", "jk",
                      "--certificate", file("proof"),    "--shard-size", "256kB"};
   ASSERT_EQ(run_command(ranks(2, cut)).exit_code, 0);
   const CommandResult one =
       run_command({REGULUS_BINARY_DIR "/bin/regulus", "verify", file("proof"), "--threads", "2"});
   EXPECT_EQ(one.output, "VERIFIED\n") << one.errors;
-  const std::vector<int> counts = trials(0, 1) == 0 ? std::vector{3} : std::vector{1, 3, 12};
-  for (const int count : counts) {
+  for (const int count : numbers_of_ranks({1, 3, 12})) {
     const CommandResult many = run_command(ranks(count, {"verify", file("proof")}));
     EXPECT_EQ(many.output, one.output) << many.errors;
     EXPECT_THAT(many.errors, HasSubstr(one.errors));
@@ -110,7 +109,7 @@ TEST_F(Ranks, VerifyTheShardsOfAnIndex) {
   EXPECT_EQ(lacking.exit_code, 1);
 }
 
-TEST_F(Ranks, VerifyTheShardsOfAPavingOfALoad) {
+TEST_F(NightlyRanks, VerifyTheShardsOfAPavingOfALoad) {
   const Words pave = {"locate",  model("cable_8"), "hall",        "--load",       "weight",
                       "--range", "z=4:7.5",        "--output",    file("boxes"),  "--resolution",
                       "1/32",    "--certificate",  file("proof"), "--shard-size", "16kiB"};
@@ -163,7 +162,7 @@ TEST_F(Ranks, BoundAQuantityAsOneThreadDoes) {
   const Words bound = long_bound();
   const CommandResult one = run_command(one_thread(joined(bound, {"--certificate", file("one")})));
   ASSERT_EQ(one.exit_code, 0) << one.errors;
-  for (const int count : {2, 4}) {
+  for (const int count : numbers_of_ranks({2, 4})) {
     const CommandResult many =
         run_command(ranks(count, joined(bound, {"--certificate", file("many"), "--threads", "2"})));
     EXPECT_EQ(many.exit_code, 0) << many.errors;
@@ -182,13 +181,13 @@ Words saved_as(const std::string& name) {
   return {"--certificate", name, "--checkpoint", name + ".checkpoint"};
 }
 
-TEST_F(Ranks, BoundAConditionNumberAsOneThreadDoes) {
+TEST_F(NightlyRanks, BoundAConditionNumberAsOneThreadDoes) {
   const Words bound = long_condition(file("turn.toml"), "6e-3");
   const CommandResult one = run_command(one_thread(joined(bound, saved_as(file("one")))));
   ASSERT_EQ(one.exit_code, 0) << one.errors;
   const std::string expected = files_of_condition(file("one"));
   EXPECT_GT(expected.size(), 1'000'000U);
-  for (const int count : {1, 2, 4}) {
+  for (const int count : numbers_of_ranks({1, 2, 4})) {
     const std::string name = file(std::to_string(count));
     const CommandResult many =
         run_command(ranks(count, joined(bound, joined(saved_as(name), {"--threads", "2"}))));
@@ -198,7 +197,7 @@ TEST_F(Ranks, BoundAConditionNumberAsOneThreadDoes) {
   }
 }
 
-TEST_F(Ranks, ContinueASearchOfAConditionNumber) {
+TEST_F(NightlyRanks, ContinueASearchOfAConditionNumber) {
   const Words bound = long_condition(file("turn.toml"), "6e-3");
   const CommandResult one = run_command(one_thread(joined(bound, saved_as(file("one")))));
   ASSERT_EQ(one.exit_code, 0) << one.errors;
@@ -219,7 +218,7 @@ TEST_F(Ranks, FindASingularPoseWhenTheyBoundAConditionNumber) {
 }
 
 /// Shared after 16 384 boxes, in rounds of 256.
-TEST_F(Ranks, PaveForALoadAsOneThreadDoes) {
+TEST_F(NightlyRanks, PaveForALoadAsOneThreadDoes) {
   const Words locate = {"locate",       model("delta"), "far",         "--load", "payload",
                         "--resolution", "1/64",         "--max-boxes", "20000"};
   const auto files = [this](const std::string& name) {
@@ -233,7 +232,7 @@ TEST_F(Ranks, PaveForALoadAsOneThreadDoes) {
   };
   const std::string expected = boxes_of("one");
   EXPECT_GT(expected.size(), 1'000'000U);
-  for (const int count : {1, 3}) {
+  for (const int count : numbers_of_ranks({1, 3})) {
     const CommandResult many =
         run_command(ranks(count, joined(joined(locate, files("many")), {"--threads", "2"})));
     EXPECT_EQ(many.exit_code, 1) << many.errors;
@@ -305,7 +304,7 @@ class RanksOnAWay : public Ranks {
     return text;
   }
 
-  void expect_same(const Words& question, std::initializer_list<int> counts) const {
+  void expect_same(const Words& question, const std::vector<int>& counts) const {
     const Words by_one_thread = joined(question, {"--threads", "1"});
     const std::string one = answer({REGULUS_BINARY_DIR "/bin/regulus"}, by_one_thread);
     for (const int count : counts)
@@ -314,11 +313,11 @@ class RanksOnAWay : public Ranks {
 };
 
 TEST_F(RanksOnAWay, ProveAsOneThreadDoes) {
-  expect_same({"check", file("ring.toml"), "way"}, {1, 2, 4});
+  expect_same({"check", file("ring.toml"), "way"}, numbers_of_ranks({1, 2, 4}));
 }
 
 TEST_F(RanksOnAWay, FindTheSingularPieceAsOneThreadDoes) {
-  expect_same({"check", file("ring.toml"), "dip"}, {1, 2, 4});
+  expect_same({"check", file("ring.toml"), "dip"}, numbers_of_ranks({1, 2, 4}));
 }
 
 TEST_F(RanksOnAWay, CheckALoadAsOneThreadDoes) {
@@ -348,7 +347,7 @@ TEST_F(Ranks, MakeADatasheet) {
   const CommandResult sheet =
       run_command(ranks(2, {"datasheet", model("planar_3rpr"), "regular", "--time-limit", "600"}));
   EXPECT_EQ(sheet.exit_code, 0) << sheet.errors;
-  EXPECT_THAT(sheet.output, HasSubstr("least |det J^-1|"));
+  EXPECT_THAT(sheet.output, HasSubstr("least |det J⁻¹|"));
 }
 
 /// Rank 0 refuses some words only when the others have begun. That it dismisses them may arrive while

@@ -9,11 +9,13 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/support/command.hpp"
 #include "tests/support/interrupted_runs.hpp"
 #include "tests/support/temporary_directory.hpp"
+#include "tests/support/trials.hpp"
 #include "tests/support/turn_model.hpp"
 
 namespace regulus::test {
@@ -28,6 +30,11 @@ inline Words ranks(int count, const Words& command) {
   return joined({MPIEXEC, "--oversubscribe", "--allow-run-as-root", "-n", std::to_string(count),
                  REGULUS_BINARY_DIR "/bin/regulus-mpi"},
                 command);
+}
+
+/// Several numbers of ranks; the fast tests have one of them, which is no power of two.
+inline std::vector<int> numbers_of_ranks(std::vector<int> all) {
+  return trials(0, 1) == 1 ? std::move(all) : std::vector<int>{3};
 }
 
 inline Words one_thread(const Words& command) {

@@ -31,13 +31,42 @@ TEST_F(SolvingRanks, SolveThePlacesOfATableAsOneThreadDoes) {
     static const std::regex kTime("\"search\": ?[-+.0-9e]+|\"seconds\": ?[-+.0-9e]+");
     return std::regex_replace(text, kTime, "");
   };
-  for (const int count : {1, 2, 3, 8}) {
+  for (const int count : numbers_of_ranks({1, 2, 3, 8})) {
     const CommandResult many = run_command(ranks(count, solve("many")));
     EXPECT_EQ(many.exit_code, 1) << many.errors;
     EXPECT_EQ(many.output, one.output);
     EXPECT_TRUE(text_of(file("many")) == text_of(file("one"))) << count << " ranks";
     EXPECT_EQ(lines_of(text_of(file("many.jsonl"))), lines_of(text_of(file("one.jsonl"))));
   }
+}
+
+/// A shard ends with the place that makes it longer than its size.
+TEST_F(SolvingRanks, CutAndVerifyThePlacesOfATable) {
+  std::ofstream table(file("lengths.csv"));
+  table << "rho_1, rho_2, rho_3\n";
+  for (int k = 0; k < 20; ++k) table << "14.98, 15." << 30 + k << ", 12\n";
+  table.close();
+  const auto solve = [this](const std::string& name) {
+    return Words{"solve",         model("rpr_6"), "--waypoints",  file("lengths.csv"),
+                 "--certificate", file(name),     "--shard-size", "4kiB"};
+  };
+  ASSERT_EQ(run_command(one_thread(solve("one"))).exit_code, 0);
+  ASSERT_EQ(run_command(ranks(2, solve("many"))).exit_code, 0);
+  EXPECT_EQ(text_of(file("many")), text_of(file("one")));
+  const Words about = {"verify",       file("one"),   "--model",
+                       model("rpr_6"), "--waypoints", file("lengths.csv")};
+  const CommandResult alone = run_command(joined({REGULUS_BINARY_DIR "/bin/regulus"}, about));
+  EXPECT_EQ(alone.output, "VERIFIED\n") << alone.errors;
+  EXPECT_THAT(alone.errors, testing::ContainsRegex("places     20, .*\nshards     [3-9]"));
+  for (const int count : {2, 12}) {
+    const CommandResult many = run_command(ranks(count, about));
+    EXPECT_EQ(many.output, alone.output) << many.errors;
+    EXPECT_THAT(many.errors, testing::HasSubstr(alone.errors));
+  }
+  std::filesystem::remove(file("one.shards/2"));
+  const CommandResult lacking = run_command(ranks(2, about));
+  EXPECT_EQ(lacking.output, "REJECTED\n");
+  EXPECT_THAT(lacking.errors, testing::HasSubstr("shard 2: it is missing"));
 }
 
 TEST_F(SolvingRanks, SolveOnePlaceOnce) {

@@ -284,9 +284,9 @@ test("A closure is quoted, with its proof to save, and with slices of its paving
   const classes = await boxes.$$eval(".main-slice rect.box", (marks) => marks.map((mark) => mark.getAttribute("class")));
   assert.ok(classes.includes("box free") && classes.includes("box undecided"), classes.join());
   assert.equal(await boxes.$$eval(".sampled, .sample-curve", (marks) => marks.length), 0);
-  assert.match(await secondProof(boxes), /^Quoted: this answer has no proof in a file/);
+  assert.match(await secondProof(boxes), /^Quoted: this page does not run the proof that it has/);
   assert.match(await textOf(boxes, "main"), /free: the branch has exactly one configuration, and its 2×2 matrix/);
-  assert.match(await textOf(boxes, "main"), /There is no proof in a file: a paving of a .closure. has no proof/);
+  assert.match(await textOf(boxes, "main"), /regulus locate .*regulus verify proof.txt.*Save proof.txt/s);
   assert.deepEqual(none, []);
   const table = `${work}/crank.csv`;
   writeFileSync(table, "theta\n0\n1\n-1\n-2.5\n0\n");
@@ -302,7 +302,8 @@ test("A closure is quoted, with its proof to save, and with slices of its paving
   assert.deepEqual(still, []);
   const { page: paved, faults: calm } = await open(browser, pageOf("branch_stretches", ["locate", bars, "turn", "--waypoints", table]));
   assert.deepEqual(await paved.$$eval(".way-strip rect", (marks) => marks.map((mark) => mark.getAttribute("class"))), ["box free", "box undecided"]);
-  assert.match(await textOf(paved, "main"), /There is no proof in a file: a paving of a .closure. has no proof/);
+  assert.match(await secondProof(paved), /^Quoted: this page does not run the proof that it has/);
+  assert.match(await textOf(paved, "main"), /regulus locate .*regulus verify proof.txt.*Save proof.txt/s);
   assert.deepEqual(calm, []);
   const { page: wide, faults: mute } = await open(browser, pageOf("branch_margin", ["margin", bars, "swing", "--waypoints", table.replace("crank", "short"), "--tube", "theta=0:2"]));
   assert.match(await textOf(wide, "main"), /SAFE UP TO/);

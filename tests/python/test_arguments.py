@@ -179,6 +179,17 @@ def test_a_proof_may_be_in_shards(tmp_path):
     assert "shard 2: it is missing" in rg.verify(safe).reason
 
 
+def test_a_proof_of_a_branch_may_be_in_shards(tmp_path):
+    proof = tmp_path / "proof"
+    bound = rg.load("five_bar_closure").bound(
+        "work", "condition", gap="0.05", certificate=proof, shard_size=4096
+    )
+    safe = pathlib.Path(bound.certificates[0])
+    assert len(list((tmp_path / f"{safe.name}.shards").iterdir())) > 2 and rg.verify(safe)
+    (tmp_path / f"{safe.name}.shards" / "2").unlink()
+    assert "shard 2: it is missing" in rg.verify(safe).reason
+
+
 def test_what_types_accept_runs(tmp_path):
     typed_use.ranges(PLANAR)
     typed_use.other_numbers(PLANAR, tmp_path)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The module answers as the command does: verdicts, boxes, certificates."""
 
+import json
 import math
 import pathlib
 
@@ -223,3 +224,24 @@ def test_a_paving_of_a_load_covers_the_motion(tmp_path):
     held = numpy.prod(sizes, axis=0)[found.claims == "feasible"].sum() / (4 * 4 * 3.5)
     low, high = found.fractions["feasible"]
     assert low - 1e-9 <= held <= high + 1e-9 and 0.3 < low
+
+
+def test_a_load_on_a_linkage_is_paved_along_way_points(command, tmp_path):
+    text = pathlib.Path(rg.load("four_bar").path).read_text(encoding="utf-8")
+    loaded = tmp_path / "loaded.toml"
+    loaded.write_text(text + "[actuators]\nforce = [-2, 2]\n[load.push]\nwrench = [[-1, 3], 2]\n")
+    way = tmp_path / "way.csv"
+    way.write_text("theta\n0\n1\n-1.5\n")
+    tube = {"theta": "0.01"}
+    lines = tmp_path / "lines"
+    words = ["swing", "--waypoints", str(way), "--tube", "theta=0.01", "--output", str(lines)]
+    expected = command("locate", str(loaded), *words, "--load", "push")
+    found = rg.load(loaded).locate_load("swing", "push", waypoints=way, tube=tube)
+    assert found.verdict == expected["verdict"] == "infeasible"
+    assert found.json["share"] == expected["share"]
+    *stretches, _ = map(json.loads, lines.read_text(encoding="utf-8").splitlines())
+    assert found.stretches == stretches
+    assert {s["kind"] for s in stretches} == {"feasible", "infeasible", "undecided"}
+    assert "stretches" in repr(found) and "feasible" in found._repr_html_()
+    with pytest.raises(rg.UsageError, match="no boxes"):
+        found.fractions

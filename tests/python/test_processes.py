@@ -62,6 +62,9 @@ def test_dropping_a_prepared_question_does_not_wait_for_a_search(robot_1, circle
 
 
 def interrupt_after(seconds):
+    # A shell starts what it puts into the background with SIGINT ignored.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+
     def send():
         time.sleep(seconds)
         os.kill(os.getpid(), signal.SIGINT)

@@ -152,6 +152,7 @@ WAYS = ("--waypoints", "{way}")
 CRANKS = ("--waypoints", "{crank}")
 HALL = ("--waypoints", "{hall}")
 PROOF = ("--certificate", "{proof}")
+LOADED = "[actuators]\nforce = [-2, 2]\n[load.push]\nwrench = [[-1, 3], 2]\n"
 LIMIT = ("--quantity", "sigma-max", "--limit", "2")
 
 
@@ -180,8 +181,10 @@ LIMIT = ("--quantity", "sigma-max", "--limit", "2")
         ("forces", ("locate", "cable_8", "hall", "--load", "weight", "--resolution", "1/2")),
         ("path_forces", ("check", "cable_8", "hall", "--load", "weight", *HALL)),
         ("path_force_paving", ("locate", "cable_8", "hall", "--load", "weight", *HALL)),
+        ("path_forces", ("check", "{bars}", "swing", "--load", "push", *CRANKS)),
+        ("path_force_paving", ("locate", "{bars}", "swing", "--load", "push", *CRANKS)),
         ("solutions", ("solve", "rpr_6", "legs")),
-        ("solutions_at_places", ("solve", "planar_3rpr", "regular", *WAYS)),
+        ("solutions_at_places", ("solve", "four_bar", "swing", *CRANKS)),
     ],
 )
 def test_every_report_is_accepted_and_states_the_question(kind, arguments, tmp_path):
@@ -192,7 +195,10 @@ def test_every_report_is_accepted_and_states_the_question(kind, arguments, tmp_p
     hall.write_text("x,y,z,roll,pitch,yaw\n-1,0,4.5,0,0,0\n1,1,5,0,0,0\n")
     crank = tmp_path / "crank.csv"
     crank.write_text("theta\n0\n1\n-2.4\n")
+    bars = tmp_path / "bars.toml"
+    bars.write_text((ROOT / "models/four_bar.toml").read_text(encoding="utf-8") + LOADED)
     named = {"{way}": str(way), "{crank}": str(crank), "{hall}": str(hall), "{proof}": proof}
+    named["{bars}"] = str(bars)
     report = printed(*(named.get(word, word) for word in arguments))
     assert errors(report_of(kind), report) == [] and errors(REPORT, report) == []
     assert has_type(report, type_of(kind))

@@ -105,6 +105,12 @@ def test_a_certificate_of_many_places(tmp_path):
     verify = functools.partial(rg.verify, proof, model=RPR.path)
     assert verify(waypoints=table).outcome == "verified"
     assert verify().outcome == "unfinished"
+    rows = "".join(f"14.98,15.{n},12\n" for n in range(30, 50))
+    table.write_text("rho_1,rho_2,rho_3\n" + rows)
+    RPR.solve_many(waypoints=table, certificate=tmp_path / "cut", shard_size=4096)
+    assert len(list((tmp_path / "cut.shards").iterdir())) > 2
+    cut = rg.verify(tmp_path / "cut", model=RPR.path, waypoints=table)
+    assert cut.outcome == "verified", cut.reason
     table.write_text("rho_1,rho_2,rho_3\n14.9,15.4,12.1\n14.98,15.38,12\n")
     assert verify(waypoints=table).outcome == "rejected"
     arrays = RPR.solve_many(at={**LENGTHS, "rho_1": ["14.98", "14.9"]}, certificate=proof)
@@ -158,7 +164,7 @@ WRONG = {
     "hold that is a text": (lambda: RPR.solve(hold="q1"), "hold: found 'q1'; give a list"),
     "hold of a platform": (lambda: RPR.solve(hold=["q1"]), "only an arm"),
     "a method": (lambda: RPR.solve(method="kj"), "method: "),
-    "a range": (lambda: rg.load("robot_1").solve("wide_15"), "at x=VALUE"),
+    "a range": (lambda: rg.load("robot_1").solve("wide_15"), "give x=VALUE by the option at$"),
 }
 
 

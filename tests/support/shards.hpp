@@ -27,6 +27,7 @@ class HandmadeShards {
       : question_(question.substr(question.find('\n') + 1) + "proof\n") {}
 
   std::vector<HandmadeShard> shards;
+  std::string value;  ///< the line between `proof` and the shards, of a bound that is attained
 
   [[nodiscard]] std::string question_hash() const { return sha256(question_); }
   [[nodiscard]] std::string text_of(std::size_t shard) const {
@@ -36,7 +37,7 @@ class HandmadeShards {
            std::to_string(s.leaves) + '\n';
   }
   [[nodiscard]] std::string index() const {
-    std::string text = std::string(format::kIndexMagic) + '\n' + question_;
+    std::string text = std::string(format::kIndexMagic) + '\n' + question_ + value;
     unsigned leaves = 0;
     for (std::size_t i = 0; i < shards.size(); ++i) {
       text += "shard " + std::to_string(i + 1) + ' ' + std::to_string(shards[i].leaves) + ' ' +

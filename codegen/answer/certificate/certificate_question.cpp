@@ -202,7 +202,8 @@ CertifiedQuestion certified_question(const Request& request,
     return request.model.closure ? format::describe_closure_claim(set, singular)
                                  : format::describe_claim(set, singular);
   };
-  return {QuestionText(request, uncertain).text(), claim(false), claim(true)};
+  return {QuestionText(request, uncertain).text(), claim(false), claim(true),
+          request.model.closure ? format::describe_branch_paving(set, "") : ""};
 }
 
 std::string certificate_obstacle(const CertifiedQuestion& question, bool singular) {

@@ -30,7 +30,9 @@ nlohmann::ordered_json json_verification(const VerificationRequest& request,
                                    {"note", v.note}};
   const bool is_paving =
       std::ranges::any_of(v.paved, [](std::uint64_t count) { return count > 0; });
-  for (std::size_t i = 0; is_paving && i < v.paved.size(); ++i)
+  const bool is_of_branch = v.links > 0 || v.paved.back() > 0;
+  const std::size_t words = v.paved.size() - (is_of_branch ? 0 : 1);
+  for (std::size_t i = 0; is_paving && i < words; ++i)
     report["paved"][verifier::kPavedWords[i]] = v.paved[i];
   report["certificate"] = request.path;
   report["model_file"] = nullptr;

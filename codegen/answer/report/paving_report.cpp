@@ -182,8 +182,7 @@ Json json_paving_header(const SearchSubject& p, const PavingOptions& options) {
                  {"resolution", options.resolution},
                  {"claims", claims}};
   if (options.encloses_determinants)
-    header["determinant_of"] =
-        p.variety.alpha.hi > 0 ? "J^-1" : "the matrix as the model writes it";
+    header["determinant_of"] = p.variety.alpha.hi > 0 ? "J⁻¹" : "the matrix as the model writes it";
   return header;
 }
 

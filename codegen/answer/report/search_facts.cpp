@@ -100,6 +100,8 @@ Json json_seconds(const StageSeconds& s) {
   return seconds;
 }
 
+Json json_seconds(double search) { return {{"search", search}, {"total", search}}; }
+
 const char* json_name(Verdict verdict) {
   switch (verdict) {
     case Verdict::kNoSingularity:

@@ -38,6 +38,8 @@ void tell_occupancy(const Result& result, Facts& facts);
 [[nodiscard]] std::string describe_time(const StageSeconds& seconds);
 
 [[nodiscard]] nlohmann::ordered_json json_seconds(const StageSeconds& seconds);
+/// The same of an answer that tells of its search alone.
+[[nodiscard]] nlohmann::ordered_json json_seconds(double search);
 [[nodiscard]] const char* json_name(Verdict verdict);
 /// Returns true, false or null: whether the constraints leave any pose.
 [[nodiscard]] nlohmann::ordered_json json_occupancy(const Result& result);

@@ -55,6 +55,14 @@ void collect_partial(const Expression& e, std::unordered_set<const void*>& seen,
   if (is_partial_operation(e)) found.push_back(e);
 }
 
+/// Returns true if substitution has left a complex number, or an approximate one, which is what
+/// GiNaC makes of the magnitude of a complex number.
+bool has_inexact_number(const GiNaC::ex& e) {
+  return std::any_of(e.preorder_begin(), e.preorder_end(), [](const GiNaC::ex& part) {
+    return GiNaC::is_a<GiNaC::numeric>(part) && !GiNaC::ex_to<GiNaC::numeric>(part).is_rational();
+  });
+}
+
 }  // namespace
 
 Expressions partial_nodes(const Expression& e) {
@@ -148,14 +156,22 @@ Expression Substitution::apply(const GiNaC::ex& e) { return apply(e, replaced_);
 Expression Substitution::apply_commanded(const GiNaC::ex& e) { return apply(e, commanded_); }
 
 Expression Substitution::apply(const GiNaC::ex& e, const GiNaC::exmap& replaced) {
-  try {
-    return GinacReader(symbols_, meter_).read(e.subs(replaced, GiNaC::subs_options::no_pattern));
-  } catch (const GiNaC::pole_error& error) {
+  const auto undefined = [&e](const std::string& why) {
     std::ostringstream text;
     text << e;
-    throw InputError::statement(
-        "", 0, "'" + text.str() + "' is undefined at every pose of the motion: " + error.what(),
+    return InputError::statement(
+        "", 0, "'" + text.str() + "' is undefined at every pose of the motion: " + why,
         "correct the expression or the motion");
+  };
+  GiNaC::ex value;
+  try {
+    value = e.subs(replaced, GiNaC::subs_options::no_pattern);
+    return GinacReader(symbols_, meter_).read(value);
+  } catch (const GiNaC::pole_error& error) {
+    throw undefined(error.what());
+  } catch (const InputError&) {
+    if (has_inexact_number(value)) throw undefined("it has no real value there");
+    throw;
   }
 }
 

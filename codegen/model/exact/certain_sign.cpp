@@ -36,14 +36,14 @@ class Enclosure {
 };
 
 using Function = void (*)(arb_t, const arb_t, slong);
-constexpr std::array<std::pair<const char*, Function>, 8> kFunctions = {{{"sin", arb_sin},
-                                                                         {"cos", arb_cos},
-                                                                         {"tan", arb_tan},
-                                                                         {"asin", arb_asin},
-                                                                         {"acos", arb_acos},
-                                                                         {"atan", arb_atan},
-                                                                         {"exp", arb_exp},
-                                                                         {"log", arb_log}}};
+constexpr std::array<std::pair<const char*, Function>, 8> kEnclosedFunctions = {{{"sin", arb_sin},
+                                                                                 {"cos", arb_cos},
+                                                                                 {"tan", arb_tan},
+                                                                                 {"asin", arb_asin},
+                                                                                 {"acos", arb_acos},
+                                                                                 {"atan", arb_atan},
+                                                                                 {"exp", arb_exp},
+                                                                                 {"log", arb_log}}};
 
 class Evaluation {
  public:
@@ -120,7 +120,7 @@ class Evaluation {
       arb_atan2(result.get(), result.get(), abscissa.get(), precision_);
       return result;
     }
-    for (const auto& [known, function] : kFunctions)
+    for (const auto& [known, function] : kEnclosedFunctions)
       if (name == known) {
         function(result.get(), result.get(), precision_);
         return result;

@@ -25,10 +25,6 @@ constexpr std::size_t kMostLegs = 32;
 /// The pose that the robot has, by the word of `orientation`.
 enum class Pose { kAngles, kQuaternion, kFixed, kPoint };
 
-std::string plural(std::size_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
 std::string quoted(const char* word) { return std::string("\"").append(word).append("\""); }
 
 class LegsReader {

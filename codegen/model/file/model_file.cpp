@@ -176,7 +176,8 @@ std::string read_model_text(const std::filesystem::path& path) {
   };
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) throw fail("no such file");
+  if (!std::filesystem::exists(status))
+    throw fail("no such file; regulus list names the installed models");
   if (std::filesystem::is_directory(status)) throw fail("it is a directory");
   // One byte more than allowed, so that parse_model can refuse it in terms of the model.
   return read_start(path.string(), kLargestModelFile + 1, Readable::kStream);

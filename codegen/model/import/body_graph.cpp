@@ -18,8 +18,7 @@ bool is_free(const ImportedJoint& joint) {
 
 ConnectionKind kind_of(const ImportedJoint& joint) {
   if (joint.type == JointType::kPrismatic) return ConnectionKind::kPrismatic;
-  if (joint.type == JointType::kRevolute || joint.type == JointType::kContinuous)
-    return ConnectionKind::kRevolute;
+  if (turns(joint)) return ConnectionKind::kRevolute;
   if (joint.type_name == "universal") return ConnectionKind::kUniversal;
   return joint.type_name == "ball" ? ConnectionKind::kBall : ConnectionKind::kOther;
 }

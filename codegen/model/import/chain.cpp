@@ -16,8 +16,6 @@ namespace {
 
 using Joints = std::vector<const ImportedJoint*>;
 
-bool moves(const ImportedJoint& joint) { return joint.type != JointType::kFixed; }
-
 /// The part up to the last joint that moves.
 Joints moving_part(Joints joints) {
   while (!joints.empty() && !moves(*joints.back())) joints.pop_back();
@@ -78,8 +76,7 @@ class ChainFinder {
     };
     std::vector<std::string> sorted = links;
     std::ranges::stable_sort(sorted, std::ranges::greater{}, joints);
-    for (std::string& link : sorted)
-      link += fmt::format(" ({} joint{})", joints(link), joints(link) == 1 ? "" : "s");
+    for (std::string& link : sorted) link += " (" + plural(joints(link), "joint") + ")";
     return listed(sorted);
   }
 

@@ -18,10 +18,6 @@ using GiNaC::numeric;
 
 constexpr long kMostTurns = 12;  ///< after which the joints that follow are where they were
 
-bool turns(const ImportedJoint& joint) {
-  return joint.type == JointType::kRevolute || joint.type == JointType::kContinuous;
-}
-
 std::vector<const ImportedJoint*> followers_of(const ImportedJoint& joint, const Chain& chain) {
   std::vector<const ImportedJoint*> followers;
   for (const ImportedJoint* other : chain.joints)

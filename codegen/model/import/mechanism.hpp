@@ -54,6 +54,14 @@ struct ImportedJoint {
   int line = 0;
 };
 
+[[nodiscard]] inline bool moves(const ImportedJoint& joint) {
+  return joint.type != JointType::kFixed;
+}
+
+[[nodiscard]] inline bool turns(const ImportedJoint& joint) {
+  return joint.type == JointType::kRevolute || joint.type == JointType::kContinuous;
+}
+
 /// A loop that two links close.
 struct ImportedLoop {
   std::string type;  ///< as in the file: "connect" holds two points together

@@ -37,12 +37,6 @@ std::string pose_text(const Pose& pose) {
   return text;
 }
 
-bool moves(const ImportedJoint& joint) { return joint.type != JointType::kFixed; }
-
-bool turns(const ImportedJoint& joint) {
-  return joint.type == JointType::kRevolute || joint.type == JointType::kContinuous;
-}
-
 /// The joints that are written: those that move, and fixed ones that place the next.
 std::vector<const ImportedJoint*> written_joints(const Chain& chain) {
   std::vector<const ImportedJoint*> result;

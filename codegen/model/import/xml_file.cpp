@@ -61,8 +61,8 @@ XmlFile::XmlFile(std::string file, std::string_view text) : file_(std::move(file
   require_text_of_robot(file_, text);
   if (document_.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS)
     throw InputError::statement(file_, document_.ErrorLineNum(),
-                                std::string("the file is not XML (") + document_.ErrorName() + ")",
-                                "it must be a URDF, MJCF or SDF file");
+                                "the file is not XML, so it is no URDF, MJCF or SDF file",
+                                "a model in TOML needs no import; else correct the XML there");
   if (!document_.RootElement())
     throw InputError::statement(file_, 0, "the file has no XML element",
                                 "it must be a URDF, MJCF or SDF file");

@@ -42,15 +42,15 @@ void set_leg(Model& model, unsigned leg, const ScaledRotation& R, const Point& a
 /// `a`, `b`: the anchors.
 Drawing drawing_of(const Model& model, const ScaledRotation& R, const std::array<Point, 6>& a,
                    const std::array<Point, 6>& b) {
-  using Kind = Drawing::Kind;
   const Point origin = {model.pose[0].symbol, model.pose[1].symbol, model.pose[2].symbol};
-  Drawing::Part base{Kind::kBase, {a.begin(), a.end()}}, platform{Kind::kPlatform, {}};
+  Drawing::Part base{Drawing::Kind::kBase, {a.begin(), a.end()}},
+      platform{Drawing::Kind::kPlatform, {}};
   for (const Point& anchor : b)
     platform.points.push_back(sum(origin, scaled(1 / R.N, times(R.S, anchor))));
   Drawing drawing{{base, platform}};
   for (int leg = 0; leg < 6; ++leg) {
     const auto i = static_cast<std::size_t>(leg);
-    drawing.parts.push_back({Kind::kLeg, {a[i], platform.points[i]}, leg});
+    drawing.parts.push_back({Drawing::Kind::kLeg, {a[i], platform.points[i]}, leg});
   }
   return drawing;
 }

@@ -68,10 +68,6 @@ Candidate best_candidate(const Serial& robot, const std::vector<const JointGroup
   return best;
 }
 
-std::string plural(std::size_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
 bool occurs(const GiNaC::matrix& matrix, const GiNaC::realsymbol& symbol) {
   for (unsigned i = 0; i < matrix.rows(); ++i)
     for (unsigned j = 0; j < matrix.cols(); ++j)

@@ -22,7 +22,7 @@ std::vector<double> unbalanced(Eigen::VectorXd v, const Eigen::VectorXd& scale) 
 
 NullVectors approx_null_vectors(std::span<const double> A, std::size_t rows, std::size_t columns) {
   const BalancedMatrix balanced = balance(A, rows, columns);
-  const SingularVectors svd = decompose(balanced.entries);
+  const SingularValueDecomposition svd = decompose(balanced.entries);
   const Eigen::VectorXd& sigma = svd.sigma;
   NullVectors result;
   for (Eigen::Index k = 0; k < sigma.size(); ++k) {

@@ -48,7 +48,10 @@ ComponentBound ComponentRun::bracket() {
     question.high = ends.refuted;
   }
   const bool has_ended = result_.is_closed || result_.is_unbounded || ends.is_closed;
-  result_.reason = is_interrupted() ? "the run was interrupted" : has_ended ? "" : kNoTime;
+  result_.reason = is_interrupted()                             ? "the run was interrupted"
+                   : has_ended                                  ? ""
+                   : ends.obstacle.empty() || budget_.is_over() ? kNoTime
+                                                                : ends.obstacle;
   finish();
   return std::move(result_);
 }

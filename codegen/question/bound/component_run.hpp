@@ -34,6 +34,7 @@ class ComponentRun {
     std::optional<AttainedPlace> place{};  ///< of the refuted value
     bool is_closed = false;                ///< as narrow as asked
     bool is_empty = false;                 ///< no pose remains
+    std::string obstacle{};  ///< why a search was undecided that had boxes and seconds left
   };
 
   /// Returns the component at some poses.

@@ -49,8 +49,7 @@ class Questions {
     for (const VectorSet& twist : model_.twists) add("speed").twist = twist.name;
     if (model_.closure && !model_.actuators.speed.empty()) add("speed");
     if (!model_.actuators.error.empty()) add("error");
-    if (model_.closure && !request.motion.trajectory && has_finite_errors(request))
-      add("finite-error");
+    if (model_.closure && has_finite_errors(request)) add("finite-error");
     add("sigma-min");
     add("sigma-max");
     add("condition").norm = "2";
@@ -148,7 +147,9 @@ std::vector<AskedQuantity> quantities_of(const Request& request,
       require_finite_errors(request, quantity);
       quantities.push_back({std::move(quantity), name_of(question)});
     } catch (const UsageError& error) {
-      left_out.emplace_back(error.what());
+      // One reason may hold for the condition number in either norm.
+      if (std::ranges::find(left_out, error.what()) == left_out.end())
+        left_out.emplace_back(error.what());
     }
   return quantities;
 }

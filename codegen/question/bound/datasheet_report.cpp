@@ -107,7 +107,7 @@ std::string format_rows(const std::vector<Row>& rows, const std::string& before,
   return text;
 }
 
-/// A bar in a cell, as of |det J^-1|, would end the cell.
+/// A bar in a cell, as of |det J⁻¹|, would end the cell.
 std::vector<Row> in_markdown(std::vector<Row> rows) {
   for (Row& row : rows)
     for (std::string& cell : row)

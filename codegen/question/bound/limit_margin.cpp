@@ -167,11 +167,12 @@ class LimitMarginRun {
 /// Forces, speeds and errors to first order are those at a pose. Errors of the pose itself are none of a
 /// platform on legs.
 void require_errors_that_count(const Request& request, const MarginQuestion& question) {
-  if (request.motion.trajectory) return;
-  if (!request.model.closure)
+  if (!request.model.closure) {
+    if (request.motion.trajectory) return;
     throw UsageError(
         "--tube: a limit has no growing control error; let a tolerance, --scale or "
         "--grow grow");
+  }
   const std::size_t legs = request.model.legs.size();
   if (legs == 0) return;
   const std::vector<GiNaC::ex> errors = grown(request, question, decimal_value(1)).motion.error;

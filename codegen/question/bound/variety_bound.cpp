@@ -39,7 +39,8 @@ class VarietyBound final : public ComponentRun {
     add(margin.prepared, found.boxes);
     result_.proofs = proofs_ = attempts.proofs();
     Ends ends{.is_closed = found.closed && found.certified && found.refuted,
-              .is_empty = found.empty.has_value()};
+              .is_empty = found.empty.has_value(),
+              .obstacle = obstacle_of(found)};
     if (found.certified) ends.certified = found.certified->value;
     if (!found.refuted) return ends;
     ends.refuted = found.refuted->value;

@@ -83,12 +83,20 @@ SearchOptions limited(SearchOptions search, double seconds) {
   return search;
 }
 
+KeptPieces kept_as(BracketCheckpoint* checkpoint, std::string name) {
+  return {checkpoint == nullptr ? nullptr : &checkpoint->file(), {}, std::move(name)};
+}
+
 /// One component over a branch that is proved.
 class ComponentOverBranch {
  public:
+  /// `topic`: of the searches.
   ComponentOverBranch(const BranchInPieces& branch, const Component& component,
-                      const BoundSettings& settings)
-      : branch_(branch), settings_(settings), value_(branch.common().request.model, component) {
+                      const BoundSettings& settings, SearchTopic topic)
+      : branch_(branch),
+        settings_(settings),
+        topic_(std::move(topic)),
+        value_(branch.common().request.model, component) {
     result_.component = component;
     result_.proofs = proofs_of(component, settings);
   }
@@ -112,14 +120,10 @@ class ComponentOverBranch {
     const BoxSearchSettings limits = settings_of(
         branch_.common(), limited(settings_.search, budget.left()), settings_.interrupt);
     SearchDisplay display(settings_.output);
-    const auto search_with = [&](const BoxSearchSettings& chosen) {
-      return branch_.bracket(value_, aim(), chosen, display.observer());
-    };
-    found_ =
-        settings_.checkpoint == nullptr
-            ? search_with(limits)
-            : settings_.checkpoint->file().continue_search(
-                  limits, search_with, "values of " + settings_.part + result_.component.label);
+    found_ = branch_.bracket(
+        value_, aim(), limits,
+        {display.observer(), topic_,
+         kept_as(settings_.checkpoint, "values of " + settings_.part + result_.component.label)});
     result_.boxes = found_.boxes;
     result_.seconds.search = found_.seconds;
     if (!found_.place) return;
@@ -188,20 +192,17 @@ class ComponentOverBranch {
 
   const BranchInPieces& branch_;
   const BoundSettings& settings_;
+  const SearchTopic topic_;
   const BranchValue value_;
   BracketOfPieces found_;
   ComponentBound result_;
 };
 
 /// The branch is kept beside the values, for each set of derivatives.
-KeepBranch keep_branch(BracketCheckpoint* checkpoint, DerivativesBy by) {
-  if (checkpoint == nullptr) return {};
-  const char* const name = by == DerivativesBy::kVariablesAndPose      ? "branch and motors"
-                           : by == DerivativesBy::kVariablesAndNominal ? "branch and its copy"
-                                                                       : "branch";
-  return [checkpoint, name](const BranchSettings& settings, const SearchOfBranch& search) {
-    return checkpoint->file().continue_search(settings, search, name);
-  };
+const char* name_of_branch(DerivativesBy by) {
+  return by == DerivativesBy::kVariablesAndPose      ? "branch and motors"
+         : by == DerivativesBy::kVariablesAndNominal ? "branch and its copy"
+                                                     : "branch";
 }
 
 /// Without a proof of the branch no value has a bound.
@@ -244,14 +245,14 @@ ComponentBound without_branch(const BranchInPieces& branch, const Component& com
 
 }  // namespace
 
-void BranchBounds::turn(const Request& request, const Component& component,
-                        const BoundSettings& settings, TopicKind kind) const {
+SearchTopic BranchBounds::topic_of(const Component& component, const BoundSettings& settings,
+                                   TopicKind kind) const {
   SearchTopic topic;
   topic.part = settings.part;
   topic.component = component.label;
   topic.kind = kind;
   topic.value = value_;
-  turn_to(settings.search.workers, std::move(topic), request.motion);
+  return topic;
 }
 
 std::shared_ptr<BranchInPieces> BranchBounds::branch(const Request& request,
@@ -264,10 +265,11 @@ std::shared_ptr<BranchInPieces> BranchBounds::branch(const Request& request,
   const SearchOptions search = limited(settings.search, std::fmax(budget.left(), budget.all() / 2));
   auto made = std::make_shared<BranchInPieces>(request, 0, search, watch, by);
   SearchDisplay display(settings.output);
-  turn(request, component, settings,
-       by == DerivativesBy::kVariablesAndNominal ? TopicKind::kBranchWithNominal
-                                                 : TopicKind::kBranch);
-  made->follow(search, watch, display.observer(), keep_branch(settings.checkpoint, by));
+  const TopicKind kind = by == DerivativesBy::kVariablesAndNominal ? TopicKind::kBranchWithNominal
+                                                                   : TopicKind::kBranch;
+  made->follow(search, watch,
+               {display.observer(), topic_of(component, settings, kind),
+                kept_as(settings.checkpoint, name_of_branch(by))});
   if (!made->stopped_by()) branches_.emplace(by, made);
   return made;
 }
@@ -290,10 +292,11 @@ ComponentBound BranchBounds::bound(const Request& request, const Component& comp
   std::shared_ptr<BranchInPieces> branch;
   if (by == DerivativesBy::kVariablesAndNominal) branch = found(DerivativesBy::kVariables);
   if (!branch || branch->is_proved()) branch = found(by);
-  turn(request, component, settings, TopicKind::kQuestion);
-  ComponentBound result = branch->is_proved()
-                              ? ComponentOverBranch(*branch, component, settings).run(budget)
-                              : without_branch(*branch, component, settings);
+  ComponentBound result =
+      branch->is_proved() ? ComponentOverBranch(*branch, component, settings,
+                                                topic_of(component, settings, TopicKind::kQuestion))
+                                .run(budget)
+                          : without_branch(*branch, component, settings);
   result.boxes += boxes;
   result.seconds += seconds;
   return result;

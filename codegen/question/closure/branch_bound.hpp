@@ -32,9 +32,9 @@ class BranchBounds {
                                                        const Component& component, DerivativesBy by,
                                                        const BoundSettings& settings,
                                                        const TimeBudget& budget);
-  /// Tells other processes what the next search is about.
-  void turn(const Request& request, const Component& component, const BoundSettings& settings,
-            TopicKind kind) const;
+  /// Returns what other processes are told of the next searches.
+  [[nodiscard]] SearchTopic topic_of(const Component& component, const BoundSettings& settings,
+                                     TopicKind kind) const;
 
   const std::optional<double> value_;
   std::map<DerivativesBy, std::shared_ptr<BranchInPieces>> branches_;

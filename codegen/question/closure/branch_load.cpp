@@ -7,11 +7,10 @@
 #include <utility>
 
 #include "codegen/answer/report/progress.hpp"
-#include "codegen/answer/report/question_report.hpp"
-#include "codegen/question/closure/load_paving.hpp"
 #include "codegen/question/closure/uncertain_values.hpp"
 #include "codegen/question/engine/search_topic.hpp"
 #include "codegen/question/load/force_problem.hpp"
+#include "codegen/question/way/margin_checkpoint.hpp"
 #include "codegen/support/time_budget.hpp"
 #include "runtime/interval/floating_point_scope.hpp"
 
@@ -20,16 +19,8 @@ namespace {
 
 constexpr const char* kBranch = "branch";
 constexpr const char* kForces = "forces";
-
-/// Runs a search with its place in the checkpoint, if there is one.
-template <class BoxSettings, class Search>
-auto kept(SearchCheckpoint* checkpoint, BoxSettings settings, const Search& search,
-          const char* place) {
-  JsonCheckpoint* const file = checkpoint == nullptr ? nullptr : checkpoint->file();
-  if (file == nullptr) return search(settings);
-  settings.save_every = checkpoint->interval();
-  return file->continue_search(settings, search, place);
-}
+constexpr const char* kBranchEnds =
+    "the branch ends in the motion, where a motor may need any force";
 
 /// The two searches: of the branch, and of the forces over it.
 class LoadRun {
@@ -46,8 +37,8 @@ class LoadRun {
 
   BranchLoadResult check() {
     SearchDisplay display(run_.output);
-    turn(TopicKind::kBranch);
-    branch_.follow(prepared_.search, watch_, display.observer(), keep_branch());
+    branch_.follow(prepared_.search, watch_,
+                   run_of(TopicKind::kBranch, kBranch, display.observer()));
     note_branch();
     if (!branch_.is_proved()) return without_branch();
     find_forces();
@@ -55,55 +46,67 @@ class LoadRun {
     return std::move(result_);
   }
 
-  BranchLoadResult pave(double resolution, const ForceListener& listener, Observer* progress) {
-    turn(TopicKind::kBranch);
-    branch_.take(
-        pave_closure(closure_, prepared_.search, resolution, watch_, nullptr, keep_branch()));
+  BranchLoadResult pave(double resolution, const PieceForceListener& listener, Observer* progress) {
+    branch_.pave(prepared_.search, resolution, watch_,
+                 run_of(TopicKind::kBranch, kBranch, nullptr));
     note_branch();
-    turn(TopicKind::kQuestion);
-    const auto search = [&](const BoxSearchSettings& chosen) {
-      return pave_forces(question(), branch_.found().pieces.front(), resolution, chosen,
-                         is_possible(), listener, progress);
-    };
-    // Another run may have another branch, if this one is not whole.
-    const LoadPaving paving =
-        result_.stopped_by ? search(limits()) : kept(run_.checkpoint, limits(), search, kForces);
-    note_search(paving.boxes, paving.seconds, paving.stopped_by);
-    result_.is_empty = paving.is_empty;
-    if (paving.place) {
-      show_shortage(0, *paving.place, paving.at);
-    } else if (paving.is_feasible && !paving.is_empty) {
-      result_.verdict = FeasibilityVerdict::kFeasible;
-    } else {
-      result_.reason = result_.is_empty     ? describe(Reason::kEmptyVariety)
-                       : result_.stopped_by ? describe(*result_.stopped_by)
-                                            : describe(Reason::kWidth);
+    const std::size_t found = branch_.found().pieces.size();
+    bool is_feasible = found == branch_.pieces(), is_empty = is_feasible;
+    const PiecesRun forces = run_of(TopicKind::kQuestion, kForces, progress);
+    const bool is_whole = !result_.stopped_by;
+    std::uint64_t spent = 0;
+    for (std::size_t k = 0; k < found; ++k) {
+      const BranchLoadPaving& paving =
+          result_.paved.emplace_back(pave_piece(k, resolution, listener, forces, is_whole, spent));
+      is_feasible = is_feasible && paving.is_feasible;
+      is_empty = is_empty && paving.is_empty;
     }
+    result_.is_empty = is_empty;
+    if (!result_.shortage && is_feasible && !is_empty)
+      result_.verdict = FeasibilityVerdict::kFeasible;
+    else if (!result_.shortage)
+      result_.reason = reason_of_paving();
     finish(true);
     return std::move(result_);
   }
 
  private:
-  void turn(TopicKind kind) const {
-    SearchTopic topic;
-    topic.kind = kind;
-    turn_to(prepared_.search.workers, std::move(topic), closure_.request.motion);
+  [[nodiscard]] PiecesRun run_of(TopicKind kind, const char* name, Observer* progress) const {
+    PiecesRun run{progress, {}, {}};
+    run.topic.kind = kind;
+    if (run_.checkpoint != nullptr)
+      run.kept = {run_.checkpoint->file(), run_.checkpoint->interval(), name};
+    return run;
   }
 
-  [[nodiscard]] KeepBranch keep_branch() const {
-    return [this](const BranchSettings& settings, const SearchOfBranch& search) {
-      return kept(run_.checkpoint, settings, search, kBranch);
+  /// Another run may have another branch, if this one is not whole: no file has the forces over it.
+  BranchLoadPaving pave_piece(std::size_t k, double resolution, const PieceForceListener& listener,
+                              const PiecesRun& run, bool is_whole, std::uint64_t& spent) {
+    QuestionOfPiece piece(branch_, k);
+    const ForceListener listen = [&](std::span<const Interval> box, ForceClaim claim) {
+      listener(k, box, claim);
     };
+    branch_.turn_to_piece(prepared_.search.workers, run.topic, k);
+    const auto search = [&](const BoxSearchSettings& chosen) {
+      return pave_forces({piece.problem, piece.closure, value_}, branch_.found().pieces[k],
+                         resolution, chosen, piece.is_possible, listen, run.progress);
+    };
+    const BoxSearchSettings share = share_of(limits(), spent, 0, branch_.found().pieces.size() - k);
+    BranchLoadPaving paving =
+        is_whole ? run.kept.run(share, search, branch_.part_of_name(k)) : search(share);
+    spent += paving.boxes;
+    note_search(paving.boxes, paving.seconds, paving.stopped_by);
+    if (paving.place && !result_.shortage) show_shortage(k, *paving.place, paving.at);
+    return paving;
   }
 
-  [[nodiscard]] ValueQuestion question() const {
-    return {closure_.problem, closure_.question(), value_};
+  [[nodiscard]] std::string reason_of_paving() const {
+    if (result_.is_empty) return describe(Reason::kEmptyVariety);
+    if (result_.stopped_by) return describe(*result_.stopped_by);
+    if (branch_.trajectory() == nullptr || branch_.is_proved()) return describe(Reason::kWidth);
+    return branch_.end() != nullptr ? kBranchEnds : branch_.obstacle();
   }
-  [[nodiscard]] IsPossible is_possible() {
-    return [this](const std::vector<Interval>& point) {
-      return is_in_motion(closure_, system_, point);
-    };
-  }
+
   [[nodiscard]] BoxSearchSettings limits() const {
     BoxSearchSettings settings = settings_of(closure_, prepared_.search, run_.interrupt);
     settings.time_limit = budget_.left();
@@ -122,10 +125,9 @@ class LoadRun {
   }
 
   BranchLoadResult without_branch() {
-    result_.reason = branch_.end() != nullptr
-                         ? "the branch ends in the motion, where a motor may need any force"
-                     : result_.is_empty ? describe(Reason::kEmptyVariety)
-                                        : branch_.obstacle();
+    result_.reason = branch_.end() != nullptr ? kBranchEnds
+                     : result_.is_empty       ? describe(Reason::kEmptyVariety)
+                                              : branch_.obstacle();
     finish(false);
     return std::move(result_);
   }
@@ -135,11 +137,8 @@ class LoadRun {
     constexpr double kBeyond = std::numeric_limits<double>::denorm_min();
     const ValueAim aim{0, kBeyond, kBeyond};
     SearchDisplay display(run_.output);
-    turn(TopicKind::kQuestion);
-    const auto search = [&](const BoxSearchSettings& chosen) {
-      return branch_.bracket(value_, aim, chosen, display.observer());
-    };
-    BracketOfPieces found = kept(run_.checkpoint, limits(), search, kForces);
+    BracketOfPieces found = branch_.bracket(
+        value_, aim, limits(), run_of(TopicKind::kQuestion, kForces, display.observer()));
     note_search(found.boxes, found.seconds, found.stopped_by);
     if (found.attained >= kBeyond)
       show_shortage(found.piece, *found.place, found.at);
@@ -185,7 +184,6 @@ class LoadRun {
   const BranchLoadRun& run_;
   const TimeBudget budget_;
   const BranchValue value_;
-  SystemBoxes system_{closure_.problem, closure_.scaling, closure_.shape};
   FormingWatch watch_;
   BranchLoadResult result_;
 };
@@ -221,8 +219,16 @@ ProofStatus certify_load(const std::string& path, const PreparedBranchLoad& prep
                         placing);
 }
 
+ProofStatus certify_load_paving(const std::string& path, const PreparedBranchLoad& prepared,
+                                const BranchLoadResult& result, const ProofPlacing& placing) {
+  std::vector<PavedTree> trees;
+  for (const BranchLoadPaving& piece : result.paved) trees.push_back({&piece.tree, piece.words});
+  trees.resize(prepared.branch.pieces());
+  return certify_paved_forces(path, prepared.branch.proved(), prepared.set(), trees, placing);
+}
+
 BranchLoadResult pave_branch_load(PreparedBranchLoad& prepared, double resolution,
-                                  const BranchLoadRun& run, const ForceListener& listener,
+                                  const BranchLoadRun& run, const PieceForceListener& listener,
                                   Observer* progress) {
   return LoadRun(prepared, run).pave(resolution, listener, progress);
 }
@@ -230,8 +236,8 @@ BranchLoadResult pave_branch_load(PreparedBranchLoad& prepared, double resolutio
 /// The model's digest is in it.
 nlohmann::ordered_json checkpointed_question(const PreparedBranchLoad& prepared,
                                              std::optional<double> resolution) {
-  nlohmann::ordered_json question = json_question(prepared.closure().request, prepared.search);
-  question.erase("options");  // they change how long it takes
+  nlohmann::ordered_json question =
+      checkpointed_question(prepared.branch.way().request, prepared.search);
   question["closure"] = prepared.closure().shape.unknowns;
   question["load"] = prepared.load;
   if (resolution) question["resolution"] = *resolution;

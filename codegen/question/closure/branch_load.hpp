@@ -3,7 +3,9 @@
 // of a motor is that of its equilibrium with the load: branch_value.hpp.
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,7 @@
 #include "codegen/answer/report/search_checkpoint.hpp"
 #include "codegen/question/closure/branch_pieces.hpp"
 #include "codegen/question/closure/branch_value.hpp"
+#include "codegen/question/closure/load_paving.hpp"
 #include "codegen/question/load/feasibility_report.hpp"
 
 namespace regulus {
@@ -50,8 +53,9 @@ struct BranchShortage {
 
 struct BranchLoadResult {
   FeasibilityVerdict verdict = FeasibilityVerdict::kPossibleProblem;
-  std::string reason;             ///< why neither was shown; otherwise empty
-  std::vector<BranchTree> trees;  ///< of FEASIBLE: the load is held over each tube
+  std::string reason;                     ///< why neither was shown; otherwise empty
+  std::vector<BranchTree> trees;          ///< of FEASIBLE: the load is held over each tube
+  std::vector<BranchLoadPaving> paved{};  ///< of a paving: the pieces that were reached
   std::optional<BranchShortage> shortage{};
   bool is_empty = false;
   std::optional<Reason> stopped_by{};
@@ -76,11 +80,23 @@ struct BranchLoadRun {
 [[nodiscard]] ProofStatus certify_load(const std::string& path, const PreparedBranchLoad& prepared,
                                        const BranchLoadResult& result, const ProofPlacing& placing);
 
-/// Decides every box of a motion over ranges, down to so small a part of each range. `listener`
-/// receives every leaf, in one order; `progress` may be null, and gets them as of search_forces().
+/// Writes the proof of a paving: what is claimed of each of its boxes. An empty `path` means no certificate.
+[[nodiscard]] ProofStatus certify_load_paving(const std::string& path,
+                                              const PreparedBranchLoad& prepared,
+                                              const BranchLoadResult& result,
+                                              const ProofPlacing& placing);
+
+/// Receives the claim about a box of a piece.
+using PieceForceListener =
+    std::function<void(std::size_t piece, std::span<const Interval> box, ForceClaim claim)>;
+
+/// Decides every box of the pieces, down to so small a part of each range, as far as the branch is
+/// followed. `listener` receives every leaf, in one order; `progress` may be null, and gets them as of
+/// search_forces().
 [[nodiscard]] BranchLoadResult pave_branch_load(PreparedBranchLoad& prepared, double resolution,
                                                 const BranchLoadRun& run,
-                                                const ForceListener& listener, Observer* progress);
+                                                const PieceForceListener& listener,
+                                                Observer* progress);
 
 /// Returns everything that the boxes depend on, for a checkpoint. `resolution`: of a paving.
 [[nodiscard]] nlohmann::ordered_json checkpointed_question(const PreparedBranchLoad& prepared,
@@ -89,7 +105,8 @@ struct BranchLoadRun {
 /// Returns the claim of FEASIBLE.
 [[nodiscard]] std::string claim_of(const PreparedBranchLoad& prepared);
 
-/// Tells the question, the claim and the place where it fails; `volumes`: of a paving, or null.
+/// Tells the question, the claim, the place where it fails and, along way-points, where the branch ends;
+/// `volumes`: of a paving over ranges, or null.
 void tell_branch_load(const PreparedBranchLoad& prepared, const BranchLoadResult& result,
                       const ForceVolumes* volumes, Facts& facts);
 

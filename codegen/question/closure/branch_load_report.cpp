@@ -104,18 +104,22 @@ void say_shortage(const PreparedBranchLoad& prepared, const BranchShortage& s, F
                             limit.hi, unit));
 }
 
-/// The segment with the place, or that on which the branch is not proved.
+/// The segment with the place, or that on which the branch is not proved; then where the branch ends.
 void tell_segment(const PreparedBranchLoad& prepared, const BranchLoadResult& result,
                   Facts& facts) {
   const Trajectory& way = *prepared.branch.trajectory();
   const auto& deciding = prepared.branch.found().deciding;
+  facts.add("segment", nullptr).add("folds", Json::array());
+  if (deciding && result.verdict != FeasibilityVerdict::kFeasible) {
+    std::optional<Interval> s;
+    if (deciding->fold) s = deciding->fold->place[0];
+    facts.tell("segment", json_segment(way, deciding->index, s),
+               deciding->is_refuted() ? "singular" : "blocked by",
+               describe_segment(way, deciding->index, s));
+    if (deciding->fold) tell_folds(*deciding->alone, {*deciding->fold}, facts);
+  }
   if (result.shortage)
     facts.add("segment", json_segment(way, result.shortage->piece, result.shortage->place[0]));
-  else if (deciding)
-    facts.tell("segment", json_segment(way, deciding->index, std::nullopt), "blocked by",
-               describe_segment(way, deciding->index, std::nullopt));
-  else
-    facts.add("segment", nullptr);
 }
 
 void tell_shortage(const PreparedBranchLoad& prepared, const BranchLoadResult& result,
@@ -132,13 +136,25 @@ void tell_shortage(const PreparedBranchLoad& prepared, const BranchLoadResult& r
   say_shortage(prepared, shortage, facts);
 }
 
+void tell_boxes(const PreparedBranchLoad& prepared, const BranchLoadResult& result, Facts& facts) {
+  const std::string boxes = fmt::format("{} evaluated", result.boxes);
+  facts.add("boxes", result.boxes);
+  if (prepared.branch.trajectory() == nullptr) return static_cast<void>(facts.say("boxes", boxes));
+  const std::size_t searched = prepared.branch.found().pieces.size();
+  facts.add("excluded", 0)
+      .tell(
+          "searched_alone", searched, "boxes",
+          fmt::format("{}; {} of {} segments searched", boxes, searched, prepared.branch.pieces()));
+}
+
 void tell_reason(const PreparedBranchLoad& prepared, const BranchLoadResult& result, Facts& facts) {
   facts.add("reason", nullptr).add("blocking_box", nullptr);
   const bool is_decided = result.verdict != FeasibilityVerdict::kPossibleProblem;
   if (!is_decided) facts.tell("reason", result.reason, "reason", result.reason);
   const std::vector<ClosureResult>& pieces = prepared.branch.found().pieces;
-  const std::vector<Interval> box =
+  std::vector<Interval> box =
       pieces.empty() ? std::vector<Interval>{} : pieces.back().branch.blocking_box;
+  if (!box.empty()) box.resize(prepared.closure().shape.variables);
   if (!is_decided && !box.empty())
     facts.tell("blocking_box", json_parameters(prepared.closure().preparation, box), "blocked by",
                describe_short_place(prepared.closure().preparation, box));
@@ -170,7 +186,7 @@ void tell_branch_load(const PreparedBranchLoad& prepared, const BranchLoadResult
   }
   tell_load(prepared.words(), facts);
   if (volumes != nullptr) tell_volumes(prepared.words(), *volumes, facts);
-  facts.tell("boxes", result.boxes, "boxes", fmt::format("{} evaluated", result.boxes));
+  tell_boxes(prepared, result, facts);
   tell_time(p.seconds_spent(), facts);
   facts.add("stopped_by", result.stopped_by ? Json(describe(*result.stopped_by)) : Json(nullptr));
   if (result.stopped_by && result.verdict != FeasibilityVerdict::kPossibleProblem)

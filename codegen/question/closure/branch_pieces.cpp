@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "codegen/answer/report/number_text.hpp"
@@ -13,6 +14,7 @@
 #include "codegen/question/closure/uncertain_values.hpp"
 #include "codegen/question/way/path_bounds.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
+#include "codegen/question/way/trajectory_run.hpp"
 
 namespace regulus {
 namespace {
@@ -36,16 +38,6 @@ WayFinding as_one_piece(const PreparedClosure& prepared, ClosureFinding found) {
   one.begins.push_back(prepared.near_start);
   one.pieces.push_back(std::move(found.searched));
   return one;
-}
-
-/// Returns the settings of a piece, which has its share of what is left.
-BoxSearchSettings share_of(const BoxSearchSettings& all, const BracketOfPieces& spent,
-                           std::size_t pieces) {
-  if (pieces == 1 && spent.boxes == 0) return all;
-  BoxSearchSettings share = all;
-  share.time_limit = std::fmax(0.0, all.time_limit - spent.seconds) / double(pieces);
-  share.max_boxes = (all.max_boxes - std::min(all.max_boxes, spent.boxes)) / pieces;
-  return share;
 }
 
 void add(BracketOfPieces& all, ValueBracket found, std::size_t piece) {
@@ -74,17 +66,55 @@ void BranchInPieces::take(ClosureFinding found) {
   found_ = as_one_piece(common(), std::move(found));
 }
 
+void BranchInPieces::turn_to_piece(cluster::Workers* workers, SearchTopic topic,
+                                   std::size_t piece) const {
+  const Motion& motion = prepared_.request.motion;
+  if (trajectory() == nullptr) return turn_to(workers, std::move(topic), motion);
+  topic.start = found_.begins.at(piece).unknowns;
+  regulus::turn_to_piece(workers, std::move(topic), motion, piece);
+}
+
+std::string BranchInPieces::part_of_name(std::size_t piece) const {
+  return trajectory() == nullptr ? "" : ", " + place_of_piece(piece);
+}
+
+KeepPiece BranchInPieces::keep_pieces(const KeptPieces& kept) const {
+  if (kept.file == nullptr) return {};
+  return [this, &kept](std::size_t piece, const BranchSettings& settings,
+                       const SearchOfBranch& search) {
+    return kept.run(settings, search, part_of_name(piece));
+  };
+}
+
 void BranchInPieces::follow(const SearchOptions& search, const FormingWatch& watch,
-                            Observer* progress, const KeepBranch& keep) {
+                            const PiecesRun& run) {
+  const KeepPiece keep = keep_pieces(run.kept);
+  if (trajectory() != nullptr) {
+    found_ = check_way(prepared_, search, watch, run.progress, keep, run.topic);
+    return;
+  }
+  turn_to(search.workers, run.topic, prepared_.request.motion);
+  const KeepBranch keep_one = keep ? std::bind_front(keep, std::size_t{0}) : KeepBranch();
   const bool has_copies =
       common().shape.unknowns != common().request.model.closure->unknowns.size();
-  if (trajectory() != nullptr)
-    found_ = check_way(prepared_, search, watch, progress);
-  else if (has_copies)
-    take({run_closure(common(), settings_of(common(), search, watch.interrupt), progress, keep),
+  if (has_copies)
+    take({run_closure(common(), settings_of(common(), search, watch.interrupt), run.progress,
+                      keep_one),
           {}});
   else
-    take(check_closure(common(), search, watch, progress, keep));
+    take(check_closure(common(), search, watch, run.progress, keep_one));
+}
+
+void BranchInPieces::pave(const SearchOptions& search, double resolution, const FormingWatch& watch,
+                          const PiecesRun& run) {
+  const KeepPiece keep = keep_pieces(run.kept);
+  if (trajectory() != nullptr) {
+    found_ = pave_way(prepared_, search, resolution, watch, run.progress, keep, run.topic);
+    return;
+  }
+  turn_to(search.workers, run.topic, prepared_.request.motion);
+  take(pave_closure(common(), search, resolution, watch, run.progress,
+                    keep ? std::bind_front(keep, std::size_t{0}) : KeepBranch()));
 }
 
 std::vector<Interval> BranchInPieces::commanded(std::size_t piece, const Interval& s) const {
@@ -152,22 +182,24 @@ ProofStatus BranchInPieces::certify_end(const std::string& path,
                                  : certify_fold(path, common(), *end()->fold, placing);
 }
 
+/// A value that one piece attains ends the searches of later pieces earlier. So the file names it beside
+/// the piece: a search goes on only from one that knew the same value.
 BracketOfPieces BranchInPieces::bracket(const BranchValue& value, ValueAim aim,
                                         const BoxSearchSettings& settings,
-                                        Observer* progress) const {
+                                        const PiecesRun& run) const {
   BracketOfPieces all;
   for (std::size_t k = 0; k < pieces(); ++k) {
-    const Problem problem = prepared_.problem_of(k);
-    const ClosureQuestion branch{problem, common().scaling, common().shape, found_.begins[k],
-                                 common().ranges};
-    SystemBoxes system(problem, common().scaling, common().shape);
-    const IsPossible is_possible = [&](const std::vector<Interval>& point) {
-      return is_in_motion(common(), system, point);
-    };
+    QuestionOfPiece piece(*this, k);
     aim.attained = all.attained;
+    turn_to_piece(settings.workers, run.topic, k);
+    const auto search = [&](const BoxSearchSettings& chosen) {
+      return search_value({piece.problem, piece.closure, value}, found_.pieces[k].branch.tree, aim,
+                          chosen, piece.is_possible, run.progress);
+    };
+    const std::string after = k == 0 ? "" : fmt::format(" after {:a}", aim.attained);
     add(all,
-        search_value({problem, branch, value}, found_.pieces[k].branch.tree, aim,
-                     share_of(settings, all, pieces() - k), is_possible, progress),
+        run.kept.run(share_of(settings, all.boxes, all.seconds, pieces() - k), search,
+                     part_of_name(k) + after),
         k);
     if (aim.from && all.attained >= *aim.from) break;
   }
@@ -175,6 +207,24 @@ BracketOfPieces BranchInPieces::bracket(const BranchValue& value, ValueAim aim,
   all.is_closed = aim.is_met(all.attained, all.upper);
   if (all.is_closed) all.stopped_by.reset();
   return all;
+}
+
+QuestionOfPiece::QuestionOfPiece(const BranchInPieces& branch, std::size_t piece)
+    : problem(branch.way().problem_of(piece)),
+      closure{problem, branch.common().scaling, branch.common().shape,
+              branch.found().begins.at(piece), branch.common().ranges},
+      system(problem, branch.common().scaling, branch.common().shape),
+      is_possible([this, &branch](const std::vector<Interval>& point) {
+        return is_in_motion(branch.common(), system, point);
+      }) {}
+
+BoxSearchSettings share_of(const BoxSearchSettings& all, std::uint64_t spent_boxes,
+                           double spent_seconds, std::size_t pieces) {
+  if (pieces == 1 && spent_boxes == 0) return all;
+  BoxSearchSettings share = all;
+  share.time_limit = std::fmax(0.0, all.time_limit - spent_seconds) / double(pieces);
+  share.max_boxes = (all.max_boxes - std::min(all.max_boxes, spent_boxes)) / pieces;
+  return share;
 }
 
 }  // namespace regulus

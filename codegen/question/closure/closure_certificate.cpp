@@ -79,9 +79,21 @@ void write_later_fold(const std::string& path, const PreparedWay& prepared, cons
 
 }  // namespace
 
-void write_tree(ProofFile& file, const BranchTree& tree) {
+void write_tree(ProofFile& file, const BranchTree& tree, std::span<const char* const> words) {
   for (const Split& split : tree.splits()) file.split(split);
-  for (const BranchLeaf& leaf : tree.leaves()) file.leaf(leaf.at.id, leaf_word(leaf).c_str());
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const BranchLeaf& leaf = tree.leaves()[i];
+    std::string text = words[i];
+    if (format::has_tube(text)) text += tube_numbers(*leaf.tube);
+    file.leaf(leaf.at.id, text.c_str());
+  }
+}
+
+void write_tree(ProofFile& file, const BranchTree& tree) {
+  std::vector<const char*> words;
+  for (const BranchLeaf& leaf : tree.leaves())
+    words.push_back(leaf.tube ? format::kTubeLeaf : format::kOutsideLeaf);
+  write_tree(file, tree, words);
 }
 
 ProofStatus certify_fold(const std::string& path, const PreparedClosure& prepared, const Fold& fold,
@@ -144,7 +156,6 @@ ProofStatus certify_branch(const std::string& path, const PreparedClosure& prepa
     status.set_obstacle(certificate_obstacle(question));
     if (!status.obstacle().empty()) return;
     const auto file = with_file_errors([&] { return std::make_shared<ProofFile>(path); });
-    file->set_shard_size(placing.shard_size);
     file->begin(question.head(false));
     write_tree(*file, result.branch.tree);
     with_file_errors([&] { file->complete(); });

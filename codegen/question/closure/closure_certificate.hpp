@@ -2,13 +2,19 @@
 // The certificates of a branch, and of a singular configuration that it reaches.
 #pragma once
 
+#include <span>
+#include <string>
+
 #include "codegen/answer/certificate/proof_status.hpp"
 #include "codegen/question/closure/closure_way.hpp"
 #include "codegen/question/closure/fold_search.hpp"
 
 namespace regulus {
 
-/// Writes the splits of a tree, and its leaves.
+/// Writes the splits of a tree, and its leaves. `words`: by leaf, of FORMAT.md; a word for a leaf with a tube
+/// is followed by the numbers of that.
+void write_tree(ProofFile& file, const BranchTree& tree, std::span<const char* const> words);
+/// The same for a tree of which every leaf has a tube or is outside.
 void write_tree(ProofFile& file, const BranchTree& tree);
 
 /// Writes the proof of a branch, if it is proved. An empty `path` means no certificate.

@@ -319,12 +319,13 @@ std::string describe_claim(const PreparedClosure& prepared, const ClosureFinding
         size);
   if (!found.searched.is_proved()) return nothing_proved(reason_of(found));
   const std::size_t uncertain = uncertain_count(p);
-  return fmt::format(
-      "{}, for every {}{}", describe_regular_branch(prepared), describe_pose(p),
-      uncertain == 0
-          ? ""
-          : fmt::format(" and every value of the {} uncertain {} ({})", uncertain,
-                        uncertain == 1 ? "quantity" : "quantities", describe_groups(p.labels)));
+  return fmt::format("{}, for every {}{}", describe_regular_branch(prepared), describe_pose(p),
+                     uncertain == 0 ? ""
+                     : uncertain == 1
+                         ? fmt::format(" and every value of the uncertain quantity ({})",
+                                       describe_groups(p.labels))
+                         : fmt::format(" and every value of the {} uncertain quantities ({})",
+                                       uncertain, describe_groups(p.labels)));
 }
 
 /// Returns what the claim says of the mechanism; nothing if nothing is proved.

@@ -116,12 +116,17 @@ class WaySearch {
     return true;
   }
 
+  /// A fold is one of the mechanism itself, without copies of its unknowns.
+  [[nodiscard]] bool has_copies() const {
+    return prepared_.common.shape.unknowns != prepared_.request.model.closure->unknowns.size();
+  }
+
   [[nodiscard]] BranchSettings settings_for(PieceWithoutBranch& piece) {
     BranchSettings settings = settings_;
     settings.time_limit = std::fmax(0.0, deadline_.left()) * (settings.paves ? kPartOfSearch : 1);
     for (const ClosureResult& before : found_.pieces)
       settings.max_boxes -= std::min(settings.max_boxes, before.branch.boxes);
-    if (settings.paves) return settings;
+    if (settings.paves || has_copies()) return settings;
     settings.ask = [this, &piece](const std::vector<double>& place, bool is_lost) {
       look_for_fold(piece, place, is_lost);
       return piece.is_refuted();
@@ -244,11 +249,12 @@ WayFinding check_way(PreparedWay& prepared, const SearchOptions& search, const F
 }
 
 WayFinding pave_way(PreparedWay& prepared, const SearchOptions& search, double resolution,
-                    const FormingWatch& watch, Observer* progress, const KeepPiece& keep) {
+                    const FormingWatch& watch, Observer* progress, const KeepPiece& keep,
+                    const SearchTopic& topic) {
   BranchSettings settings = settings_of(prepared.common, search, watch.interrupt);
   settings.paves = true;
   settings.min_relative_width = resolution;
-  return WaySearch(prepared, search, settings, watch, progress, keep, {}).run();
+  return WaySearch(prepared, search, settings, watch, progress, keep, topic).run();
 }
 
 }  // namespace regulus

@@ -68,6 +68,6 @@ using KeepPiece =
 /// not follow to its end. There it looks for the end of the branch.
 [[nodiscard]] WayFinding pave_way(PreparedWay& prepared, const SearchOptions& search,
                                   double resolution, const FormingWatch& watch, Observer* progress,
-                                  const KeepPiece& keep = {});
+                                  const KeepPiece& keep = {}, const SearchTopic& topic = {});
 
 }  // namespace regulus

@@ -9,6 +9,13 @@
 
 namespace regulus {
 
+/// Returns the stretches of parts in any order that cover each of their pieces; pieces without parts are
+/// undecided, for the reason that they were `not_reached`.
+///
+/// Ensures   they are in order, without gaps.
+[[nodiscard]] std::vector<PathStretch> stretches_in_order(std::vector<PathStretch> parts,
+                                                          std::size_t pieces, Reason not_reached);
+
 /// Returns the stretches of all pieces: free if they are on the branch, outside, or undecided.
 ///
 /// Requires  a finding of pave_way().

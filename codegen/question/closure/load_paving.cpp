@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/problem/observers.hpp"
+#include "runtime/proof/format.hpp"
+
 namespace regulus {
 namespace {
 
@@ -88,17 +91,19 @@ class LoadPavingGoal {
   void reopen(TreeBox box) {
     const std::optional<std::size_t> leaf = leaf_of(box.box);
     if (!leaf) throw SavedTreeError("a box is not a part of one of the branch");
-    if (branch_.branch.tree.leaves()[*leaf].is_outside) return leave(box, ForceClaim::kOutside);
-    if (!is_on_branch(*leaf)) return leave(box, ForceClaim::kUndecided);
+    if (branch_.branch.tree.leaves()[*leaf].is_outside)
+      return leave(std::move(box), ForceClaim::kOutside);
+    if (!is_on_branch(*leaf)) return leave(std::move(box), ForceClaim::kUndecided);
     open_.push_back(std::move(box));
   }
 
-  LoadPaving finish() {
+  BranchLoadPaving finish() {
     result_.is_feasible = open_.empty() && is_feasible_ && !course_.lacks_memory();
     result_.is_empty = open_.empty() && is_empty_;
-    for (const TreeBox& box : open_) {
+    for (TreeBox& box : open_) {
       course_.leave_open(box, Rule::kBlocked);
       listener_(box.box, ForceClaim::kUndecided);
+      keep(std::move(box), ForceClaim::kUndecided, {});
     }
     result_.stopped_by = course_.stopped_by();
     result_.boxes = course_.boxes();
@@ -106,6 +111,8 @@ class LoadPavingGoal {
     course_.tell_end();
     return std::move(result_);
   }
+  /// Returns the leaves of the tree.
+  [[nodiscard]] std::vector<BranchLeaf> take_leaves() { return std::move(leaves_); }
 
  private:
   [[nodiscard]] std::optional<std::size_t> leaf_of(std::span<const Interval> box) const {
@@ -119,28 +126,27 @@ class LoadPavingGoal {
     const std::optional<std::size_t> leaf = leaf_of(box.box);
     return !leaf || !is_on_branch(*leaf);
   }
-  /// The tube's solution over its own centre is that of the branch, so it is over all of its box.
-  [[nodiscard]] bool is_of_leaf(const BranchTube& tube, std::size_t leaf) const {
-    std::vector<Interval> place;
-    for (const double x : tube.at) place.emplace_back(x);
-    return certain_holds(*branch_.branch.tree.leaves()[leaf].tube, place, enclose(tube, place));
+  [[nodiscard]] bool is_of_leaf(const BranchTube& tube, std::size_t leaf,
+                                std::span<const double> near = {}) const {
+    return holds_solutions_of(*branch_.branch.tree.leaves()[leaf].tube, tube, near);
   }
 
   void conclude(TreeBox box, const ValueFinding& finding) {
     const std::size_t leaf = leaf_of(box.box).value();
-    if (finding.tube.is_outside) return leave(box, ForceClaim::kOutside);
-    const bool is_known = finding.tube.tube && is_of_leaf(*finding.tube.tube, leaf);
-    if (is_known && finding.upper <= 0) return leave(box, ForceClaim::kFeasible);
-    if (is_known && finding.lower > 0) return leave(box, ForceClaim::kInfeasible);
+    const std::optional<BranchTube>& tube = finding.tube.tube;
+    if (finding.tube.is_outside) return leave(std::move(box), ForceClaim::kOutside);
+    const bool is_known = tube && is_of_leaf(*tube, leaf, finding.near_center);
+    if (is_known && finding.upper <= 0) return leave(std::move(box), ForceClaim::kFeasible, tube);
+    if (is_known && finding.lower > 0) return leave(std::move(box), ForceClaim::kInfeasible, tube);
     const auto variable = choose_variable(std::span(box.box).first(ranges_.size()), ranges_, {},
                                           resolution_ * kSlackOfResolution);
-    if (!variable) return leave(box, ForceClaim::kUndecided);
+    if (!variable) return leave(std::move(box), ForceClaim::kUndecided);
     auto [lower, upper] = course_.split(std::move(box), *variable);
     open_.push_back(std::move(upper));
     open_.push_back(std::move(lower));
   }
 
-  void leave(const TreeBox& box, ForceClaim claim) {
+  void leave(TreeBox box, ForceClaim claim, const std::optional<BranchTube>& tube = {}) {
     is_feasible_ =
         is_feasible_ && (claim == ForceClaim::kFeasible || claim == ForceClaim::kOutside);
     is_empty_ = is_empty_ && claim == ForceClaim::kOutside;
@@ -150,6 +156,22 @@ class LoadPavingGoal {
                                                          : Rule::kBlocked;
     course_.leaf(box, rule);
     listener_(box.box, claim);
+    keep(std::move(box), claim, tube);
+  }
+
+  /// Where nothing is known of forces a box has the tube of the branch, if it is on that.
+  void keep(TreeBox box, ForceClaim claim, std::optional<BranchTube> tube) {
+    const char* word = claim == ForceClaim::kFeasible     ? format::kFeasibleLeaf
+                       : claim == ForceClaim::kInfeasible ? format::kInfeasibleLeaf
+                       : claim == ForceClaim::kOutside    ? format::kOutsideLeaf
+                                                          : format::kUndecidedLeaf;
+    const std::optional<std::size_t> leaf = leaf_of(box.box);
+    if (claim == ForceClaim::kUndecided && leaf && is_on_branch(*leaf)) {
+      word = format::kTubeLeaf;
+      tube = branch_.branch.tree.leaves()[*leaf].tube;
+    }
+    result_.words.push_back(word);
+    leaves_.push_back({std::move(box), std::move(tube), claim == ForceClaim::kOutside});
   }
 
   /// Keeps the first place where a force is certainly beyond its limits.
@@ -185,19 +207,28 @@ class LoadPavingGoal {
   std::vector<TreeBox> open_, round_;
   bool is_feasible_ = true, is_empty_ = true;
   BoxId shown_in_ = 0;
-  LoadPaving result_;
+  std::vector<BranchLeaf> leaves_;
+  BranchLoadPaving result_;
 };
 
 }  // namespace
 
-LoadPaving pave_forces(const ValueQuestion& question, const ClosureResult& branch,
-                       double resolution, const BoxSearchSettings& settings,
-                       const IsPossible& is_possible, const ForceListener& listener,
-                       Observer* progress) {
-  BoxCourse course(question.problem, settings, progress);
+BranchLoadPaving pave_forces(const ValueQuestion& question, const ClosureResult& branch,
+                             double resolution, const BoxSearchSettings& settings,
+                             const IsPossible& is_possible, const ForceListener& listener,
+                             Observer* progress) {
+  BranchTree tree;
+  SplitRecorder recorder(tree);
+  std::vector<Observer*> observing{&recorder};
+  if (progress != nullptr) observing.push_back(progress);
+  Observers observers(std::move(observing));
+  BoxCourse course(question.problem, settings, &observers);
   LoadPavingGoal goal(course, question, branch, resolution, is_possible, listener);
   BoxSearch<ValueJudge, LoadPavingGoal>(question, kBoxesOfPavingRound, course, goal).run();
-  return goal.finish();
+  BranchLoadPaving paving = goal.finish();
+  for (BranchLeaf& leaf : goal.take_leaves()) tree.leave(std::move(leaf));
+  paving.tree = std::move(tree);
+  return paving;
 }
 
 }  // namespace regulus

@@ -8,7 +8,7 @@
 
 namespace regulus {
 
-struct LoadPaving {
+struct BranchLoadPaving {
   bool is_feasible = false;           ///< every box is feasible or outside
   bool is_empty = false;              ///< every box is outside
   std::optional<BranchTube> place{};  ///< over a place where a force is beyond its limits
@@ -16,15 +16,18 @@ struct LoadPaving {
   std::optional<Reason> stopped_by{};
   std::uint64_t boxes = 0;
   double seconds = 0;
+  BranchTree tree{};                 ///< of all boxes, with tubes on the branch
+  std::vector<const char*> words{};  ///< by leaf of the tree, of FORMAT.md
 };
 
 /// A box that is not on the branch for certain is undecided; so is one that `resolution`, as a part of
 /// each range, does not let split. `question.value`: a load within limits.
 ///
 /// Throws    the exceptions of the workers; SavedTreeError if `settings.from` is no tree of this search.
-[[nodiscard]] LoadPaving pave_forces(const ValueQuestion& question, const ClosureResult& branch,
-                                     double resolution, const BoxSearchSettings& settings,
-                                     const IsPossible& is_possible, const ForceListener& listener,
-                                     Observer* progress);
+[[nodiscard]] BranchLoadPaving pave_forces(const ValueQuestion& question,
+                                           const ClosureResult& branch, double resolution,
+                                           const BoxSearchSettings& settings,
+                                           const IsPossible& is_possible,
+                                           const ForceListener& listener, Observer* progress);
 
 }  // namespace regulus

@@ -86,6 +86,8 @@ CertifiedAbout about(const ValueLines& lines) {
     const format::ClaimedSet set = claimed_set(request, uncertain);
     question.no_singularity = format::describe_bound_claim(set, lines.words, false);
     question.singularity = format::describe_bound_claim(set, lines.words, true);
+    if (lines.words.quantity == format::kForceLimits)
+      question.paving = format::describe_branch_paving(set, lines.words.set);
     return question;
   };
 }
@@ -155,6 +157,13 @@ ProofStatus certify_forces(const std::string& path, const ProvedPieces& branch,
   return status;
 }
 
+ProofStatus certify_paved_forces(const std::string& path, const ProvedPieces& branch,
+                                 const VectorSet& load, const std::vector<PavedTree>& trees,
+                                 const ProofPlacing& placing) {
+  const ValueLines lines = lines_of_limits(branch.request.model, load);
+  return certify_paved(path, branch.request, branch.labels, trees, about(lines), placing);
+}
+
 void certify_value(EndProofs& proofs, const ProvedPieces& branch, const Component& component,
                    const ex& bound, const std::optional<PlaceOfValue>& place) {
   if (!proofs.are_wanted()) return;
@@ -163,8 +172,7 @@ void certify_value(EndProofs& proofs, const ProvedPieces& branch, const Componen
   if (const std::string why = proof.obstacle(); !why.empty())
     return is_attained ? proofs.set_no_singular(why) : proofs.set_no_safe(why);
   try {
-    proof.write(is_attained ? proofs.singular_file() : proofs.safe_file(),
-                {proofs.placing().held, 0});
+    proof.write(is_attained ? proofs.singular_file() : proofs.safe_file(), proofs.placing());
     const std::string number = formula_text(bound);
     if (is_attained)
       proofs.set_singular("attains " + number);

@@ -8,6 +8,7 @@
 
 #include "codegen/answer/certificate/proof_status.hpp"
 #include "codegen/question/closure/closure_run.hpp"
+#include "codegen/question/closure/paving_certificate.hpp"
 #include "codegen/question/quantity/quantity.hpp"
 
 namespace regulus {
@@ -37,5 +38,11 @@ void certify_value(EndProofs& proofs, const ProvedPieces& branch, const Componen
                                          const VectorSet& load,
                                          const std::optional<PlaceOfValue>& place,
                                          const ProofPlacing& placing);
+
+/// Writes the proof of a paving of the same; `trees`: of all pieces. An empty `path` means no certificate.
+[[nodiscard]] ProofStatus certify_paved_forces(const std::string& path, const ProvedPieces& branch,
+                                               const VectorSet& load,
+                                               const std::vector<PavedTree>& trees,
+                                               const ProofPlacing& placing);
 
 }  // namespace regulus

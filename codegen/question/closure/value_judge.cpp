@@ -45,6 +45,15 @@ std::vector<double> near_center(const BranchTube& tube, const TubeImage& image) 
 
 }  // namespace
 
+bool holds_solutions_of(const BranchTube& leaf, const BranchTube& tube,
+                        std::span<const double> near) {
+  std::vector<Interval> place, solution;
+  for (const double x : tube.at) place.emplace_back(x);
+  for (std::size_t i = 0; i < near.size(); ++i)
+    solution.push_back(Interval(tube.center[i]) + Interval(-near[i], near[i]));
+  return certain_holds(leaf, place, near.empty() ? enclose(tube, place) : solution);
+}
+
 /// Encloses f over each of 1…8 tubes. `findings`: are told of these tubes; empty: nothing is.
 std::vector<Interval> ValueJudge::values_of(std::span<const TubeTrial> tubes,
                                             std::span<ValueFinding* const> findings) {
@@ -72,7 +81,9 @@ std::vector<Interval> ValueJudge::values_of(std::span<const TubeTrial> tubes,
     const BranchRates rates(tube, measured[lane]->image, measured[lane]->inverse,
                             measured[lane]->over.by_unknown);
     values.push_back(question_.value.largest(rates, measured[lane]->over));
-    if (!findings.empty()) findings[lane]->impact = impact_of(tube, measured[lane]->image, m);
+    if (findings.empty()) continue;
+    findings[lane]->impact = impact_of(tube, measured[lane]->image, m);
+    findings[lane]->near_center = near_center(tube, measured[lane]->image);
   }
   return values;
 }

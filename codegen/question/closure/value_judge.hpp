@@ -20,13 +20,20 @@ struct ValueFinding {
   std::vector<double> impact{};  ///< by variable: what a split makes smaller
   /// By variable: the slope of f, roughly; empty: not known. Only the judge needs it.
   std::vector<double> growth{};
-  /// By unknown, of a distance or a singular value: the solution at the tube's centre is so near to it.
-  /// Empty: within the tube's radius.
+  /// By unknown: the solution at the tube's centre is so near to it. Empty: within the tube's radius.
   std::vector<double> near_center{};
   /// A tube over a place of the box alone, its middle if possible, and what f is at least in it.
   std::optional<BranchTube> middle{};
   double attained = -kInfinity;
 };
+
+/// True if `tube`, over a part of the box of `leaf`, holds the same solutions: both are continuous, and
+/// the one at the centre of `tube` is in `leaf`.
+///
+/// Requires  tube.at is a place of the box of `leaf`; each has exactly one solution at every place.
+/// Shape     near: ValueFinding::near_center.
+[[nodiscard]] bool holds_solutions_of(const BranchTube& leaf, const BranchTube& tube,
+                                      std::span<const double> near);
 
 /// A judge of boxes (runtime/search/box_judges.hpp). Each thread has its own.
 class ValueJudge {

@@ -272,16 +272,9 @@ class ValueGoal {
     shown_in_ = corner == 0 ? id + 1 : 0;
   }
 
-  /// The tube's solution over its own centre is that of the branch, so it is over all of its box.
-  /// `near`: ValueFinding::near_center.
   [[nodiscard]] bool is_on_branch(const BranchTube& tube, std::size_t leaf,
-                                  const std::vector<double>& near = {}) const {
-    std::vector<Interval> place, solution;
-    for (const double x : tube.at) place.emplace_back(x);
-    for (std::size_t i = 0; i < near.size(); ++i)
-      solution.push_back(Interval(tube.center[i]) + Interval(-near[i], near[i]));
-    return certain_holds(*branch_.leaves()[leaf].tube, place,
-                         near.empty() ? enclose(tube, place) : solution);
+                                  std::span<const double> near = {}) const {
+    return holds_solutions_of(*branch_.leaves()[leaf].tube, tube, near);
   }
 
   BoxCourse& course_;

@@ -59,7 +59,10 @@ class RotatedBoxes {
     double error = kInfinity;  ///< e·|Û⁻¹|
   };
 
-  [[nodiscard]] bool is_plain() const { return matrices_.has_slopes(); }
+  /// The kernel has no expansion of K·A: it was too costly, or nothing varies.
+  [[nodiscard]] bool is_plain() const {
+    return matrices_.kernel().functions().expansion == nullptr;
+  }
   [[nodiscard]] const regulus_expansion& expansion() const {
     return *matrices_.kernel().functions().expansion;
   }

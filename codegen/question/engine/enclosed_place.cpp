@@ -206,7 +206,7 @@ class PlaceEnclosure {
     const RowMajor A = approx_part(minor, at_->entries, 0);
     const BalancedMatrix balanced =
         balance({A.data(), std::size_t(A.size())}, minor.rows.size(), minor.columns.size());
-    const SingularVectors svd = decompose(balanced.entries);
+    const SingularValueDecomposition svd = decompose(balanced.entries);
     const VectorXd v = balanced.column_scale.asDiagonal() * svd.v.rightCols<1>();
     MatrixXd moved(m, Index(variables));
     for (std::size_t place = 0; place < variables; ++place)

@@ -13,7 +13,7 @@ namespace regulus {
 namespace {
 
 /// Increase it if other data than these decide the forms.
-constexpr int kFormat = 1;
+constexpr int kFormsFormat = 1;
 
 /// Adds expressions as lists of their nodes, each node once, operands first.
 class ExpressionKey {
@@ -85,7 +85,7 @@ std::string forms_key(const Formulation& natural, bool has_threshold,
                       std::string_view compiler) {
   KeyParts parts;
   parts.add("forms");
-  parts.add(kFormat);
+  parts.add(kFormsFormat);
   parts.add(program);
   parts.add(compiler);
   parts.add(name(isa));

@@ -12,7 +12,7 @@ namespace {
 using Json = nlohmann::json;
 
 /// Increase it if the meaning of the text of a warm start changes.
-constexpr int kFormat = 9;
+constexpr int kWarmFormat = 9;
 
 bool is_key(std::string_view text) {
   return text.size() == 64 && text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
@@ -58,7 +58,7 @@ BallProgram program_of(const Json& json) {
 }  // namespace
 
 std::string to_text(const WarmStart& forms) {
-  const Json json = {{"format", kFormat},
+  const Json json = {{"format", kWarmFormat},
                      {"program", forms.program_key},
                      {"identity", forms.identity},
                      {"detail", static_cast<int>(forms.detail)},
@@ -72,7 +72,7 @@ std::optional<WarmStart> read_warm_start(std::string_view text) try {
   forms.program_key = json.at("program");
   forms.identity = json.at("identity");
   const int detail = count_of(json.at("detail"));
-  if (json.at("format") != kFormat || !is_key(forms.program_key) ||
+  if (json.at("format") != kWarmFormat || !is_key(forms.program_key) ||
       detail > static_cast<int>(FormDetail::kAsWritten))
     return std::nullopt;
   forms.detail = FormDetail(detail);

@@ -8,7 +8,7 @@
 namespace regulus {
 namespace {
 
-constexpr long kMostBits = 4096;
+constexpr long kMostPrecision = 4096;
 
 /// Returns the entries of the matrix, or of J⁻¹, which has its rows times their scales.
 std::vector<Expression> entries_of(const Formulation& formulation, bool is_scaled) {
@@ -37,7 +37,7 @@ void enclose_determinants(PreparedSearch& preparation, Result& result) {
   const bool is_scaled = is_small && preparation.variety.alpha.hi > 0;
   const Formulation& formulation = preparation.stages->natural_formulation();
   ArbOracle oracle(lower_outputs(formulation, entries_of(formulation, is_scaled)),
-                   preparation.labels.rows, kMostBits);
+                   preparation.labels.rows, kMostPrecision);
   for (WitnessPoint& point : result.witness->points) enclose(oracle, point);
   if (result.witness->near) enclose(oracle, *result.witness->near);
 }

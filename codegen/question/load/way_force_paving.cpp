@@ -120,19 +120,17 @@ double WayForcePaving::approx_share(ForceClaim claim) const {
                          stand_in(claim));
 }
 
-void tell_way_force_paving(const WayForcePaving& paving, Facts& facts) {
+void tell_force_stretches(const Trajectory& trajectory, double resolution,
+                          const std::vector<PathStretch>& stretches, Facts& facts) {
   std::vector<Claim> claims;
   for (const ForceClaim claim : kEveryForceClaim) claims.push_back(stand_in(claim));
-  tell_way_forces(paving.found, facts);
-  facts.add("resolution", paving.resolution);
-  tell_stretches(trajectory_of(paving), as_path_stretches(paving), claims, word_of_stand_in, facts);
+  facts.add("resolution", resolution);
+  tell_stretches(trajectory, stretches, claims, word_of_stand_in, facts);
 }
 
-nlohmann::ordered_json json_force_stretch(const WayForcePaving& paving,
-                                          const ForceStretch& stretch) {
-  return json_stretch_of(trajectory_of(paving),
-                         {stand_in(stretch.claim), {}, stretch.begin, stretch.end},
-                         word_of_stand_in);
+void tell_way_force_paving(const WayForcePaving& paving, Facts& facts) {
+  tell_way_forces(paving.found, facts);
+  tell_force_stretches(trajectory_of(paving), paving.resolution, as_path_stretches(paving), facts);
 }
 
 }  // namespace regulus

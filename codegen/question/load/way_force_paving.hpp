@@ -36,10 +36,10 @@ struct WayForcePaving {
 /// Returns the stretches, with the claims that stand for those about forces.
 [[nodiscard]] std::vector<PathStretch> as_path_stretches(const WayForcePaving& paving);
 
+/// Tells stretches with the claims that stand for those about forces, and the share of each.
+void tell_force_stretches(const Trajectory& trajectory, double resolution,
+                          const std::vector<PathStretch>& stretches, Facts& facts);
 /// Tells the question, the stretches and the share of each claim.
 void tell_way_force_paving(const WayForcePaving& paving, Facts& facts);
-/// Returns one stretch as an object: its claim, its segments, its lines and its times.
-[[nodiscard]] nlohmann::ordered_json json_force_stretch(const WayForcePaving& paving,
-                                                        const ForceStretch& stretch);
 
 }  // namespace regulus

@@ -202,8 +202,9 @@ MarginQuestion take_question(ModelOptions& model, const GrowingSize& size) {
   ranges += take_tube(question, model.tubes);
   if (ranges != 1)
     throw UsageError(
-        fmt::format("margin: {} options have a range LO:HI; give exactly one: --tolerance "
-                    "GROUP=LO:HI, --alpha LO:HI, --scale LO:HI, --grow p=LO:HI or --tube p=LO:HI",
+        fmt::format("margin: {} options have a range LO:HI, such as 0:0.5 (one number is a value, "
+                    "no range); give exactly one: --tolerance GROUP=LO:HI, --alpha LO:HI, --scale "
+                    "LO:HI, --grow p=LO:HI or --tube p=LO:HI",
                     ranges));
   return question;
 }

@@ -108,6 +108,8 @@ void leave_out(SearchSubject& set, const std::string& name) {
 std::string reason_to_end(const Margin& margin) {
   if (margin.closed) return "the bracket is closed";
   if (margin.interrupted) return "the run was interrupted";
+  if (const std::string obstacle = obstacle_of(margin); !obstacle.empty())
+    return "a search between the ends decided nothing: " + obstacle;
   return "no search between the ends was likely to end within the time left";
 }
 

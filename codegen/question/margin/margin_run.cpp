@@ -162,4 +162,12 @@ Margin close_bracket(Attempts& attempts, const MarginQuestion& question,
   return MarginRun(attempts, question, settings).run();
 }
 
+std::string obstacle_of(const Margin& margin) {
+  const auto last = std::find_if(margin.steps.rbegin(), margin.steps.rend(), [](const auto& step) {
+    return step.result.verdict == Verdict::kPossibleProblem;
+  });
+  if (last == margin.steps.rend() || last->result.stopped_by) return "";
+  return describe(last->result.reason);
+}
+
 }  // namespace regulus

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "codegen/question/margin/attempts.hpp"
@@ -52,5 +53,9 @@ struct BracketSettings {
 /// the listener throw.
 [[nodiscard]] Margin close_bracket(Attempts& attempts, const MarginQuestion& question,
                                    const BracketSettings& settings);
+
+/// Returns why the last search that decided nothing did so; empty if its limits ended it, or if each
+/// search decided something.
+[[nodiscard]] std::string obstacle_of(const Margin& margin);
 
 }  // namespace regulus

@@ -44,7 +44,7 @@ std::optional<GiNaC::matrix> columns_at(const MatrixXd& A) {
   const Eigen::VectorXd scale = A.colwise().norm();
   if (!(scale.minCoeff() > 0)) return std::nullopt;
   const MatrixXd balanced = A * scale.cwiseInverse().asDiagonal();
-  const SingularVectors svd = decompose(balanced);
+  const SingularValueDecomposition svd = decompose(balanced);
   const Eigen::VectorXd& sigma = svd.sigma;
   if (!(sigma(sigma.size() - 1) > kLeastRatio * sigma(0))) return std::nullopt;
   const Index m = A.rows(), n = A.cols();

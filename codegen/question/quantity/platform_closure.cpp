@@ -6,6 +6,7 @@
 #include "codegen/model/exact/exact_algebra.hpp"
 #include "codegen/model/mechanism/closure_matrix.hpp"
 #include "codegen/model/mechanism/orientation.hpp"
+#include "codegen/model/way/trajectory.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus {
@@ -26,8 +27,6 @@ class PlatformClosure {
       throw UsageError(
           "finite errors are those of a [closure], or of a platform on six telescopic legs, or on "
           "three in the plane, with its orientation by angles; ask for error, to first order");
-    if (given.motion.trajectory || given.motion.waypoints)
-      throw UsageError("finite errors have no motions along way-points; give the motion by ranges");
     if (!given.motion.reach.empty())
       throw UsageError("finite errors have no motion with 'where'; give its ranges");
     if (!std::ranges::all_of(given.motion.error, [](const ex& e) { return e.is_zero(); }))
@@ -38,6 +37,7 @@ class PlatformClosure {
 
   Request build() {
     for (const GeometryParameter& g : given_.model.geometry) nominal_[g.symbol] = g.value;
+    request_.motion.pose.resize(given_.model.pose.size());
     add_unknowns();
     for (std::size_t k = 0; k < given_.model.legs.size(); ++k) add_leg(k);
     set_start();
@@ -113,8 +113,10 @@ class PlatformClosure {
     return error.symbol;
   }
 
-  /// The middles of the ranges of pose parameters, and the lower ends of other parameters.
+  /// The first way-point; or the middles of the ranges of pose parameters, and the lower ends of other
+  /// parameters.
   void set_start() {
+    if (given_.motion.trajectory) return set_start_of_way(*given_.motion.trajectory);
     GiNaC::exmap start;
     for (const MotionParameter& p : given_.motion.parameters) {
       const bool is_pose = std::ranges::any_of(
@@ -122,6 +124,13 @@ class PlatformClosure {
       start[p.symbol] = is_pose ? (p.range.lo + p.range.hi) / 2 : p.range.lo;
     }
     for (const ex& value : request_.motion.pose) closure_.start_pose.push_back(value.subs(start));
+  }
+
+  /// The errors of the legs are commanded to be 0.
+  void set_start_of_way(const Trajectory& way) {
+    for (const PieceOfPose& pose : way.pieces.front().pose)
+      closure_.start_pose.push_back(pose.power[0] + pose.cosine);
+    closure_.start_pose.resize(request_.motion.pose.size(), 0);
   }
 
   const Request& given_;

@@ -16,10 +16,10 @@ namespace regulus {
 
 /// Returns the question about a closure whose unknowns are e and the angles roll, pitch and yaw of
 /// E = Rz·Ry·Rx (of a platform in the plane its angle). The errors of the legs are those of the
-/// motors, and the branch starts at 0.
+/// motors, and the branch starts at 0. Along way-points the pieces give the pose, and none of the errors.
 ///
-/// Throws    UsageError for a robot that is no such platform, for a motion along way-points, and for
-///           errors of the pose.
+/// Throws    UsageError for a robot that is no such platform, for a motion with `where`, and for errors
+///           of the pose.
 [[nodiscard]] Request closure_of_platform(const Request& given);
 
 }  // namespace regulus

@@ -46,7 +46,7 @@ ProofStatus certify_solutions(const std::string& path, const Request& request,
 }
 
 ProofStatus certify_places(const std::string& path, const std::vector<PlaceProof>& places,
-                           std::uint64_t left) {
+                           std::uint64_t left, std::uint64_t shard_size) {
   ProofStatus status(path);
   if (!status.is_wanted()) return status;
   if (left > 0) {
@@ -59,8 +59,10 @@ ProofStatus certify_places(const std::string& path, const std::vector<PlaceProof
     status.set_obstacle(places.front().list.obstacle);
     return status;
   }
-  status.attempt(
-      [&] { write_witness(path, std::string(format::kPlacesMagic) + '\n', body_of(places), {}); });
+  status.attempt([&] {
+    write_witness(path, std::string(format::kPlacesMagic) + '\n', body_of(places),
+                  {nullptr, shard_size});
+  });
   const std::string doubt = note_of(places, &ListProof::doubt, "a doubt");
   if (status.obstacle().empty()) status.set_written(without.empty() ? doubt : without);
   return status;

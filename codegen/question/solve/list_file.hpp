@@ -27,8 +27,10 @@ struct PlaceProof {
 /// Writes a certificate with a part for each place (FORMAT.md, "Places of a table"). A part without a proof
 /// is empty, and the report says so; without any proof there is no file.
 ///
-/// `left`: places that were not asked: the table is not whole, and there is no file.
+/// `left`: places that were not asked: the table is not whole, and there is no file. `shard_size`: as
+/// ProofFile::set_shard_size.
 [[nodiscard]] ProofStatus certify_places(const std::string& path,
-                                         const std::vector<PlaceProof>& places, std::uint64_t left);
+                                         const std::vector<PlaceProof>& places, std::uint64_t left,
+                                         std::uint64_t shard_size);
 
 }  // namespace regulus

@@ -295,7 +295,7 @@ void tell_solutions(const SolveAsked& asked, const Solutions& solutions, const S
   if (solutions.completeness != Completeness::kComplete) say_open_boxes(solutions, own, facts);
   facts.tell("boxes", solutions.boxes, "boxes",
              fmt::format("{} evaluated", in_thousands(solutions.boxes)));
-  facts.add("seconds", Json{{"search", solutions.seconds}});
+  facts.add("seconds", json_seconds(solutions.seconds));
   facts.say("time", fmt::format("search {:.3f} ms", 1e3 * solutions.seconds));
   const std::string claim = describe_claim(solutions, noun);
   facts.tell("claim", claim, "claim", claim);

@@ -223,7 +223,8 @@ void require_values(const Request& request) {
   for (const MotionParameter& p : request.motion.parameters)
     if (!(p.range.hi - p.range.lo).is_zero())
       throw UsageError(fmt::format(
-          "the motion {} gives {} a range; solutions are those at one value: at {}=VALUE",
+          "the motion {} gives {} a range; solutions are those at one value: give {}=VALUE by the "
+          "option at",
           request.motion.name, p.name, p.name));
 }
 

@@ -75,23 +75,35 @@ void tell_excluded(const TrajectoryCheck& check, Facts& facts) {
                                       count == 1 ? "" : "s", describe_poses_on_way(check)));
 }
 
-/// Returns "x ±0.1 cm, y ±0.1 cm": the control errors; empty if there are none.
-std::string describe_tube(const Model& model, const Motion& motion) {
+/// Returns "x ±0.1 cm, y ±0.1 cm": the control errors of the pose parameters from `begin` on, before
+/// `end`; empty if there are none.
+std::string describe_errors(const Request& request, std::size_t begin, std::size_t end) {
+  const std::vector<GiNaC::ex>& errors = request.motion.error;
   std::string words;
-  for (std::size_t i = 0; i < motion.error.size(); ++i)
-    if (!motion.error[i].is_zero()) {
-      const PoseParameter& p = model.pose[i];
+  for (std::size_t i = begin; i < std::min(end, errors.size()); ++i)
+    if (!errors[i].is_zero()) {
+      const PoseParameter& p = request.model.pose[i];
       words += fmt::format("{}{} ±{:.6g}{}", words.empty() ? "" : ", ", p.name,
-                           enclose_constant(motion.error[i], p.name).hi, unit_suffix(p.unit));
+                           enclose_constant(errors[i], p.name).hi, unit_suffix(p.unit));
     }
   return words;
 }
 
-/// The pose parameters that keep one value all along the way.
+/// The number of pose parameters that the pieces give. Others are the errors of motors, which are
+/// commanded to be 0.
+std::size_t given_by_pieces(const Request& request) {
+  return request.motion.trajectory->pieces.front().pose.size();
+}
+
+std::string describe_tube(const Request& request) {
+  return describe_errors(request, 0, given_by_pieces(request));
+}
+
+/// The pose parameters of the way-points that keep one value all along the way.
 void say_fixed(const Model& model, const Trajectory& t, Facts& facts) {
   if (!facts.are_for_people()) return;
   const auto is_zero = [](const GiNaC::ex& e) { return e.is_zero(); };
-  for (std::size_t i = 0; i < model.pose.size(); ++i) {
+  for (std::size_t i = 0; i < t.pieces.front().pose.size(); ++i) {
     const GiNaC::ex& value = t.pieces.front().pose[i].power.front();
     const bool is_fixed = std::ranges::all_of(t.pieces, [&](const TrajectoryPiece& piece) {
       const PieceOfPose& p = piece.pose[i];
@@ -126,7 +138,9 @@ void tell_way(const Request& request, Facts& facts) {
   say_fixed(request.model, t, facts);
   say_constraints(request.motion, facts);
   for (const std::string& note : t.notes) facts.say("note", note);
-  facts.say("tube", describe_tube(request.model, request.motion));
+  facts.say("tube", describe_tube(request));
+  facts.say("errors",
+            describe_errors(request, given_by_pieces(request), request.model.pose.size()));
 }
 
 void say_uncertain_geometry(const SearchSubject& subject, Facts& facts) {
@@ -203,7 +217,7 @@ std::string describe_trajectory_claim(const TrajectoryCheck& check) {
   const std::string of_path =
       fmt::format("every {} of the {}", describe_poses_on_way(check),
                   counted(pieces, "segment", "segments")) +
-      (describe_tube(check.request.model, check.request.motion).empty() ? "" : around) +
+      (describe_tube(check.request).empty() ? "" : around) +
       (uncertain_count(p) == 0 ? "" : " and every value of the uncertain quantities");
   const bool threshold = p.variety.alpha.hi > 0;
   if (check.verdict == Verdict::kNoSingularity)

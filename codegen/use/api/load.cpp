@@ -43,8 +43,11 @@ LoadPaving locate_load(const Question& question, const LocateLoadOptions& option
   const auto answer =
       ask(AskLoadPaving{question.options(), options.search, options.load, options.resolution},
           services);
-  return {finding_of(*answer, watch.lap()), answer->feasible, answer->infeasible, answer->undecided,
-          answer->outside};
+  LoadPaving paving{finding_of(*answer, watch.lap()), answer->feasible, answer->infeasible,
+                    answer->undecided, answer->outside};
+  for (const StretchOfLoad& s : answer->stretches)
+    paving.stretches.push_back({s.claim, s.first_segment, s.last_segment, s.begin, s.end, s.line});
+  return paving;
 }
 
 }  // namespace regulus

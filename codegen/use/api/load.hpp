@@ -50,14 +50,28 @@ struct LocateLoadOptions {
   std::uint64_t shard_size = 0;  ///< of the proof, as for check()
 };
 
+/// A part of a motion along way-points, from one place to another.
+///
+/// Ensures   the claim holds at each pose of this part, for all control errors and all values of the
+///           uncertain quantities.
+struct LoadStretch {
+  ForceClaim claim = ForceClaim::kUndecided;
+  std::size_t first_segment = 1, last_segment = 1;  ///< from 1
+  double begin = 0, end = 1;  ///< the places, as parts of the first and of the last segment
+  std::string json;           ///< the line that --output writes
+};
+
 struct LoadPaving {
   LoadFinding finding;  ///< of the whole motion
-  /// Bounds of the fraction of the motion's box with each claim, in [0, 1].
+  /// Bounds of the fraction of the motion's box with each claim, in [0, 1]. They are [0, 1] for a
+  /// motion along way-points, whose `finding.json` has approximate shares.
   Interval feasible{0.0}, infeasible{0.0}, undecided{0.0}, outside{0.0};
+  std::vector<LoadStretch> stretches{};  ///< along way-points: in order, without gaps
 };
 
 /// Splits the motion into boxes in which the load is held at every pose, in which some wrench of it
-/// is held at none, outside the constraints, or undecided. Threads and errors as check().
+/// is held at none, outside the constraints, or undecided. A motion along way-points is divided into
+/// stretches, and has no boxes and no `variables`. Threads and errors as check().
 [[nodiscard]] LoadPaving locate_load(const Question& question,
                                      const LocateLoadOptions& options = {},
                                      const std::atomic<bool>* interrupt = nullptr);

@@ -55,7 +55,8 @@ struct Paving {
 
 /// Splits the motion into boxes that are proved free, proved singular, outside the constraints, out
 /// of reach (if the motion says where = "reachable"), or undecided at that resolution. A motion along
-/// way-points is divided into stretches; it has no `variables`, and no certificate is written of it.
+/// way-points is divided into stretches; it has no `variables`. The certificate of a mechanism with loops
+/// proves on which boxes or stretches its branch is regular.
 /// Threads and errors as check().
 [[nodiscard]] Paving locate(const Question& question, const LocateOptions& options = {},
                             const std::atomic<bool>* interrupt = nullptr);

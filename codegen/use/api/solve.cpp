@@ -32,7 +32,7 @@ SolveFinding solve(const Question& question, const SolveOptions& options,
   Stopwatch watch;
   AskSolve asked = asked_of(question, options);
   asked.wanted = AskSolve::Places::kOne;
-  const auto answer = ask(asked, services_of(options.certificate, 0, interrupt));
+  const auto answer = ask(asked, services_of(options.certificate, options.shard_size, interrupt));
   SolveFinding finding;
   finding.solutions = answer->solutions;
   set_proof(answer->proof, finding);
@@ -48,7 +48,7 @@ SolveManyFinding solve_many(const Question& question, const Places& places,
   asked.wanted = AskSolve::Places::kMany;
   asked.places = places.numbers;
   asked.table = places.table;
-  const auto answer = ask(asked, services_of(options.certificate, 0, interrupt));
+  const auto answer = ask(asked, services_of(options.certificate, options.shard_size, interrupt));
   SolveManyFinding finding;
   finding.places = answer->places;
   finding.left = answer->places_left;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct SolveOptions {
   std::vector<std::string> hold{};  ///< joints of an arm that keep the values of the motion
   /// A file for the proof, of solve_many() for the proofs at all places; empty: none.
   std::string certificate{};
+  std::uint64_t shard_size = 0;  ///< of solve_many(): as of check()
 };
 
 struct SolveFinding {

@@ -62,9 +62,10 @@ struct SolveCommand {
   SearchOptions search;
   std::vector<std::string> held;
   OutputOptions output;
-  std::string table{};        ///< file of places, as of way-points; empty: there is one place
-  std::string lines{};        ///< file of the JSON lines of many places, "-" = standard output
-  std::string certificate{};  ///< file; empty: none
+  std::string table{};           ///< file of places, as of way-points; empty: there is one place
+  std::string lines{};           ///< file of the JSON lines of many places, "-" = standard output
+  std::string certificate{};     ///< file; empty: none
+  std::uint64_t shard_size = 0;  ///< of its shards, in bytes, of many places; 0: it is one file
 };
 
 struct VerifyCommand {

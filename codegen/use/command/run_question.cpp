@@ -120,6 +120,7 @@ CommandQuestion question_of(const SolveCommand& command) {
   CommandQuestion question{AskSolve{command.model, command.search, command.held, command.table},
                            command.output, services_of(command.output)};
   question.services.certificate = command.certificate;
+  question.services.shard_size = command.shard_size;
   question.services.lines.file = command.lines;
   if (command.lines == "-") print_lines(question);
   return question;

@@ -18,28 +18,36 @@ using cluster::ByteWriter;
 using verifier::ShardProof;
 
 void put(ByteWriter& to, const ShardProof& proof) {
-  for (const bool is :
-       {proof.is_proved, proof.is_rejected, proof.has_met_variety, proof.has_met_point})
+  for (const bool is : {proof.is_proved, proof.is_rejected, proof.has_met_variety,
+                        proof.has_met_point, proof.is_of_other_model})
     to.put(is);
-  for (const std::string* text : {&proof.reason, &proof.question, &proof.before, &proof.after})
+  for (const std::string* text :
+       {&proof.reason, &proof.question, &proof.before, &proof.after, &proof.lines})
     to.put_text(*text);
   to.put_count(proof.leaves);
   to.put_count(proof.boxes);
   to.put(proof.sign);
   for (const std::uint64_t leaves : proof.paved) to.put_count(leaves);
+  for (const auto* texts : {&proof.about, &proof.differences})
+    to.put_each(*texts, [&to](const std::string& text) { to.put_text(text); });
+  to.put_each(proof.of_places, [&to](std::uint64_t count) { to.put_count(count); });
 }
 
 ShardProof take_proof(ByteReader& from) {
   ShardProof proof;
-  for (bool* is :
-       {&proof.is_proved, &proof.is_rejected, &proof.has_met_variety, &proof.has_met_point})
+  for (bool* is : {&proof.is_proved, &proof.is_rejected, &proof.has_met_variety,
+                   &proof.has_met_point, &proof.is_of_other_model})
     *is = from.take<bool>();
-  for (std::string* text : {&proof.reason, &proof.question, &proof.before, &proof.after})
+  for (std::string* text :
+       {&proof.reason, &proof.question, &proof.before, &proof.after, &proof.lines})
     *text = from.take_text();
   proof.leaves = from.take_count();
   proof.boxes = from.take_count();
   proof.sign = from.take<int>();
   for (std::uint64_t& leaves : proof.paved) leaves = from.take_count();
+  for (auto* texts : {&proof.about, &proof.differences})
+    from.take_each([&] { texts->emplace_back(from.take_text()); });
+  from.take_each([&] { proof.of_places.push_back(from.take_count()); });
   return proof;
 }
 

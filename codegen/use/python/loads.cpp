@@ -41,6 +41,13 @@ py::array_t<double> array_of_load_bounds(const LoadPavingWithBoxes& p) {
   return py::array_t<double>(std::vector<py::ssize_t>{boxes, variables, 2}, p.bounds.data());
 }
 
+/// The stretches of a motion along way-points, as JSON.
+std::vector<std::string> stretches_of_load(const LoadPavingWithBoxes& p) {
+  std::vector<std::string> texts;
+  for (const LoadStretch& stretch : p.paving.stretches) texts.push_back(stretch.json);
+  return texts;
+}
+
 void bind_load_findings(py::module_& module) {
   py::class_<LoadFinding>(module, "LoadFinding")
       .def_property_readonly("verdict",
@@ -70,8 +77,7 @@ void bind_load_findings(py::module_& module) {
       .def_property_readonly(
           "no_certificate",
           [](const LoadPavingWithBoxes& p) { return p.paving.finding.no_certificate; })
-      .def_property_readonly("stretches",
-                             [](const LoadPavingWithBoxes&) { return std::vector<std::string>(); })
+      .def_property_readonly("stretches", stretches_of_load)
       .def("claims",
            [](const LoadPavingWithBoxes& p) {
              return py::array_t<std::uint8_t>(static_cast<py::ssize_t>(p.claims.size()),

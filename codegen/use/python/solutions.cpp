@@ -117,7 +117,7 @@ void bind_solutions(py::module_& module) {
       "solve",
       [](const Question& question, const SearchOptions& search, const std::vector<std::string>& at,
          const std::vector<std::string>& hold, const std::string& certificate) {
-        const SolveOptions options{search, at, hold, certificate};
+        const SolveOptions options{search, at, hold, certificate, 0};
         return run_there([=](const std::atomic<bool>& interrupt) {
           return solve(question, options, &interrupt);
         });
@@ -128,15 +128,15 @@ void bind_solutions(py::module_& module) {
       "solve_many",
       [](const Question& question, const SearchOptions& search, const std::vector<std::string>& at,
          const std::vector<std::string>& hold, const std::vector<std::vector<std::string>>& numbers,
-         const std::string& table, const std::string& certificate) {
-        const SolveOptions options{search, at, hold, certificate};
+         const std::string& table, const std::string& certificate, std::uint64_t shard_size) {
+        const SolveOptions options{search, at, hold, certificate, shard_size};
         const Places places{numbers, table};
         return run_there([=](const std::atomic<bool>& interrupt) {
           return solve_many(question, places, options, &interrupt);
         });
       },
       py::arg("question"), py::arg("options"), py::arg("at"), py::arg("hold"), py::arg("numbers"),
-      py::arg("table"), py::arg("certificate") = "");
+      py::arg("table"), py::arg("certificate") = "", py::arg("shard_size") = 0);
 }
 
 }  // namespace regulus

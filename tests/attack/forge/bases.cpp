@@ -149,6 +149,21 @@ y = [0.05, 0.6]
 constraints = ["y - x - 4"]
 )toml";
 
+/// It is regular on either side of its cut.
+constexpr const char* kSafeSides = R"toml(regulus = 1
+name = "safe sides"
+[pose]
+x = "m"
+y = "m"
+[geometry]
+h = 0.125
+[matrix]
+rows = [["atan2(y - h, x) + 20*x", "x/7"], ["y", "1/(3 + x)"]]
+[motion.across]
+x = [-2, -1.5]
+y = [0.05, 0.6]
+)toml";
+
 /// A motion along a curve that has a pole, and a twist in a ball.
 constexpr const char* kCurve = R"toml(regulus = 1
 name = "curve"
@@ -262,6 +277,7 @@ std::vector<Base> written_here() {
       {"met", kPair, {"bound", "work", "force", "--load", "gust", "--leg", "1", "--limit", "0.1"}},
       {"shards", "robot_1", {"check", "wide_15"}, "", "", 400},
       {"shards of pieces", kEverything, {"check", "way"}, kWay, "way.csv", 60},
+      {"shards of sides", kSafeSides, {"check", "across"}, "", "", 20},
       {"shards of a paving", kCart, {"locate", "work", "--load", "gust"}, "", "", 1000},
   };
 }
@@ -294,7 +310,8 @@ std::vector<Base> of_the_library() {
 const std::vector<Base>& bases() {
   static const std::vector<Base> kBases = [] {
     std::vector<Base> all = written_here();
-    for (auto* more : {of_mechanisms, of_solutions, of_the_library})
+    for (auto* more :
+         {of_mechanisms, of_paved_branches, of_branches_in_shards, of_solutions, of_the_library})
       for (Base& base : more()) all.push_back(std::move(base));
     return all;
   }();

@@ -76,6 +76,7 @@ std::string signed_again(const std::string& proof) {
   if (end == std::string::npos) return proof;
   const std::string question = sha256(index.substr(second, end + 7 - second));
   std::size_t line = end + 7;
+  if (index.compare(line, 6, "value ") == 0) line = index.find('\n', line) + 1;
   std::string shards;
   for (std::size_t i = 1; i < parts.size(); ++i) {
     const std::size_t at = parts[i].find("\nquestion ");

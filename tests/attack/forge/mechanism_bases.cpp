@@ -137,6 +137,44 @@ std::vector<Base> of_mechanisms() {
   };
 }
 
+std::vector<Base> of_paved_branches() {
+  return {
+      {"paving of a load on a branch",
+       kDriven,
+       {"locate", "work", "--load", "middle", "--resolution", "1/16"}},
+      {"paving of a branch", kRocker, {"locate", "work", "--resolution", "1/8"}},
+      {"paving of a branch along way-points",
+       kRockerOnItsWay,
+       {"locate", "way", "--resolution", "1/16"},
+       kWayOfRocker,
+       "way.csv"},
+  };
+}
+
+std::vector<Base> of_branches_in_shards() {
+  return {
+      {"shards of a branch", kSlider, {"check", "work"}, "", "", 200},
+      {"shards of a branch along way-points",
+       kSliderOnItsWay,
+       {"check", "way"},
+       kWayOfSlider,
+       "way.csv",
+       200},
+      {"shards of a paving of a branch",
+       kRocker,
+       {"locate", "work", "--resolution", "1/8"},
+       "",
+       "",
+       300},
+      {"shards of a bound that is met on a way",
+       kSliderOnItsWay,
+       {"bound", "way", "error", "--finite", "--freedom", "p", "--limit", "0.00001"},
+       kWayOfSlider,
+       "way.csv",
+       200},
+  };
+}
+
 std::vector<Base> of_solutions() {
   return {
       {"list", kLoop, {"solve", "here"}},

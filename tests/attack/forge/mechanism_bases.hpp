@@ -7,6 +7,8 @@ namespace regulus::attack {
 
 /// Branches of closures, and quantities over them.
 [[nodiscard]] std::vector<Base> of_mechanisms();
+[[nodiscard]] std::vector<Base> of_paved_branches();
+[[nodiscard]] std::vector<Base> of_branches_in_shards();
 /// Lists of solutions.
 [[nodiscard]] std::vector<Base> of_solutions();
 

@@ -61,6 +61,8 @@ wrench = [[-500, 400], [-3, 5]]
 wrench = { value = [100, 1], radius = 5 }
 [load.hard]
 wrench = [5000, 0]
+[load.middle]
+wrench = [1200, 0]
 [motion.work]
 theta = [0.4, 1.2]
 )toml";

@@ -361,11 +361,27 @@ std::string difference_of(const std::vector<Line>& a, const std::vector<Line>& b
   return std::string("one is no question: ") + error.what();
 }
 
+/// The sides of cuts of atan2, pieces of 1 and -1, are asked about together, in whatever order.
+std::vector<Line> with_sides_in_order(std::vector<Line> lines) {
+  std::vector<std::string> sides;
+  for (const Line& line : lines)
+    if (line.key == "piece") sides.push_back(line.text);
+  for (const std::string& side : sides)
+    for (const std::string& part : parted(side, " | "))
+      if (part != "1" && part != "-1") return lines;
+  std::ranges::sort(sides);
+  std::size_t next = 0;
+  for (Line& line : lines)
+    if (line.key == "piece") line.text = sides[next++];
+  return lines;
+}
+
 }  // namespace
 
 std::string difference(const std::string& verified, const std::string& asked,
                        const SetByOptions& any) {
-  const std::vector<Line> a = question_of(verified), b = question_of(asked);
+  const std::vector<Line> a = with_sides_in_order(question_of(verified)),
+                          b = with_sides_in_order(question_of(asked));
   const std::string found = difference_of(a, b, any);
   const auto from = names_of(a), to = names_of(b);
   if (found.empty() || from == to || from.size() != to.size()) return found;

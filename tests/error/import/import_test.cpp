@@ -12,6 +12,7 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 std::string input_error(const std::string& text, const ImportOptions& options = {}) {
@@ -48,6 +49,8 @@ TEST(ImportRefusal, NamesTheLineOfWhatIsNotXml) {
   EXPECT_THAT(input_error("<robot>\n<link name='a'>\n</robot>"),
               AllOf(StartsWith("r.urdf:"), HasSubstr("not XML")));
   EXPECT_THAT(input_error(""), HasSubstr("not XML"));
+  EXPECT_THAT(input_error("regulus = 1\n"), Not(HasSubstr("XML_ERROR")));
+  EXPECT_THAT(input_error("regulus = 1\n"), HasSubstr("a model in TOML needs no import"));
   EXPECT_THAT(input_error("<html></html>"), StartsWith("r.urdf:1: the root element is <html>"));
 }
 

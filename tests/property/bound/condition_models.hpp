@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "codegen/question/bound/bound_run.hpp"
+#include "codegen/support/decomposition.hpp"
 
 namespace regulus::test {
 
@@ -35,7 +36,7 @@ inline BoundSettings settings_with(double gap) {
 }
 
 inline double condition(const Eigen::MatrixXd& A) {
-  const Eigen::VectorXd values = Eigen::JacobiSVD<Eigen::MatrixXd>(A).singularValues();
+  const Eigen::VectorXd values = singular_values(A);
   return values[0] / values[values.size() - 1];
 }
 

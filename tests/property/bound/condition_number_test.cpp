@@ -13,6 +13,7 @@
 #include "codegen/question/condition/condition_test.hpp"
 #include "codegen/question/condition/singular_value_test.hpp"
 #include "codegen/question/condition/stretched_vectors.hpp"
+#include "codegen/support/decomposition.hpp"
 #include "codegen/support/errors.hpp"
 #include "tests/property/bound/condition_models.hpp"
 #include "tests/support/certificates.hpp"
@@ -98,6 +99,10 @@ TEST(ConditionNumber, IsThatOfAnArm) {
       (trace + std::sqrt(trace * trace - 4 * determinant * determinant)) / (2 * determinant);
   expect_bracket(model_with(arm, "x = \"3/10\"\ny = [0.5, 1.5]"), value);
   expect_bracket(model_with(arm, "x = [0, 1]\ny = [0.5, 1.5]"), value, 1e-3);
+  // Nothing varies, and the kernel has no variable.
+  std::string fixed = model_with(arm, "x = 0.25\ny = 0.5");
+  const std::string tolerance = ", tolerance = 0.5";
+  expect_bracket(fixed.erase(fixed.find(tolerance), tolerance.size()), value);
 }
 
 TEST(ConditionNumber, KeepsToTheConstraints) {
@@ -242,8 +247,7 @@ TEST(SingularValues, OfNoMatrixInABoxAreBeyondTheirBounds) {
     const double least = bound_singular_value(*rotated, Extreme::kLeast).value;
     double seen_largest = 0, seen_least = kInfinity;
     for (int i = 0; i < 100; ++i) {
-      const Eigen::VectorXd values =
-          Eigen::JacobiSVD<Eigen::MatrixXd>(random.sample()).singularValues();
+      const Eigen::VectorXd values = singular_values(random.sample());
       seen_largest = std::max(seen_largest, values(0));
       seen_least = std::min(seen_least, values(values.size() - 1));
     }
@@ -261,7 +265,7 @@ TEST(SingularValues, OfAMatrixAreBoundedAndShown) {
   for (unsigned seed = 1; seed <= 200; ++seed) {
     RandomBox random(seed);
     const Eigen::MatrixXd A = random.sample();
-    const Eigen::VectorXd values = Eigen::JacobiSVD<Eigen::MatrixXd>(A).singularValues();
+    const Eigen::VectorXd values = singular_values(A);
     BoxMatrix alone;
     for (Eigen::Index e = 0; e < A.size(); ++e)
       alone.center.emplace_back(A(e / A.cols(), e % A.cols()));

@@ -11,6 +11,7 @@
 #include "codegen/model/file/model_file.hpp"
 #include "codegen/model/way/trajectory.hpp"
 #include "codegen/question/bound/bound_run.hpp"
+#include "codegen/support/decomposition.hpp"
 #include "tests/support/temporary_directory.hpp"
 #include "tests/support/trials.hpp"
 
@@ -135,7 +136,7 @@ double value_of(const Component& c, const RandomModel::Place& p) {
   const Eigen::Matrix3d inverse = p.J.inverse();
   Eigen::Matrix3d in_one_unit = p.J;
   in_one_unit.col(2) /= 2;
-  const auto singular = Eigen::JacobiSVD<Eigen::Matrix3d>(in_one_unit).singularValues().eval();
+  const Eigen::VectorXd singular = singular_values(in_one_unit);
   const Eigen::Matrix3d inverse_in_one_unit = in_one_unit.inverse();
   const auto row = Eigen::Index(c.row), column = Eigen::Index(c.column);
   double q = 0;

@@ -238,6 +238,23 @@ TEST_F(BoundsOfAFourBar, AreComparedWithALimit) {
   EXPECT_EQ(verdict(c.attained->approx * 0.99), LimitVerdict::kExceeded);
 }
 
+/// The boxes of a place are as narrow as they can be, and so are their tubes.
+TEST_F(BoundsOfAFourBar, AtOnePlaceAreTheValuesThere) {
+  const FourBar linkage{0.2, 0.35355, 0.25, 0.45};
+  constexpr double kPlace = 0.3;
+  const std::string model = linkage.text(kPlace, kPlace, kPlace) + kData;
+  const OfFourBar v = values_at(linkage, kPlace);
+  const auto expect_value = [&](const std::string& quantity, double value, double sign = 1) {
+    expect_bracket(bound(model, asked(quantity)).components.at(0), sign * value, sign);
+  };
+  expect_value("error", 0.01 * std::fabs(v.J[0]));
+  expect_value("speed", 2 * std::fabs(v.J[0]));
+  expect_value("determinant", std::fabs(v.det), -1);
+  expect_value("determinant-max", std::fabs(v.det));
+  expect_value("condition", v.condition);
+  expect_value("force", std::fabs(v.J[0] + 2 * v.J[1]) + 2 * std::fabs(v.J[0]));
+}
+
 /// Beyond the toggle there is no branch, and so no bound.
 TEST_F(BoundsOfAFourBar, EndWithTheBranch) {
   const FourBar linkage{0.2, 0.35355, 0.25, 0.45};

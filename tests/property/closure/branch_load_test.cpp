@@ -6,88 +6,20 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <nlohmann/json.hpp>
-#include <random>
 
 #include "codegen/question/closure/value_certificate.hpp"
 #include "tests/property/closure/checked_closures.hpp"
-#include "tests/property/closure/four_bars.hpp"
+#include "tests/property/closure/loaded_linkages.hpp"
 
 namespace regulus {
 namespace {
 
 using test::FourBar;
-
-/// Crank a at θ, rod b at φ to a slider at (x, e): x = a·cos θ + √(b² − (e − a·sin θ)²).
-struct SliderCrank {
-  double a, b, e;
-
-  [[nodiscard]] double rise(double theta) const { return e - a * std::sin(theta); }
-  [[nodiscard]] double phi(double theta) const { return std::asin(rise(theta) / b); }
-  [[nodiscard]] double x(double theta) const {
-    return a * std::cos(theta) + std::sqrt(b * b - rise(theta) * rise(theta));
-  }
-  /// dx/dθ and dφ/dθ.
-  [[nodiscard]] std::pair<double, double> speeds(double theta) const {
-    const double root = std::sqrt(b * b - rise(theta) * rise(theta));
-    return {-a * std::sin(theta) + rise(theta) * a * std::cos(theta) / root,
-            -a * std::cos(theta) / root};
-  }
-  [[nodiscard]] std::string text(double start, double from, double to) const {
-    return fmt::format(
-        "regulus = 1\nname = \"slider\"\n[pose]\ntheta = \"rad\"\n[closure]\nunknowns = {{ x = "
-        "\"m\", phi = \"rad\" }}\nequations = [\"{0:.17g}*cos(theta) + {1:.17g}*cos(phi) - x\", "
-        "\"{0:.17g}*sin(theta) + {1:.17g}*sin(phi) - {2:.17g}\"]\nstart = {{ theta = \"{3:.17g}\", "
-        "x = \"{4:.17g}\", phi = \"{5:.17g}\" }}\n[closure.radius]\nx = \"1e-4\"\nphi = "
-        "\"1e-4\"\n[motion.m]\ntheta = [\"{6:.17g}\", \"{7:.17g}\"]\n",
-        a, b, e, start, x(start), phi(start), from, to);
-  }
-};
-
-/// The ends of the torque over all wrenches of the load, at one angle.
-using Torque = std::function<std::pair<double, double>(double theta)>;
-
-struct LoadCase {
-  std::string text;  ///< without limits
-  double from, to;
-  Torque torque;
-};
-
-/// [load.L] wrench = [[−1, 3], 2]: the first component has a range.
-std::pair<double, double> of_load(double first, double second) {
-  const double middle = first + 2 * second, spread = 2 * std::fabs(first);
-  return {middle - spread, middle + spread};
-}
-
-std::vector<LoadCase> load_cases(unsigned seed, std::size_t wanted) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> angle(-3, 3), reach(0.1, 0.6), length(0.2, 1);
-  std::vector<LoadCase> found;
-  while (found.size() < wanted) {
-    const FourBar bar = test::random_four_bar(random);
-    const double start = angle(random), from = start - reach(random), to = start + reach(random);
-    bool is_regular = true;
-    for (int i = 0; i <= 40; ++i)
-      is_regular = is_regular && bar.is_between_toggles(from + (to - from) * i / 40, 0.08);
-    if (!is_regular) continue;
-    found.push_back({bar.text(start, from, to), from, to, [bar](double theta) {
-                       constexpr double h = 1e-6;
-                       const FourBar::Angles above = bar.at(theta + h), below = bar.at(theta - h);
-                       const auto rate = [](double x) {
-                         return std::remainder(x, 2 * std::numbers::pi) / (2 * h);
-                       };
-                       return of_load(rate(above.phi - below.phi), rate(above.psi - below.psi));
-                     }});
-    const SliderCrank slider{length(random), 1.2 + length(random), length(random) - 0.6};
-    if (slider.a + std::fabs(slider.e) > 0.9 * slider.b) continue;
-    found.push_back({slider.text(start, from, to), from, to, [slider](double theta) {
-                       const auto [x, phi] = slider.speeds(theta);
-                       return of_load(x, phi);
-                     }});
-  }
-  return found;
-}
+using test::load_cases;
+using test::LoadCase;
+using test::SliderCrank;
+using test::with_limits;
 
 /// The least and the largest torque of samples.
 struct Extremes {
@@ -100,13 +32,6 @@ Extremes extremes_of(const LoadCase& c) {
     seen = {std::fmin(seen.least, lo), std::fmax(seen.largest, hi)};
   }
   return seen;
-}
-
-std::string with_limits(const LoadCase& c, double least, double largest) {
-  return c.text + fmt::format(
-                      "[actuators]\nforce = [\"{:.17g}\", \"{:.17g}\"]\n[load.L]\nwrench = "
-                      "[[-1, 3], 2]\n",
-                      least, largest);
 }
 
 struct CheckedLoad {
@@ -261,7 +186,7 @@ TEST(LoadsOverABranch, PaveTheirMotion) {
     const double least = seen.least - 1, largest = half + 0.2 * (seen.largest - half);
     PreparedBranchLoad prepared = prepared_of(with_limits(c, least, largest));
     double feasible = 0, infeasible = 0, all = 0;
-    const auto listener = [&](std::span<const Interval> box, ForceClaim claim) {
+    const auto listener = [&](std::size_t, std::span<const Interval> box, ForceClaim claim) {
       const double width = box[0].hi - box[0].lo;
       all += width;
       for (const double theta : {box[0].lo, mid(box[0]), box[0].hi}) {
@@ -282,6 +207,23 @@ TEST(LoadsOverABranch, PaveTheirMotion) {
     EXPECT_GT(feasible + infeasible, 0.97 * all);
     EXPECT_GT(infeasible, 0);
   }
+}
+
+/// A box that is one place is as narrow as a tube there.
+TEST(LoadsOverABranch, PaveOnePlace) {
+  const FourBar bar{0.2, 0.35355, 0.25, 0.45};
+  constexpr double kPlace = 0.3;
+  const LoadCase c{bar.text(kPlace, kPlace, kPlace), kPlace, kPlace, kPlace, test::torque_of(bar)};
+  const auto [least, largest] = c.torque(kPlace);
+  const auto paved = [&](double limit, ForceClaim expected) {
+    PreparedBranchLoad prepared = prepared_of(with_limits(c, least - 1, limit));
+    const auto listener = [&](std::size_t, std::span<const Interval>, ForceClaim claim) {
+      EXPECT_EQ(claim, expected);
+    };
+    return pave_branch_load(prepared, 0x1p-10, {}, listener, nullptr).verdict;
+  };
+  EXPECT_EQ(paved(largest + 1e-3, ForceClaim::kFeasible), FeasibilityVerdict::kFeasible);
+  EXPECT_EQ(paved(largest - 1e-3, ForceClaim::kInfeasible), FeasibilityVerdict::kInfeasible);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "codegen/question/bound/bound_question.hpp"
 #include "codegen/question/closure/branch_bound.hpp"
+#include "codegen/support/decomposition.hpp"
 #include "tests/property/closure/checked_closures.hpp"
 
 namespace regulus::test::singular_values_over_a_branch {
@@ -47,7 +48,7 @@ inline ComponentBound bound(const std::string& text, const QuantityOptions& word
 /// The values of the three quantities.
 struct Values {
   explicit Values(const Matrix& A) {
-    const Eigen::VectorXd values = Eigen::JacobiSVD<Matrix>(A).singularValues();
+    const Eigen::VectorXd values = singular_values(A);
     largest = values(0), least = values(values.size() - 1), condition = largest / least;
   }
   double largest, least, condition;
@@ -87,7 +88,7 @@ t = [0.8, 1.3]
     for (int step = 0; step <= kSteps; ++step) {
       const double part = double(step) / kSteps;
       s_ = 2 + (s - 2) * part, t_ = 1 + (t - 1) * part, crank_ = 0.4 + (crank - 0.4) * part;
-      for (int i = 0; i < 6; ++i) u_ -= derivatives().fullPivLu().solve(equations());
+      for (int i = 0; i < 6; ++i) u_ -= solve_least_squares(derivatives(), equations());
     }
   }
   /// An angle of 1 counts as 0.5.

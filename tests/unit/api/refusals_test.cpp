@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <functional>
 #include <sstream>
@@ -121,10 +122,6 @@ TEST(Refusals, OfAClosureAlongWayPointsSayWhatIsAsked) {
   options.quantity.quantity = "determinant";
   EXPECT_TRUE(regulus::bound(along, options).closed);
   EXPECT_EQ(regulus::locate(along).verdict, regulus::Verdict::kNoSingularity);
-  options.certificate = testing::TempDir() + "crank";
-  options.shard_size = 1 << 20;
-  EXPECT_THAT(message_of([&] { static_cast<void>(regulus::bound(along, options)); }),
-              HasSubstr("its proof is one file"));
 }
 
 TEST(Refusals, OfQuantitiesOfAClosureSayWhy) {
@@ -153,11 +150,30 @@ TEST(Refusals, OfALoadOnAClosureSayWhatTheModelLacks) {
               HasSubstr("add [actuators] force = [LEAST, LARGEST]"));
 }
 
-TEST(Refusals, OfPavingsOfALoadOnAClosureHaveNoProof) {
+/// The torque is f·dφ/dx = f/(2·cos φ) with sin φ = x/2, which passes 0.52 N for f = 1 at x = 0.549.
+TEST(Refusals, OfALoadOnAClosureDoNotKeepItFromWayPoints) {
+  const std::string file = testing::TempDir() + "loaded_crank.csv";
+  std::ofstream(file) << "x\n0\n0.4\n1\n";
+  const Question along =
+      Question::of_text(crank_text() + "[actuators]\nforce = [-1, 0.52]\n[load.L]\nwrench = [1]\n",
+                        "crank")
+          .waypoints(file);
   regulus::LocateLoadOptions options;
-  options.certificate = "c.cert";
-  EXPECT_THAT(message_of([&] { static_cast<void>(regulus::locate_load(crank(), options)); }),
-              HasSubstr("a paving of a load on a [closure] has no proof"));
+  const regulus::LoadPaving paving = regulus::locate_load(along, options);
+  EXPECT_EQ(paving.finding.verdict, regulus::FeasibilityVerdict::kInfeasible);
+  ASSERT_EQ(paving.stretches.size(), 3U);
+  const double at = (std::sqrt(4 - 1 / (0.52 * 0.52)) - 0.4) / 0.6;
+  EXPECT_EQ(paving.stretches[0].claim, regulus::ForceClaim::kFeasible);
+  EXPECT_EQ(paving.stretches[0].last_segment, 2U);
+  EXPECT_EQ(paving.stretches[2].claim, regulus::ForceClaim::kInfeasible);
+  EXPECT_LE(paving.stretches[0].end, at);
+  EXPECT_GE(paving.stretches[2].begin, at);
+  EXPECT_LE(paving.stretches[2].begin - paving.stretches[0].end, 1.0 / 32);
+  EXPECT_THAT(paving.stretches[2].json, HasSubstr("\"kind\":\"infeasible\""));
+  options.certificate = testing::TempDir() + "loaded_crank";
+  const regulus::LoadPaving proved = regulus::locate_load(along, options);
+  EXPECT_EQ(proved.finding.certificate, options.certificate);
+  EXPECT_EQ(regulus::verify(options.certificate).outcome, regulus::ProofOutcome::kVerified);
 }
 
 TEST(Refusals, OfAClosureNameTheOption) {
@@ -173,13 +189,6 @@ TEST(Refusals, OfFiniteErrorsAreOfOtherModels) {
   options.quantity.is_finite = true;
   EXPECT_THAT(message_of([&] { static_cast<void>(regulus::bound(bead(), options)); }),
               testing::StartsWith("finite errors are those of a [closure], or of a platform"));
-}
-
-TEST(Refusals, OfAClosureComeBeforeTheServiceIsAskedFor) {
-  regulus::LocateOptions options;
-  options.certificate = "c.cert";
-  EXPECT_THAT(message_of([&] { static_cast<void>(regulus::locate(crank(), options)); }),
-              HasSubstr("[closure]"));
 }
 
 TEST(Refusals, OfAClosureReachKernelsAndPreparedQuestions) {

@@ -11,16 +11,13 @@
 #include <string>
 #include <vector>
 
-#include "codegen/answer/ask.hpp"
 #include "codegen/answer/certificate/verify_file.hpp"
-#include "codegen/answer/refusals.hpp"
-#include "codegen/use/api/regulus.hpp"
 #include "runtime/files/sha256.hpp"
 #include "runtime/proof/format.hpp"
 #include "runtime/verifier/input_file.hpp"
-#include "tests/support/temporary_directory.hpp"
+#include "tests/unit/api/claims_in_shards.hpp"
 
-namespace regulus::test {
+namespace regulus::test::claims_in_shards {
 namespace {
 
 namespace fs = std::filesystem;
@@ -30,101 +27,6 @@ using verifier::Verification;
 
 constexpr std::size_t kLongestText = 1 << 24;
 constexpr std::size_t kMostFiles = 2;  ///< of a datasheet
-// In bytes: every line is a shard, or some forty lines are.
-constexpr std::uint64_t kOneLine = 1, kManyLines = 600;
-
-/// det J⁻¹ = cos h: regular up to a tolerance of π/2, in many boxes.
-constexpr const char* kTurn = R"toml(regulus = 1
-name = "turn"
-[pose]
-x = "m"
-y = "m"
-[geometry]
-h = { value = 0, tolerance = 0, group = "base" }
-[matrix]
-twist = ["v_x", "v_y"]
-rows = [["cos(x*y)", "sin(x*y)"], ["-sin(x*y + h)", "cos(x*y + h)"]]
-[load.weight]
-force = [[-1, 1], [-3, -1]]
-[actuators]
-force = [-5, 5]
-error = 0.1
-[motion.box]
-x = [0, 1]
-y = [0, 1]
-[motion.way]
-waypoints = "way.csv"
-)toml";
-
-constexpr const char* kWay = "x,y\n0.1,0.2\n1,0.5\n0.3,1\n";
-
-SearchOptions interpreted() {
-  SearchOptions options;
-  options.engine = Engine::kInterpreted;
-  return options;
-}
-
-/// Asks a kind of question about a variety or along way-points.
-struct Claim {
-  const char* name;
-  Kind variety, along;
-  Asked (*asked)(ModelOptions model);
-  std::uint64_t shard_size = kOneLine;
-  bool is_repeatable = true;  ///< its ends do not depend on the time that is left
-};
-
-Asked with_tolerance(ModelOptions model, const std::string& range) {
-  model.tolerances = {"base=" + range};
-  AskMargin asked{std::move(model), interpreted(), {}};
-  asked.gap = "0.5";
-  return asked;
-}
-
-QuantityOptions force() { return {.quantity = "force", .load = "weight", .row = "1"}; }
-
-constexpr Claim kClaims[] = {
-    {"Check", Kind::kCheck, Kind::kWayCheck,
-     [](ModelOptions model) {
-       model.tolerances = {"base=0.3"};
-       return Asked(AskCheck{std::move(model), interpreted()});
-     }},
-    {"Paving", Kind::kPaving, Kind::kWayPaving,
-     [](ModelOptions model) {
-       return Asked(AskPaving{std::move(model), interpreted(), "1/4"});
-     }},
-    {"Margin", Kind::kMargin, Kind::kWayMargin,
-     [](ModelOptions model) { return with_tolerance(std::move(model), "0.1:0.3"); }},
-    {"LimitMargin", Kind::kLimitMargin, Kind::kWayLimitMargin,
-     [](ModelOptions model) {
-       auto asked = std::get<AskMargin>(with_tolerance(std::move(model), "0:0.3"));
-       asked.quantity = force();
-       asked.limit = "6";
-       return Asked(asked);
-     }},
-    {"Bound", Kind::kBound, Kind::kWayBound,
-     [](ModelOptions model) {
-       return Asked(AskBound{std::move(model), interpreted(), force(), "", "0.1"});
-     }},
-    {"Condition2", Kind::kCondition2, Kind::kWayCondition2,
-     [](ModelOptions model) {
-       const QuantityOptions condition{.quantity = "condition", .norm = "2"};
-       return Asked(AskBound{std::move(model), interpreted(), condition, "", "0.5"});
-     }},
-    {"Load", Kind::kLoad, Kind::kWayLoad,
-     [](ModelOptions model) {
-       return Asked(AskLoad{std::move(model), interpreted()});
-     }},
-    {"LoadPaving", Kind::kLoadPaving, Kind::kWayLoadPaving,
-     [](ModelOptions model) {
-       return Asked(AskLoadPaving{std::move(model), interpreted(), "", "1/8"});
-     }},
-    {"Datasheet", Kind::kDatasheet, Kind::kWayDatasheet,
-     [](ModelOptions model) {
-       return Asked(AskDatasheet{std::move(model), interpreted(), "0.5"});
-     },
-     kManyLines, false},
-};
-
 std::string text_of(const fs::path& path) {
   return verifier::read_text(path.string(), kLongestText);
 }
@@ -150,7 +52,7 @@ struct Cut {
   }
   /// Gives the shards their numbers, and the index their leaves and hashes.
   void sign() {
-    index.erase(index.find("\nproof\n") + 7);
+    index.erase(index.find("\nshard ", index.find("\nproof\n")) + 1);
     std::size_t leaves = 0;
     for (std::size_t i = 0; i < shards.size(); ++i) {
       std::string& text = shards[i];
@@ -212,37 +114,8 @@ constexpr Attack kAttacks[] = {
      }},
 };
 
-struct Case {
-  const Claim& claim;
-  bool is_along_way;
-};
-
-std::string name_of(const Case& one) {
-  return one.claim.name + std::string(one.is_along_way ? "AlongWayPoints" : "");
-}
-void PrintTo(const Case& one, std::ostream* out) { *out << name_of(one); }
-
-class Shards : public testing::TestWithParam<Case> {
+class Shards : public AClaim {
  protected:
-  Shards() {
-    std::ofstream(model_) << kTurn;
-    std::ofstream(folder_.path() / "way.csv") << kWay;
-  }
-
-  /// Answers the question with a proof; 0: in one file.
-  void prove(const std::string& path, std::uint64_t shard_size) const {
-    const auto& [claim, is_along_way] = GetParam();
-    ModelOptions model;
-    model.path = model_;
-    model.motion = is_along_way ? "way" : "box";
-    Services services;
-    services.certificate = path;
-    services.shard_size = shard_size;
-    std::visit([&](const auto& asked) { static_cast<void>(ask(asked, services)); },
-               claim.asked(std::move(model)));
-  }
-  [[nodiscard]] std::string path(const std::string& name) const { return folder_.path() / name; }
-
   /// Returns the indices that a question wrote, those with most shards first.
   [[nodiscard]] std::vector<Cut> cuts() const {
     std::vector<Cut> found;
@@ -255,9 +128,6 @@ class Shards : public testing::TestWithParam<Case> {
     });
     return found;
   }
-
-  const TemporaryDirectory folder_;
-  const std::string model_ = folder_.path() / "turn.toml";
 };
 
 /// Compares it with the proof in one file.
@@ -267,6 +137,7 @@ void expect_same_proof(const Cut& cut, const std::string& whole) {
   EXPECT_EQ(v.shards, cut.shards.size());
   EXPECT_EQ(v.pieces, one.pieces);
   EXPECT_EQ(v.leaves, one.leaves);
+  EXPECT_EQ(v.links, one.links);
   EXPECT_EQ(v.paved, one.paved);
   EXPECT_EQ(v.claim, one.claim);
   const std::string text = text_of(whole);
@@ -328,19 +199,14 @@ std::vector<Case> claims_with_shards() {
 INSTANTIATE_TEST_SUITE_P(OfEachClaim, Shards, testing::ValuesIn(claims_with_shards()),
                          [](const auto& which) { return name_of(which.param); });
 
-/// The proof of a branch links its boxes with each other.
-TEST(ShardsOfClaims, AreRefusedWhereThereIsNoProofABranchOrAList) {
-  for (std::size_t k = 0; k < kKinds; ++k) {
-    const bool is_branch = Kind(k) == Kind::kFiniteErrors || Kind(k) >= Kind::kClosureCheck;
-    // Of a list of solutions the proof has as many lines as there are roots.
-    const bool is_list = k % std::size_t(Kind::kWayCheck) == std::size_t(Kind::kSolve);
+TEST(ShardsOfClaims, AreRefusedWhereThereIsNoProof) {
+  for (std::size_t k = 0; k < kKinds; ++k)
     EXPECT_EQ(refusal(Kind(k), Service::kShards).has_value(),
-              is_branch || is_list || refusal(Kind(k), Service::kProof).has_value())
+              refusal(Kind(k), Service::kProof).has_value())
         << name(Kind(k));
-  }
-  // Closures, finite errors and lists of solutions are tried elsewhere.
-  EXPECT_EQ((std::size(kClaims) + 2) * 4, kKinds);
+  // Lists of solutions are tried elsewhere.
+  EXPECT_EQ((std::size(kClaims) + 2) * 2, kKinds);
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::test::claims_in_shards

@@ -246,6 +246,31 @@ TEST_F(ADamagedBound, OfADeterminantHasItsSign) {
 }
 
 /// Earlier versions wrote the matrix of the bound alone.
+/// x/y times a rotation: each vector has the same ratio, and no two vectors show it.
+TEST(AConditionNumber, OfARotationIsOne) {
+  const auto outcome = [](const std::string& entry, const std::string& bound) {
+    return verified(
+               "regulus-certificate 1\nverdict SINGULARITY\nclaim condition number in the 2-norm "
+               "of "
+               "J^-1 with the factors of its columns >= " +
+               bound +
+               " at some pose of the variety\n"
+               "model rotation\nsha256 -\nmotion m\nalpha 0\nparameter x in 0 : 1\npose x = x\n"
+               "let e1 = cos(x)\nlet e2 = sin(x)\nlet e3 = " +
+               entry +
+               "\nmatrix 2 2\nentry e1*e3\nentry e2*e3\nentry -e2*e3\nentry e1*e3\n"
+               "quantity condition-2\nside largest\nfactor 1\nfactor 1\nreference 0\nbound " +
+               bound + "\nproof\nreason ratio\npoint 0 0x1p-1\nend\n")
+        .outcome;
+  };
+  EXPECT_EQ(outcome("1/3", "1"), Outcome::kVerified);
+  EXPECT_EQ(outcome("1/3", "1/2"), Outcome::kVerified);
+  EXPECT_NE(outcome("1/3", "1000001/1000000"), Outcome::kVerified);
+  // The matrix 0 has none.
+  EXPECT_NE(outcome("x - 1/2", "1"), Outcome::kVerified);
+  EXPECT_NE(outcome("0", "1"), Outcome::kVerified);
+}
+
 TEST(AnOldBoundCertificate, ProvesNoNumber) {
   const verifier::Verification v = verified(
       "regulus-certificate 1\nverdict NO SINGULARITY\nclaim the full 1x1 matrix of the model is "

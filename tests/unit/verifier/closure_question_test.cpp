@@ -50,7 +50,7 @@ TEST(AForgedClosure, OfAnotherFormatIsRefused) {
   EXPECT_TRUE(is(Outcome::kRejected, changed(" tube ", " tube 0 "), "numbers"));
   EXPECT_TRUE(is(Outcome::kRejected, changed(" tube ", " outside "), "numbers"));
   EXPECT_TRUE(is(Outcome::kUnfinished,
-                 changed("regulus-certificate 1", "regulus-certificate-index 1"), "one file"));
+                 changed("regulus-certificate 1", "regulus-certificate-index 1"), "its path"));
   // Other claims have no such leaf.
   EXPECT_TRUE(is(Outcome::kRejected,
                  verify_text(scalar_question("x") + "proof\nl 0 tube 1 1\nend 1\n"), "expected"));

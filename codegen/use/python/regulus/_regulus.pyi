@@ -315,6 +315,7 @@ def solve_many(
     numbers: list[list[str]],
     table: str,
     certificate: str = "",
+    shard_size: int = 0,
 ) -> SolveManyFinding: ...
 def verify(
     path: str,

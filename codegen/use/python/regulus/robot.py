@@ -334,17 +334,19 @@ class Robot:
         resolution: Number = "",
         range: Optional[Mapping[str, Range]] = None,
         tolerance: Optional[Mapping[str, Number]] = None,
+        tube: Union[None, Number, Mapping[str, Number]] = None,
+        waypoints: Optional[Path] = None,
         certificate: Optional[Path] = None,
         shard_size: int = 0,
         **options: Unpack[Options],
     ) -> LoadPaving:
         """Paves a motion with boxes in which a load is held everywhere, nowhere, or undecided.
 
-        Arguments and errors are as for check_load() and locate(); the `result` of an interrupt is a
-        LoadPaving.
+        Arguments and errors are as for check_load() and locate(), also along way-points; the
+        `result` of an interrupt is a LoadPaving.
         """
         require_package("numpy", "locate_load()")
-        question = Question(self, motion, range, tolerance)
+        question = Question(self, motion, range, tolerance, tube=tube, waypoints=waypoints)
         question.set_options(options)
 
         def result(finding: Any) -> LoadPaving:
@@ -583,6 +585,7 @@ class Robot:
         hold: Sequence[str] = (),
         tolerance: Optional[Mapping[str, Number]] = None,
         certificate: Optional[Path] = None,
+        shard_size: int = 0,
         **options: Unpack[Options],
     ) -> SolvedPlaces:
         """Solves many places, each for itself.
@@ -593,6 +596,7 @@ class Robot:
             waypoints: a table of places, one a line, in the place of lists. Without both, the
                 places are the way-points of the motion.
             certificate: a file for the proofs at all places.
+            shard_size: as for check(); it is cut between places.
 
         Limits of the search are those of each place. The others and the errors are as for solve();
         the `result` of an interrupt is a SolvedPlaces.
@@ -616,11 +620,11 @@ class Robot:
             return SolvedPlaces(question, finding, question.texts.notes)
 
         table = optional_path("waypoints", waypoints)
-        proof = optional_path("certificate", certificate)
+        proof = proof_of(certificate, shard_size)
         try:
             return result(
                 _regulus.solve_many(
-                    question.question, question.options, everywhere, held, places, table, proof
+                    question.question, question.options, everywhere, held, places, table, *proof
                 )
             )
         except KeyboardInterrupt as stop:

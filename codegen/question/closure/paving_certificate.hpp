@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The certificate PAVING of a branch: on which boxes is it certain (FORMAT.md, "Pavings of a branch")?
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "codegen/answer/certificate/certificate_question.hpp"
+#include "codegen/answer/certificate/proof_status.hpp"
+#include "codegen/question/closure/closure_way.hpp"
+
+namespace regulus {
+
+/// A tree with what is claimed of its leaves.
+struct PavedTree {
+  const BranchTree* tree = nullptr;  ///< null: that of a segment which was not reached
+  std::vector<const char*> words{};  ///< by leaf, of FORMAT.md
+
+  /// Returns the claims about the branch alone.
+  [[nodiscard]] static PavedTree of(const ClosureResult& piece);
+};
+
+/// Writes the certificate of the trees of all pieces. `about`: its claim is CertifiedQuestion::paving. An
+/// empty `path` means no certificate.
+[[nodiscard]] ProofStatus certify_paved(const std::string& path, const Request& request,
+                                        const ReportLabels& labels,
+                                        const std::vector<PavedTree>& trees,
+                                        const CertifiedAbout& about, const ProofPlacing& placing);
+
+/// Writes the proof of a branch, if it is proved, or of those boxes where it is certain.
+[[nodiscard]] ProofStatus certify_paving(const std::string& path, const PreparedClosure& prepared,
+                                         const ClosureResult& result, const ProofPlacing& placing);
+/// The same along way-points.
+[[nodiscard]] ProofStatus certify_paving(const std::string& path, const PreparedWay& prepared,
+                                         const WayFinding& found, const ProofPlacing& placing);
+
+}  // namespace regulus
