@@ -61,19 +61,6 @@ class ClosureLoad final : public LoadAnswer {
   std::string checkpoint_line_;
 };
 
-/// The boxes of a search that is kept are not numbered as its proof needs them.
-ProofStatus prove(const Services& services, const PreparedBranchLoad& prepared,
-                  const BranchLoadResult& result) {
-  if (services.checkpoint.path.empty() || services.certificate.empty())
-    return certify_load_paving(services.certificate, prepared, result,
-                               {nullptr, services.shard_size});
-  ProofStatus none(services.certificate);
-  none.set_obstacle(
-      "a paving of a load on a branch that is kept in a checkpoint has no proof; leave the "
-      "checkpoint out");
-  return none;
-}
-
 class ClosureLoadPaving final : public LoadPavingAnswer {
  public:
   ClosureLoadPaving(Request request, double model_seconds, const AskLoadPaving& asked,
@@ -129,7 +116,8 @@ class ClosureLoadPaving final : public LoadPavingAnswer {
                                &observers);
     checkpoint_line_ = checkpoint.line();
     describe(prepared_, result_, *this);
-    proof = prove(services, prepared_, result_);
+    proof = certify_load_paving(services.certificate, prepared_, result_,
+                                {nullptr, services.shard_size});
     if (proof.is_lost()) lost.push_back(proof.obstacle());
     feasible = volumes_.fraction(ForceClaim::kFeasible);
     infeasible = volumes_.fraction(ForceClaim::kInfeasible);
@@ -156,7 +144,8 @@ class ClosureWayLoadPaving final : public LoadPavingAnswer {
     services.begin_search();
     pave(services);
     describe(prepared_, result_, *this);
-    proof = prove(services, prepared_, result_);
+    proof = certify_load_paving(services.certificate, prepared_, result_,
+                                {nullptr, services.shard_size});
     if (proof.is_lost()) lost.push_back(proof.obstacle());
     variables.clear();
     const Request& asked_about = prepared_.branch.way().request;

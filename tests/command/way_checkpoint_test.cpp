@@ -140,12 +140,7 @@ class KeptSearchTest : public testing::TestWithParam<Asked> {
     std::string lines = text_of(path(name + ".lines"));
     if (!lines.empty()) lines.resize(lines.rfind('\n', lines.size() - 2));
     report.erase("certificate_obstacle");
-    const std::string proof = path(name + ".proof");
-    return report.dump(1) + lines + (is_load_on_branch(GetParam()) ? "" : text_of(proof));
-  }
-  /// A search that is kept has no proof of it.
-  static bool is_load_on_branch(const Asked& asked) {
-    return is_paving(asked) && std::string(asked.model) == "weak.toml";
+    return report.dump(1) + lines + text_of(path(name + ".proof"));
   }
   [[nodiscard]] CommandResult ask(const Asked& asked, const std::string& name,
                                   const std::vector<std::string>& more) const {

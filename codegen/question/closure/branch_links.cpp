@@ -65,6 +65,7 @@ class Linker {
     else
       conclude();
     if (before_ != nullptr) join(must_stop);
+    links_.stopped_by = must_stop();
     return std::move(links_);
   }
 

@@ -29,6 +29,7 @@ struct BranchLinks {
   std::size_t links = 0;
   /// Why it is not shown to be one branch; empty if it is.
   std::string obstacle{};
+  std::optional<Reason> stopped_by{};  ///< what ended the work before its end
 };
 
 /// The branch up to where another piece of the motion begins: there its first variable, which ends at

@@ -161,7 +161,9 @@ std::uint64_t BranchInPieces::boxes() const {
 }
 
 std::optional<Reason> BranchInPieces::stopped_by() const {
-  return found_.pieces.empty() ? std::nullopt : found_.pieces.back().branch.stopped_by;
+  if (found_.pieces.empty()) return std::nullopt;
+  const ClosureResult& last = found_.pieces.back();
+  return last.branch.stopped_by ? last.branch.stopped_by : last.links.stopped_by;
 }
 
 ProvedPieces BranchInPieces::proved() const {

@@ -100,6 +100,7 @@ class BranchInPieces {
   /// Returns why the branch is not proved; empty if it is.
   [[nodiscard]] std::string obstacle() const;
   [[nodiscard]] std::uint64_t boxes() const;
+  /// Returns what ended the work of the last piece: the search of its boxes, or that of their links.
   [[nodiscard]] std::optional<Reason> stopped_by() const;
   /// Returns what certificates are about. The trees live as long as this.
   [[nodiscard]] ProvedPieces proved() const;

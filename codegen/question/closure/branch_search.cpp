@@ -300,9 +300,7 @@ BranchResult search_branch(const ClosureQuestion& question, const BranchSettings
                            Observer* progress) {
   BranchTree tree;
   SplitRecorder recorder(tree);
-  std::vector<Observer*> observing{&recorder};
-  if (progress != nullptr) observing.push_back(progress);
-  Observers observers(std::move(observing));
+  Observers observers(present({&recorder, progress}));
   BoxCourse course(question.problem, settings, &observers);
   BranchGoal goal(course, question, settings, tree);
   BoxSearch<TubeJudge, BranchGoal>(question, kBoxesOfRound, course, goal).run();

@@ -81,11 +81,9 @@ class LoadPavingGoal {
     if (course_.boxes() < made) throw SavedTreeError("the tree is not one of this branch");
     course_.recount(course_.boxes() - made);
   }
+  /// A leaf that its finding does not decide is judged again.
   void resume(TreeBox box, ValueFinding& finding, bool) {
-    if (is_decided_by_branch(box))
-      reopen(std::move(box));
-    else
-      conclude(std::move(box), finding);
+    if (is_decided_by_branch(box) || !leave_decided(box, finding)) reopen(std::move(box));
   }
   /// A box that is not on the branch needs no finding.
   void reopen(TreeBox box) {
@@ -131,19 +129,34 @@ class LoadPavingGoal {
     return holds_solutions_of(*branch_.branch.tree.leaves()[leaf].tube, tube, near);
   }
 
+  [[nodiscard]] std::optional<std::size_t> variable_to_split(const TreeBox& box) const {
+    return choose_variable(std::span(box.box).first(ranges_.size()), ranges_, {},
+                           resolution_ * kSlackOfResolution);
+  }
+
   void conclude(TreeBox box, const ValueFinding& finding) {
-    const std::size_t leaf = leaf_of(box.box).value();
-    const std::optional<BranchTube>& tube = finding.tube.tube;
-    if (finding.tube.is_outside) return leave(std::move(box), ForceClaim::kOutside);
-    const bool is_known = tube && is_of_leaf(*tube, leaf, finding.near_center);
-    if (is_known && finding.upper <= 0) return leave(std::move(box), ForceClaim::kFeasible, tube);
-    if (is_known && finding.lower > 0) return leave(std::move(box), ForceClaim::kInfeasible, tube);
-    const auto variable = choose_variable(std::span(box.box).first(ranges_.size()), ranges_, {},
-                                          resolution_ * kSlackOfResolution);
-    if (!variable) return leave(std::move(box), ForceClaim::kUndecided);
-    auto [lower, upper] = course_.split(std::move(box), *variable);
+    if (leave_decided(box, finding)) return;
+    auto [lower, upper] = course_.split(std::move(box), variable_to_split(box).value());
     open_.push_back(std::move(upper));
     open_.push_back(std::move(lower));
+  }
+
+  /// Leaves a box that is not to be split, and returns if it is none.
+  bool leave_decided(TreeBox& box, const ValueFinding& finding) {
+    const std::size_t leaf = leaf_of(box.box).value();
+    const std::optional<BranchTube>& tube = finding.tube.tube;
+    const bool is_known = tube && is_of_leaf(*tube, leaf, finding.near_center);
+    if (finding.tube.is_outside)
+      leave(std::move(box), ForceClaim::kOutside);
+    else if (is_known && finding.upper <= 0)
+      leave(std::move(box), ForceClaim::kFeasible, tube);
+    else if (is_known && finding.lower > 0)
+      leave(std::move(box), ForceClaim::kInfeasible, tube);
+    else if (!variable_to_split(box))
+      leave(std::move(box), ForceClaim::kUndecided);
+    else
+      return false;
+    return true;
   }
 
   void leave(TreeBox box, ForceClaim claim, const std::optional<BranchTube>& tube = {}) {
@@ -219,9 +232,7 @@ BranchLoadPaving pave_forces(const ValueQuestion& question, const ClosureResult&
                              Observer* progress) {
   BranchTree tree;
   SplitRecorder recorder(tree);
-  std::vector<Observer*> observing{&recorder};
-  if (progress != nullptr) observing.push_back(progress);
-  Observers observers(std::move(observing));
+  Observers observers(present({&recorder, progress}));
   BoxCourse course(question.problem, settings, &observers);
   LoadPavingGoal goal(course, question, branch, resolution, is_possible, listener);
   BoxSearch<ValueJudge, LoadPavingGoal>(question, kBoxesOfPavingRound, course, goal).run();

@@ -309,9 +309,7 @@ ValueBracket search_value(const ValueQuestion& question, const BranchTree& branc
   ValueBracket result;
   BranchTree tree;
   SplitRecorder recorder(tree);
-  std::vector<Observer*> observing{&recorder};
-  if (progress != nullptr) observing.push_back(progress);
-  Observers observers(std::move(observing));
+  Observers observers(present({&recorder, progress}));
   BoxCourse course(question.problem, settings, &observers);
   ValueGoal goal(course, question, branch, aim, is_possible, result);
   BoxSearch<ValueJudge, ValueGoal>(question, 2 * kMostSplit, course, goal).run();
