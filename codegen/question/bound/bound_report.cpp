@@ -123,10 +123,11 @@ void say_place(const char* word, const ComponentBound& c, Facts& facts) {
 }
 
 std::string describe_proved(const Request& request, const Bound& bound, const ComponentBound& c) {
-  const bool least = is_least(c.component);
+  const char* relation = is_least(c.component) ? ">" : "<";
+  if (c.attained && c.attained->exact.is_equal(c.proved->exact)) relation = "=";
   const std::string end =
       rounded_text(*c.proved, side_of_proved(c.component), digits_for(bound.gap()));
-  return fmt::format("{} {} {}, {}", subject_of(bound, c.component), least ? ">" : "<",
+  return fmt::format("{} {} {}, {}", subject_of(bound, c.component), relation,
                      with_unit(end, c.component.unit), claim_words(request, c.component));
 }
 

@@ -8,6 +8,7 @@
 #include "codegen/question/bound/bound_certificate.hpp"
 #include "codegen/question/bound/bracket_question.hpp"
 #include "codegen/question/bound/reference.hpp"
+#include "codegen/question/quantity/negligible.hpp"
 
 namespace regulus {
 namespace {
@@ -40,7 +41,7 @@ ComponentBound ComponentRun::bracket() {
       break;
     }
     const std::optional<double> width = relative_gap(&result_, &result_);
-    result_.is_closed = width && *width <= settings_.gap;
+    result_.is_closed = (width && *width <= settings_.gap) || is_negligible();
     if (result_.is_closed || !width || !ends.is_closed) break;
     // The gap of 1/r is relative to q − y, that of the bracket to q.
     gap *= 0.8 * settings_.gap / *width;
@@ -97,6 +98,15 @@ MarginQuestion ComponentRun::choose_question() {
 /// There is no certificate of a bound of 0.
 bool ComponentRun::is_zero_where_defined() const {
   return !are_proofs_wanted() && regulus::is_zero_where_defined(bordered_, component());
+}
+
+/// Both ends are nearly 0. That a magnitude attains 0 says nothing.
+bool ComponentRun::is_negligible() const {
+  const double most = settings_.gap * negligible(request_.model, component());
+  if (!result_.proved || result_.is_unbounded) return false;
+  if (!result_.attained && !component().is_absolute) return false;
+  const double attained = result_.attained ? result_.attained->approx : 0;
+  return std::fabs(result_.proved->approx) <= most && std::fabs(attained) <= most;
 }
 
 /// Nothing can be undefined.

@@ -14,6 +14,7 @@
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/exact/exact_double.hpp"
 #include "codegen/model/exact/expression_parser.hpp"
+#include "codegen/question/quantity/negligible.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 
 namespace regulus {
@@ -96,7 +97,10 @@ class ComponentOverBranch {
       : branch_(branch),
         settings_(settings),
         topic_(std::move(topic)),
-        value_(branch.common().request.model, component) {
+        value_(branch.common().request.model, component),
+        negligible_(component.kind == QuantityKind::kFiniteError
+                        ? kNegligiblePart * widest_error()
+                        : negligible(branch.common().request.model, component)) {
     result_.component = component;
     result_.proofs = proofs_of(component, settings);
   }
@@ -132,7 +136,7 @@ class ComponentOverBranch {
   }
 
   [[nodiscard]] ValueAim aim() const {
-    ValueAim aim{kPartOfGap * settings_.gap, {}, {}};
+    ValueAim aim{kPartOfGap * settings_.gap, negligible_, {}, {}};
     if (!settings_.limit) return aim;
     const Interval limit = enclose_constant(*settings_.limit, "the limit");
     aim.below = value_.is_least() ? -limit.hi : limit.lo;
@@ -140,16 +144,31 @@ class ComponentOverBranch {
     return aim;
   }
 
+  /// Requires  a finite error, which the variables beyond those of the motion cause.
+  [[nodiscard]] double widest_error() const {
+    const std::vector<Interval>& ranges = branch_.common().problem.outer;
+    double widest = 0;
+    for (std::size_t k = branch_.common().shape.parameters; k < ranges.size(); ++k)
+      widest = std::max(widest, width_ru(ranges[k]));
+    return widest;
+  }
+
+  [[nodiscard]] double room_at(double f) const {
+    return kRoomForVerifier * settings_.gap * std::fmax(std::fabs(f), negligible_);
+  }
+
+  /// That a magnitude attains 0 says nothing.
   void bracket() {
-    const double room = kRoomForVerifier * settings_.gap;
-    if (std::isfinite(found_.attained)) {
-      const double f = found_.attained - room * std::fabs(found_.attained);
-      result_.attained = end_beyond(f, value_.is_least() ? RoundTo::kAbove : RoundTo::kBelow);
-    }
-    if (std::isfinite(found_.upper)) {
-      const double f = found_.upper + room * std::fabs(found_.upper);
-      result_.proved = end_beyond(f, value_.is_least() ? RoundTo::kBelow : RoundTo::kAbove);
-    }
+    const double attained = found_.attained - room_at(found_.attained),
+                 upper = found_.upper + room_at(found_.upper);
+    const bool says_nothing = result_.component.is_absolute && !value_.is_least() && attained <= 0;
+    if (std::isfinite(attained) && !says_nothing)
+      result_.attained =
+          end_beyond(attained, value_.is_least() ? RoundTo::kAbove : RoundTo::kBelow);
+    else
+      result_.place.reset();
+    if (std::isfinite(upper))
+      result_.proved = end_beyond(upper, value_.is_least() ? RoundTo::kBelow : RoundTo::kAbove);
     result_.is_closed = found_.is_closed;
     if (!found_.is_closed)
       result_.reason = found_.stopped_by
@@ -194,6 +213,7 @@ class ComponentOverBranch {
   const BoundSettings& settings_;
   const SearchTopic topic_;
   const BranchValue value_;
+  const double negligible_;
   BracketOfPieces found_;
   ComponentBound result_;
 };

@@ -300,7 +300,8 @@ class ValueGoal {
 bool ValueAim::is_met(double attained_now, double upper) const {
   if (from) return attained_now >= *from || upper < *below;
   return std::isfinite(upper) &&
-         upper - attained_now <= gap * std::fmax(std::fabs(upper), std::fabs(attained_now));
+         upper - attained_now <=
+             gap * std::max({std::fabs(upper), std::fabs(attained_now), negligible});
 }
 
 ValueBracket search_value(const ValueQuestion& question, const BranchTree& branch,

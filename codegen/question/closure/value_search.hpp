@@ -23,7 +23,8 @@ struct ValueBracket {
 
 /// When a search has ended.
 struct ValueAim {
-  double gap = 0;                 ///< relative to the larger end
+  double gap = 0;                 ///< relative to the larger end, or to `negligible`
+  double negligible = 0;          ///< if both ends are smaller
   std::optional<double> below{};  ///< a limit: it is kept, if upper is below this,
   std::optional<double> from{};   ///< or exceeded, if a value is at least that
   double attained = -kInfinity;   ///< the branch has this value elsewhere
