@@ -289,7 +289,9 @@ void tell_bracket(const Request& request, const Bound& bound, const BoundSetting
   facts.tell("boxes", boxes_of(bound), "boxes", fmt::format("{} evaluated", boxes_of(bound)));
   tell_time(seconds_of(bound), facts);
   if (const auto gap = bound.gap(); gap && !settings.limit)
-    facts.say("gap", fmt::format("{:.3g} % of the larger end", 100 * *gap));
+    facts.say("gap", *gap > settings.gap && bound.is_closed()
+                         ? "both ends are nearly 0"
+                         : fmt::format("{:.3g} % of the larger end", 100 * *gap));
 }
 
 void tell_bound(const Request& request, const Bound& bound, const BoundSettings& settings,

@@ -167,6 +167,7 @@ class ComponentOverBranch {
           end_beyond(attained, value_.is_least() ? RoundTo::kAbove : RoundTo::kBelow);
     else
       result_.place.reset();
+    if (says_nothing) result_.proofs.set_no_singular(kNothingAtZero);
     if (std::isfinite(upper))
       result_.proved = end_beyond(upper, value_.is_least() ? RoundTo::kBelow : RoundTo::kAbove);
     result_.is_closed = found_.is_closed;

@@ -216,6 +216,25 @@ TEST(ALimit, IsKeptExceededOrTouched) {
   EXPECT_NE(verdict("3"), LimitVerdict::kWithin);  // it is attained
 }
 
+/// The second leg holds nothing of the load.
+TEST(KnownBound, OfAForceThatIsZeroIsNarrowBesideTheLoad) {
+  std::string text = kShear;
+  text.replace(text.find("\"x*(x + 3)\""), 11, "0");
+  text.replace(text.find("wrench = [1, 1]"), 15, "wrench = [8, 0]");
+  for (const bool is_signed : {false, true}) {
+    const Bound bound =
+        bound_of(request_of(text.c_str()),
+                 {.quantity = "force", .load = "push", .row = "2", .is_signed = is_signed}, 0.01);
+    const ComponentBound& leg = bound.components.front();
+    EXPECT_TRUE(leg.is_closed);
+    EXPECT_EQ(leg.reason, "");
+    ASSERT_TRUE(leg.proved.has_value());
+    EXPECT_GT(leg.proved->approx, 0);
+    EXPECT_LT(leg.proved->approx, 1e-6);
+    EXPECT_EQ(leg.attained.has_value(), is_signed);
+  }
+}
+
 /// The first row has the scale 1/(x + 3), which must be defined; the second one is not moved at all.
 TEST(KnownBound, IsZeroForARowThatNoTwistMoves) {
   std::string text = kShear;
