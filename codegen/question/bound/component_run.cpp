@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/bound/component_run.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -101,9 +102,11 @@ bool ComponentRun::is_zero_where_defined() const {
   return !are_proofs_wanted() && regulus::is_zero_where_defined(bordered_, component());
 }
 
-/// Both ends are nearly 0. That a magnitude attains 0 says nothing.
+/// Both ends are nearly 0, beside what causes the quantity or beside its reference. That a magnitude
+/// attains 0 says nothing.
 bool ComponentRun::is_negligible() const {
-  const double most = settings_.gap * negligible(request_.model, component());
+  const double most = settings_.gap * std::max(negligible(request_.model, component()),
+                                               kNegligiblePart * std::fabs(reference_));
   if (!result_.proved || result_.is_unbounded) return false;
   if (!result_.attained && !component().is_absolute) return false;
   const double attained = result_.attained ? result_.attained->approx : 0;

@@ -48,7 +48,7 @@ Row row_of(const Model& model, const Bound& bound, const ComponentBound& c) {
   return {name_of(bound),
           c.component.label,
           c.is_unbounded     ? "unbounded"
-          : ends.low.empty() ? unknown
+          : ends.low.empty() ? (c.is_closed ? "0" : unknown)
                              : ends.low,
           c.is_unbounded      ? ""
           : ends.high.empty() ? unknown
