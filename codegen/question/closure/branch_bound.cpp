@@ -136,7 +136,7 @@ class ComponentOverBranch {
   }
 
   [[nodiscard]] ValueAim aim() const {
-    ValueAim aim{kPartOfGap * settings_.gap, negligible_, {}, {}};
+    ValueAim aim{.gap = kPartOfGap * settings_.gap, .negligible = negligible_};
     if (!settings_.limit) return aim;
     const Interval limit = enclose_constant(*settings_.limit, "the limit");
     aim.below = value_.is_least() ? -limit.hi : limit.lo;

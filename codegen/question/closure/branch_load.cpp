@@ -135,7 +135,7 @@ class LoadRun {
   void find_forces() {
     // f is how far a force is beyond its limits: it is at most 0, or not.
     constexpr double kBeyond = std::numeric_limits<double>::denorm_min();
-    const ValueAim aim{0, kBeyond, kBeyond};
+    const ValueAim aim{.below = kBeyond, .from = kBeyond};
     SearchDisplay display(run_.output);
     BracketOfPieces found = branch_.bracket(
         value_, aim, limits(), run_of(TopicKind::kQuestion, kForces, display.observer()));
