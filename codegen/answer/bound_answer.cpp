@@ -61,8 +61,7 @@ class AnswerOfBound final : public BoundAnswer {
       case Verdict::kBracket:
         break;
     }
-    if (std::ranges::any_of(found_.components, &ComponentBound::is_unbounded))
-      return Word::kRefuted;
+    if (std::ranges::any_of(found_.components, &ComponentBound::is_singular)) return Word::kRefuted;
     return closed ? Word::kProved : Word::kOpen;
   }
   [[nodiscard]] std::string headline() const override { return describe_bound(found_, settings_); }
@@ -135,7 +134,7 @@ class Sheet final : public DatasheetAnswer {
     for (const Bound& bound : found_.bounds) {
       is_closed = is_closed && bound.is_closed();
       for (const ComponentBound& c : bound.components)
-        if (c.is_unbounded || limit_state(request_.model, c) == LimitState::kExceeded)
+        if (c.is_singular() || limit_state(request_.model, c) == LimitState::kExceeded)
           return Word::kRefuted;
     }
     return is_closed ? Word::kProved : Word::kOpen;

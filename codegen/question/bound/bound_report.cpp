@@ -187,7 +187,8 @@ void tell_ends(const Request& request, const Bound& bound, const BoundSettings& 
                Facts& facts) {
   const ComponentBound *attained = bound.decisive_attained(), *proved = bound.decisive_proved();
   const ComponentBound* singular = unbounded(bound);
-  facts.add("verdict", singular ? "refuted" : bound.is_closed() ? "closed" : "open");
+  const bool is_refuted = std::ranges::any_of(bound.components, &ComponentBound::is_singular);
+  facts.add("verdict", is_refuted ? "refuted" : bound.is_closed() ? "closed" : "open");
   facts.add("claim", nullptr).add("attained", nullptr).add("attained_by", nullptr);
   facts.add("proved", nullptr);
   if (proved) {

@@ -9,6 +9,7 @@
 #include "codegen/question/bound/variety_bound.hpp"
 #include "codegen/question/bound/way_bound.hpp"
 #include "codegen/question/condition/condition_run.hpp"
+#include "codegen/question/quantity/quantity_traits.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/time_budget.hpp"
 
@@ -72,6 +73,11 @@ void use_freedoms(ComponentBound& component, const Bound& bound, const Model& mo
 }
 
 }  // namespace
+
+bool ComponentBound::attains_zero() const {
+  return component.is_absolute && traits_of(component.kind).is_always_least && attained &&
+         attained->exact.is_zero();
+}
 
 const ComponentBound* Bound::decisive_attained() const {
   return decisive(*this, &ComponentBound::attained, false);

@@ -35,6 +35,11 @@ struct ComponentBound {
   std::uint64_t boxes = 0;
   StageSeconds seconds;
   EndProofs proofs;
+
+  /// True if the least value of a magnitude is asked, and is 0 at `place`: no other end is missing.
+  [[nodiscard]] bool attains_zero() const;
+  /// True if the matrix of the model is singular at `place`.
+  [[nodiscard]] bool is_singular() const { return is_unbounded || attains_zero(); }
 };
 
 struct BoundSettings;

@@ -42,7 +42,8 @@ ComponentBound ComponentRun::bracket() {
       break;
     }
     const std::optional<double> width = relative_gap(&result_, &result_);
-    result_.is_closed = (width && *width <= settings_.gap) || is_negligible();
+    result_.is_closed =
+        (width && *width <= settings_.gap) || is_negligible() || result_.attains_zero();
     if (result_.is_closed || !width || !ends.is_closed) break;
     // The gap of 1/r is relative to q − y, that of the bracket to q.
     gap *= 0.8 * settings_.gap / *width;

@@ -140,7 +140,7 @@ const char* verdict_of(const Model& model, const Datasheet& sheet) {
   for (const Bound& bound : sheet.bounds) {
     is_closed = is_closed && bound.is_closed();
     for (const ComponentBound& c : bound.components)
-      if (c.is_unbounded || limit_state(model, c) == LimitState::kExceeded) return "refuted";
+      if (c.is_singular() || limit_state(model, c) == LimitState::kExceeded) return "refuted";
   }
   return is_closed ? "closed" : "open";
 }

@@ -244,6 +244,8 @@ ComponentBound without_branch(const BranchInPieces& branch, const Component& com
   const bool is_zero =
       component.kind == QuantityKind::kDeterminant || component.kind == QuantityKind::kSigmaMin;
   if (is_zero) result.attained = end_at(0);
+  result.is_closed = !settings.limit && result.attains_zero();
+  if (result.is_closed) result.reason.clear();
   const bool has_bound = is_zero || component.kind == QuantityKind::kDeterminantMax ||
                          component.kind == QuantityKind::kSigmaMax;
   result.is_unbounded = !settings.limit && !has_bound;

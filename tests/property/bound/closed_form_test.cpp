@@ -235,6 +235,26 @@ TEST(KnownBound, OfAForceThatIsZeroIsNarrowBesideTheLoad) {
   }
 }
 
+/// The least magnitude is 0 at x = −3, where the first row is singular; no end is missing.
+TEST(KnownBound, OfAMagnitudeThatAttainsZeroIsClosed) {
+  std::string text = kShear;
+  text.replace(text.find("row_scale = [\"1/(x + 3)\", \"1/2\"]"), 32, "");
+  text.replace(text.find("x = [0, 2]"), 10, "x = [-4, 2]");
+  for (const char* quantity : {"sigma-min", "determinant"}) {
+    const ComponentBound least =
+        bound_of(request_of(text.c_str()), {.quantity = quantity}, 0.01).components.front();
+    EXPECT_TRUE(least.is_closed && least.is_singular()) << quantity;
+    EXPECT_EQ(least.reason, "");
+    ASSERT_TRUE(least.attained.has_value());
+    EXPECT_TRUE(least.attained->exact.is_zero());
+  }
+  const ComponentBound negative =
+      bound_of(request_of(text.c_str()), {.quantity = "determinant", .least = true}, 0.01)
+          .components.front();
+  EXPECT_TRUE(negative.is_closed);
+  EXPECT_FALSE(negative.is_singular());
+}
+
 /// The first row has the scale 1/(x + 3), which must be defined; the second one is not moved at all.
 TEST(KnownBound, IsZeroForARowThatNoTwistMoves) {
   std::string text = kShear;
