@@ -7,7 +7,8 @@ set -eu
 here=$(dirname "$0")
 with_page=yes
 [ "${1-}" != --without-page ] || { with_page= && shift; }
-packages=$(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$here/packages-debian.txt" | tr '\n' ' ')"$*"
+# Each word is a package, or alternatives with bars between them.
+packages=$(sed -e 's/#.*//' -e 's/ *| */|/g' -e '/^[[:space:]]*$/d' "$here/packages-debian.txt" | tr '\n' ' ')"$*"
 
 if ! command -v dpkg-query >/dev/null 2>&1; then
   echo "This is not a Debian system. Install the equivalents of these Debian packages, then run make again:"
@@ -16,10 +17,26 @@ if ! command -v dpkg-query >/dev/null 2>&1; then
   exit 1
 fi
 
+is_installed() {
+  dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null | grep -qx installed
+}
+any_installed() {
+  for one in $(echo "$1" | tr '|' ' '); do
+    is_installed "$one" && return 0
+  done
+  return 1
+}
+# The first alternative that this Debian has; the first one if it has none, for the message of apt-get.
+chosen() {
+  for one in $(echo "$1" | tr '|' ' '); do
+    apt-cache policy "$one" 2>/dev/null | grep -q '^  Candidate: [^(]' && echo "$one" && return
+  done
+  echo "${1%%|*}"
+}
+
 missing=
 for package in $packages; do
-  dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed ||
-    missing="$missing $package"
+  any_installed "$package" || missing="$missing $package"
 done
 # The page of `regulus report` alone needs npm, of any origin; everything else is built without it.
 page=
@@ -36,9 +53,13 @@ if [ "$(id -u)" -ne 0 ]; then
   root=sudo
   echo "Installing needs root; sudo may ask for your password."
 fi
-echo "Installing:$missing $page"
 export DEBIAN_FRONTEND=noninteractive
 $root apt-get update -qq
-[ -z "$missing" ] || $root apt-get install -y -qq --no-install-recommends $missing >/dev/null
+install=
+for package in $missing; do
+  install="$install $(chosen "$package")"
+done
+echo "Installing:$install $page"
+[ -z "$install" ] || $root apt-get install -y -qq --no-install-recommends $install >/dev/null
 [ -z "$page" ] || $root apt-get install -y -qq --no-install-recommends $page >/dev/null ||
   echo "npm could not be installed: regulus report will be without its page."
