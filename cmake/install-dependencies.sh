@@ -12,13 +12,20 @@ packages=$(sed -e 's/#.*//' -e 's/ *| */|/g' -e '/^[[:space:]]*$/d' "$here/packa
 
 if ! command -v dpkg-query >/dev/null 2>&1; then
   echo "This is not a Debian system. Install the equivalents of these Debian packages, then run make again:"
-  echo "  $packages"
+  echo "  $(echo "$packages" | sed -e 's/|[^ ]*//g')"
   command -v cmake >/dev/null 2>&1 && exit 0   # try the build: CMake names what is missing
   exit 1
 fi
 
+# is_enough VERSION PACKAGE: PACKAGE names the least version that is needed, if any.
+is_enough() {
+  case "$2" in
+    *'>='*) dpkg --compare-versions "$1" ge "${2#*>=}" ;;
+  esac
+}
 is_installed() {
-  dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null | grep -qx installed
+  found=$(dpkg-query -W -f '${db:Status-Status} ${Version}' "${1%%>=*}" 2>/dev/null) || return 1
+  [ "${found%% *}" = installed ] && is_enough "${found#* }" "$1"
 }
 any_installed() {
   for one in $(echo "$1" | tr '|' ' '); do
@@ -29,7 +36,8 @@ any_installed() {
 # The first alternative that this Debian has; the first one if it has none, for the message of apt-get.
 chosen() {
   for one in $(echo "$1" | tr '|' ' '); do
-    apt-cache policy "$one" 2>/dev/null | grep -q '^  Candidate: [^(]' && echo "$one" && return
+    found=$(apt-cache policy "${one%%>=*}" 2>/dev/null | sed -n 's/^  Candidate: \([^(].*\)/\1/p')
+    [ -n "$found" ] && is_enough "$found" "$one" && echo "${one%%>=*}" && return
   done
   echo "${1%%|*}"
 }
@@ -47,7 +55,7 @@ root=
 if [ "$(id -u)" -ne 0 ]; then
   command -v sudo >/dev/null 2>&1 || {
     [ -n "$missing" ] || { echo "npm is missing: regulus report will be without its page."; exit 0; }
-    echo "These packages are missing and installing them needs root: apt-get install$missing" >&2
+    echo "These packages are missing and installing them needs root: apt-get install$(echo "$missing" | sed -e 's/|[^ ]*//g')" >&2
     exit 1
   }
   root=sudo
