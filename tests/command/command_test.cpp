@@ -230,6 +230,22 @@ TEST(Command, LeavesOutAnIngredientAndSaysSo) {
               HasSubstr("auto without rewriting"));
 }
 
+/// The rewrites that change nothing in most models; each has a motion where it does.
+TEST(Command, ShowsWhatASeldomRewriteDoes) {
+  const auto boxes = [](const std::vector<std::string>& motion, std::vector<std::string> options) {
+    options.insert(options.begin(), motion.begin(), motion.end());
+    options.insert(options.begin(), {"check"});
+    options.insert(options.end(), {"--json", "--engine", "interpreted"});
+    const json report = json::parse(regulus(options).output);
+    EXPECT_EQ(report.at("verdict"), "no-singularity");
+    return report.at("boxes").get<int>();
+  };
+  const std::vector<std::string> disk{kPlanar, "disk"},
+      hexapod{REGULUS_SOURCE_DIR "/models/hexapod_6rus.toml", "work"};
+  EXPECT_LT(2 * boxes(disk, {}), boxes(disk, {"--without", "squares"}));
+  EXPECT_LT(boxes(hexapod, {}), boxes(hexapod, {"--without", "factoring"}));
+}
+
 TEST(Command, RefusesAnUnknownIngredientWithTheNamesOfAll) {
   const CommandResult refused = regulus({"check", kPlanar, "regular", "--without", "magic"});
   EXPECT_EQ(refused.exit_code, 64);

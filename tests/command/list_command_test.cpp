@@ -37,7 +37,7 @@ TEST(List, ShowsMotionsWithRangesAndGroupsWithTolerances) {
   const CommandResult shown = regulus({"list", "planar_3rpr"});
   EXPECT_EQ(shown.exit_code, 0);
   EXPECT_EQ(regulus({"list", "planar_3rpr", "--quiet"}).output,
-            "regular\ncrossing\ncircle\nreach\n");
+            "regular\ncrossing\ncircle\nreach\ndisk\n");
   EXPECT_THAT(shown.output, HasSubstr("motion     regular\n           x in [-2, 4]\n"));
   EXPECT_THAT(shown.output, HasSubstr("phi in [-0.261799, 0.0872665] rad"));
   EXPECT_THAT(shown.output, HasSubstr("x = 1 + 3*cos(2*T*pi)"));
