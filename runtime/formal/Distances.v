@@ -721,25 +721,14 @@ Section Over_tube.
   Variables (c : closure) (full i j : nat) (limit : interval).
   Let n := unknowns c.
 
-  (** One step of Newton's method from the axis: the configuration but for the rest, which is as small
-      as the changes of the derivatives over the tube. *)
-  Definition corrected (t : tube) (b : box) (v : tube_bounds) (k : nat) : form :=
-    let vs := variables full b in
-    let middle := tube_names c t vs (length b) (fun _ => constant_form zero) in
-    let f := map (fun e => form_of (evaluate middle e)) (equations c) in
-    subtract_forms (axis_form t vs (length b) k)
-      (form_sum n (fun l => scale_form (point (get (inverse v) k l))
-                              (nth l f (constant_form I.nai)))).
-
-  Definition rest_of (t : tube) (v : tube_bounds) (k : nat) : interval :=
-    interval_sum n (fun l => multiply (point (bound_of (at_ (spreads v) k l)))
-                               (point (number (reach t) l))).
-
   Definition is_near_over (t : tube) (b : box) : bool :=
     match test_tube c full t b with
     | Some v =>
-        let gap := form_range (subtract_forms (corrected t b v i) (corrected t b v j)) in
-        is_negative (subtract (add (I.abs gap) (add (rest_of t v i) (rest_of t v j))) limit)
+        let f := residuals c full t b in
+        let d := departures n t v in
+        let gap := form_range (subtract_forms (newton_form n full t b v f i)
+                     (newton_form n full t b v f j)) in
+        is_negative (subtract (add (I.abs gap) (add (rest_of n v d i) (rest_of n v d j))) limit)
     | None => false
     end.
 
@@ -756,51 +745,6 @@ Section Over_tube.
       | _, _ => false
       end.
 
-  Lemma corrected_encloses t b v x p k : test_tube c full t b = Some v -> in_box b x ->
-    in_tube n t x p -> solves c x p -> (k < n)%nat -> exists y d,
-    form_encloses (coordinate b x) (corrected t b v k) y /\ encloses (rest_of t v k) d /\
-    Rabs (nth k p 0 - y) <= d.
-  Proof.
-    intros T B P S K.
-    destruct (everything_known c full t b v T) as (_ & _ & _ & _ & _ & L & _).
-    pose proof (coordinate_in_unit_box b x B) as U.
-    set (F := error_at c t x). set (M := inverse_of_middle v).
-    exists (axis t x k - image n F M (fun _ => 0) k),
-      (sum n (fun l => spread_of v k l * reach_of t l)).
-    split; [|split].
-    - unfold corrected. apply subtract_forms_enclose.
-      { rewrite (proj1 B). apply axis_form_encloses, variables_known, B. }
-      unfold image. apply form_sum_encloses. intros l Ll.
-      apply scale_form_encloses; [apply point_encloses|].
-      set (middle := tube_names c t (variables full b) (length b) (fun _ => constant_form zero)).
-      assert (Kn : known (coordinate b x) middle (names_at c x (beside n t x (fun _ => 0)))).
-      { unfold middle. rewrite (proj1 B). apply tube_names_known; [exact U| |].
-        - apply variables_known, B.
-        - intros. apply constant_form_encloses, (integer_encloses 0). }
-      rewrite (nth_indep _ _ (form_of (evaluate middle no_entry)))
-        by (rewrite map_length, L; exact Ll).
-      rewrite (map_nth (fun e => form_of (evaluate middle e))). apply form_of_value; assumption.
-    - apply interval_sum_encloses. intros l Ll. apply multiply_encloses; apply point_encloses.
-    - set (u := fun k => nth k p 0 - axis t x k).
-      pose proof (errors_vanish c t x p P S) as Z. fold F u in Z.
-      assert (I0 : image n F M u k = 0).
-      { unfold image. apply sum_zero. intros l Ll. rewrite Z by exact Ll. ring. }
-      replace (nth k p 0 - (axis t x k - image n F M (fun _ => 0) k))
-        with (step n F M u k - step n F M (fun _ => 0) k)
-        by (unfold step; rewrite I0; unfold u; ring).
-      eapply Rle_trans.
-      { apply (step_contracts n F (slopes_at c t x) M (spread_of v) (reach_of t));
-          try exact K; try exact (distances_inside c t x p P);
-          try exact (contracts_here c full t b v x T B); try exact (error_ext c t x);
-          try (intros l Ll; rewrite Rabs_R0; left; apply (tests c full t b v T), Ll); intros;
-          first [apply (partial_inside c full t b v x T B)
-                |apply (spread_inside c full t b v x T B)
-                |apply (tests c full t b v T)]; assumption. }
-      apply sum_le. intros l Ll.
-      apply Rmult_le_compat_l; [exact (spread_nonnegative c full t b v x T B k l K Ll)|].
-      rewrite Rminus_0_r. apply P, Ll.
-  Qed.
-
   Hypothesis I : (i < n)%nat.
   Hypothesis J : (j < n)%nat.
 
@@ -809,8 +753,8 @@ Section Over_tube.
   Proof.
     intros L H B P S. unfold is_near_over in H.
     destruct (test_tube c full t b) as [v|] eqn:T; [|discriminate].
-    destruct (corrected_encloses t b v x p i T B P S I) as (a & d & A & D & Q).
-    destruct (corrected_encloses t b v x p j T B P S J) as (a' & d' & A' & D' & Q').
+    destruct (near_newton_form c full t b v x T B p i P S I) as (a & d & A & D & Q).
+    destruct (near_newton_form c full t b v x T B p j P S J) as (a' & d' & A' & D' & Q').
     pose proof (form_range_encloses _ _ _ (coordinate_in_unit_box b x B)
       (subtract_forms_enclose _ _ _ _ _ A A')) as G.
     pose proof (is_negative_correct _ _ H (subtract_encloses _ _ _ _
