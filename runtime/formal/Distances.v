@@ -732,18 +732,20 @@ Section Over_tube.
     | None => false
     end.
 
-  (** It is shown over the tube, or over each half of the box. *)
+  (** It is shown over the tube, over a narrower one, or over each half of the box. *)
   Fixpoint stays_near (fuel : nat) (t : tube) (b : box) : bool :=
-    let s := tightest c full 3 t b in
-    if is_near_over s b then true
+    if is_near_over t b then true
     else
-      match fuel, largest_of (map (fun i => PrimFloat.sub (I.upper i) (I.lower i)) b) with
-      | S fuel', Some k =>
-          let p := I.midpoint (nth k b I.nai) in
-          if stays_near fuel' s (lower_part b k p) then stays_near fuel' s (upper_part b k p)
-          else false
-      | _, _ => false
-      end.
+      let s := tightest c full 3 t b in
+      if is_near_over s b then true
+      else
+        match fuel, largest_of (map (fun i => PrimFloat.sub (I.upper i) (I.lower i)) b) with
+        | S fuel', Some k =>
+            let p := I.midpoint (nth k b I.nai) in
+            if stays_near fuel' s (lower_part b k p) then stays_near fuel' s (upper_part b k p)
+            else false
+        | _, _ => false
+        end.
 
   Hypothesis I : (i < n)%nat.
   Hypothesis J : (j < n)%nat.
@@ -770,8 +772,9 @@ Section Over_tube.
     stays_near fuel t b = true -> in_box b x -> in_tube n t x p ->
     Rabs (nth i p 0 - nth j p 0) < y.
   Proof.
-    intros L S. induction fuel as [|fuel IH]; intros t b H B P;
-      pose proof (tightest_holds c full 3 b x p B S t P) as P1; cbn [stays_near] in H;
+    intros L S. induction fuel as [|fuel IH]; intros t b H B P; cbn [stays_near] in H;
+      destruct (is_near_over t b) eqn:N; try exact (is_near_over_correct t b x p y L N B P S);
+      clear N; pose proof (tightest_holds c full 3 b x p B S t P) as P1;
       cbv zeta in H; set (s := tightest c full 3 t b) in *;
       destruct (is_near_over s b) eqn:N; try exact (is_near_over_correct s b x p y L N B P1 S).
     - discriminate.
@@ -782,6 +785,54 @@ Section Over_tube.
       + exact (IH s _ H D P1).
   Qed.
 End Over_tube.
+
+(** ** Hints *)
+
+(** Widens a tube in the unknowns of which the test shows too little: those of the copy hardly move,
+    and the tubes of certificates are as narrow. Halves the box if that is not enough. Nothing is
+    proved of it. *)
+Definition fitted_tube (c : closure) (full : nat) (t : tube) (b : box) : tube :=
+  match bounds_of c full t b with
+  | Some v =>
+      Tube (foot t) (axis_at t) (tilt t)
+        (map (fun i =>
+           let r := number (reach t) i in
+           let d := I.upper (departure (unknowns c) t v i) in
+           if PrimFloat.ltb r d then PrimFloat.add d d else r) (seq 0 (unknowns c)))
+  | None => t
+  end.
+
+Fixpoint fitted_leaf (c : closure) (full fuel : nat) (t : tube) (b : box) : tubes :=
+  let s := fitted_tube c full t b in
+  if is_tested c full s b then Held s
+  else
+    match fuel, largest_of (map (fun i => PrimFloat.sub (I.upper i) (I.lower i)) b) with
+    | S fuel', Some k =>
+        let p := I.midpoint (nth k b I.nai) in
+        Cut k p (fitted_leaf c full fuel' t (lower_part b k p))
+          (fitted_leaf c full fuel' t (upper_part b k p))
+    | _, _ => Held s
+    end.
+
+Fixpoint fitted_tubes (c : closure) (full fuel : nat) (g : tubes) (b : box) : tubes :=
+  match g with
+  | Excluded => Excluded
+  | Held t => fitted_leaf c full fuel t b
+  | Cut k p l u => Cut k p (fitted_tubes c full fuel l (lower_part b k p))
+                     (fitted_tubes c full fuel u (upper_part b k p))
+  end.
+
+Definition fitted (c : closure) (m : method) (g : tubes) : tubes :=
+  match enclose_ranges (ranges (places c)) with
+  | Some root => fitted_tubes c (second_order m) (deepest m) g root
+  | None => g
+  end.
+
+Fixpoint all_fitted (cs : list closure) (m : method) (gs : list tubes) : list tubes :=
+  match cs, gs with
+  | c :: cs', g :: gs' => fitted c m g :: all_fitted cs' m gs'
+  | _, _ => []
+  end.
 
 (** ** The checks *)
 
@@ -803,7 +854,7 @@ Definition check_finite_error_within (c : closure) (errors : list nat) (i : nat)
            enclose_values (map snd (near d)), enclose_ranges (ranges (places d)) with
      | Some b, Some middles, Some radii, Some root =>
          let around := around_start d middles radii (length b) in
-         let h := refined d full (deepest m) g in
+         let h := refined d full (deepest m) (fitted d m g) in
          check_branch d full around (tight_start d full b around) h
          && all_near most_halvings d full i (unknowns c + i) limit (leaves_of h root)
      | _, _, _, _ => false
@@ -855,7 +906,7 @@ Proof.
   destruct (enclose_values (map fst (near d))) as [middles|]; [|discriminate].
   destruct (enclose_values (map snd (near d))) as [radii|]; [|discriminate].
   destruct (enclose_ranges (ranges (places d))) as [root|] eqn:R; [|discriminate].
-  cbv zeta in C. set (h := refined d full (deepest m) g) in *. apply andb_prop in C as [C1 C2].
+  cbv zeta in C. set (h := refined d full (deepest m) (fitted d m g)) in *. apply andb_prop in C as [C1 C2].
   apply check_branch_holds in C1 as (G & root' & R' & Ct & (Br & St & Mo) & X0 & _).
   rewrite R in R'. injection R' as <-. destruct G as (G1 & G2 & G3).
   destruct (given_of_both errors c (conj G1 G2)) as [E L].
@@ -919,7 +970,8 @@ Definition check_finite_error_within_along (c : list expression -> closure)
   let way := map c pieces in
   let n := unknowns_along c pieces in
   is_known (evaluate [] limit) && Nat.ltb i n && all_join way
-  && match stretches full (deepest m) (map (doubled errors) way) gs with
+  && match stretches full (deepest m) (map (doubled errors) way)
+             (all_fitted (map (doubled errors) way) m gs) with
      | Some l =>
          check_stretches full l
          && forallb (fun s => all_near most_halvings (mechanism s) full i (n + i) limit (leaves_on s)) l
@@ -1042,7 +1094,7 @@ Proof.
   unfold check_finite_error_within_along. set (full := second_order m). set (way := map c pieces).
   set (n := unknowns_along c pieces). intros H. apply andb_prop in H as [H C].
   apply andb_prop in H as [H J]. apply andb_prop in H as [K I]. apply Nat.ltb_lt in I.
-  destruct (stretches full (deepest m) (map (doubled errors) way) gs) as [l|] eqn:L;
+  destruct (stretches full (deepest m) (map (doubled errors) way) _) as [l|] eqn:L;
     [|discriminate].
   apply andb_prop in C as [C1 C2]. apply stretches_correct in L as [M E].
   pose proof (check_stretches_start full l E C1) as S0.

@@ -185,7 +185,8 @@ std::string branch_theorem(Lines& lines, const Question& question,
   Lines plain(text);
   Question closure;
   read_question(plain, closure);
-  const CoqQuestion coq = coq_question(lines_of(branch.question), closure, pieces.names);
+  CoqQuestion coq = coq_question(lines_of(branch.question), closure, pieces.names);
+  if (is_distance) coq.second_order = closure.variables.size();
   const VariablesOfCoq variables{branch.places, closure.variables.size()};
   if (is_distance) add_nominal_copy(closure);
   return heading(question) + coq.text + branch.definitions +
