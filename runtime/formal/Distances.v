@@ -849,16 +849,18 @@ Definition check_finite_error_within (c : closure) (errors : list nat) (i : nat)
     (limit : expression) (m : method) (g : tubes) : bool :=
   let full := second_order m in
   let d := doubled errors c in
-  is_known (evaluate [] limit) && Nat.ltb i (unknowns c)
-  && match enclose_values (start d), enclose_values (map fst (near d)),
-           enclose_values (map snd (near d)), enclose_ranges (ranges (places d)) with
-     | Some b, Some middles, Some radii, Some root =>
-         let around := around_start d middles radii (length b) in
-         let h := refined d full (deepest m) (fitted d m g) in
-         check_branch d full around (tight_start d full b around) h
-         && all_near most_halvings d full i (unknowns c + i) limit (leaves_of h root)
-     | _, _, _, _ => false
-     end.
+  if is_known (evaluate [] limit) && Nat.ltb i (unknowns c) then
+    match enclose_values (start d), enclose_values (map fst (near d)),
+          enclose_values (map snd (near d)), enclose_ranges (ranges (places d)) with
+    | Some b, Some middles, Some radii, Some root =>
+        let around := around_start d middles radii (length b) in
+        let h := refined d full (deepest m) (fitted d m g) in
+        if check_branch d full around (tight_start d full b around) h
+        then all_near most_halvings d full i (unknowns c + i) limit (leaves_of h root)
+        else false
+    | _, _, _, _ => false
+    end
+  else false.
 
 Lemma limit_known limit : is_known (evaluate [] limit) = true -> defined [] limit /\
   encloses (range_or_none (evaluate [] limit)) (value [] limit).
@@ -901,12 +903,14 @@ Theorem check_finite_error_within_correct c errors i limit m g :
   check_finite_error_within c errors i limit m g = true -> finite_error_within c errors i limit.
 Proof.
   unfold check_finite_error_within. set (full := second_order m). set (d := doubled errors c).
-  intros H. apply andb_prop in H as [H C]. apply andb_prop in H as [K I]. apply Nat.ltb_lt in I.
+  intros C. destruct (is_known (evaluate [] limit) && Nat.ltb i (unknowns c)) eqn:H;
+    [|discriminate]. apply andb_prop in H as [K I]. apply Nat.ltb_lt in I.
   destruct (enclose_values (start d)) as [b|]; [|discriminate].
   destruct (enclose_values (map fst (near d))) as [middles|]; [|discriminate].
   destruct (enclose_values (map snd (near d))) as [radii|]; [|discriminate].
   destruct (enclose_ranges (ranges (places d))) as [root|] eqn:R; [|discriminate].
-  cbv zeta in C. set (h := refined d full (deepest m) (fitted d m g)) in *. apply andb_prop in C as [C1 C2].
+  cbv zeta in C. set (h := refined d full (deepest m) (fitted d m g)) in *.
+  destruct (check_branch d full _ _ h) eqn:C1; [|discriminate]. rename C into C2.
   apply check_branch_holds in C1 as (G & root' & R' & Ct & (Br & St & Mo) & X0 & _).
   rewrite R in R'. injection R' as <-. destruct G as (G1 & G2 & G3).
   destruct (given_of_both errors c (conj G1 G2)) as [E L].
@@ -969,14 +973,17 @@ Definition check_finite_error_within_along (c : list expression -> closure)
   let full := second_order m in
   let way := map c pieces in
   let n := unknowns_along c pieces in
-  is_known (evaluate [] limit) && Nat.ltb i n && all_join way
-  && match stretches full (deepest m) (map (doubled errors) way)
-             (all_fitted (map (doubled errors) way) m gs) with
-     | Some l =>
-         check_stretches full l
-         && forallb (fun s => all_near most_halvings (mechanism s) full i (n + i) limit (leaves_on s)) l
-     | None => false
-     end.
+  if is_known (evaluate [] limit) && Nat.ltb i n && all_join way then
+    match stretches full (deepest m) (map (doubled errors) way)
+            (all_fitted (map (doubled errors) way) m gs) with
+    | Some l =>
+        if check_stretches full l then
+          forallb (fun s =>
+            all_near most_halvings (mechanism s) full i (n + i) limit (leaves_on s)) l
+        else false
+    | None => false
+    end
+  else false.
 
 Section Along.
   Variables (errors : list nat) (way : list closure) (n : nat) (q : list R -> list R).
@@ -1092,11 +1099,13 @@ Theorem check_finite_error_within_along_correct c pieces errors i limit m gs :
   finite_error_within_along c pieces errors i limit.
 Proof.
   unfold check_finite_error_within_along. set (full := second_order m). set (way := map c pieces).
-  set (n := unknowns_along c pieces). intros H. apply andb_prop in H as [H C].
+  set (n := unknowns_along c pieces). intros C.
+  destruct (is_known (evaluate [] limit) && Nat.ltb i n && all_join way) eqn:H; [|discriminate].
   apply andb_prop in H as [H J]. apply andb_prop in H as [K I]. apply Nat.ltb_lt in I.
   destruct (stretches full (deepest m) (map (doubled errors) way) _) as [l|] eqn:L;
     [|discriminate].
-  apply andb_prop in C as [C1 C2]. apply stretches_correct in L as [M E].
+  destruct (check_stretches full l) eqn:C1; [|discriminate]. rename C into C2.
+  apply stretches_correct in L as [M E].
   pose proof (check_stretches_start full l E C1) as S0.
   apply (check_stretches_correct _ _ E) in C1 as (W & B & others & n2 & Kl & Li).
   assert (U2 : forall s, In s l -> unknowns (mechanism s) = n2).
