@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(** Finite errors: how far all errors together move the configuration of a closure. The check is made
-    of one closure that has the mechanism twice, with its errors and without them. *)
+(** Finite errors: how far all errors together move the configuration of a closure. The check is
+    made of one closure that has the mechanism twice, with its errors and without them. *)
 From Coquelicot Require Import Coquelicot.
 From Coq Require Import Reals QArith Qreals Lra Lia List PArith Bool.
 From Coq Require PrimFloat.
@@ -32,8 +32,8 @@ Definition is_branch_at (g : list R -> list R) (c : closure) (p : list R -> list
      forall q, continuous_motion q -> (forall t, solves c (g (m t)) (q t)) ->
        forall t0, q t0 = p (m t0) -> forall t, q t = p (m t)).
 
-(** The mechanism has a branch p, and without errors a branch p0. At each place of the set, unknown i,
-    the first one being unknown 0, differs by less than the limit. *)
+(** The mechanism has a branch p, and without errors a branch p0. At each place of the set, unknown
+    i, the first one being unknown 0, differs by less than the limit. *)
 Definition finite_error_within (c : closure) (errors : list nat) (i : nat) (limit : expression) :
     Prop :=
   defined [] limit /\ (i < unknowns c)%nat /\ is_given c /\ exists p p0,
@@ -1059,7 +1059,8 @@ Section Along.
       split; [exact (H k' c' O')|exact (H0 k' c' O')]. }
     { intros w Cw Iw. destruct (Mo w Cw) as [D U].
       - intros t. destruct (Iw t) as (k & c & O). destruct (on_both _ k c O) as (O2 & _). eauto.
-      - split; [exact D|]. intros r Cr Sr. apply U; [exact Cr|]. intros t k d O. exact (Sr t k d O). }
+      - split; [exact D|]. intros r Cr Sr. apply U; [exact Cr|].
+        intros t k d O. exact (Sr t k d O). }
     assert (Start : forall c later, way = c :: later ->
       (forall r, solves c (the_start c) r /\ is_near c r <-> r = firstn n (q (the_start c))) /\
       forall r, solves c (without_errors errors c (the_start c)) r /\ is_near c r
@@ -1068,7 +1069,8 @@ Section Along.
       assert (I : In c way) by (rewrite W; left; reflexivity).
       destruct (pieces_are c I) as (E & L & _). pose proof (same_unknowns c I) as <-.
       exact (parts_start errors c E L _ S0 St). }
-    assert (Some_piece : way <> []) by (unfold both_ways in St; destruct way; [elim St|discriminate]).
+    assert (Some_piece : way <> [])
+      by (unfold both_ways in St; destruct way; [elim St|discriminate]).
     split; (split; [intros x k c O; apply (Parts x k c O)|split]).
     - destruct way as [|c later]; [contradiction|apply (Start c later eq_refl)].
     - intros w Cw Iw. destruct (Mo1 w Cw Iw) as [D U]. split; [exact D|].

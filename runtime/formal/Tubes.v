@@ -166,8 +166,8 @@ Definition departure (n : nat) (t : tube) (v : tube_bounds) (i : nat) : interval
 Definition departures (n : nat) (t : tube) (v : tube_bounds) : list interval :=
   map (departure n t v) (seq 0 n).
 
-(** How far it is from the next point of Newton's method: no farther than its distances from the axis
-    times the spreads. *)
+(** How far it is from the next point of Newton's method: no farther than its distances from the
+    axis times the spreads. *)
 Definition rest_of (n : nat) (v : tube_bounds) (d : list interval) (i : nat) : interval :=
   interval_sum n (fun j => multiply (point (bound_of (at_ (spreads v) i j))) (nth j d I.nai)).
 

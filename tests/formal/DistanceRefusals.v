@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(** Finite errors whose values are known by hand: what is false is refused, and what is true next to it
-    is proved. *)
+(** Finite errors whose values are known by hand: what is false is refused, and what is true next to
+    it is proved. *)
 From Coq Require Import List.
 From Coq Require Import PrimFloat.
 From Regulus Require Import Expressions Questions Search Closures Tubes Branches Distances.
@@ -17,8 +17,8 @@ Definition upper : tubes := (Held (Tube [0x1p-3; 1] [0x1.0fp+0; 0x1.0fp+0]
   [[0x1.ep-2; 0x1.ep-2]; [0x1.ep-2; 0]] [0x1p-6; 0x1p-6]))%float.
 Definition the_tubes := Cut 0 0%float lower upper.
 
-(** p^2 = x + g for x in [-1/4, 1/4] and g in [9/10, 11/10]. Without errors g is 1. The largest distance is
-    sqrt(3/4) - sqrt(13/20) = 0.0597997, at x = -1/4. *)
+(** p^2 = x + g for x in [-1/4, 1/4] and g in [9/10, 11/10]. Without errors g is 1. The largest
+    distance is sqrt(3/4) - sqrt(13/20) = 0.0597997, at x = -1/4. *)
 Definition slider (e : expression) : closure :=
   Closure (Question [(-1/4, 1/4); within 1 (1/10)] [] [] [] [] 0) 1 [] [e] [] [0; 1] [(1, 1/2)].
 Definition the_slider := slider (p^2 - x - g).
@@ -55,8 +55,8 @@ Goal (check_finite_error_within shifted [1]%nat 0 0.0561 the_method of_shifted,
       check_finite_error_within shifted [1]%nat 0 0.0558 the_method of_shifted) = (true, false).
 Proof. vm_compute. reflexivity. Qed.
 
-(** The names of a definition, of one that uses an unknown, and of a constraint are those of the copy
-    beside those of the mechanism. h = g + 1 and k = p^2 + h: the same as above. *)
+(** The names of a definition, of one that uses an unknown, and of a constraint are those of the
+    copy beside those of the mechanism. h = g + 1 and k = p^2 + h: the same as above. *)
 Definition named (constraint : expression) : closure :=
   Closure (Question [(-1/4, 1/4); within 1 (1/10)] [Name 1 + 1; Name 2 - 1] [constraint] [Name 3]
     [] 0) 1 [Name 4 ^ 2 + Name 2; Name 5 - Name 2] [Name 6 - x - Name 3] [Name 5] [0; 1] [(1, 1/2)].
@@ -77,8 +77,8 @@ Proof. vm_compute. reflexivity. Qed.
 Definition unhalved (c : closure) : bool :=
   check_finite_error_within c [1]%nat 0 9 (Method 2 0) the_tubes.
 
-(** An unknown that is not there; limits that are none. Nothing is held; a root has no value; a root has
-    none where g is least; both roots meet. *)
+(** An unknown that is not there; limits that are none. Nothing is held; a root has no value; a root
+    has none where g is least; both roots meet. *)
 Goal [check_finite_error_within the_slider [1]%nat 1 9 the_method the_tubes;
       within_of the_slider [1]%nat (1/0);
       within_of the_slider [1]%nat (-1);
@@ -88,8 +88,8 @@ Goal [check_finite_error_within the_slider [1]%nat 1 9 the_method the_tubes;
       unhalved (slider (p^2 - 4*x - g))] = repeat false 7.
 Proof. vm_compute. reflexivity. Qed.
 
-(** Along a way: x = -1/4 + s/2 in one piece, or in two that meet at 0. Where they do not meet, there is
-    no way. *)
+(** Along a way: x goes from -1/4 to 1/4 in two pieces that meet at 0. Where they do not meet, there
+    is no way. *)
 Definition moving (piece : list expression) : closure :=
   Closure (Question [(0, 1); within 1 (1/10)]
     [nth 0 piece no_entry + Name 0 * nth 1 piece no_entry] [] [] [] 0) 1 []
