@@ -29,9 +29,6 @@ constexpr std::string_view kNoPageOfTexts =
     "out";
 constexpr std::string_view kNoTheorem =
     "Coq has theorems about the rank of a matrix, and none about this; regulus-verify proves it";
-constexpr std::string_view kNoTheoremOfFiniteErrors =
-    "Coq has theorems about errors to first order, and none about finite ones; regulus-verify "
-    "proves it";
 constexpr std::string_view kNoTheoremOfPavings =
     "Coq has no theorem about a paving of a branch; check has one of the whole motion, and "
     "regulus-verify proves the paving";
@@ -62,16 +59,12 @@ constexpr Refusal kRefusals[] = {
     {kClosurePaving, kTheorem, kNoTheoremOfPavings},
     {kClosureCondition2, kTheorem, kNoTheorem},
     {kClosureLoadPaving, kTheorem, kNoTheoremOfLoadPavings},
-    {kFiniteErrors, kTheorem, kNoTheoremOfFiniteErrors},
-    {kWayFiniteErrors, kTheorem, kNoTheoremOfFiniteErrors},
-    {kClosureFiniteErrors, kTheorem, kNoTheoremOfFiniteErrors},
     {kWaySolve, kTheorem, kNoTheoremOfSolutions},
     {kWaySolve, kCheckpoint, kNoCheckpointOfSolutions},
     {kWaySolve, kPicture, kNoBoxesOfSolutions, false},
     {kClosureWayPaving, kTheorem, kNoTheoremOfPavings},
     {kClosureWayLoadPaving, kTheorem, kNoTheoremOfLoadPavings},
     {kClosureWayCondition2, kTheorem, kNoTheorem},
-    {kClosureWayFiniteErrors, kTheorem, kNoTheoremOfFiniteErrors},
     {kClosureWaySolve, kTheorem, kNoTheoremOfSolutions},
     {kClosureWaySolve, kCheckpoint, kNoCheckpointOfSolutions},
     {kClosureWaySolve, kPicture, kNoBoxesOfSolutions, false},

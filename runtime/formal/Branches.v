@@ -45,11 +45,12 @@ Section Check.
   Definition leads_to (a b : box) (s t : tube) : bool :=
     match test_tube c full s a with
     | Some v =>
+        let f := residuals c full s a in
+        let d := departures n s v in
         forallb (fun i =>
-          let gap := form_range (subtract_forms
-                       (axis_form s (variables full a) (length a) i)
+          let gap := form_range (subtract_forms (newton_form n full s a v f i)
                        (axis_form t (variables full b) (length b) i)) in
-          is_not_positive (subtract (add (I.abs gap) (departure n s v i))
+          is_not_positive (subtract (add (I.abs gap) (rest_of n v d i))
                                     (point (number (reach t) i)))) (seq 0 n)
     | None => false
     end.
@@ -119,22 +120,19 @@ Section Check.
   Proof.
     unfold leads_to. destruct (test_tube c full s a) as [w|] eqn:T; [|discriminate].
     intros H A B Co P S. rewrite forallb_forall in H.
-    pose proof (only_solution c full s a w x T A p P S) as E.
     split; [apply P|]. intros i I. specialize (H i ltac:(apply in_seq; fold n in I; lia)).
-    destruct (solution_within c full s a w x T A i I) as (d & D & Q & _). rewrite <- E in Q.
+    destruct (near_newton_form c full s a w x T A p i P S I) as (q & d & Q & D & N).
     pose proof (coordinate_in_unit_box a x A) as U.
     assert (G : encloses (form_range (subtract_forms
-        (axis_form s (variables full a) (length a) i) (axis_form t (variables full b) (length b)
-          i)))
-        (axis s x i - axis t y i)).
+        (newton_form n full s a w (residuals c full s a) i)
+        (axis_form t (variables full b) (length b) i))) (q - axis t y i)).
     { apply (form_range_encloses (coordinate a x)); [exact U|].
-      rewrite (proj1 A), (proj1 B). apply subtract_forms_enclose; apply axis_form_encloses;
-        [|rewrite Co]; apply variables_known; assumption. }
+      apply subtract_forms_enclose; [exact Q|].
+      rewrite Co, (proj1 B). apply axis_form_encloses, variables_known, B. }
     pose proof (is_not_positive_correct _ _ H (subtract_encloses _ _ _ _
       (add_encloses _ _ _ _ (absolute_encloses _ _ G) D) (point_encloses (number (reach t) i)))) as
         Z.
-    replace (nth i p 0 - axis t y i) with ((nth i p 0 - axis s x i) + (axis s x i - axis t y i))
-      by ring.
+    replace (nth i p 0 - axis t y i) with ((nth i p 0 - q) + (q - axis t y i)) by ring.
     eapply Rle_trans; [apply Rabs_triang|]. lra.
   Qed.
 

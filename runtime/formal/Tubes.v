@@ -163,6 +163,25 @@ Definition departure (n : nat) (t : tube) (v : tube_bounds) (i : nat) : interval
     (interval_sum n (fun j => multiply (point (bound_of (at_ (spreads v) i j)))
                                 (point (number (reach t) j)))).
 
+Definition departures (n : nat) (t : tube) (v : tube_bounds) : list interval :=
+  map (departure n t v) (seq 0 n).
+
+(** How far it is from the next point of Newton's method: no farther than its distances from the
+    axis times the spreads. *)
+Definition rest_of (n : nat) (v : tube_bounds) (d : list interval) (i : nat) : interval :=
+  interval_sum n (fun j => multiply (point (bound_of (at_ (spreads v) i j))) (nth j d I.nai)).
+
+(** The equations on the axis, and the next point of Newton's method from it. *)
+Definition residuals (c : closure) (full : nat) (t : tube) (b : box) : list form :=
+  let middle := tube_names c t (variables full b) (length b) (fun _ => constant_form zero) in
+  map (fun e => form_of (evaluate middle e)) (equations c).
+
+Definition newton_form (n full : nat) (t : tube) (b : box) (v : tube_bounds) (f : list form)
+    (i : nat) : form :=
+  subtract_forms (axis_form t (variables full b) (length b) i)
+    (form_sum n (fun l => scale_form (point (get (inverse v) i l))
+                            (nth l f (constant_form I.nai)))).
+
 Definition entries (c : closure) (m : nat) (names : list (option enclosure)) : list (list (option
   enclosure)) :=
   map (fun j => let names' := evaluate_definitions names (slope_definitions c m j) in
@@ -643,21 +662,33 @@ Section At_place.
 
   Let positive i I := proj1 (tests i I).
 
+  Definition departure_of (i : nat) : R :=
+    offset_of i + sum n (fun j => spread_of i j * reach_of j).
+
+  Lemma departure_encloses i : encloses (departure n t v i) (departure_of i).
+  Proof.
+    apply add_encloses; [apply point_encloses|]. apply interval_sum_encloses. intros j J.
+    apply multiply_encloses; apply point_encloses.
+  Qed.
+
+  Lemma solution_departs i : (i < n)%nat ->
+    Rabs (nth i tube_solution 0 - axis t x i) <= departure_of i.
+  Proof.
+    intros I. unfold tube_solution. rewrite beside_nth by exact I.
+    replace (axis t x i + solution n error_at inverse_of_middle i - axis t x i)
+      with (solution n error_at inverse_of_middle i) by ring.
+    apply (solution_strict n error_at slopes_at inverse_of_middle spread_of reach_of offset_of);
+      try assumption; try exact error_ext; try exact contracts_here;
+      try exact offset_at_axis; intros; first [apply partial_inside|apply spread_inside|apply
+        tests];
+      assumption.
+  Qed.
+
   Lemma solution_within i : (i < n)%nat -> exists d, encloses (departure n t v i) d /\
     Rabs (nth i tube_solution 0 - axis t x i) <= d /\ d < reach_of i.
   Proof.
-    intros I. exists (offset_of i + sum n (fun j => spread_of i j * reach_of j)).
-    split; [|split; [|apply tests, I]].
-    - apply add_encloses; [apply point_encloses|]. apply interval_sum_encloses. intros j J.
-      apply multiply_encloses; apply point_encloses.
-    - unfold tube_solution. rewrite beside_nth by exact I.
-      replace (axis t x i + solution n error_at inverse_of_middle i - axis t x i)
-        with (solution n error_at inverse_of_middle i) by ring.
-      apply (solution_strict n error_at slopes_at inverse_of_middle spread_of reach_of offset_of);
-        try assumption; try exact error_ext; try exact contracts_here;
-        try exact offset_at_axis; intros; first [apply partial_inside|apply spread_inside|apply
-          tests];
-        assumption.
+    intros I. exists (departure_of i). split; [apply departure_encloses|].
+    split; [exact (solution_departs i I)|apply tests, I].
   Qed.
 
   Lemma solution_in_tube : in_tube n t x tube_solution.
@@ -714,6 +745,51 @@ Section At_place.
     rewrite Rmult_0_l in H.
     destruct (Req_dec (nth i p 0 - axis t x i - (nth i tube_solution 0 - axis t x i)) 0) as [Z|N];
       [lra|]. pose proof (Rabs_pos_lt _ N). lra.
+  Qed.
+
+  (** The next point of Newton's method, and how far the configuration is from it. *)
+  Lemma near_newton_form p i : in_tube n t x p -> solves c x p -> (i < n)%nat -> exists y d,
+    form_encloses (coordinate b x) (newton_form n full t b v (residuals c full t b) i) y /\
+    encloses (rest_of n v (departures n t v) i) d /\ Rabs (nth i p 0 - y) <= d.
+  Proof.
+    intros P S I. pose proof (coordinate_in_unit_box b x B) as T.
+    set (u := fun j => nth j p 0 - axis t x j).
+    exists (axis t x i - image n error_at inverse_of_middle (fun _ => 0) i),
+      (sum n (fun j => spread_of i j * departure_of j)).
+    split; [|split].
+    - apply subtract_forms_enclose.
+      { rewrite (proj1 B). apply axis_form_encloses, variables_known, B. }
+      unfold image. apply form_sum_encloses. intros l Ll.
+      apply scale_form_encloses; [apply point_encloses|].
+      assert (K : known (coordinate b x) middle (names_at c x (beside n t x (fun _ => 0)))).
+      { unfold middle. rewrite <- size_of_place. apply tube_names_known; [exact T| |].
+        - apply variables_known, B.
+        - intros. apply constant_form_encloses, (integer_encloses 0). }
+      unfold residuals. change (tube_names c t (variables full b) (length b) _) with middle.
+      destruct everything_known as (_ & _ & _ & _ & _ & L & _).
+      rewrite (nth_indep _ _ (form_of (evaluate middle no_entry)))
+        by (rewrite map_length, L; exact Ll).
+      rewrite (map_nth (fun e => form_of (evaluate middle e))). apply form_of_value; assumption.
+    - apply interval_sum_encloses. intros j J. apply multiply_encloses; [apply point_encloses|].
+      unfold departures. rewrite (nth_indep _ _ (departure n t v 0))
+        by (rewrite map_length, seq_length; exact J).
+      rewrite (map_nth (departure n t v)), seq_nth by exact J. apply departure_encloses.
+    - assert (Z : image n error_at inverse_of_middle u i = 0).
+      { unfold image. apply sum_zero. intros l Ll.
+        change (fun j => nth j p 0 - axis t x j) with u.
+        rewrite (errors_vanish p P S l Ll : error_at u l = 0). ring. }
+      replace (nth i p 0 - (axis t x i - image n error_at inverse_of_middle (fun _ => 0) i))
+        with (step n error_at inverse_of_middle u i
+              - step n error_at inverse_of_middle (fun _ => 0) i)
+        by (unfold step; rewrite Z; unfold u; ring).
+      eapply Rle_trans.
+      { apply (step_contracts n error_at slopes_at inverse_of_middle spread_of reach_of);
+          try exact I; try exact (distances_inside p P); try exact contracts_here;
+          try exact error_ext;
+          try (intros l Ll; rewrite Rabs_R0; left; apply tests, Ll); intros;
+          first [apply partial_inside|apply spread_inside|apply tests]; assumption. }
+      apply sum_le. intros j J. apply Rmult_le_compat_l; [exact (spread_nonnegative i j I J)|].
+      rewrite Rminus_0_r. unfold u. rewrite (only_solution p P S). exact (solution_departs j J).
   Qed.
 
   (** The derivatives of the equations at a configuration of the tube. *)

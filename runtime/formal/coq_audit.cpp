@@ -19,14 +19,16 @@ constexpr auto kImports = std::to_array<std::string_view>(
     {"From Coq Require Import List", "From Coq Require Import PrimFloat",
      "From Regulus Require Import Expressions Questions Search Singularity Threshold Forces",
      "From Regulus Require Import Notations", "Import ListNotations"});
-/// In place of the third one, of a closure, along a way, of a quantity over its branch, of its solutions, and
-/// of forces within limits.
+/// In place of the third one, of a closure, along a way, of a quantity over its branch, of a finite error, of
+/// its solutions, and of forces within limits.
 constexpr std::string_view kClosureImport =
     "From Regulus Require Import Expressions Questions Search Closures Tubes Branches";
 constexpr std::string_view kWaysImport =
     "From Regulus Require Import Expressions Questions Search Closures Tubes Branches Ways";
 constexpr std::string_view kRatesImport =
     "From Regulus Require Import Expressions Questions Search Closures Tubes Branches Rates";
+constexpr std::string_view kDistancesImport =
+    "From Regulus Require Import Expressions Questions Search Closures Tubes Branches Distances";
 constexpr std::string_view kSolutionsImport =
     "From Regulus Require Import Expressions Questions Search Closures Tubes Branches Solutions";
 constexpr std::string_view kLimitsImport =
@@ -55,6 +57,8 @@ constexpr auto kDefinitions =
                                      "the_limit : expression",
                                      "the_limits : list ( expression * expression )",
                                      "the_motors : list nat",
+                                     "the_errors : list nat",
+                                     "the_unknown : nat",
                                      "the_measure : measured",
                                      "the_vectors : vectors"});
 
@@ -88,11 +92,13 @@ constexpr auto kBranchClaims = std::to_array<Claim>(
      {"branch_below", " the_motors the_measure the_vectors the_limit", "Rates"},
      {"branch_above", " the_motors the_measure the_vectors the_limit", "Rates"},
      {"branch_within_limits", " the_motors the_vectors the_limits", "Rates"},
+     {"finite_error_within", " the_errors the_unknown the_limit", "Distances"},
      {"one_branch_along", " pieces", "Closures"},
      {"branch_within_along", " pieces the_motors the_measure the_vectors the_limit", "Rates"},
      {"branch_below_along", " pieces the_motors the_measure the_vectors the_limit", "Rates"},
      {"branch_above_along", " pieces the_motors the_measure the_vectors the_limit", "Rates"},
      {"branch_within_limits_along", " pieces the_motors the_vectors the_limits", "Rates"},
+     {"finite_error_within_along", " pieces the_errors the_unknown the_limit", "Distances"},
      {"all_solutions", " the_solutions", "Closures"},
      {"some_solutions", " the_solutions", "Closures"}});
 
@@ -127,7 +133,8 @@ class PlainReader {
   void expect_import(std::string_view import) {
     const std::string current = sentences_.current();
     const bool is_of_closure = current == kClosureImport || current == kWaysImport ||
-                               current == kRatesImport || current == kSolutionsImport;
+                               current == kRatesImport || current == kDistancesImport ||
+                               current == kSolutionsImport;
     if (import != kImports[2] || !(is_of_closure || current == kLimitsImport))
       return sentences_.expect(import);
     is_closure_ = is_of_closure;
@@ -155,7 +162,7 @@ class PlainReader {
 
   /// Only these lists have natural numbers, for which `-` would mean something else.
   static bool is_of_numbers(const std::string& name) {
-    return name == "the_motors" || name == "the_vectors";
+    return name == "the_motors" || name == "the_vectors" || name == "the_errors";
   }
 
   void check_word(const CoqToken& token, const std::string& itself) const {

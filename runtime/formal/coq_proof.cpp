@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runtime/formal/coq_branch.hpp"
+#include "runtime/formal/coq_distance.hpp"
 #include "runtime/formal/coq_expression.hpp"
 #include "runtime/formal/coq_force.hpp"
 #include "runtime/formal/coq_load.hpp"
@@ -15,6 +16,8 @@
 #include "runtime/formal/coq_solutions.hpp"
 #include "runtime/formal/coq_tubes.hpp"
 #include "runtime/formal/coq_way.hpp"
+#include "runtime/verifier/branch_quantity.hpp"
+#include "runtime/verifier/nominal_copy.hpp"
 #include "runtime/verifier/pieces.hpp"
 #include "runtime/verifier/planar_platform.hpp"
 #include "runtime/verifier/proof.hpp"
@@ -32,10 +35,11 @@ constexpr int kDeepestSearch = 400;
 std::string imports(const Question& q) {
   if (q.closure)
     return std::string("Expressions Questions Search Closures Tubes Branches") +
-           (q.quantity       ? " Rates"
-            : q.solutions    ? " Solutions"
-            : q.is_piecewise ? " Ways"
-                             : "");
+           (is_finite_error(q) ? " Distances"
+            : q.quantity       ? " Rates"
+            : q.solutions      ? " Solutions"
+            : q.is_piecewise   ? " Ways"
+                               : "");
   return std::string("Expressions Questions Search Singularity Threshold Forces") +
          (q.load ? " Limits" : "");
 }
@@ -170,18 +174,24 @@ std::string theorem_of_tubes(Lines& lines, const Question& question, const CoqQu
          theorem(claim + along + all, check + along + "_correct" + all + " the_method the_tubes");
 }
 
-/// The theorem about a quantity over the branch of a closure.
+/// The theorem about a quantity over the branch of a closure. Tubes of a finite error are those of the
+/// mechanism and its copy.
 std::string branch_theorem(Lines& lines, const Question& question,
                            const std::vector<std::string>& kept, const Pieces& pieces) {
-  const BranchQuantityText branch = split_branch(question, kept);
+  const bool is_distance = is_finite_error(question);
+  const BranchQuantityText branch =
+      is_distance ? split_distance(question, kept) : split_branch(question, kept);
   std::istringstream text(branch.question);
   Lines plain(text);
   Question closure;
   read_question(plain, closure);
-  const CoqQuestion coq = coq_question(lines_of(branch.question), closure, pieces.names);
+  CoqQuestion coq = coq_question(lines_of(branch.question), closure, pieces.names);
+  if (is_distance) coq.second_order = closure.variables.size();
+  const VariablesOfCoq variables{branch.places, closure.variables.size()};
+  if (is_distance) add_nominal_copy(closure);
   return heading(question) + coq.text + branch.definitions +
-         theorem_of_tubes(lines, question, coq, {branch.places, closure.variables.size()}, pieces,
-                          branch.claim, "check_" + branch.claim, branch.arguments);
+         theorem_of_tubes(lines, closure, coq, variables, pieces, branch.claim,
+                          "check_" + branch.claim, branch.arguments);
 }
 
 /// The theorem about one branch of a closure, along the pieces if there are some.

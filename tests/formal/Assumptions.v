@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 From Regulus Require Import Search Singularity Threshold Forces Geometry Matrices Legs.
-From Regulus Require Import Existence Branches Ways Limits Rates Solutions.
+From Regulus Require Import Existence Branches Ways Limits Rates Distances Solutions.
 Definition theorems := (check_correct, check_tree_correct, check_pieces_correct,
   check_piece_trees_correct, check_singularity_correct, check_determinant_correct,
   check_determinant_tree_correct,
@@ -15,6 +15,7 @@ Definition theorems := (check_correct, check_tree_correct, check_pieces_correct,
   check_closure_along_correct, check_branch_within_along_correct,
   check_branch_below_along_correct, check_branch_above_along_correct,
   check_branch_within_limits_along_correct,
+  check_finite_error_within_correct, check_finite_error_within_along_correct,
   check_all_solutions_correct, check_some_solutions_correct,
   full_rank_of_claim, cube_of_ball, degrees_of_degrees, inverse_of_root,
   full_rank_of_names, above_of_names, singular_of_names, small_of_names, angle_45, angle_to_180,
