@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 #include <random>
 #include <sstream>
 
@@ -168,9 +169,8 @@ TEST_P(Bounds, OfTheRowsThatQuantitiesTouchHoldAtEveryPoint) {
   TouchedRows rows(q_, variety_, moving_);
   Domination domination(q_.columns);
   const std::size_t n = q_.columns;
-  std::vector<std::size_t> touched;
-  if (GetParam() == 1) touched = {0, 1};
-  if (GetParam() == 2) touched = {0, 1, 2};
+  std::vector<std::size_t> touched(GetParam() == 1 ? 2 : GetParam() == 2 ? 3 : 0);
+  std::iota(touched.begin(), touched.end(), std::size_t{0});
   ASSERT_EQ(rows.order(), touched.size());
   double most = touched.empty() ? 1.0 : 0.0;
   for (int trial = 0; trial < 100; ++trial) {
