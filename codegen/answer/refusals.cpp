@@ -32,13 +32,6 @@ constexpr std::string_view kNoTheorem =
 constexpr std::string_view kNoTheoremOfFiniteErrors =
     "Coq has theorems about errors to first order, and none about finite ones; regulus-verify "
     "proves it";
-constexpr std::string_view kNoTheoremOfPavings =
-    "Coq has no theorem about a paving of a branch; check has one of the whole motion, and "
-    "regulus-verify proves the paving";
-constexpr std::string_view kNoTheoremOfLoadPavings =
-    "Coq has no theorem about a paving of a load; check with the load has one, and regulus-verify "
-    "proves the paving";
-
 constexpr std::string_view kNoTheoremOfSolutions =
     "Coq has theorems about lists of configurations and of poses in the plane, and none about "
     "poses in space and postures; regulus-verify proves these";
@@ -56,20 +49,14 @@ using enum Service;
 
 constexpr Refusal kRefusals[] = {
     {kCondition2, kTheorem, kNoTheorem},
-    {kLoadPaving, kTheorem, kNoTheoremOfLoadPavings},
     {kWayCondition2, kTheorem, kNoTheorem},
-    {kWayLoadPaving, kTheorem, kNoTheoremOfLoadPavings},
-    {kClosurePaving, kTheorem, kNoTheoremOfPavings},
     {kClosureCondition2, kTheorem, kNoTheorem},
-    {kClosureLoadPaving, kTheorem, kNoTheoremOfLoadPavings},
     {kFiniteErrors, kTheorem, kNoTheoremOfFiniteErrors},
     {kWayFiniteErrors, kTheorem, kNoTheoremOfFiniteErrors},
     {kClosureFiniteErrors, kTheorem, kNoTheoremOfFiniteErrors},
     {kWaySolve, kTheorem, kNoTheoremOfSolutions},
     {kWaySolve, kCheckpoint, kNoCheckpointOfSolutions},
     {kWaySolve, kPicture, kNoBoxesOfSolutions, false},
-    {kClosureWayPaving, kTheorem, kNoTheoremOfPavings},
-    {kClosureWayLoadPaving, kTheorem, kNoTheoremOfLoadPavings},
     {kClosureWayCondition2, kTheorem, kNoTheorem},
     {kClosureWayFiniteErrors, kTheorem, kNoTheoremOfFiniteErrors},
     {kClosureWaySolve, kTheorem, kNoTheoremOfSolutions},
@@ -207,7 +194,9 @@ constexpr std::string_view kIntroduction =
     "and "
     "shows its progress on\na terminal. Of bounds, Coq proves those of forces, and over the branch "
     "of a [closure]\nthose of errors and speeds; of loads, that forces within limits hold "
-    "them.\nAlong way-points `solve` answers at each of them, and says nothing of the way between "
+    "them;\nof pavings of loads and of branches, where they hold it and where the branch is "
+    "certain.\n"
+    "Along way-points `solve` answers at each of them, and says nothing of the way between "
     "them.\n\n";
 
 /// Returns the number of a reason, from 1.
