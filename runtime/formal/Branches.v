@@ -45,6 +45,69 @@ Definition boxes_apart (a b : box) : bool :=
 Definition meet_boxes (a b : box) : box :=
   map (fun k => I.meet (nth k a I.nai) (nth k b I.nai)) (seq 0 (length a)).
 
+(** Tubes about the configurations of a box, by Newton's method. Nothing is proved of them. *)
+Module Fit.
+  Import Coq.Floats.PrimFloat.
+
+  Definition widened (t : tube) (f : F.type) : tube :=
+    Tube (foot t) (axis_at t) (tilt t) (map (fun r => mul r f) (reach t)).
+
+  Definition equations_on_axis (c : closure) (full : nat) (b : box) (t : tube) : list form :=
+    let names := tube_names c t (variables full b) (length b) (fun _ => constant_form Intervals.zero)
+      in
+    map (fun e => form_of (evaluate names e)) (equations c).
+
+  (** A step of Newton's method in the middle of the box. k is roughly the inverse of the
+      derivatives. *)
+  Definition newton_step (c : closure) (full : nat) (k : list (list F.type)) (b : box) (t : tube) :=
+    let f := map (fun e => I.midpoint (constant e)) (equations_on_axis c full b t) in
+    let change i := float_sum (map (fun l => mul (get k i l) (nth l f nan)) (seq 0 (unknowns c))) in
+    Tube (foot t) (map (fun i => sub (number (axis_at t) i) (change i)) (seq 0 (unknowns c)))
+      (tilt t) (reach t).
+
+  (** The tube with its foot in the middle of the box. *)
+  Definition moved_to (b : box) (t : tube) : tube :=
+    let m := map (fun i => I.midpoint i) b in
+    let shift row := float_sum (map (fun j =>
+      mul (number row j) (sub (number m j) (number (foot t) j))) (seq 0 (length b))) in
+    Tube m (map (fun u => add (fst u) (shift (snd u))) (combine (axis_at t) (tilt t))) (tilt t)
+      (reach t).
+
+  (** The axis turns about the foot such that the equations hardly change along it. *)
+  Definition turned (c : closure) (full : nat) (k : list (list F.type)) (b : box) (t : tube) : tube :=
+    let f := equations_on_axis c full b t in
+    let slope j (e : form) := fold_left (fun s u => match fst u with
+      | [v] => if Pos.eqb v (Pos.of_succ_nat j) then add s (I.midpoint (snd u)) else s
+      | _ => s
+      end) (linear e ++ single e) zero in
+    let change i j :=
+      let s := float_sum (map (fun l => mul (get k i l) (slope j (nth l f (constant_form I.nai))))
+                            (seq 0 (unknowns c))) in
+      if eqb s zero then zero else div s (radius (nth j b I.nai)) in
+    Tube (foot t) (axis_at t)
+      (tabulate (unknowns c) (length b) (fun i j => sub (get (tilt t) i j) (change i j))) (reach t).
+
+  (** The tube about the configurations of the box, as they are in its middle. *)
+  Definition fitted (c : closure) (full : nat) (b : box) (t : tube) : tube :=
+    let s := moved_to b t in
+    match bounds_of c full s b with
+    | Some v =>
+        let to_middle := Nat.iter 3 (newton_step c full (inverse v) b) in
+        to_middle (turned c full (inverse v) b (to_middle s))
+    | None => s
+    end.
+
+  Definition narrow (c : closure) (full : nat) (b : box) (t : tube) : list tube :=
+    map (widened (fitted c full b t)) [0x1p-2; 0x1p-6]%float.
+
+  (** The variable by which the axis changes most over the box. *)
+  Definition steepest (b : box) (t : tube) : option nat :=
+    largest_of (map (fun j =>
+      let i := nth j b I.nai in
+      mul (sub (I.upper i) (I.lower i)) (float_sum (map (fun row => abs (number row j)) (tilt t))))
+      (seq 0 (length b))).
+End Fit.
+
 Section Check.
   Variables (c : closure) (full : nat).
   Let n := unknowns c.
@@ -67,11 +130,25 @@ Section Check.
 
   Definition leads (b : box) (s t : tube) : bool := leads_to b b s t.
 
+  (** Over b, or over each of its parts, one tube leads to the other, or a narrow one leads to both. *)
+  Fixpoint agree (fuel : nat) (b : box) (s t : tube) : bool :=
+    if leads b s t then true else if leads b t s then true
+    else if existsb (fun u => leads b u s && leads b u t) (Fit.narrow c full b s) then true
+    else
+      match fuel, Fit.steepest b s with
+      | S fuel', Some k =>
+          let p := I.midpoint (nth k b I.nai) in
+          if agree fuel' (lower_part b k p) s t then agree fuel' (upper_part b k p) s t else false
+      | _, _ => false
+      end.
+
+  Definition most_halvings_of_link : nat := 5.
+
   Definition linked (x y : leaf) : bool :=
     match fst x, fst y with
     | Some s, Some t =>
         if boxes_apart (snd x) (snd y) then true
-        else let b := meet_boxes (snd x) (snd y) in if leads b s t then true else leads b t s
+        else agree most_halvings_of_link (meet_boxes (snd x) (snd y)) s t
     | _, _ => true
     end.
 
@@ -96,8 +173,9 @@ Section Check.
     | Cut k p l u =>
         let lb := lower_part b k p in
         let ub := upper_part b k p in
-        check_tubes l lb && check_tubes u ub
-        && linked_across k p (leaves_of l lb) (leaves_of u ub)
+        if check_tubes l lb then
+          if check_tubes u ub then linked_across k p (leaves_of l lb) (leaves_of u ub) else false
+        else false
     end.
 
   (** ** The configurations at a place agree *)
@@ -159,17 +237,40 @@ Section Check.
     exact (leads_to_correct b b s t x x p H B B eq_refl P S).
   Qed.
 
+  Lemma agree_correct s a v t b w x : test_tube c full s a = Some v ->
+    test_tube c full t b = Some w -> in_box a x -> in_box b x -> forall fuel m,
+    agree fuel m s t = true -> in_box m x -> tube_solution c s v x = tube_solution c t w x.
+  Proof.
+    intros S T A B. induction fuel as [|fuel IH]; intros m H M; cbn [agree] in H;
+      (destruct (leads m s t) eqn:L1;
+       [exact (leads_correct m s t w x _ L1 M (solution_in_tube c full s a v x S A)
+                 (tube_solution_solves c full s a v x S A) b T B)|]);
+      (destruct (leads m t s) eqn:L2;
+       [symmetry; exact (leads_correct m t s v x _ L2 M (solution_in_tube c full t b w x T B)
+                           (tube_solution_solves c full t b w x T B) a S A)|]);
+      (destruct (existsb _ _) eqn:N in H;
+       [apply existsb_exists in N as (u & _ & N); apply andb_prop in N as [N1 N2];
+        pose proof N1 as U; unfold leads, leads_to in U;
+        destruct (test_tube c full u m) as [z|] eqn:Z; [clear U|discriminate];
+        pose proof (solution_in_tube c full u _ z x Z M) as P;
+        pose proof (tube_solution_solves c full u _ z x Z M) as Q;
+        rewrite <- (leads_correct m u s v x _ N1 M P Q a S A);
+        exact (leads_correct m u t w x _ N2 M P Q b T B)|]).
+    - discriminate.
+    - destruct (Fit.steepest m s) as [k|]; [|discriminate].
+      destruct (agree fuel (lower_part _ _ _) s t) eqn:L; [|discriminate].
+      destruct (parts_cover m x k (I.midpoint (nth k m I.nai)) M) as [D|D].
+      + exact (IH _ L D).
+      + exact (IH _ H D).
+  Qed.
+
   Lemma linked_correct s a v t b w x : linked (Some s, a) (Some t, b) = true ->
     test_tube c full s a = Some v -> test_tube c full t b = Some w ->
     in_box a x -> in_box b x -> tube_solution c s v x = tube_solution c t w x.
   Proof.
-    unfold linked. simpl. intros H S T A B. destruct (boxes_apart a b) eqn:D.
-    { elim (boxes_apart_correct a b x D A B). }
-    pose proof (meet_boxes_correct a b x A B) as M. clear D. apply orb_prop in H as [H|H].
-    - exact (leads_correct _ s t w x _ H M (solution_in_tube c full s a v x S A)
-               (tube_solution_solves c full s a v x S A) b T B).
-    - symmetry. exact (leads_correct _ t s v x _ H M (solution_in_tube c full t b w x T B)
-                         (tube_solution_solves c full t b w x T B) a S A).
+    unfold linked. cbn [fst snd]. intros H S T A B. destruct (boxes_apart a b) eqn:D.
+    - elim (boxes_apart_correct a b x D A B).
+    - exact (agree_correct s a v t b w x S T A B _ _ H (meet_boxes_correct a b x A B)).
   Qed.
 
   Lemma linked_across_correct k p l u s a v t b w x : linked_across k p l u = true ->
@@ -207,7 +308,7 @@ Section Check.
       destruct Q as (t2 & b2 & v2 & [E2|[]] & B2 & T2 & ->).
       injection E1 as <- <-. injection E2 as <- <-. rewrite T1 in T2. injection T2 as <-.
       reflexivity.
-    - simpl in H. apply andb_prop in H as [H H3]. apply andb_prop in H as [H1 H2].
+    - simpl in H. apply andb_prop in H as [H1 H]. apply andb_prop in H as [H2 H3].
       assert (swap : forall p q, held_at (leaves_of l (lower_part b k m)) x p ->
                 held_at (leaves_of u (upper_part b k m)) x q -> p = q).
       { intros p' q' (t1 & b1 & v1 & I1 & B1 & T1 & ->) (t2 & b2 & v2 & I2 & B2 & T2 & ->).
@@ -254,7 +355,7 @@ Section Check.
     - simpl in *. unfold is_tested in H. destruct (test_tube c full t b) as [v|] eqn:T;
       [|discriminate].
       exists t, b, v. split; [left; reflexivity|]. split; [exact B|]. split; [exact T|reflexivity].
-    - simpl in H. apply andb_prop in H as [H H3]. apply andb_prop in H as [H1 H2]. simpl in N |- *.
+    - simpl in H. apply andb_prop in H as [H1 H]. apply andb_prop in H as [H2 H3]. simpl in N |- *.
       destruct (Rle_dec (nth k x 0) (real_of m)) as [L|L].
       + destruct (IHl (lower_part b k m) x H1 (in_lower_part b k m x B L) N)
           as (t1 & b1 & v1 & I1 & R1).
@@ -303,7 +404,7 @@ Section Check.
       destruct (test_tube c full t b) as [v|] eqn:T; [|discriminate]. exists t, b, v.
       split; [left; reflexivity|]. split; [exact B|]. split; [exact T|]. split; [|exact F].
       reflexivity.
-    - apply andb_prop in H as [H _]. apply andb_prop in H as [H1 H2].
+    - apply andb_prop in H as [H1 H]. apply andb_prop in H as [H2 _].
       apply andb_prop in F as [F1 F2]. destruct (Rle_dec (nth k x 0) (real_of m)) as [L|L].
       + destruct (IHl _ _ x H1 F1 (in_lower_part b k m x B L) S (lower_side_correct w k m x L W))
           as (N & t & b' & v & I & R).
@@ -917,12 +1018,14 @@ Qed.
     to link. Nothing is proved of it. *)
 From Coq Require Import PrimFloat.
 
-Definition widened (t : tube) (f : F.type) : tube :=
-  Tube (foot t) (axis_at t) (tilt t) (map (fun r => PrimFloat.mul r f) (reach t)).
-
+(** The tube, as wide as it holds, or a narrower one that fits better. *)
 Definition widest (c : closure) (full : nat) (t : tube) (b : box) : option tube :=
-  find (fun s => is_tested c full s b)
-    (map (widened t) [8; 3; 1.5; 1]%float).
+  let first_that_holds s factors := find (fun u => is_tested c full u b) (map (Fit.widened s) factors)
+    in
+  match first_that_holds t [8; 3; 1.5; 1]%float with
+  | Some s => Some s
+  | None => first_that_holds (Fit.fitted c full b t) [1; 0.5; 0.25; 0.125; 0.0625]%float
+  end.
 
 Fixpoint refined_leaf (c : closure) (full fuel : nat) (t : tube) (b : box) : tubes :=
   match widest c full t b, fuel with
@@ -959,18 +1062,10 @@ Definition around_start (c : closure) (middles radii : box) (m : nat) : tube :=
   Tube zeros (map (fun i => I.midpoint i) middles) (map (fun _ => zeros) middles)
     (map (fun i => mul (I.upper i) 0x1.0001p+0) radii)%float.
 
-Definition newton_step (c : closure) (full : nat) (k : list (list F.type)) (b : box) (t : tube) :=
-  let names := tube_names c t (variables full b) (length b) (fun _ => constant_form Intervals.zero)
-    in
-  let f := map (fun e => I.midpoint (constant (form_of (evaluate names e)))) (equations c) in
-  let change i := float_sum (map (fun l => mul (get k i l) (nth l f nan)) (seq 0 (unknowns c))) in
-  Tube (foot t) (map (fun i => sub (number (axis_at t) i) (change i)) (seq 0 (unknowns c)))
-    (tilt t) (reach t).
-
 Definition tight_start (c : closure) (full : nat) (b : box) (t : tube) : tube :=
   match bounds_of c full t b with
   | Some v =>
-      let s := Nat.iter 20 (newton_step c full (inverse v) b) t in
+      let s := Nat.iter 20 (Fit.newton_step c full (inverse v) b) t in
       Tube (foot s) (axis_at s) (tilt s) (map (fun r => mul r 0x1p-10) (reach s))%float
   | None => t
   end.

@@ -323,7 +323,8 @@ Definition linked_at_joint (c d : closure) (full : nat) (x y : leaf) : bool :=
       else
         let e := joint_box one (snd x) (snd y) in
         let b := joint_box zero (snd x) (snd y) in
-        if leads_to c full e b s t then true else leads_to d full b e t s
+        if leads_to c full e b s t then true else if leads_to d full b e t s then true
+        else existsb (fun u => leads c full e u s && leads_to c full e b u t) (Fit.narrow c full e s)
   | _, _ => true
   end.
 
@@ -370,14 +371,24 @@ Proof.
   pose proof (in_box_cons zero _ 0 y (integer_encloses 0) M) as E0.
   pose proof (tube_solution_solves c full s a v _ T A) as S1.
   pose proof (tube_solution_solves d full t b w _ W B) as S0.
+  assert (in_t : forall p, in_tube (unknowns c) t (0 :: y) p -> solves c (1 :: y) p ->
+            p = tube_solution d t w (0 :: y)).
+  { intros p P Sp. rewrite U in P. apply (only_solution d full t b w _ W B _ P), J; assumption. }
   apply orb_prop in H as [H|H].
-  - pose proof (leads_to_correct c full _ _ s t _ _ _ H E1 E0 (same_coordinates _ y)
-      (solution_in_tube c full s a v _ T A) S1) as Q. rewrite U in Q.
-    apply (only_solution d full t b w _ W B _ Q). apply J; assumption.
+  { exact (in_t _ (leads_to_correct c full _ _ s t _ _ _ H E1 E0 (same_coordinates _ y)
+      (solution_in_tube c full s a v _ T A) S1) S1). }
+  apply orb_prop in H as [H|H].
   - symmetry.
     pose proof (leads_to_correct d full _ _ t s _ _ _ H E0 E1 (eq_sym (same_coordinates _ y))
       (solution_in_tube d full t b w _ W B) S0) as Q. rewrite <- U in Q.
     apply (only_solution c full s a v _ T A _ Q). apply J; assumption.
+  - apply existsb_exists in H as (u & _ & H). apply andb_prop in H as [H1 H2].
+    pose proof H1 as Z. unfold leads, leads_to in Z.
+    destruct (test_tube c full u _) as [z|] eqn:Tu; [clear Z|discriminate].
+    pose proof (solution_in_tube c full u _ z _ Tu E1) as P.
+    pose proof (tube_solution_solves c full u _ z _ Tu E1) as Q.
+    rewrite <- (leads_correct c full _ u s v _ _ H1 E1 P Q a T A).
+    exact (in_t _ (leads_to_correct c full _ _ u t _ _ _ H2 E1 E0 (same_coordinates _ y) P Q) Q).
 Qed.
 
 (** ** All pieces *)
