@@ -29,20 +29,12 @@ constexpr std::string_view kNoPageOfTexts =
     "out";
 constexpr std::string_view kNoTheorem =
     "Coq has theorems about the rank of a matrix, and none about this; regulus-verify proves it";
-constexpr std::string_view kNoTheoremOfPavings =
-    "Coq has no theorem about a paving of a branch; check has one of the whole motion, and "
-    "regulus-verify proves the paving";
-constexpr std::string_view kNoTheoremOfLoadPavings =
-    "Coq has no theorem about a paving of a load; check with the load has one, and regulus-verify "
-    "proves the paving";
-
 constexpr std::string_view kNoTheoremOfSolutions =
     "Coq has theorems about lists of configurations and of poses in the plane, and none about "
     "poses in space and postures; regulus-verify proves these";
 constexpr std::string_view kNoCheckpointOfSolutions =
     "no answer rests on a checkpoint, so each list would be proved again from its beginning; leave "
-    "it "
-    "out, and of a table ask for the places that are left";
+    "it out, and of a table ask for the places that are left";
 constexpr std::string_view kNoBoxesOfSolutions =
     "a picture is of the boxes of a paving, not of solutions";
 constexpr std::string_view kOneMethodOfSolutions =
@@ -53,17 +45,11 @@ using enum Service;
 
 constexpr Refusal kRefusals[] = {
     {kCondition2, kTheorem, kNoTheorem},
-    {kLoadPaving, kTheorem, kNoTheoremOfLoadPavings},
     {kWayCondition2, kTheorem, kNoTheorem},
-    {kWayLoadPaving, kTheorem, kNoTheoremOfLoadPavings},
-    {kClosurePaving, kTheorem, kNoTheoremOfPavings},
     {kClosureCondition2, kTheorem, kNoTheorem},
-    {kClosureLoadPaving, kTheorem, kNoTheoremOfLoadPavings},
     {kWaySolve, kTheorem, kNoTheoremOfSolutions},
     {kWaySolve, kCheckpoint, kNoCheckpointOfSolutions},
     {kWaySolve, kPicture, kNoBoxesOfSolutions, false},
-    {kClosureWayPaving, kTheorem, kNoTheoremOfPavings},
-    {kClosureWayLoadPaving, kTheorem, kNoTheoremOfLoadPavings},
     {kClosureWayCondition2, kTheorem, kNoTheorem},
     {kClosureWaySolve, kTheorem, kNoTheoremOfSolutions},
     {kClosureWaySolve, kCheckpoint, kNoCheckpointOfSolutions},
@@ -199,8 +185,10 @@ constexpr std::string_view kIntroduction =
     "ask the same\nquestions as the command. Every search takes limits, threads and an interrupt, "
     "and "
     "shows its progress on\na terminal. Of bounds, Coq proves those of forces, and over the branch "
-    "of a [closure]\nthose of errors and speeds; of loads, that forces within limits hold "
-    "them.\nAlong way-points `solve` answers at each of them, and says nothing of the way between "
+    "of a [closure]\nthose of errors, also finite ones, and speeds; of loads, that forces within limits hold "
+    "them;\nof pavings of loads and of branches, where they hold it and where the branch is "
+    "certain.\n"
+    "Along way-points `solve` answers at each of them, and says nothing of the way between "
     "them.\n\n";
 
 /// Returns the number of a reason, from 1.

@@ -135,12 +135,23 @@ Definition lower_part (b : box) (k : nat) (c : F.type) : box :=
 Definition upper_part (b : box) (k : nat) (c : F.type) : box :=
   replace k (I.meet (nth k b I.nai) (I.upper_extent (point c))) b.
 
+Lemma in_lower_part b k p x : in_box b x -> nth k x 0 <= real_of p -> in_box (lower_part b k p) x.
+Proof.
+  intros B L. apply in_box_replace; [exact B|]. apply meet_encloses; [apply B|].
+  exact (I.lower_extent_correct _ _ _ (point_encloses p) L).
+Qed.
+
+Lemma in_upper_part b k p x :
+  in_box b x -> ~ nth k x 0 <= real_of p -> in_box (upper_part b k p) x.
+Proof.
+  intros B L. apply in_box_replace; [exact B|]. apply meet_encloses; [apply B|].
+  refine (I.upper_extent_correct _ _ _ (point_encloses p) _). lra.
+Qed.
+
 Lemma parts_cover b x k c :
   in_box b x -> in_box (lower_part b k c) x \/ in_box (upper_part b k c) x.
 Proof.
   intros B. destruct (Rle_dec (nth k x 0) (real_of c)) as [L|L].
-  - left. apply in_box_replace; [exact B|]. apply meet_encloses; [apply B|].
-    exact (I.lower_extent_correct _ _ _ (point_encloses c) L).
-  - right. apply in_box_replace; [exact B|]. apply meet_encloses; [apply B|].
-    refine (I.upper_extent_correct _ _ _ (point_encloses c) _). lra.
+  - left. exact (in_lower_part b k c x B L).
+  - right. exact (in_upper_part b k c x B L).
 Qed.

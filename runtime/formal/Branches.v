@@ -8,12 +8,23 @@ From Coq Require PrimFloat.
 From Interval Require Import Real.Xreal Interval.Interval.
 From Regulus Require Import Expressions Intervals Forms Evaluation Boxes Hints Regularity.
 From Regulus Require Import Continuity Existence Derivatives LinearAlgebra Questions Search
-  Closures Tubes.
+  Closures Tubes Parts.
 Import ListNotations.
 Open Scope R_scope.
 
+(** ** The claim about a paving *)
+
+(** PAVING of a closure: what NO SINGULARITY says, of the places in the parts that are kept. The
+    start is in one of them. *)
+Definition one_branch_in (c : closure) (w : parts) : Prop :=
+  is_given c /\ is_kept w (the_start c) /\
+  exists p, is_branch_among (fun x => in_set (places c) x /\ is_kept w x) c p.
+
+(** ** Tubes *)
+
 Inductive tubes :=
   | Excluded            (** a constraint is positive everywhere in the box *)
+  | NoTube              (** nothing is known of the box *)
   | Held (t : tube)     (** the configuration is in the tube *)
   | Cut (variable : nat) (place : F.type) (lower upper : tubes).
 
@@ -21,7 +32,7 @@ Definition leaf := (option tube * box)%type.
 
 Fixpoint leaves_of (g : tubes) (b : box) : list leaf :=
   match g with
-  | Excluded => [(None, b)]
+  | Excluded | NoTube => [(None, b)]
   | Held t => [(Some t, b)]
   | Cut k p l u => leaves_of l (lower_part b k p) ++ leaves_of u (upper_part b k p)
   end.
@@ -33,6 +44,69 @@ Definition boxes_apart (a b : box) : bool :=
 
 Definition meet_boxes (a b : box) : box :=
   map (fun k => I.meet (nth k a I.nai) (nth k b I.nai)) (seq 0 (length a)).
+
+(** Tubes about the configurations of a box, by Newton's method. Nothing is proved of them. *)
+Module Fit.
+  Import Coq.Floats.PrimFloat.
+
+  Definition widened (t : tube) (f : F.type) : tube :=
+    Tube (foot t) (axis_at t) (tilt t) (map (fun r => mul r f) (reach t)).
+
+  Definition equations_on_axis (c : closure) (full : nat) (b : box) (t : tube) : list form :=
+    let names := tube_names c t (variables full b) (length b) (fun _ => constant_form Intervals.zero)
+      in
+    map (fun e => form_of (evaluate names e)) (equations c).
+
+  (** A step of Newton's method in the middle of the box. k is roughly the inverse of the
+      derivatives. *)
+  Definition newton_step (c : closure) (full : nat) (k : list (list F.type)) (b : box) (t : tube) :=
+    let f := map (fun e => I.midpoint (constant e)) (equations_on_axis c full b t) in
+    let change i := float_sum (map (fun l => mul (get k i l) (nth l f nan)) (seq 0 (unknowns c))) in
+    Tube (foot t) (map (fun i => sub (number (axis_at t) i) (change i)) (seq 0 (unknowns c)))
+      (tilt t) (reach t).
+
+  (** The tube with its foot in the middle of the box. *)
+  Definition moved_to (b : box) (t : tube) : tube :=
+    let m := map (fun i => I.midpoint i) b in
+    let shift row := float_sum (map (fun j =>
+      mul (number row j) (sub (number m j) (number (foot t) j))) (seq 0 (length b))) in
+    Tube m (map (fun u => add (fst u) (shift (snd u))) (combine (axis_at t) (tilt t))) (tilt t)
+      (reach t).
+
+  (** The axis turns about the foot such that the equations hardly change along it. *)
+  Definition turned (c : closure) (full : nat) (k : list (list F.type)) (b : box) (t : tube) : tube :=
+    let f := equations_on_axis c full b t in
+    let slope j (e : form) := fold_left (fun s u => match fst u with
+      | [v] => if Pos.eqb v (Pos.of_succ_nat j) then add s (I.midpoint (snd u)) else s
+      | _ => s
+      end) (linear e ++ single e) zero in
+    let change i j :=
+      let s := float_sum (map (fun l => mul (get k i l) (slope j (nth l f (constant_form I.nai))))
+                            (seq 0 (unknowns c))) in
+      if eqb s zero then zero else div s (radius (nth j b I.nai)) in
+    Tube (foot t) (axis_at t)
+      (tabulate (unknowns c) (length b) (fun i j => sub (get (tilt t) i j) (change i j))) (reach t).
+
+  (** The tube about the configurations of the box, as they are in its middle. *)
+  Definition fitted (c : closure) (full : nat) (b : box) (t : tube) : tube :=
+    let s := moved_to b t in
+    match bounds_of c full s b with
+    | Some v =>
+        let to_middle := Nat.iter 3 (newton_step c full (inverse v) b) in
+        to_middle (turned c full (inverse v) b (to_middle s))
+    | None => s
+    end.
+
+  Definition narrow (c : closure) (full : nat) (b : box) (t : tube) : list tube :=
+    map (widened (fitted c full b t)) [0x1p-2; 0x1p-6]%float.
+
+  (** The variable by which the axis changes most over the box. *)
+  Definition steepest (b : box) (t : tube) : option nat :=
+    largest_of (map (fun j =>
+      let i := nth j b I.nai in
+      mul (sub (I.upper i) (I.lower i)) (float_sum (map (fun row => abs (number row j)) (tilt t))))
+      (seq 0 (length b))).
+End Fit.
 
 Section Check.
   Variables (c : closure) (full : nat).
@@ -57,11 +131,25 @@ Section Check.
 
   Definition leads (b : box) (s t : tube) : bool := leads_to b b s t.
 
+  (** Over b, or over each of its parts, one tube leads to the other, or a narrow one leads to both. *)
+  Fixpoint agree (fuel : nat) (b : box) (s t : tube) : bool :=
+    if leads b s t then true else if leads b t s then true
+    else if existsb (fun u => leads b u s && leads b u t) (Fit.narrow c full b s) then true
+    else
+      match fuel, Fit.steepest b s with
+      | S fuel', Some k =>
+          let p := I.midpoint (nth k b I.nai) in
+          if agree fuel' (lower_part b k p) s t then agree fuel' (upper_part b k p) s t else false
+      | _, _ => false
+      end.
+
+  Definition most_halvings_of_link : nat := 5.
+
   Definition linked (x y : leaf) : bool :=
     match fst x, fst y with
     | Some s, Some t =>
-        boxes_apart (snd x) (snd y)
-        || (let b := meet_boxes (snd x) (snd y) in leads b s t || leads b t s)
+        if boxes_apart (snd x) (snd y) then true
+        else agree most_halvings_of_link (meet_boxes (snd x) (snd y)) s t
     | _, _ => true
     end.
 
@@ -73,19 +161,22 @@ Section Check.
     forallb (fun x => is_not_positive (from high x)) l
     && forallb (fun x => is_not_negative (from low x)) u
     && (let touching := filter (fun y => negb (is_positive (from high y))) u in
-        forallb (fun x => is_negative (from low x) || forallb (linked x) touching) l).
+        forallb (fun x => if is_negative (from low x) then true
+                          else forallb (linked x) touching) l).
 
   Fixpoint check_tubes (g : tubes) (b : box) : bool :=
     match g with
     | Excluded =>
         existsb (is_excluded (evaluate_definitions (variables full b) (definitions (places c))))
           (constraints (places c))
+    | NoTube => true
     | Held t => is_tested t b
     | Cut k p l u =>
         let lb := lower_part b k p in
         let ub := upper_part b k p in
-        check_tubes l lb && check_tubes u ub
-        && linked_across k p (leaves_of l lb) (leaves_of u ub)
+        if check_tubes l lb then
+          if check_tubes u ub then linked_across k p (leaves_of l lb) (leaves_of u ub) else false
+        else false
     end.
 
   (** ** The configurations at a place agree *)
@@ -144,18 +235,40 @@ Section Check.
     exact (leads_to_correct b b s t x x p H B B eq_refl P S).
   Qed.
 
+  Lemma agree_correct s a v t b w x : test_tube c full s a = Some v ->
+    test_tube c full t b = Some w -> in_box a x -> in_box b x -> forall fuel m,
+    agree fuel m s t = true -> in_box m x -> tube_solution c s v x = tube_solution c t w x.
+  Proof.
+    intros S T A B. induction fuel as [|fuel IH]; intros m H M; cbn [agree] in H;
+      (destruct (leads m s t) eqn:L1;
+       [exact (leads_correct m s t w x _ L1 M (solution_in_tube c full s a v x S A)
+                 (tube_solution_solves c full s a v x S A) b T B)|]);
+      (destruct (leads m t s) eqn:L2;
+       [symmetry; exact (leads_correct m t s v x _ L2 M (solution_in_tube c full t b w x T B)
+                           (tube_solution_solves c full t b w x T B) a S A)|]);
+      (destruct (existsb _ _) eqn:N in H;
+       [apply existsb_exists in N as (u & _ & N); apply andb_prop in N as [N1 N2];
+        pose proof N1 as U; unfold leads, leads_to in U;
+        destruct (test_tube c full u m) as [z|] eqn:Z; [clear U|discriminate];
+        pose proof (solution_in_tube c full u _ z x Z M) as P;
+        pose proof (tube_solution_solves c full u _ z x Z M) as Q;
+        rewrite <- (leads_correct m u s v x _ N1 M P Q a S A);
+        exact (leads_correct m u t w x _ N2 M P Q b T B)|]).
+    - discriminate.
+    - destruct (Fit.steepest m s) as [k|]; [|discriminate].
+      destruct (agree fuel (lower_part _ _ _) s t) eqn:L; [|discriminate].
+      destruct (parts_cover m x k (I.midpoint (nth k m I.nai)) M) as [D|D].
+      + exact (IH _ L D).
+      + exact (IH _ H D).
+  Qed.
+
   Lemma linked_correct s a v t b w x : linked (Some s, a) (Some t, b) = true ->
     test_tube c full s a = Some v -> test_tube c full t b = Some w ->
     in_box a x -> in_box b x -> tube_solution c s v x = tube_solution c t w x.
   Proof.
-    unfold linked. simpl. intros H S T A B. apply orb_prop in H as [H|H].
-    { elim (boxes_apart_correct a b x H A B). }
-    pose proof (meet_boxes_correct a b x A B) as M.
-    apply orb_prop in H as [H|H].
-    - exact (leads_correct _ s t w x _ H M (solution_in_tube c full s a v x S A)
-               (tube_solution_solves c full s a v x S A) b T B).
-    - symmetry. exact (leads_correct _ t s v x _ H M (solution_in_tube c full t b w x T B)
-                         (tube_solution_solves c full t b w x T B) a S A).
+    unfold linked. cbn [fst snd]. intros H S T A B. destruct (boxes_apart a b) eqn:D.
+    - elim (boxes_apart_correct a b x D A B).
+    - exact (agree_correct s a v t b w x S T A B _ _ H (meet_boxes_correct a b x A B)).
   Qed.
 
   Lemma linked_across_correct k p l u s a v t b w x : linked_across k p l u = true ->
@@ -186,13 +299,14 @@ Section Check.
   Lemma leaves_agree g : forall b x p q, check_tubes g b = true ->
     held_at (leaves_of g b) x p -> held_at (leaves_of g b) x q -> p = q.
   Proof.
-    induction g as [|t|k m l IHl u IHu]; intros b x p q H P Q.
+    induction g as [| |t|k m l IHl u IHu]; intros b x p q H P Q.
+    - destruct P as (t & b' & v & [E|[]] & _). discriminate.
     - destruct P as (t & b' & v & [E|[]] & _). discriminate.
     - destruct P as (t1 & b1 & v1 & [E1|[]] & B1 & T1 & ->).
       destruct Q as (t2 & b2 & v2 & [E2|[]] & B2 & T2 & ->).
       injection E1 as <- <-. injection E2 as <- <-. rewrite T1 in T2. injection T2 as <-.
       reflexivity.
-    - simpl in H. apply andb_prop in H as [H H3]. apply andb_prop in H as [H1 H2].
+    - simpl in H. apply andb_prop in H as [H1 H]. apply andb_prop in H as [H2 H3].
       assert (swap : forall p q, held_at (leaves_of l (lower_part b k m)) x p ->
                 held_at (leaves_of u (upper_part b k m)) x q -> p = q).
       { intros p' q' (t1 & b1 & v1 & I1 & B1 & T1 & ->) (t2 & b2 & v2 & I2 & B2 & T2 & ->).
@@ -214,44 +328,32 @@ Section Check.
 
   Fixpoint configuration (g : tubes) (b : box) (x : list R) : list R :=
     match g with
-    | Excluded => []
+    | Excluded | NoTube => []
     | Held t => match test_tube c full t b with Some v => tube_solution c t v x | None => [] end
     | Cut k p l u =>
         if Rle_dec (nth k x 0) (real_of p) then configuration l (lower_part b k p) x
         else configuration u (upper_part b k p) x
     end.
 
-  (** No tube holds the configuration at x, because a constraint is positive there. *)
-  Fixpoint is_excluded_at (g : tubes) (x : list R) : bool :=
+  (** No tube holds the configuration at x. *)
+  Fixpoint is_without_tube_at (g : tubes) (x : list R) : bool :=
     match g with
-    | Excluded => true
+    | Excluded | NoTube => true
     | Held _ => false
-    | Cut k p l u => if Rle_dec (nth k x 0) (real_of p) then is_excluded_at l x
-                     else is_excluded_at u x
+    | Cut k p l u => if Rle_dec (nth k x 0) (real_of p) then is_without_tube_at l x
+                     else is_without_tube_at u x
     end.
 
-  Lemma in_lower_part b k p x : in_box b x -> nth k x 0 <= real_of p -> in_box (lower_part b k p) x.
-  Proof.
-    intros B L. apply in_box_replace; [exact B|]. apply meet_encloses; [apply B|].
-    exact (I.lower_extent_correct _ _ _ (point_encloses p) L).
-  Qed.
-
-  Lemma in_upper_part b k p x :
-    in_box b x -> ~ nth k x 0 <= real_of p -> in_box (upper_part b k p) x.
-  Proof.
-    intros B L. apply in_box_replace; [exact B|]. apply meet_encloses; [apply B|].
-    refine (I.upper_extent_correct _ _ _ (point_encloses p) _). lra.
-  Qed.
-
   Lemma configuration_held g : forall b x, check_tubes g b = true -> in_box b x ->
-    is_excluded_at g x = false -> held_at (leaves_of g b) x (configuration g b x).
+    is_without_tube_at g x = false -> held_at (leaves_of g b) x (configuration g b x).
   Proof.
-    induction g as [|t|k m l IHl u IHu]; intros b x H B N.
+    induction g as [| |t|k m l IHl u IHu]; intros b x H B N.
+    - discriminate.
     - discriminate.
     - simpl in *. unfold is_tested in H. destruct (test_tube c full t b) as [v|] eqn:T;
       [|discriminate].
       exists t, b, v. split; [left; reflexivity|]. split; [exact B|]. split; [exact T|reflexivity].
-    - simpl in H. apply andb_prop in H as [H H3]. apply andb_prop in H as [H1 H2]. simpl in N |- *.
+    - simpl in H. apply andb_prop in H as [H1 H]. apply andb_prop in H as [H2 H3]. simpl in N |- *.
       destruct (Rle_dec (nth k x 0) (real_of m)) as [L|L].
       + destruct (IHl (lower_part b k m) x H1 (in_lower_part b k m x B L) N)
           as (t1 & b1 & v1 & I1 & R1).
@@ -261,10 +363,11 @@ Section Check.
         exists t1, b1, v1. split; [apply in_or_app; right; exact I1|exact R1].
   Qed.
 
-  Lemma not_excluded g : forall b x, in_box b x ->
-    (forall b', In (None, b') (leaves_of g b) -> ~ in_box b' x) -> is_excluded_at g x = false.
+  Lemma not_without_tube g : forall b x, in_box b x ->
+    (forall b', In (None, b') (leaves_of g b) -> ~ in_box b' x) -> is_without_tube_at g x = false.
   Proof.
-    induction g as [|t|k m l IHl u IHu]; intros b x B N.
+    induction g as [| |t|k m l IHl u IHu]; intros b x B N.
+    - elim (N b); [left; reflexivity|exact B].
     - elim (N b); [left; reflexivity|exact B].
     - reflexivity.
     - simpl in N |- *. destruct (Rle_dec (nth k x 0) (real_of m)) as [L|L].
@@ -274,27 +377,56 @@ Section Check.
         apply N, in_or_app. right. exact I.
   Qed.
 
-  Lemma excluded_leaves g : forall b x, check_tubes g b = true -> in_set (places c) x ->
-    forall b', In (None, b') (leaves_of g b) -> ~ in_box b' x.
+  (** Over each part of w that is kept there are tubes, and f is true of them; but for places that
+      are excluded. *)
+  Fixpoint holds_in (f : tube -> box -> bool) (w : parts) (g : tubes) (b : box) : bool :=
+    match g with
+    | Excluded => true
+    | NoTube => negb (keeps_some w)
+    | Held t => if keeps_some w then f t b else true
+    | Cut k p l u => holds_in f (lower_side w k p) l (lower_part b k p)
+                     && holds_in f (upper_side w k p) u (upper_part b k p)
+    end.
+
+  Lemma held_in_part f g : forall w b x, check_tubes g b = true -> holds_in f w g b = true ->
+    in_box b x -> in_set (places c) x -> is_kept w x ->
+    is_without_tube_at g x = false /\
+    exists t b' v, In (Some t, b') (leaves_of g b) /\ in_box b' x /\
+      test_tube c full t b' = Some v /\ configuration g b x = tube_solution c t v x /\
+      f t b' = true.
   Proof.
-    induction g as [|t|k m l IHl u IHu]; intros b x H S b' I B.
-    - destruct I as [E|[]]. injection E as <-. simpl in H.
-      pose proof (outside_correct (places c) (Method full 0) b x B H S). contradiction.
-    - destruct I as [E|[]]. discriminate.
-    - simpl in H. apply andb_prop in H as [H H3]. apply andb_prop in H as [H1 H2].
-      simpl in I. apply in_app_or in I as [I|I]; [eapply IHl|eapply IHu]; eassumption.
+    induction g as [| |t|k m l IHl u IHu]; intros w b x H F B S W; simpl in H, F |- *.
+    - elim (outside_correct (places c) (Method full 0) b x B H S).
+    - rewrite (keeps_some_correct w x W) in F. discriminate.
+    - rewrite (keeps_some_correct w x W) in F. split; [reflexivity|]. unfold is_tested in H.
+      destruct (test_tube c full t b) as [v|] eqn:T; [|discriminate]. exists t, b, v.
+      split; [left; reflexivity|]. split; [exact B|]. split; [exact T|]. split; [|exact F].
+      reflexivity.
+    - apply andb_prop in H as [H1 H]. apply andb_prop in H as [H2 _].
+      apply andb_prop in F as [F1 F2]. destruct (Rle_dec (nth k x 0) (real_of m)) as [L|L].
+      + destruct (IHl _ _ x H1 F1 (in_lower_part b k m x B L) S (lower_side_correct w k m x L W))
+          as (N & t & b' & v & I & R).
+        split; [exact N|]. exists t, b', v. split; [apply in_or_app; left; exact I|exact R].
+      + destruct (IHu _ _ x H2 F2 (in_upper_part b k m x B L) S (upper_side_correct w k m x L W))
+          as (N & t & b' & v & I & R).
+        split; [exact N|]. exists t, b', v. split; [apply in_or_app; right; exact I|exact R].
   Qed.
 
-  Lemma held_in_set g b x : check_tubes g b = true -> in_box b x -> in_set (places c) x ->
-    is_excluded_at g x = false /\ held_at (leaves_of g b) x (configuration g b x).
+  (** There are tubes over each part that is kept. *)
+  Definition has_tubes_in : parts -> tubes -> box -> bool := holds_in (fun _ _ => true).
+
+  Lemma held_in_set w g b x : check_tubes g b = true -> has_tubes_in w g b = true ->
+    in_box b x -> in_set (places c) x -> is_kept w x ->
+    is_without_tube_at g x = false /\ held_at (leaves_of g b) x (configuration g b x).
   Proof.
-    intros H B S. pose proof (not_excluded g b x B (excluded_leaves g b x H S)) as N.
-    split; [exact N|]. exact (configuration_held g b x H B N).
+    intros H F B S W. destruct (held_in_part _ g w b x H F B S W) as (N & t & b' & v & R).
+    split; [exact N|]. exists t, b', v. split; [apply R|]. split; [apply R|]. split; apply R.
   Qed.
 
   Lemma leaves_length g : forall b t b', In (t, b') (leaves_of g b) -> length b' = length b.
   Proof.
-    induction g as [|t|k m l IHl u IHu]; intros b t' b' I.
+    induction g as [| |t|k m l IHl u IHu]; intros b t' b' I.
+    - destruct I as [E|[]]. injection E as <- <-. reflexivity.
     - destruct I as [E|[]]. injection E as <- <-. reflexivity.
     - destruct I as [E|[]]. injection E as <- <-. reflexivity.
     - simpl in I. apply in_app_or in I as [I|I]; [apply IHl in I|apply IHu in I]; rewrite I;
@@ -757,44 +889,49 @@ Proof.
       split; [injection L; auto|]. intros i I. exact (B (S i) ltac:(lia)).
 Qed.
 
-Definition check_branch (c : closure) (full : nat) (around tight : tube) (g : tubes) : bool :=
+Definition check_branch_in (c : closure) (full : nat) (around tight : tube) (w : parts)
+    (g : tubes) : bool :=
   match enclose_ranges (ranges (places c)), enclose_values (start c),
         enclose_values (map fst (near c)), enclose_values (map snd (near c)) with
   | Some root, Some b, Some middles, Some radii =>
       Nat.eqb (length (equations c)) (unknowns c) && check_tubes c full g root
+      && has_tubes_in w g root && keeps_all w b
       && starts c full b middles radii root around tight (leaves_of g root)
   | _, _, _, _ => false
   end.
 
-Lemma check_branch_holds c full around tight g :
-  check_branch c full around tight g = true -> is_given c /\
+Lemma check_branch_holds c full around tight w g :
+  check_branch_in c full around tight w g = true -> is_given c /\ is_kept w (the_start c) /\
   exists root, enclose_ranges (ranges (places c)) = Some root /\
-    check_tubes c full g root = true /\ is_branch c (configuration c full g root) /\
-    in_box root (the_start c) /\ is_excluded_at g (the_start c) = false.
+    check_tubes c full g root = true /\
+    is_branch_among (fun x => in_set (places c) x /\ is_kept w x) c
+      (configuration c full g root) /\
+    in_box root (the_start c) /\ is_without_tube_at g (the_start c) = false.
 Proof.
-  unfold check_branch. destruct (enclose_ranges (ranges (places c))) as [root|] eqn:R;
+  unfold check_branch_in. destruct (enclose_ranges (ranges (places c))) as [root|] eqn:R;
     [|discriminate].
   destruct (enclose_values (start c)) as [b|] eqn:S; [|discriminate].
   destruct (enclose_values (map fst (near c))) as [middles|] eqn:M; [|discriminate].
   destruct (enclose_values (map snd (near c))) as [radii|] eqn:D; [|discriminate].
-  intros H. apply andb_prop in H as [H H3]. apply andb_prop in H as [H1 H2].
-  apply Nat.eqb_eq in H1.
+  intros H. apply andb_prop in H as [H H3]. apply andb_prop in H as [H Ka].
+  apply andb_prop in H as [H F]. apply andb_prop in H as [H1 H2]. apply Nat.eqb_eq in H1.
   apply enclose_values_correct in S as [S1 S2]. apply enclose_values_correct in M as [M1 M2].
   apply enclose_values_correct in D as [D1 D2].
   split; [split; [exact (enclose_ranges_defined (places c) root R)|split; [exact H1|]]|].
   { split; [exact S1|]. rewrite Forall_forall in *. intros u U.
     split; [apply M1|apply D1]; apply in_map, U. }
-  exists root. split; [reflexivity|]. split; [exact H2|].
+  split; [exact (keeps_all_correct w b _ Ka S2)|]. exists root. split; [reflexivity|].
+  split; [exact H2|].
   assert (rooted : forall x, in_set (places c) x -> in_box root x).
   { intros x X. eapply enclose_ranges_correct; [exact R|apply X]. }
-  assert (held : forall x, in_set (places c) x ->
+  assert (held : forall x, in_set (places c) x /\ is_kept w x ->
             held_at c full (leaves_of g root) x (configuration c full g root x)).
-  { intros x X. apply (held_in_set c full g root x H2 (rooted x X) X). }
+  { intros x [X W]. apply (held_in_set c full w g root x H2 F (rooted x X) X W). }
   apply and_comm. split.
   { unfold starts in H3. apply andb_prop in H3 as [H3 H8]. rewrite forallb_forall in H8.
     do 4 (apply andb_prop in H3 as [H3 _]).
     pose proof (subset_boxes_correct b root (the_start c) H3 S2) as X0. split; [exact X0|].
-    apply (not_excluded g root _ X0). intros b' I B. specialize (H8 _ I). simpl in H8.
+    apply (not_without_tube g root _ X0). intros b' I B. specialize (H8 _ I). simpl in H8.
     rewrite orb_false_r in H8. exact (boxes_apart_correct b' b _ H8 B S2). }
   split; [|split].
   - intros x X. destruct (held x X) as (t & b' & v & _ & B & T & E). rewrite E.
@@ -805,14 +942,14 @@ Proof.
     apply andb_prop in H3 as [H3 H7].
     apply andb_prop in H3 as [H3 H6]. apply andb_prop in H3 as [H4 H5].
     apply Nat.eqb_eq in H7. unfold holds_near in H6. rewrite forallb_forall in H6, H8.
-    unfold is_tested in H5. destruct (test_tube c full around b) as [w|] eqn:W; [|discriminate].
+    unfold is_tested in H5. destruct (test_tube c full around b) as [h|] eqn:W; [|discriminate].
     change (map (value []) (start c)) with (the_start c) in S2. set (x0 := the_start c) in *.
     set (p0 := configuration c full g root x0).
     assert (X0 : in_box root x0) by exact (subset_boxes_correct b root x0 H4 S2).
     (* The configuration at the start is within the radii. *)
     assert (P0 : solves c x0 p0 /\ is_near c p0).
     { destruct (configuration_held c full g root x0 H2 X0) as (t & b' & v & I & B & T & E).
-      { apply (not_excluded g root x0 X0). intros b' I B. specialize (H8 _ I). simpl in H8.
+      { apply (not_without_tube g root x0 X0). intros b' I B. specialize (H8 _ I). simpl in H8.
         rewrite orb_false_r in H8. exact (boxes_apart_correct b' b x0 H8 B S2). }
       fold p0 in E. specialize (H8 _ I). simpl in H8. apply orb_prop in H8 as [H8|H8].
       { elim (boxes_apart_correct b' b x0 H8 B S2). }
@@ -853,12 +990,12 @@ Proof.
       eapply Rle_trans; [apply Rabs_triang|]. lra. }
     intros q. split.
     + intros [Sq Nq].
-      rewrite (only_solution c full around b w x0 W S2 q (near_in q Sq Nq) Sq).
+      rewrite (only_solution c full around b h x0 W S2 q (near_in q Sq Nq) Sq).
       destruct P0 as [S0 N0].
-      symmetry. exact (only_solution c full around b w x0 W S2 p0 (near_in p0 S0 N0) S0).
+      symmetry. exact (only_solution c full around b h x0 W S2 p0 (near_in p0 S0 N0) S0).
     + intros ->. exact P0.
   - intros m C I.
-    assert (B : forall t, in_box root (m t)) by (intros; apply rooted, I).
+    assert (B : forall t, in_box root (m t)) by (intros; apply rooted; apply I).
     assert (Hm : forall t, held_at c full (leaves_of g root) (m t) (configuration c full g root (m
       t)))
       by (intros; apply held, I).
@@ -866,11 +1003,11 @@ Proof.
     intros q Cq Sq t0 E. exact (configuration_unique c full g root H2 m C B Hm q Cq Sq t0 E).
 Qed.
 
-Theorem check_branch_correct c full around tight g :
-  check_branch c full around tight g = true -> one_branch c.
+(** What is true among more places is true among fewer ones. *)
+Lemma is_branch_among_fewer (among fewer : list R -> Prop) c p :
+  (forall x, fewer x -> among x) -> is_branch_among among c p -> is_branch_among fewer c p.
 Proof.
-  intros H. apply check_branch_holds in H as (G & root & _ & _ & B & _).
-  split; [exact G|]. exists (configuration c full g root). exact B.
+  intros F (V & S & M). split; [auto|]. split; [exact S|]. intros m C I. apply M; auto.
 Qed.
 
 (** ** Hints *)
@@ -879,12 +1016,14 @@ Qed.
     to link. Nothing is proved of it. *)
 From Coq Require Import PrimFloat.
 
-Definition widened (t : tube) (f : F.type) : tube :=
-  Tube (foot t) (axis_at t) (tilt t) (map (fun r => PrimFloat.mul r f) (reach t)).
-
+(** The tube, as wide as it holds, or a narrower one that fits better. *)
 Definition widest (c : closure) (full : nat) (t : tube) (b : box) : option tube :=
-  find (fun s => is_tested c full s b)
-    (map (widened t) [8; 3; 1.5; 1]%float).
+  let first_that_holds s factors := find (fun u => is_tested c full u b) (map (Fit.widened s) factors)
+    in
+  match first_that_holds t [8; 3; 1.5; 1]%float with
+  | Some s => Some s
+  | None => first_that_holds (Fit.fitted c full b t) [1; 0.5; 0.25; 0.125; 0.0625]%float
+  end.
 
 Fixpoint refined_leaf (c : closure) (full fuel : nat) (t : tube) (b : box) : tubes :=
   match widest c full t b, fuel with
@@ -903,6 +1042,7 @@ Fixpoint refined_leaf (c : closure) (full fuel : nat) (t : tube) (b : box) : tub
 Fixpoint refined_tubes (c : closure) (full fuel : nat) (g : tubes) (b : box) : tubes :=
   match g with
   | Excluded => Excluded
+  | NoTube => NoTube
   | Held t => refined_leaf c full fuel t b
   | Cut k p l u => Cut k p (refined_tubes c full fuel l (lower_part b k p))
                      (refined_tubes c full fuel u (upper_part b k p))
@@ -920,36 +1060,40 @@ Definition around_start (c : closure) (middles radii : box) (m : nat) : tube :=
   Tube zeros (map (fun i => I.midpoint i) middles) (map (fun _ => zeros) middles)
     (map (fun i => mul (I.upper i) 0x1.0001p+0) radii)%float.
 
-Definition newton_step (c : closure) (full : nat) (k : list (list F.type)) (b : box) (t : tube) :=
-  let names := tube_names c t (variables full b) (length b) (fun _ => constant_form Intervals.zero)
-    in
-  let f := map (fun e => I.midpoint (constant (form_of (evaluate names e)))) (equations c) in
-  let change i := float_sum (map (fun l => mul (get k i l) (nth l f nan)) (seq 0 (unknowns c))) in
-  Tube (foot t) (map (fun i => sub (number (axis_at t) i) (change i)) (seq 0 (unknowns c)))
-    (tilt t) (reach t).
-
 Definition tight_start (c : closure) (full : nat) (b : box) (t : tube) : tube :=
   match bounds_of c full t b with
   | Some v =>
-      let s := Nat.iter 20 (newton_step c full (inverse v) b) t in
+      let s := Nat.iter 20 (Fit.newton_step c full (inverse v) b) t in
       Tube (foot s) (axis_at s) (tilt s) (map (fun r => mul r 0x1p-10) (reach s))%float
   | None => t
   end.
 
 (** The check with the tubes of a certificate. *)
-Definition check_closure (c : closure) (m : method) (g : tubes) : bool :=
+Definition check_closure_in (c : closure) (w : parts) (m : method) (g : tubes) : bool :=
   let full := second_order m in
   match enclose_values (start c), enclose_values (map fst (near c)),
         enclose_values (map snd (near c)) with
   | Some b, Some middles, Some radii =>
       let around := around_start c middles radii (length b) in
-      check_branch c full around (tight_start c full b around) (refined c full (deepest m) g)
+      check_branch_in c full around (tight_start c full b around) w (refined c full (deepest m) g)
   | _, _, _ => false
   end.
 
+Theorem check_closure_in_correct c w m g : check_closure_in c w m g = true -> one_branch_in c w.
+Proof.
+  unfold check_closure_in. destruct (enclose_values (start c)); [|discriminate].
+  destruct (enclose_values (map fst (near c))); [|discriminate].
+  destruct (enclose_values (map snd (near c))); [|discriminate].
+  intros H. apply check_branch_holds in H as (G & K & root & _ & _ & B & _).
+  split; [exact G|]. split; [exact K|]. exists (configuration c (second_order m)
+    (refined c (second_order m) (deepest m) g) root). exact B.
+Qed.
+
+(** The whole set is kept. *)
+Definition check_closure (c : closure) : method -> tubes -> bool := check_closure_in c Kept.
+
 Theorem check_closure_correct c m g : check_closure c m g = true -> one_branch c.
 Proof.
-  unfold check_closure. destruct (enclose_values (start c)); [|discriminate].
-  destruct (enclose_values (map fst (near c))); [|discriminate].
-  destruct (enclose_values (map snd (near c))); [|discriminate]. apply check_branch_correct.
+  intros H. apply check_closure_in_correct in H as (G & _ & p & B). split; [exact G|].
+  exists p. revert B. apply is_branch_among_fewer. intros x X. exact (conj X Logic.I).
 Qed.

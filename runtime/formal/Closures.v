@@ -71,19 +71,21 @@ Definition start_defined (c : closure) : Prop :=
   Forall (defined []) (start c) /\
   Forall (fun u => defined [] (fst u) /\ defined [] (snd u)) (near c).
 
-(** NO SINGULARITY of a closure: there is a configuration p x for each place x of the set.
-  Everything
-    has a value there, and the equations are regular. At the start it is the only configuration near
-    the values that the model gives. However the mechanism moves in the set, p moves continuously,
-    and a configuration that moves continuously is p all the time if it is p once. *)
-Definition is_branch (c : closure) (p : list R -> list R) : Prop :=
-  (forall x, in_set (places c) x ->
-     solves c x (p x) /\ has_values c x (p x) /\ regular_at c x (p x)) /\
+(** There is a configuration p x for each place x of a set. Everything has a value there, and the
+    equations are regular. At the start it is the only configuration near the values that the model
+    gives. However the mechanism moves in the set, p moves continuously, and a configuration that
+    moves continuously is p all the time if it is p once. *)
+Definition is_branch_among (among : list R -> Prop) (c : closure) (p : list R -> list R) : Prop :=
+  (forall x, among x -> solves c x (p x) /\ has_values c x (p x) /\ regular_at c x (p x)) /\
   (forall q, solves c (the_start c) q /\ is_near c q <-> q = p (the_start c)) /\
-  (forall m, continuous_motion m -> (forall t, in_set (places c) (m t)) ->
+  (forall m, continuous_motion m -> (forall t, among (m t)) ->
      continuous_motion (fun t => p (m t)) /\
      forall q, continuous_motion q -> (forall t, solves c (m t) (q t)) ->
        forall t0, q t0 = p (m t0) -> forall t, q t = p (m t)).
+
+(** NO SINGULARITY of a closure: the same for each place of its set. *)
+Definition is_branch (c : closure) : (list R -> list R) -> Prop :=
+  is_branch_among (in_set (places c)) c.
 
 (** The ends of the ranges and the start have values. *)
 Definition is_given (c : closure) : Prop :=
@@ -176,20 +178,25 @@ Definition is_way (way : list closure) : Prop :=
                    goes_from_0_to_1 c) way /\
   all_joined way.
 
-(** The same of a way as [is_branch] of a mechanism. The start is on the first piece, and a motion may
-    go along the way from piece to piece. *)
-Definition is_branch_along (way : list closure) (p : list R -> list R) : Prop :=
-  (forall x k c, is_on way x k c -> let y := on_piece k x in
+(** The same of a way as [is_branch_among] of a mechanism: [on x k c] says that x is on piece k,
+    whose mechanism is c. The start is on the first piece, and a motion may go along the way from
+    piece to piece. *)
+Definition is_branch_along_among (on : list R -> nat -> closure -> Prop) (way : list closure)
+    (p : list R -> list R) : Prop :=
+  (forall x k c, on x k c -> let y := on_piece k x in
      solves c y (p x) /\ has_values c y (p x) /\ regular_at c y (p x)) /\
   match way with
   | [] => False
   | c :: _ => forall q, solves c (the_start c) q /\ is_near c q <-> q = p (the_start c)
   end /\
-  (forall m, continuous_motion m -> (forall t, exists k c, is_on way (m t) k c) ->
+  (forall m, continuous_motion m -> (forall t, exists k c, on (m t) k c) ->
      continuous_motion (fun t => p (m t)) /\
      forall q, continuous_motion q ->
-       (forall t k c, is_on way (m t) k c -> solves c (on_piece k (m t)) (q t)) ->
+       (forall t k c, on (m t) k c -> solves c (on_piece k (m t)) (q t)) ->
        forall t0, q t0 = p (m t0) -> forall t, q t = p (m t)).
+
+Definition is_branch_along (way : list closure) : (list R -> list R) -> Prop :=
+  is_branch_along_among (is_on way) way.
 
 (** NO SINGULARITY of a closure along a way, where c is the mechanism on each piece. *)
 Definition one_branch_along (c : list expression -> closure) (pieces : list (list expression)) :

@@ -4,7 +4,7 @@
 From Coq Require Import Reals QArith Lra Lia List PArith Bool.
 From Coq Require PrimFloat.
 From Regulus Require Import Expressions Questions LinearAlgebra Intervals Forms Evaluation Boxes.
-From Regulus Require Import Hints Regularity Search Singularity Threshold Forces.
+From Regulus Require Import Parts Hints Regularity Search Singularity Threshold Forces.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -18,21 +18,37 @@ Definition holds (rows columns : nat) (m : nat -> nat -> R) (s F w : nat -> R) :
 Definition value_of (names : list R) (l : list expression) (k : nat) : R :=
   value names (nth k l no_entry).
 
-(** FEASIBLE: the ranges and the limits are defined. At every point of the set, everything is
-    defined, and there are forces that hold the load, each between the limits of its row. *)
-Definition forces_within_limits (q : question) (scales load : list expression)
+(** The ranges and the limits are defined, and there are as many scales, components and limits as
+    needed. *)
+Definition is_load_given (q : question) (scales load : list expression)
     (limits : list (expression * expression)) : Prop :=
   ends_defined q /\ length scales = rows q /\ length load = columns q /\
   length limits = rows q /\
-  Forall (fun l => defined [] (fst l) /\ defined [] (snd l)) limits /\
-  forall x, in_set q x ->
-    let names := extend x (definitions q) in
-    model_defined q x /\ Forall (defined names) scales /\ Forall (defined names) load /\
-    exists F : nat -> R,
-      holds (rows q) (columns q) (entry q names) (value_of names scales) F
-        (value_of names load) /\
-      forall i, (i < rows q)%nat ->
-        value_of [] (map fst limits) i <= F i <= value_of [] (map snd limits) i.
+  Forall (fun l => defined [] (fst l) /\ defined [] (snd l)) limits.
+
+(** At the point x everything is defined, and there are forces that hold the load, each between the
+    limits of its row. *)
+Definition are_within_limits (q : question) (scales load : list expression)
+    (limits : list (expression * expression)) (x : list R) : Prop :=
+  let names := extend x (definitions q) in
+  model_defined q x /\ Forall (defined names) scales /\ Forall (defined names) load /\
+  exists F : nat -> R,
+    holds (rows q) (columns q) (entry q names) (value_of names scales) F
+      (value_of names load) /\
+    forall i, (i < rows q)%nat ->
+      value_of [] (map fst limits) i <= F i <= value_of [] (map snd limits) i.
+
+(** FEASIBLE: it is so at every point of the set. *)
+Definition forces_within_limits (q : question) (scales load : list expression)
+    (limits : list (expression * expression)) : Prop :=
+  is_load_given q scales load limits /\
+  forall x, in_set q x -> are_within_limits q scales load limits x.
+
+(** PAVING: it is so at every point of the set in the parts that are kept. *)
+Definition forces_within_limits_in (q : question) (w : parts) (scales load : list expression)
+    (limits : list (expression * expression)) : Prop :=
+  is_load_given q scales load limits /\
+  forall x, in_set q x -> is_kept w x -> are_within_limits q scales load limits x.
 
 (** ** Linear algebra *)
 
@@ -447,25 +463,38 @@ Definition is_load_known (q : question) (scales load : list expression)
   && Nat.eqb (length limits) (rows q)
   && forallb (fun l => is_known (evaluate [] (fst l)) && is_known (evaluate [] (snd l))) limits.
 
-Definition check_limits (q : question) (scales load : list expression)
+(** A search in each part that is kept. *)
+Definition check_limits_in (q : question) (w : parts) (scales load : list expression)
     (limits : list (expression * expression)) (m : method) : bool :=
   is_load_known q scales load limits &&
   match enclose_ranges (ranges q) with
   | Some root =>
-      match search (test_limits q scales load limits m) root (deepest m) root with
-      | Some _ => true
-      | None => false
-      end
+      forallb (fun b => match search (test_limits q scales load limits m) root (deepest m) b with
+                        | Some _ => true
+                        | None => false
+                        end) (kept_boxes w root)
   | None => false
   end.
 
-Definition check_limits_tree (q : question) (scales load : list expression)
-    (limits : list (expression * expression)) (m : method) (t : tree) : bool :=
+(** The splits of each part that is kept. *)
+Definition check_limits_trees (q : question) (w : parts) (scales load : list expression)
+    (limits : list (expression * expression)) (m : method) (ts : list tree) : bool :=
   is_load_known q scales load limits &&
   match enclose_ranges (ranges q) with
-  | Some root => check_parts (test_limits q scales load limits m) t root
+  | Some root =>
+      let bs := kept_boxes w root in
+      Nat.eqb (length bs) (length ts) &&
+      forallb (fun u => check_parts (test_limits q scales load limits m) (snd u) (fst u))
+        (combine bs ts)
   | None => false
   end.
+
+(** The whole set is kept. *)
+Definition check_limits (q : question) := check_limits_in q Kept.
+
+Definition check_limits_tree (q : question) (scales load : list expression)
+    (limits : list (expression * expression)) (m : method) (t : tree) : bool :=
+  check_limits_trees q Kept scales load limits m [t].
 
 (** ** It is correct *)
 
@@ -530,14 +559,7 @@ Qed.
 
 Definition are_within_at (q : question) (scales load : list expression)
     (limits : list (expression * expression)) (x : list R) : Prop :=
-  in_set q x ->
-    let names := extend x (definitions q) in
-    model_defined q x /\ Forall (defined names) scales /\ Forall (defined names) load /\
-    exists F : nat -> R,
-      holds (rows q) (columns q) (entry q names) (value_of names scales) F
-        (value_of names load) /\
-      forall i, (i < rows q)%nat ->
-        value_of [] (map fst limits) i <= F i <= value_of [] (map snd limits) i.
+  in_set q x -> are_within_limits q scales load limits x.
 
 Theorem test_limits_correct q scales load limits m :
   is_load_known q scales load limits = true -> forall b x, in_box b x ->
@@ -566,6 +588,7 @@ Proof.
   set (names := extend x (definitions q)) in *.
   destruct (all_known_represent _ vs names scales T K D5) as [Ds Vs].
   destruct (all_known_represent _ vs names load T K D6) as [Dw Vw].
+  unfold are_within_limits. fold names.
   split; [apply (everything_defined q m b x B); assumption|]. split; [exact Ds|].
   split; [exact Dw|].
   destruct (balanced_correct (coordinate b x) (rows q) (columns q) (map (map form_of) a)
@@ -591,37 +614,59 @@ Proof.
     exact (proj2 (inverse_represents _ v _ (N i I) T Rv)).
 Qed.
 
-Lemma limits_of_boxes q scales load limits : is_load_known q scales load limits = true ->
-  ends_defined q -> (forall x, in_set q x -> are_within_at q scales load limits x) ->
-  forces_within_limits q scales load limits.
+Lemma limits_of_boxes q w scales load limits root :
+  is_load_known q scales load limits = true -> enclose_ranges (ranges q) = Some root ->
+  (forall b x, In b (kept_boxes w root) -> in_box b x -> are_within_at q scales load limits x) ->
+  forces_within_limits_in q w scales load limits.
 Proof.
-  intros K E H. apply is_load_known_correct in K as (A & B & C & D & _).
-  split; [exact E|]. do 4 (split; [assumption|]). intros x X. exact (H x X X).
+  intros K R H. apply is_load_known_correct in K as (A & B & C & D & _).
+  split; [exact (conj (enclose_ranges_defined q root R) (conj A (conj B (conj C D))))|].
+  intros x X W.
+  destruct (kept_boxes_correct w root x) as (b & I & Bx); [|exact W|exact (H b x I Bx X)].
+  eapply enclose_ranges_correct; [exact R|exact (proj1 X)].
 Qed.
+
+Theorem check_limits_in_correct q w scales load limits m :
+  check_limits_in q w scales load limits m = true ->
+  forces_within_limits_in q w scales load limits.
+Proof.
+  unfold check_limits_in. intros H. apply andb_prop in H as [K H].
+  destruct enclose_ranges as [root|] eqn:R; [|discriminate]. rewrite forallb_forall in H.
+  apply (limits_of_boxes _ _ _ _ _ root K R). intros b x I B. specialize (H b I).
+  destruct search as [n|] eqn:L; [|discriminate].
+  exact (search_correct _ (are_within_at q scales load limits)
+    (test_limits_correct q scales load limits m K) _ _ b x n B L).
+Qed.
+
+(** The same with hints. *)
+Theorem check_limits_trees_correct q w scales load limits m ts :
+  check_limits_trees q w scales load limits m ts = true ->
+  forces_within_limits_in q w scales load limits.
+Proof.
+  unfold check_limits_trees. intros H. apply andb_prop in H as [K H].
+  destruct enclose_ranges as [root|] eqn:R; [|discriminate]. apply andb_prop in H as [N H].
+  apply Nat.eqb_eq in N. rewrite forallb_forall in H.
+  apply (limits_of_boxes _ _ _ _ _ root K R). intros b x I B.
+  destruct (In_nth _ _ [] I) as (k & Hk & E).
+  assert (J : In (b, nth k ts Leaf) (combine (kept_boxes w root) ts)).
+  { rewrite <- E, <- combine_nth by exact N. apply nth_In.
+    rewrite combine_length, <- N, Nat.min_id. exact Hk. }
+  exact (check_parts_correct _ (are_within_at q scales load limits)
+    (test_limits_correct q scales load limits m K) _ b x B (H _ J)).
+Qed.
+
+(** The same of the whole set. *)
+Lemma limits_of_kept q scales load limits : forces_within_limits_in q Kept scales load limits ->
+  forces_within_limits q scales load limits.
+Proof. intros [G H]. split; [exact G|]. intros x X. exact (H x X Logic.I). Qed.
 
 Theorem check_limits_correct q scales load limits m :
   check_limits q scales load limits m = true -> forces_within_limits q scales load limits.
-Proof.
-  unfold check_limits. intros H. apply andb_prop in H as [K H].
-  destruct enclose_ranges as [root|] eqn:R; [|discriminate].
-  destruct search as [n|] eqn:L; [|discriminate].
-  apply (limits_of_boxes _ _ _ _ K); [exact (enclose_ranges_defined q root R)|]. intros x X.
-  refine (search_correct _ (are_within_at q scales load limits)
-    (test_limits_correct q scales load limits m K) _ _ _ x n _ L).
-  eapply enclose_ranges_correct; [exact R|exact (proj1 X)].
-Qed.
+Proof. intros H. exact (limits_of_kept _ _ _ _ (check_limits_in_correct _ _ _ _ _ _ H)). Qed.
 
-(** The same with a hint. *)
 Theorem check_limits_tree_correct q scales load limits m t :
   check_limits_tree q scales load limits m t = true -> forces_within_limits q scales load limits.
-Proof.
-  unfold check_limits_tree. intros H. apply andb_prop in H as [K H].
-  destruct enclose_ranges as [root|] eqn:R; [|discriminate].
-  apply (limits_of_boxes _ _ _ _ K); [exact (enclose_ranges_defined q root R)|]. intros x X.
-  refine (check_parts_correct _ (are_within_at q scales load limits)
-    (test_limits_correct q scales load limits m K) t _ x _ H).
-  eapply enclose_ranges_correct; [exact R|exact (proj1 X)].
-Qed.
+Proof. intros H. exact (limits_of_kept _ _ _ _ (check_limits_trees_correct _ _ _ _ _ _ _ H)). Qed.
 
 (** The same for a trajectory, without and with a hint for each piece. *)
 Definition check_limits_pieces (q : list expression -> question) (scales load : list expression)

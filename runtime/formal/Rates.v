@@ -6,7 +6,7 @@ From Coq Require Import Reals QArith Qreals Lra Lia List PArith Bool.
 From Coq Require PrimFloat.
 From Regulus Require Import Expressions Intervals Forms Evaluation Boxes Hints Regularity.
 From Regulus Require Import Continuity Existence Derivatives LinearAlgebra Questions Search Forces.
-From Regulus Require Import Limits Closures Tubes Branches Ways.
+From Regulus Require Import Limits Closures Tubes Parts Branches Ways.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -81,6 +81,25 @@ Definition over_branch_along (P : (nat -> nat -> R) -> Prop) (c : list expressio
     forall x k d, is_on way x k d ->
       exists J, has_rates d motors (on_piece k x) (p x) J /\ P J.
 
+(** PAVING: the parts of w keep the places with the branch, as in [one_branch_in], and P is true of
+    the derivatives at those that v keeps, too. *)
+Definition over_branch_in (w v : parts) (P : (nat -> nat -> R) -> Prop) (c : closure)
+    (motors : list nat) : Prop :=
+  is_given c /\ is_kept w (the_start c) /\
+  exists p, is_branch_among (fun x => in_set (places c) x /\ is_kept w x) c p /\
+    forall x, in_set (places c) x -> is_kept w x -> is_kept v x ->
+      exists J, has_rates c motors x (p x) J /\ P J.
+
+(** The same along a way, with the parts of each piece. *)
+Definition over_branch_along_in (ws vs : list parts) (P : (nat -> nat -> R) -> Prop)
+    (c : list expression -> closure) (pieces : list (list expression)) (motors : list nat) :
+    Prop :=
+  let way := map c pieces in
+  is_way way /\ starts_in way ws /\
+  exists p, is_branch_along_among (is_kept_on way ws) way p /\
+    forall x k d, is_kept_on way ws x k d -> is_kept (nth k vs LeftOut) (on_piece k x) ->
+      exists J, has_rates d motors (on_piece k x) (p x) J /\ P J.
+
 (** All pieces have as many unknowns. *)
 Definition unknowns_along (c : list expression -> closure) (pieces : list (list expression)) :=
   match map c pieces with d :: _ => unknowns d | [] => O end.
@@ -116,6 +135,9 @@ Definition branch_above (c : closure) (motors : list nat) :=
 Definition branch_within_limits (c : closure) (motors : list nat) :=
   keeps_limits_over (fun P => over_branch P c motors) (unknowns c) (length motors).
 
+Definition branch_within_limits_in (c : closure) (w v : parts) (motors : list nat) :=
+  keeps_limits_over (fun P => over_branch_in w v P c motors) (unknowns c) (length motors).
+
 Definition branch_within_along (c : list expression -> closure) pieces (motors : list nat) :=
   is_within_over (fun P => over_branch_along P c pieces motors) (unknowns_along c pieces)
     (length motors).
@@ -129,6 +151,10 @@ Definition branch_within_limits_along (c : list expression -> closure) pieces
     (motors : list nat) :=
   keeps_limits_over (fun P => over_branch_along P c pieces motors) (unknowns_along c pieces)
     (length motors).
+Definition branch_within_limits_along_in (c : list expression -> closure) pieces
+    (ws vs : list parts) (motors : list nat) :=
+  keeps_limits_over (fun P => over_branch_along_in ws vs P c pieces motors)
+    (unknowns_along c pieces) (length motors).
 
 (** ** The derivatives of the equations by variable k of m *)
 
@@ -791,87 +817,122 @@ End Over_tube.
 
 (** ** The checks *)
 
-(** The tubes are linked as for [one_branch], and the property is shown over each. *)
-Definition check_over (halvings : nat) (good : (nat -> nat -> form) -> bool) (c : closure)
-    (motors : list nat) (m : method) (g : tubes) : bool :=
+(** The tubes over the parts of w are linked as for [one_branch_in], and the property is shown over
+    each tube that is over the parts of v. *)
+Definition check_over_in (halvings : nat) (good : (nat -> nat -> form) -> bool) (c : closure)
+    (w v : parts) (motors : list nat) (m : method) (g : tubes) : bool :=
   let full := second_order m in
   match enclose_values (start c), enclose_values (map fst (near c)),
         enclose_values (map snd (near c)), enclose_ranges (ranges (places c)) with
   | Some b, Some middles, Some radii, Some root =>
       let around := around_start c middles radii (length b) in
       let h := refined c full (deepest m) g in
-      check_branch c full around (tight_start c full b around) h
-      && forallb (fun u : leaf => match fst u with
-           | Some t => shown c full motors good halvings t (snd u)
-           | None => true
-           end) (leaves_of h root)
+      check_branch_in c full around (tight_start c full b around) w h
+      && holds_in (shown c full motors good halvings) v h root
   | _, _, _, _ => false
   end.
 
-Lemma check_over_correct halvings good (holds : (nat -> nat -> R) -> Prop) c motors m g :
+Lemma check_over_in_correct halvings good (holds : (nat -> nat -> R) -> Prop) c w v motors m g :
   (forall s F J, in_unit_box s ->
     (forall j k, (j < unknowns c)%nat -> (k < length motors)%nat ->
        form_encloses s (F j k) (J j k)) -> good F = true -> holds J) ->
-  check_over halvings good c motors m g = true -> over_branch holds c motors.
+  check_over_in halvings good c w v motors m g = true -> over_branch_in w v holds c motors.
 Proof.
-  intros G. unfold check_over. destruct (enclose_values (start c)) as [b|]; [|discriminate].
+  intros G. unfold check_over_in. destruct (enclose_values (start c)) as [b|]; [|discriminate].
   destruct (enclose_values (map fst (near c))) as [middles|]; [|discriminate].
   destruct (enclose_values (map snd (near c))) as [radii|]; [|discriminate].
   destruct (enclose_ranges (ranges (places c))) as [root|] eqn:R; [|discriminate].
   set (full := second_order m). set (h := refined c full (deepest m) g). intros H.
   apply andb_prop in H as [H1 H2].
-  apply check_branch_holds in H1 as (Gi & root' & R' & Ct & Br & _). rewrite R in R'.
-  injection R' as <-. split; [exact Gi|]. exists (configuration c full h root). split; [exact Br|].
-  intros x X. assert (B : in_box root x) by (eapply enclose_ranges_correct; [exact R|apply X]).
-  destruct (held_in_set c full h root x Ct B X) as [_ (t & b' & v & I & B' & V & E)].
-  rewrite forallb_forall in H2. specialize (H2 _ I). cbn [fst snd] in H2.
-  rewrite E. refine (shown_correct c full motors good holds G halvings x _ _ t b' H2 B' _).
-  - exact (tube_solution_solves c full t b' v x V B').
-  - exact (solution_in_tube c full t b' v x V B').
+  apply check_branch_holds in H1 as (Gi & K & root' & R' & Ct & Br & _). rewrite R in R'.
+  injection R' as <-. split; [exact Gi|]. split; [exact K|].
+  exists (configuration c full h root). split; [exact Br|].
+  intros x X _ W. assert (B : in_box root x) by (eapply enclose_ranges_correct; [exact R|apply X]).
+  destruct (held_in_part c full _ h v root x Ct H2 B X W)
+    as (_ & t & b' & u & _ & B' & V & E & Sh).
+  rewrite E. refine (shown_correct c full motors good holds G halvings x _ _ t b' Sh B' _).
+  - exact (tube_solution_solves c full t b' u x V B').
+  - exact (solution_in_tube c full t b' u x V B').
 Qed.
 
 (** The same along a way. *)
-Definition check_over_along (halvings : nat) (good : (nat -> nat -> form) -> bool)
-    (c : list expression -> closure) (pieces : list (list expression)) (motors : list nat)
-    (m : method) (gs : list tubes) : bool :=
+Definition holds_along (f : closure -> tube -> box -> bool) (vs : list parts) (l : list stretch) :
+    bool :=
+  Nat.eqb (length vs) (length l)
+  && forallb (fun u => let s := snd u in holds_in (f (mechanism s)) (fst u) (tree s) (root s))
+       (combine vs l).
+
+Definition check_over_along_in (halvings : nat) (good : (nat -> nat -> form) -> bool)
+    (c : list expression -> closure) (pieces : list (list expression)) (ws vs : list parts)
+    (motors : list nat) (m : method) (gs : list tubes) : bool :=
   let full := second_order m in
-  match stretches full (deepest m) (map c pieces) gs with
+  match stretches full (deepest m) (map c pieces) ws gs with
   | Some l =>
       check_stretches full l
-      && forallb (fun s => forallb (fun u : leaf => match fst u with
-           | Some t => shown (mechanism s) full motors good halvings t (snd u)
-           | None => true
-           end) (leaves_on s)) l
+      && holds_along (fun c => shown c full motors good halvings) vs l
   | None => false
   end.
 
-Lemma check_over_along_correct halvings good (holds : (nat -> nat -> R) -> Prop) c pieces motors m
-    gs :
+Lemma holds_along_correct f vs l k s : holds_along f vs l = true -> nth_error l k = Some s ->
+  holds_in (f (mechanism s)) (nth k vs LeftOut) (tree s) (root s) = true.
+Proof.
+  unfold holds_along. intros H N. apply andb_prop in H as [L H]. apply Nat.eqb_eq in L.
+  rewrite forallb_forall in H. apply (H (nth k vs LeftOut, s)).
+  rewrite <- (nth_error_nth l k s N), <- combine_nth by exact L. apply nth_In.
+  rewrite combine_length, L, Nat.min_id. apply nth_error_Some. congruence.
+Qed.
+
+Lemma check_over_along_in_correct halvings good (holds : (nat -> nat -> R) -> Prop) c pieces ws vs
+    motors m gs :
   (forall s F J, in_unit_box s ->
     (forall j k, (j < unknowns_along c pieces)%nat -> (k < length motors)%nat ->
        form_encloses s (F j k) (J j k)) -> good F = true -> holds J) ->
-  check_over_along halvings good c pieces motors m gs = true ->
-  over_branch_along holds c pieces motors.
+  check_over_along_in halvings good c pieces ws vs motors m gs = true ->
+  over_branch_along_in ws vs holds c pieces motors.
 Proof.
-  intros G. unfold check_over_along. set (full := second_order m).
-  destruct (stretches full (deepest m) (map c pieces) gs) as [l|] eqn:L; [|discriminate].
-  apply stretches_correct in L as [M E]. intros H. apply andb_prop in H as [H1 H2].
-  apply (check_stretches_correct _ _ E) in H1 as (W & B & others & n & K & Li).
+  intros G. unfold check_over_along_in. set (full := second_order m).
+  destruct (stretches full (deepest m) (map c pieces) ws gs) as [l|] eqn:L; [|discriminate].
+  apply stretches_correct in L as (M & Kw & E). intros H. apply andb_prop in H as [H1 H2].
+  apply (check_stretches_correct _ _ E) in H1 as (W & S & B & others & n & K & Li).
   assert (U : forall s, In s l -> unknowns (mechanism s) = unknowns_along c pieces).
   { unfold unknowns_along. rewrite <- M. intros s I.
     rewrite (has_unknowns _ _ _ s (are_pieces full l others n E K s I)).
     destruct l as [|s0 l0]; [destruct I|]. simpl. symmetry.
     exact (has_unknowns _ _ _ s0 (are_pieces full _ others n E K s0 (or_introl eq_refl))). }
-  unfold over_branch_along. rewrite <- M. split; [exact W|]. exists (along full 0 l). split; [exact B|].
-  intros x k d D.
-  destruct (along_on_piece full l others n E K Li x k d D)
-    as (s & t & b & v & N & <- & I & Bx & _ & V & ->).
-  rewrite forallb_forall in H2. pose proof (H2 s (nth_error_In _ _ N)) as H3.
-  rewrite forallb_forall in H3. specialize (H3 _ I). cbn [fst snd] in H3.
+  unfold over_branch_along_in. rewrite <- M, <- Kw. split; [exact W|]. split; [exact S|].
+  exists (along full 0 l). split; [exact B|]. intros x k d D Dv.
+  apply piece_of in D as (s & N & <- & In_s & Ks).
+  destruct (along_in_part full l others n E K Li _ _ x k s N In_s Ks
+              (holds_along_correct _ vs l k s H2 N) Dv)
+    as (t & b & v & _ & Bx & _ & V & -> & Sh).
   rewrite <- (U s (nth_error_In _ _ N)) in G.
-  refine (shown_correct (mechanism s) full motors good holds G halvings _ _ _ t b H3 Bx _).
+  refine (shown_correct (mechanism s) full motors good holds G halvings _ _ _ t b Sh Bx _).
   - exact (tube_solution_solves (mechanism s) full t b v _ V Bx).
   - exact (solution_in_tube (mechanism s) full t b v _ V Bx).
+Qed.
+
+(** The whole set is kept. *)
+Definition check_over halvings good c : list nat -> method -> tubes -> bool :=
+  check_over_in halvings good c Kept Kept.
+
+Lemma over_whole_branch holds c motors : over_branch_in Kept Kept holds c motors ->
+  over_branch holds c motors.
+Proof.
+  intros (G & _ & p & B & H). split; [exact G|]. exists p. split.
+  - revert B. apply is_branch_among_fewer. intros x X. exact (conj X Logic.I).
+  - intros x X. exact (H x X Logic.I Logic.I).
+Qed.
+
+Definition check_over_along halvings good c pieces : list nat -> method -> list tubes -> bool :=
+  check_over_along_in halvings good c pieces (all_kept pieces) (all_kept pieces).
+
+Lemma over_whole_way holds c pieces motors :
+  over_branch_along_in (all_kept pieces) (all_kept pieces) holds c pieces motors ->
+  over_branch_along holds c pieces motors.
+Proof.
+  intros (W & _ & p & B & H). split; [exact W|]. exists p.
+  split; [exact (branch_of_all_kept c pieces p B)|]. intros x k d O.
+  apply (on_all_kept c pieces) in O. exact (H x k d O (proj2 O)).
 Qed.
 
 Definition most_halvings : nat := 12.
@@ -1020,7 +1081,10 @@ Section Ranges.
   Let tests (m : method) (g : tubes) good := check_over most_halvings good c motors m g.
   Let over P := over_branch P c motors.
   Let shown_over m g : shows (tests m g) over (unknowns c) (length motors).
-  Proof. intros good holds G. exact (check_over_correct _ _ _ c motors m g G). Qed.
+  Proof.
+    intros good holds G H. apply over_whole_branch.
+    exact (check_over_in_correct _ _ _ c Kept Kept motors m g G H).
+  Qed.
 
   Theorem check_branch_within_correct q s limit m g :
     check_measure Within c motors q s limit m g = true -> branch_within c motors q s limit.
@@ -1054,7 +1118,10 @@ Section Way.
   Let over P := over_branch_along P c pieces motors.
   Let n := unknowns_along c pieces.
   Let shown_over m gs : shows (tests m gs) over n (length motors).
-  Proof. intros good holds G. exact (check_over_along_correct _ _ _ c pieces motors m gs G). Qed.
+  Proof.
+    intros good holds G H. apply over_whole_way.
+    exact (check_over_along_in_correct _ _ _ c pieces _ _ motors m gs G H).
+  Qed.
 
   Theorem check_branch_within_along_correct q s limit m gs :
     check_measure_along Within c pieces motors q s limit m gs = true ->
@@ -1073,3 +1140,28 @@ Section Way.
     branch_within_limits_along c pieces motors load limits.
   Proof. apply check_limits_over_correct, shown_over. Qed.
 End Way.
+
+(** Pavings. *)
+Definition check_branch_within_limits_in c w v motors load limits m g : bool :=
+  check_limits_over (fun good => check_over_in most_halvings good c w v motors m g) (unknowns c)
+    (length motors) load limits.
+Definition check_branch_within_limits_along_in c pieces ws vs motors load limits m gs : bool :=
+  check_limits_over
+    (fun good => check_over_along_in most_halvings good c pieces ws vs motors m gs)
+    (unknowns_along c pieces) (length motors) load limits.
+
+Theorem check_branch_within_limits_in_correct c w v motors load limits m g :
+  check_branch_within_limits_in c w v motors load limits m g = true ->
+  branch_within_limits_in c w v motors load limits.
+Proof.
+  apply check_limits_over_correct. intros good holds G.
+  exact (check_over_in_correct _ _ _ c w v motors m g G).
+Qed.
+
+Theorem check_branch_within_limits_along_in_correct c pieces ws vs motors load limits m gs :
+  check_branch_within_limits_along_in c pieces ws vs motors load limits m gs = true ->
+  branch_within_limits_along_in c pieces ws vs motors load limits.
+Proof.
+  apply check_limits_over_correct. intros good holds G.
+  exact (check_over_along_in_correct _ _ _ c pieces ws vs motors m gs G).
+Qed.

@@ -6,9 +6,28 @@ From Coq Require Import Reals QArith Qreals Lra Lia List PArith Bool FunctionalE
 From Coq Require PrimFloat.
 From Regulus Require Import Expressions Intervals Forms Evaluation Boxes Hints Regularity.
 From Regulus Require Import Continuity Existence Derivatives LinearAlgebra Questions Search
-  Closures Tubes Branches.
+  Closures Tubes Parts Branches.
 Import ListNotations.
 Open Scope R_scope.
+
+(** ** The claim about a paving *)
+
+(** The mechanism of piece k is c, and x is a place of its set in a part that is kept: the parts of
+    piece k are number k of a list, the first one being number 0. *)
+Definition is_kept_on (way : list closure) (ws : list parts) (x : list R) (k : nat) (c : closure) :
+    Prop :=
+  is_on way x k c /\ is_kept (nth k ws LeftOut) (on_piece k x).
+
+(** The start, on the first piece, is in a part that is kept. *)
+Definition starts_in (way : list closure) (ws : list parts) : Prop :=
+  match way with c :: _ => is_kept (nth 0 ws LeftOut) (the_start c) | [] => False end.
+
+(** PAVING of a closure along a way: what NO SINGULARITY says, of the places in the parts that are
+    kept. *)
+Definition one_branch_along_in (c : list expression -> closure) (pieces : list (list expression))
+    (ws : list parts) : Prop :=
+  let way := map c pieces in
+  is_way way /\ starts_in way ws /\ exists p, is_branch_along_among (is_kept_on way ws) way p.
 
 (** ** Exact numbers: polynomials in pi with rational coefficients *)
 
@@ -300,16 +319,18 @@ Definition joint_box (e : interval) (a b : box) : box := e :: meet_boxes (tl a) 
 Definition linked_at_joint (c d : closure) (full : nat) (x y : leaf) : bool :=
   match fst x, fst y with
   | Some s, Some t =>
-      is_positive (nth 0 (snd y) I.nai) || boxes_apart (tl (snd x)) (tl (snd y))
-      || (let e := joint_box one (snd x) (snd y) in
-          let b := joint_box zero (snd x) (snd y) in
-          leads_to c full e b s t || leads_to d full b e t s)
+      if is_positive (nth 0 (snd y) I.nai) || boxes_apart (tl (snd x)) (tl (snd y)) then true
+      else
+        let e := joint_box one (snd x) (snd y) in
+        let b := joint_box zero (snd x) (snd y) in
+        if leads_to c full e b s t then true else if leads_to d full b e t s then true
+        else existsb (fun u => leads c full e u s && leads_to c full e b u t) (Fit.narrow c full e s)
   | _, _ => true
   end.
 
 Definition linked_joint (c d : closure) (full : nat) (ends begins : list leaf) : bool :=
-  forallb (fun x => is_negative (subtract (nth 0 (snd x) I.nai) one)
-                    || forallb (linked_at_joint c d full x) begins) ends.
+  forallb (fun x => if is_negative (subtract (nth 0 (snd x) I.nai) one) then true
+                    else forallb (linked_at_joint c d full x) begins) ends.
 
 Lemma in_box_cons i b u x : encloses i u -> in_box b x -> in_box (i :: b) (u :: x).
 Proof. intros E [L B]. split; [simpl; f_equal; exact L|]. intros [|k]; [exact E|apply B]. Qed.
@@ -350,33 +371,43 @@ Proof.
   pose proof (in_box_cons zero _ 0 y (integer_encloses 0) M) as E0.
   pose proof (tube_solution_solves c full s a v _ T A) as S1.
   pose proof (tube_solution_solves d full t b w _ W B) as S0.
+  assert (in_t : forall p, in_tube (unknowns c) t (0 :: y) p -> solves c (1 :: y) p ->
+            p = tube_solution d t w (0 :: y)).
+  { intros p P Sp. rewrite U in P. apply (only_solution d full t b w _ W B _ P), J; assumption. }
   apply orb_prop in H as [H|H].
-  - pose proof (leads_to_correct c full _ _ s t _ _ _ H E1 E0 (same_coordinates _ y)
-      (solution_in_tube c full s a v _ T A) S1) as Q. rewrite U in Q.
-    apply (only_solution d full t b w _ W B _ Q). apply J; assumption.
+  { exact (in_t _ (leads_to_correct c full _ _ s t _ _ _ H E1 E0 (same_coordinates _ y)
+      (solution_in_tube c full s a v _ T A) S1) S1). }
+  apply orb_prop in H as [H|H].
   - symmetry.
     pose proof (leads_to_correct d full _ _ t s _ _ _ H E0 E1 (eq_sym (same_coordinates _ y))
       (solution_in_tube d full t b w _ W B) S0) as Q. rewrite <- U in Q.
     apply (only_solution c full s a v _ T A _ Q). apply J; assumption.
+  - apply existsb_exists in H as (u & _ & H). apply andb_prop in H as [H1 H2].
+    pose proof H1 as Z. unfold leads, leads_to in Z.
+    destruct (test_tube c full u _) as [z|] eqn:Tu; [clear Z|discriminate].
+    pose proof (solution_in_tube c full u _ z _ Tu E1) as P.
+    pose proof (tube_solution_solves c full u _ z _ Tu E1) as Q.
+    rewrite <- (leads_correct c full _ u s v _ _ H1 E1 P Q a T A).
+    exact (in_t _ (leads_to_correct c full _ _ u t _ _ _ H2 E1 E0 (same_coordinates _ y) P Q) Q).
 Qed.
 
 (** ** All pieces *)
 
-(** A piece: its mechanism, its tubes, and the box of its ranges. *)
-Record stretch := Stretch { mechanism : closure; tree : tubes; root : box }.
+(** A piece: its mechanism, the parts that are kept, its tubes, and the box of its ranges. *)
+Record stretch := Stretch { mechanism : closure; kept : parts; tree : tubes; root : box }.
 
 Definition leaves_on (s : stretch) : list leaf := leaves_of (tree s) (root s).
 
-Fixpoint stretches (full fuel : nat) (cs : list closure) (gs : list tubes) :
+Fixpoint stretches (full fuel : nat) (cs : list closure) (ws : list parts) (gs : list tubes) :
     option (list stretch) :=
-  match cs, gs with
-  | [], [] => Some []
-  | c :: cs', g :: gs' =>
-      match enclose_ranges (ranges (places c)), stretches full fuel cs' gs' with
-      | Some b, Some l => Some (Stretch c (refined_tubes c full fuel g b) b :: l)
+  match cs, ws, gs with
+  | [], [], [] => Some []
+  | c :: cs', w :: ws', g :: gs' =>
+      match enclose_ranges (ranges (places c)), stretches full fuel cs' ws' gs' with
+      | Some b, Some l => Some (Stretch c w (refined_tubes c full fuel g b) b :: l)
       | _, _ => None
       end
-  | _, _ => None
+  | _, _, _ => None
   end.
 
 Definition is_zero_to_one (c : closure) : bool :=
@@ -391,7 +422,7 @@ Definition is_checked (full : nat) (others : list (expression * expression)) (n 
   let c := mechanism s in
   is_zero_to_one c && is (list_eq_dec range_eq_dec (tl (ranges (places c))) others)
   && Nat.eqb (unknowns c) n && Nat.eqb (length (equations c)) (unknowns c)
-  && check_tubes c full (tree s) (root s).
+  && check_tubes c full (tree s) (root s) && has_tubes_in (kept s) (tree s) (root s).
 
 Fixpoint are_linked (full : nat) (l : list stretch) : bool :=
   match l with
@@ -417,7 +448,7 @@ Definition check_stretches (full : nat) (l : list stretch) : bool :=
             enclose_values (map snd (near c)) with
       | Some b, Some middles, Some radii =>
           let around := around_start c middles radii (length b) in
-          check_branch c full around (tight_start c full b around) (tree s)
+          check_branch_in c full around (tight_start c full b around) (kept s) (tree s)
           && starts_on_first c
           && forallb (is_checked full (tl (ranges (places c))) (unknowns c)) l
           && are_linked full l
@@ -439,7 +470,7 @@ Fixpoint along (full k : nat) (l : list stretch) (x : list R) : list R :=
   | [] => []
   | s :: later =>
       let y := on_piece k x in
-      match is_unit_dec y, is_excluded_at (tree s) y with
+      match is_unit_dec y, is_without_tube_at (tree s) y with
       | left _, false => configuration (mechanism s) full (tree s) (root s) y
       | _, _ => along full (S k) later x
       end
@@ -482,14 +513,16 @@ Section Pieces.
     has_others : tl (ranges (places (mechanism s))) = others;
     has_unknowns : unknowns (mechanism s) = n;
     has_equations : length (equations (mechanism s)) = unknowns (mechanism s);
-    has_tubes : check_tubes (mechanism s) full (tree s) (root s) = true;
+    are_tubes : check_tubes (mechanism s) full (tree s) (root s) = true;
+    has_tubes : has_tubes_in (kept s) (tree s) (root s) = true;
     has_root : enclose_ranges (ranges (places (mechanism s))) = Some (root s) }.
 
   Lemma are_pieces s : In s l -> is_piece s.
   Proof.
     intros I. rewrite forallb_forall in checked. pose proof (checked s I) as H.
     pose proof (enclosed s I) as E.
-    unfold is_checked in H. apply andb_prop in H as [H H5]. apply andb_prop in H as [H H4].
+    unfold is_checked in H. apply andb_prop in H as [H H6]. apply andb_prop in H as [H H5].
+    apply andb_prop in H as [H H4].
     apply andb_prop in H as [H H3]. apply andb_prop in H as [H1 H2].
     apply is_correct in H2. apply Nat.eqb_eq in H3, H4.
     split; try assumption. unfold is_zero_to_one, goes_from_0_to_1 in *.
@@ -559,7 +592,7 @@ Section Pieces.
     - rewrite (order j k U1 U2 L) in H2. exact (held_agree_next j s t _ p q H1 H2).
     - subst k. rewrite S1 in S2. injection S2 as <-.
       pose proof (are_pieces s (nth_error_In _ _ S1)) as P.
-      exact (leaves_agree _ full (tree s) (root s) _ p q (has_tubes s P) L1 L2).
+      exact (leaves_agree _ full (tree s) (root s) _ p q (are_tubes s P) L1 L2).
     - rewrite (order k j U2 U1 L) in H1. symmetry.
       exact (held_agree_next k t s _ q p H2 H1).
   Qed.
@@ -567,11 +600,23 @@ Section Pieces.
   (** ** The configuration at each place *)
 
   Definition way : list closure := map mechanism l.
+  Definition on (x : list R) (k : nat) (c : closure) : Prop := is_kept_on way (map kept l) x k c.
+
+  Lemma piece_of x k c : on x k c -> exists s, nth_error l k = Some s /\ mechanism s = c /\
+    in_set (places (mechanism s)) (on_piece k x) /\ is_kept (kept s) (on_piece k x).
+  Proof.
+    intros [[E S] W]. unfold way in E. rewrite nth_error_map in E.
+    destruct (nth_error l k) as [s|] eqn:T; [|discriminate]. injection E as <-.
+    rewrite (nth_error_nth (map kept l) k LeftOut (x := kept s)) in W
+      by (rewrite nth_error_map, T; reflexivity).
+    exists s. auto.
+  Qed.
 
   Lemma along_held x k s : nth_error l k = Some s ->
-    in_set (places (mechanism s)) (on_piece k x) -> exists j t, held_on j t x (along full 0 l x).
+    in_set (places (mechanism s)) (on_piece k x) -> is_kept (kept s) (on_piece k x) ->
+    exists j t, held_on j t x (along full 0 l x).
   Proof.
-    intros E S. pose proof (are_pieces s (nth_error_In _ _ E)) as P.
+    intros E S Q0. pose proof (are_pieces s (nth_error_In _ _ E)) as P.
     destruct x as [|u y]; [destruct S as [F _]; simpl in F; pose proof (has_ranges s P);
       inversion F; congruence|].
     assert (R : forall j t, nth_error l j = Some t -> is_unit (on_piece j (u :: y)) ->
@@ -581,7 +626,8 @@ Section Pieces.
       split; [exact U|]. apply (in_ranges s (u - INR k) y P), S. }
     assert (U : is_unit (on_piece k (u :: y))).
     { apply (in_ranges s (u - INR k) y P), S. }
-    destruct (held_in_set _ full (tree s) (root s) _ (has_tubes s P) (R k s E U) S) as [N _].
+    destruct (held_in_set _ full (kept s) (tree s) (root s) _ (are_tubes s P) (has_tubes s P)
+      (R k s E U) S Q0) as [N _].
     assert (find : forall later i, (forall j t, nth_error later j = Some t ->
                 nth_error l (i + j) = Some t) ->
               forall j, nth_error later j = Some s -> (i + j)%nat = k ->
@@ -594,36 +640,50 @@ Section Pieces.
         intros h w W. specialize (M (Datatypes.S h) w W).
         rewrite <- M. f_equal. lia. }
       destruct (is_unit_dec (on_piece i (u :: y))) as [V|V].
-      - destruct (is_excluded_at (tree t) (on_piece i (u :: y))) eqn:X.
+      - destruct (is_without_tube_at (tree t) (on_piece i (u :: y))) eqn:X.
         + apply next. destruct j as [|j]; [|eauto]. injection J as ->.
           rewrite Nat.add_0_r in Q. subst i. congruence.
         + exists i, t. split; [exact T|]. split; [exact V|].
           pose proof (are_pieces t (nth_error_In _ _ T)) as Pt.
-          exact (configuration_held _ full (tree t) (root t) _ (has_tubes t Pt) (R i t T V) X).
+          exact (configuration_held _ full (tree t) (root t) _ (are_tubes t Pt) (R i t T V) X).
       - apply next. destruct j as [|j]; [|eauto]. rewrite Nat.add_0_r in Q. subst i. contradiction. }
     apply (find l O (fun j t H => H) k E). reflexivity.
   Qed.
 
-  (** On each piece it is in the tube of a leaf of this piece. *)
-  Lemma along_on_piece x k c : is_on way x k c -> exists s t b v,
+  (** On each piece it is in the tube of a leaf of this piece; f is true of it, if it is over the
+      parts of w. *)
+  Lemma along_in_part f w x k s : nth_error l k = Some s ->
+    in_set (places (mechanism s)) (on_piece k x) -> is_kept (kept s) (on_piece k x) ->
+    holds_in f w (tree s) (root s) = true -> is_kept w (on_piece k x) -> exists t b v,
+      In (Some t, b) (leaves_on s) /\ in_box b (on_piece k x) /\ is_unit (on_piece k x) /\
+      test_tube (mechanism s) full t b = Some v /\
+      along full 0 l x = tube_solution (mechanism s) t v (on_piece k x) /\ f t b = true.
+  Proof.
+    intros T S W F G. pose proof (are_pieces s (nth_error_In _ _ T)) as P.
+    assert (U : is_unit (on_piece k x)).
+    { destruct S as [R _]. pose proof (has_ranges s P).
+      destruct x as [|u y]; [simpl in R; inversion R; congruence|].
+      apply (in_ranges s (u - INR k) y P), R. }
+    assert (B : in_box (root s) (on_piece k x)).
+    { apply (enclose_ranges_correct _ _ _ (has_root s P)), S. }
+    destruct (held_in_part _ full f (tree s) w (root s) _ (are_tubes s P) F B S G)
+      as (_ & t & b & v & I & B1 & V & X & Y).
+    destruct (along_held x k s T S W) as (j & t1 & A).
+    assert (H : held_on k s x (configuration (mechanism s) full (tree s) (root s) (on_piece k x))).
+    { split; [exact T|]. split; [exact U|]. exists t, b, v. auto. }
+    exists t, b, v. rewrite (held_agree j k t1 s x _ _ A H). auto 6.
+  Qed.
+
+  Lemma along_on_piece x k c : on x k c -> exists s t b v,
     nth_error l k = Some s /\ mechanism s = c /\ In (Some t, b) (leaves_on s) /\
     in_box b (on_piece k x) /\ is_unit (on_piece k x) /\ test_tube c full t b = Some v /\
     along full 0 l x = tube_solution c t v (on_piece k x).
   Proof.
-    intros [E S]. unfold way in E. rewrite nth_error_map in E.
-    destruct (nth_error l k) as [s|] eqn:T; [|discriminate]. injection E as <-.
+    intros O. apply piece_of in O as (s & T & <- & S & W).
     pose proof (are_pieces s (nth_error_In _ _ T)) as P.
-    assert (U : is_unit (on_piece k x)).
-    { destruct S as [F _]. pose proof (has_ranges s P).
-      destruct x as [|u y]; [simpl in F; inversion F; congruence|].
-      apply (in_ranges s (u - INR k) y P), F. }
-    assert (B : in_box (root s) (on_piece k x)).
-    { apply (enclose_ranges_correct _ _ _ (has_root s P)), S. }
-    destruct (held_in_set _ full (tree s) (root s) _ (has_tubes s P) B S) as [_ H].
-    destruct (along_held x k s T S) as (j & t & A).
-    pose proof (held_agree j k t s x _ _ A (conj T (conj U H))) as Q.
-    destruct H as (t1 & b & v & I & B1 & V & X). exists s, t1, b, v.
-    repeat (split; [first [reflexivity|assumption]|]). rewrite Q. exact X.
+    destruct (along_in_part _ (kept s) x k s T S W (has_tubes s P) W)
+      as (t & b & v & I & B & U & V & X & _).
+    exists s, t, b, v. auto 8.
   Qed.
 
   (** ** Motions *)
@@ -655,12 +715,11 @@ Section Pieces.
 
   Variable m : R -> list R.
   Hypothesis C : continuous_motion m.
-  Hypothesis goes : forall t, exists k c, is_on way (m t) k c.
+  Hypothesis goes : forall t, exists k c, on (m t) k c.
 
   Lemma motion_length t : length (m t) = S (length others).
   Proof.
-    destruct (goes t) as (k & c & E & [F _]). unfold way in E. rewrite nth_error_map in E.
-    destruct (nth_error l k) as [s|] eqn:T; [|discriminate]. injection E as <-.
+    destruct (goes t) as (k & c & O). apply piece_of in O as (s & T & _ & [F _] & _).
     pose proof (are_pieces s (nth_error_In _ _ T)) as P. apply in_range_length in F.
     rewrite <- (enclose_ranges_length _ _ (has_root s P)), (root_length s P) in F.
     destruct (m t); simpl in *; lia.
@@ -701,16 +760,14 @@ Section Pieces.
   Proof.
     destruct a as [[k s] [[t b] v]]. intros I [B U].
     apply in_way_charts in I as (j & -> & N & I & T). simpl in B, U |- *.
-    destruct (goes r) as (i & c & O). pose proof O as [E S].
-    unfold way in E. rewrite nth_error_map in E.
-    destruct (nth_error l i) as [w|] eqn:W; [|discriminate]. injection E as <-.
-    destruct (along_held (m r) i w W S) as (h & z & H).
+    destruct (goes r) as (i & c & O). apply piece_of in O as (w & W & _ & S & K).
+    destruct (along_held (m r) i w W S K) as (h & z & H).
     apply (held_agree h j z s (m r) _ _ H). split; [exact N|]. split; [exact U|].
     exists t, b, v. auto.
   Qed.
 
   Lemma way_covered (q : R -> list R) :
-    (forall t k c, is_on way (m t) k c -> solves c (on_piece k (m t)) (q t)) ->
+    (forall t k c, on (m t) k c -> solves c (on_piece k (m t)) (q t)) ->
     forall r, exists a, In a (way_charts 0 l) /\ within a r /\
       (let '(k, s, _) := a in solves (mechanism s) (on_piece k (m r)) (q r)).
   Proof.
@@ -720,19 +777,18 @@ Section Pieces.
     apply in_way_charts. exists k. auto.
   Qed.
 
-  Lemma along_solves t k c : is_on way (m t) k c -> solves c (on_piece k (m t)) (p t).
+  Lemma along_solves t k c : on (m t) k c -> solves c (on_piece k (m t)) (p t).
   Proof.
     intros O. destruct (along_on_piece (m t) k c O) as (s & u & b & v & _ & _ & _ & B & _ & T & E).
     unfold p. rewrite E. exact (tube_solution_solves c full u b v _ T B).
   Qed.
 
   Lemma solution_length (q : R -> list R) :
-    (forall t k c, is_on way (m t) k c -> solves c (on_piece k (m t)) (q t)) ->
+    (forall t k c, on (m t) k c -> solves c (on_piece k (m t)) (q t)) ->
     forall t, length (q t) = n.
   Proof.
     intros Sq t. destruct (goes t) as (k & c & O). rewrite (proj1 (Sq t k c O)).
-    destruct O as [E _]. unfold way in E. rewrite nth_error_map in E.
-    destruct (nth_error l k) as [s|] eqn:T; [|discriminate]. injection E as <-.
+    apply piece_of in O as (s & T & <- & _).
     exact (has_unknowns s (are_pieces s (nth_error_In _ _ T))).
   Qed.
 
@@ -769,7 +825,7 @@ Section Pieces.
   Qed.
 
   Theorem way_unique q : continuous_motion q ->
-    (forall t k c, is_on way (m t) k c -> solves c (on_piece k (m t)) (q t)) ->
+    (forall t k c, on (m t) k c -> solves c (on_piece k (m t)) (q t)) ->
     forall s, q s = p s -> forall t, q t = p t.
   Proof.
     intros Cq Sq.
@@ -794,15 +850,15 @@ End Pieces.
 
 (** ** The whole check *)
 
-Lemma stretches_correct full fuel cs : forall gs l, stretches full fuel cs gs = Some l ->
-  map mechanism l = cs /\ are_enclosed l.
+Lemma stretches_correct full fuel cs : forall ws gs l, stretches full fuel cs ws gs = Some l ->
+  map mechanism l = cs /\ map kept l = ws /\ are_enclosed l.
 Proof.
-  induction cs as [|c cs IH]; intros [|g gs] l H; simpl in H; try discriminate.
-  - injection H as <-. split; [reflexivity|intros s []].
+  induction cs as [|c cs IH]; intros [|w ws] [|g gs] l H; simpl in H; try discriminate.
+  - injection H as <-. split; [reflexivity|]. split; [reflexivity|intros s []].
   - destruct (enclose_ranges (ranges (places c))) as [b|] eqn:E; [|discriminate].
-    destruct (stretches full fuel cs gs) as [r|] eqn:R; [|discriminate]. injection H as <-.
-    destruct (IH gs r R) as [M F]. split; [simpl; f_equal; exact M|].
-    intros s [<-|I]; [exact E|exact (F s I)].
+    destruct (stretches full fuel cs ws gs) as [r|] eqn:R; [|discriminate]. injection H as <-.
+    destruct (IH ws gs r R) as (M & K & F). split; [simpl; f_equal; exact M|].
+    split; [simpl; f_equal; exact K|]. intros s [<-|I]; [exact E|exact (F s I)].
 Qed.
 
 Lemma are_linked_joined full others n l : Forall (is_piece full others n) l ->
@@ -817,7 +873,9 @@ Qed.
 
 Theorem check_stretches_correct full l :
   are_enclosed l -> check_stretches full l = true ->
-  is_way (map mechanism l) /\ is_branch_along (map mechanism l) (along full 0 l) /\
+  is_way (map mechanism l) /\ starts_in (map mechanism l) (map kept l) /\
+  is_branch_along_among (is_kept_on (map mechanism l) (map kept l)) (map mechanism l)
+    (along full 0 l) /\
   exists others n, forallb (is_checked full others n) l = true /\ are_linked full l = true.
 Proof.
   intros E H. destruct l as [|s later]; [discriminate|]. unfold check_stretches in H.
@@ -829,18 +887,19 @@ Proof.
   set (others := tl (ranges (places c))) in *. set (n := unknowns c) in *.
   assert (P : forall w, In w l -> is_piece full others n w)
     by exact (are_pieces full l others n E K).
-  apply check_branch_holds in B as (G & b0 & R & _ & (_ & Q & _) & X0 & N0).
+  apply check_branch_holds in B as (G & W & b0 & R & _ & (_ & Q & _) & X0 & N0).
   assert (Rs : enclose_ranges (ranges (places c)) = Some (root s))
     by (apply E; left; reflexivity).
   rewrite Rs in R. injection R as <-.
-  split; [|split; [|exists others, n; auto]].
+  split; [|split; [|split; [|exists others, n; auto]]].
   - split; [apply G|]. split.
-    + apply Forall_forall. intros d D. apply in_map_iff in D as (w & <- & W).
-      pose proof (P w W) as Pw. split; [|split].
+    + apply Forall_forall. intros d D. apply in_map_iff in D as (w & <- & I).
+      pose proof (P w I) as Pw. split; [|split].
       * exact (enclose_ranges_defined _ _ (has_root _ _ _ w Pw)).
       * exact (has_equations _ _ _ w Pw).
       * exact (from_0_to_1 _ _ _ w Pw).
     + apply (are_linked_joined full others n); [apply Forall_forall; exact P|exact L].
+  - exact W.
   - split; [|split].
     + intros x k d D. cbv zeta.
       destruct (along_on_piece full l others n E K L x k d D)
@@ -867,21 +926,61 @@ Proof.
       intros q Cq Sq t0 T0. exact (way_unique full l others n E K L m C I q Cq Sq t0 T0).
 Qed.
 
+Lemma is_branch_along_same (on same : list R -> nat -> closure -> Prop) way p :
+  (forall x k c, on x k c <-> same x k c) ->
+  is_branch_along_among on way p -> is_branch_along_among same way p.
+Proof.
+  intros F (V & S & M). split; [intros x k c O; apply V, F, O|]. split; [exact S|]. intros m C I.
+  destruct (M m C) as [Cp U].
+  { intros t. destruct (I t) as (k & c & O). exists k, c. apply F, O. }
+  split; [exact Cp|]. intros q Cq Sq. apply U; [exact Cq|]. intros t k c O. apply Sq, F, O.
+Qed.
+
 (** The check with the tubes of a certificate, a tree for each piece. *)
-Definition check_closure_along (c : list expression -> closure)
-    (pieces : list (list expression)) (m : method) (gs : list tubes) : bool :=
-  match stretches (second_order m) (deepest m) (map c pieces) gs with
+Definition check_closure_along_in (c : list expression -> closure)
+    (pieces : list (list expression)) (ws : list parts) (m : method) (gs : list tubes) : bool :=
+  match stretches (second_order m) (deepest m) (map c pieces) ws gs with
   | Some l => check_stretches (second_order m) l
   | None => false
   end.
 
+Theorem check_closure_along_in_correct c pieces ws m gs :
+  check_closure_along_in c pieces ws m gs = true -> one_branch_along_in c pieces ws.
+Proof.
+  unfold check_closure_along_in.
+  destruct (stretches (second_order m) (deepest m) (map c pieces) ws gs) as [l|] eqn:L;
+    [|discriminate].
+  apply stretches_correct in L as (M & K & E). intros H.
+  apply (check_stretches_correct _ _ E) in H as (W & S & B & _). rewrite M, K in *.
+  split; [exact W|]. split; [exact S|]. eexists. exact B.
+Qed.
+
+(** The whole way is kept. *)
+Definition all_kept (pieces : list (list expression)) : list parts := map (fun _ => Kept) pieces.
+
+Definition check_closure_along (c : list expression -> closure)
+    (pieces : list (list expression)) : method -> list tubes -> bool :=
+  check_closure_along_in c pieces (all_kept pieces).
+
+Lemma on_all_kept (c : list expression -> closure) pieces x k d :
+  is_on (map c pieces) x k d <-> is_kept_on (map c pieces) (all_kept pieces) x k d.
+Proof.
+  split; [|intros [O _]; exact O]. intros O. split; [exact O|]. destruct O as [E _].
+  rewrite nth_error_map in E. destruct (nth_error pieces k) as [piece|] eqn:T; [|discriminate].
+  rewrite (nth_error_nth (all_kept pieces) k LeftOut (x := Kept)); [exact Logic.I|].
+  unfold all_kept. rewrite nth_error_map, T. reflexivity.
+Qed.
+
+Lemma branch_of_all_kept (c : list expression -> closure) pieces p :
+  is_branch_along_among (is_kept_on (map c pieces) (all_kept pieces)) (map c pieces) p ->
+  is_branch_along (map c pieces) p.
+Proof.
+  apply is_branch_along_same. intros x k d. symmetry. apply on_all_kept.
+Qed.
+
 Theorem check_closure_along_correct c pieces m gs :
   check_closure_along c pieces m gs = true -> one_branch_along c pieces.
 Proof.
-  unfold check_closure_along.
-  destruct (stretches (second_order m) (deepest m) (map c pieces) gs) as [l|] eqn:L;
-    [|discriminate].
-  apply stretches_correct in L as [M E]. intros H.
-  apply (check_stretches_correct _ _ E) in H as (W & B & _). rewrite M in W, B.
-  split; [exact W|]. eexists. exact B.
+  intros H. apply check_closure_along_in_correct in H as (W & _ & p & B).
+  split; [exact W|]. exists p. exact (branch_of_all_kept c pieces p B).
 Qed.

@@ -15,24 +15,15 @@ namespace {
 
 using Kind = CoqToken::Kind;
 
-constexpr auto kImports = std::to_array<std::string_view>(
-    {"From Coq Require Import List", "From Coq Require Import PrimFloat",
-     "From Regulus Require Import Expressions Questions Search Singularity Threshold Forces",
-     "From Regulus Require Import Notations", "Import ListNotations"});
-/// In place of the third one, of a closure, along a way, of a quantity over its branch, of a finite error, of
-/// its solutions, and of forces within limits.
+constexpr std::string_view kLibrary =
+    "From Regulus Require Import Expressions Questions Search Singularity Threshold Forces";
+/// In its place, of a closure, along a way, of a quantity over its branch, of a finite error, and
+/// of its solutions; of forces within limits; and the file more of a paving.
 constexpr std::string_view kClosureImport =
     "From Regulus Require Import Expressions Questions Search Closures Tubes Branches";
-constexpr std::string_view kWaysImport =
-    "From Regulus Require Import Expressions Questions Search Closures Tubes Branches Ways";
-constexpr std::string_view kRatesImport =
-    "From Regulus Require Import Expressions Questions Search Closures Tubes Branches Rates";
-constexpr std::string_view kDistancesImport =
-    "From Regulus Require Import Expressions Questions Search Closures Tubes Branches Distances";
-constexpr std::string_view kSolutionsImport =
-    "From Regulus Require Import Expressions Questions Search Closures Tubes Branches Solutions";
-constexpr std::string_view kLimitsImport =
-    "From Regulus Require Import Expressions Questions Search Singularity Threshold Forces Limits";
+constexpr auto kMoreOfClosures =
+    std::to_array<std::string_view>({"", " Ways", " Rates", " Distances", " Solutions"});
+constexpr std::string_view kMoreOfLimits = " Limits", kMoreOfPavings = " Parts";
 
 /// The definitions of a file, but for those of its names.
 constexpr auto kDefinitions =
@@ -60,15 +51,19 @@ constexpr auto kDefinitions =
                                      "the_errors : list nat",
                                      "the_unknown : nat",
                                      "the_measure : measured",
-                                     "the_vectors : vectors"});
+                                     "the_vectors : vectors",
+                                     "the_parts : parts",
+                                     "the_parts : list parts",
+                                     "the_feasible_parts : parts",
+                                     "the_feasible_parts : list parts"});
 
 /// The words of their bodies. Each has one meaning, that of the imports: no definition has its name.
 constexpr auto kWords = std::to_array<std::string_view>(
-    {"Vectors", "Force", "Motion",   "nat",      "Closure",  "Tube",     "Excluded",
-     "Held",    "Cut",   "Question", "Method",   "Name",     "Leaf",     "Split",
-     "within",  "nth",   "piece",    "no_entry", "segments", "deg",      "pi",
-     "sqrt",    "sin",   "cos",      "tan",      "asin",     "acos",     "atan",
-     "atan2",   "exp",   "log",      "abs",      "float",    "infinity", "neg_infinity"});
+    {"Kept",    "LeftOut", "Parted",   "NoTube", "Vectors", "Force",    "Motion",      "nat",
+     "Closure", "Tube",    "Excluded", "Held",   "Cut",     "Question", "Method",      "Name",
+     "Leaf",    "Split",   "within",   "nth",    "piece",   "no_entry", "segments",    "deg",
+     "pi",      "sqrt",    "sin",      "cos",    "tan",     "asin",     "acos",        "atan",
+     "atan2",   "exp",     "log",      "abs",    "float",   "infinity", "neg_infinity"});
 
 constexpr std::string_view kSymbols = "()[];,+-*/^%";
 
@@ -76,14 +71,15 @@ constexpr std::string_view kSymbols = "()[];,+-*/^%";
 struct Claim {
   std::string_view name, arguments, library = "Questions";
 };
-constexpr auto kClaims =
-    std::to_array<Claim>({{"no_singularity", ""},
-                          {"singularity", ""},
-                          {"determinant_above", " the_scales the_threshold"},
-                          {"determinant_not_above", " the_scales the_threshold"},
-                          {"force_within", " the_row the_load the_limit"},
-                          {"force_below", " the_row the_load the_limit"},
-                          {"forces_within_limits", " the_scales the_load the_limits", "Limits"}});
+constexpr auto kClaims = std::to_array<Claim>(
+    {{"no_singularity", ""},
+     {"singularity", ""},
+     {"determinant_above", " the_scales the_threshold"},
+     {"determinant_not_above", " the_scales the_threshold"},
+     {"force_within", " the_row the_load the_limit"},
+     {"force_below", " the_row the_load the_limit"},
+     {"forces_within_limits", " the_scales the_load the_limits", "Limits"},
+     {"forces_within_limits_in", " the_parts the_scales the_load the_limits", "Limits"}});
 
 /// The claims about a closure.
 constexpr auto kBranchClaims = std::to_array<Claim>(
@@ -99,6 +95,12 @@ constexpr auto kBranchClaims = std::to_array<Claim>(
      {"branch_above_along", " pieces the_motors the_measure the_vectors the_limit", "Rates"},
      {"branch_within_limits_along", " pieces the_motors the_vectors the_limits", "Rates"},
      {"finite_error_within_along", " pieces the_errors the_unknown the_limit", "Distances"},
+     {"one_branch_in", " the_parts", "Branches"},
+     {"one_branch_along_in", " pieces the_parts", "Ways"},
+     {"branch_within_limits_in", " the_parts the_feasible_parts the_motors the_vectors the_limits",
+      "Rates"},
+     {"branch_within_limits_along_in",
+      " pieces the_parts the_feasible_parts the_motors the_vectors the_limits", "Rates"},
      {"all_solutions", " the_solutions", "Closures"},
      {"some_solutions", " the_solutions", "Closures"}});
 
@@ -118,7 +120,11 @@ class PlainReader {
   explicit PlainReader(std::string_view text) : sentences_(text) {}
 
   PlainTheorem read() {
-    for (const std::string_view import : kImports) expect_import(import);
+    sentences_.expect("From Coq Require Import List");
+    sentences_.expect("From Coq Require Import PrimFloat");
+    library();
+    sentences_.expect("From Regulus Require Import Notations");
+    sentences_.expect("Import ListNotations");
     while (!sentences_.at_end() && sentences_.words().front().text == "Definition") definition();
     PlainTheorem theorem = statement();
     proof();
@@ -130,14 +136,16 @@ class PlainReader {
  private:
   [[noreturn]] void fail(const std::string& what) const { sentences_.fail(what); }
 
-  void expect_import(std::string_view import) {
+  /// The files of the library.
+  void library() {
     const std::string current = sentences_.current();
-    const bool is_of_closure = current == kClosureImport || current == kWaysImport ||
-                               current == kRatesImport || current == kDistancesImport ||
-                               current == kSolutionsImport;
-    if (import != kImports[2] || !(is_of_closure || current == kLimitsImport))
-      return sentences_.expect(import);
-    is_closure_ = is_of_closure;
+    std::string_view rest = current;
+    if (rest.ends_with(kMoreOfPavings)) rest.remove_suffix(kMoreOfPavings.size());
+    is_closure_ = rest.starts_with(kClosureImport) &&
+                  is_one_of(rest.substr(kClosureImport.size()), kMoreOfClosures);
+    const bool is_of_limits = rest.starts_with(kLibrary) && rest.ends_with(kMoreOfLimits) &&
+                              rest.size() == kLibrary.size() + kMoreOfLimits.size();
+    if (!is_closure_ && !is_of_limits) return sentences_.expect(kLibrary);
     sentences_.next();
   }
 

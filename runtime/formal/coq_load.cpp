@@ -137,11 +137,14 @@ std::string question_with(const LoadVariables& load, const Question& question,
 LimitsQuestion split_limits(const Question& question, const std::vector<std::string>& lines) {
   if (question.load->verdict == format::kInfeasible)
     throw Unfinished("there is no theorem yet about a load that no forces within limits hold");
-  if (question.load->verdict != format::kFeasible)
-    throw Unfinished("there is no theorem about a paving of a load yet");
   static_cast<void>(enclose_load(question));  // the limits are in their order
   const LoadVariables load = load_variables(question, *question.load, lines);
-  LimitsQuestion split{question_with(load, question, lines, "load ", ""), {}};
+  LimitsQuestion split{question_with(load, question, lines, "load ", ""), {}, {}};
+  split.variables.count = question.variables.size() + load.count;
+  for (std::size_t k = 0; k < question.variables.size(); ++k) {
+    const bool is_error = question.variables[k].kind == VariableKind::kError;
+    split.variables.places.push_back(is_error ? k + load.count : k);
+  }
   if (rests_of(lines, "scale").empty()) split.more.assign(question.rows, "scale 1");
   for (const std::string& component : load.components) split.more.push_back("load " + component);
   for (const std::string& limits : rests_of(lines, "limits"))

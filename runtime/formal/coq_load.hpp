@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "runtime/formal/coq_tree.hpp"
 #include "runtime/verifier/question.hpp"
 
 namespace regulus::verifier {
@@ -45,10 +46,11 @@ struct LoadVariables {
 struct LimitsQuestion {
   std::string question;           ///< about the matrix
   std::vector<std::string> more;  ///< lines for coq_question: `scale`, `load` and `limits`
+  VariablesOfCoq variables;
 };
 
 /// Takes the load and the limits out of the lines of a certificate, which are those of `question`.
-/// Throws Unfinished if the verdict is not FEASIBLE; Rejection if the load or the limits are empty.
+/// Throws Unfinished if the verdict is INFEASIBLE; Rejection if the load or the limits are empty.
 [[nodiscard]] LimitsQuestion split_limits(const Question& question,
                                           const std::vector<std::string>& lines);
 

@@ -1,23 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/formal/coq_proof.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <span>
 #include <sstream>
 #include <vector>
 
-#include "runtime/formal/coq_branch.hpp"
-#include "runtime/formal/coq_distance.hpp"
+#include "runtime/formal/coq_claim.hpp"
+#include "runtime/formal/coq_closure.hpp"
 #include "runtime/formal/coq_expression.hpp"
 #include "runtime/formal/coq_force.hpp"
 #include "runtime/formal/coq_load.hpp"
+#include "runtime/formal/coq_parts.hpp"
 #include "runtime/formal/coq_poses.hpp"
 #include "runtime/formal/coq_question.hpp"
 #include "runtime/formal/coq_solutions.hpp"
-#include "runtime/formal/coq_tubes.hpp"
-#include "runtime/formal/coq_way.hpp"
-#include "runtime/verifier/branch_quantity.hpp"
-#include "runtime/verifier/nominal_copy.hpp"
 #include "runtime/verifier/pieces.hpp"
 #include "runtime/verifier/planar_platform.hpp"
 #include "runtime/verifier/proof.hpp"
@@ -30,41 +28,6 @@ namespace {
 constexpr int kDeepest = 60;
 /// The most steps one after the other in a search for configurations.
 constexpr int kDeepestSearch = 400;
-
-/// The files of the library that a theorem needs.
-std::string imports(const Question& q) {
-  if (q.closure)
-    return std::string("Expressions Questions Search Closures Tubes Branches") +
-           (is_finite_error(q) ? " Distances"
-            : q.quantity       ? " Rates"
-            : q.solutions      ? " Solutions"
-            : q.is_piecewise   ? " Ways"
-                               : "");
-  return std::string("Expressions Questions Search Singularity Threshold Forces") +
-         (q.load ? " Limits" : "");
-}
-
-std::string heading(const Question& q, const std::string& claim) {
-  return "(* A theorem for the verdict of a certificate.\n\n   model   " + coq_comment(q.model) +
-         "\n   sha256  " + coq_comment(q.sha256) + "\n   motion  " + coq_comment(q.motion) +
-         "\n   claim   " + coq_comment(claim) +
-         "\n\n   Check it with: coqc -Q FOLDER Regulus FILE. FOLDER has the compiled library. *)\n"
-         "From Coq Require Import List.\n"
-         "From Coq Require Import PrimFloat.\n"
-         "From Regulus Require Import " +
-         imports(q) +
-         ".\n"
-         "From Regulus Require Import Notations.\n"
-         "Import ListNotations.\n\n";
-}
-
-std::string heading(const Question& q) { return heading(q, q.claim()); }
-
-/// `check`: the theorem that is applied, and its arguments.
-std::string theorem(const std::string& claim, const std::string& check) {
-  return "\nTheorem the_claim : " + claim + ".\nProof.\n  apply (" + check +
-         ").\n  vm_cast_no_check (eq_refl true).\nQed.\n";
-}
 
 std::string method(const CoqQuestion& question) {
   return "\nDefinition the_method : method := Method " + std::to_string(question.second_order) +
@@ -102,19 +65,19 @@ std::string segment_theorem(Lines& lines, const Question& question) {
          "Definition negative : coordinates :=\n  " +
          negative + ".\nDefinition positive : coordinates :=\n  " + positive + ".\n" +
          (question.has_threshold
-              ? theorem("determinant_not_above the_question the_scales the_threshold",
-                        "check_crossing_correct the_question the_scales the_threshold negative "
-                        "positive")
-              : theorem("singularity the_question",
-                        "check_singularity_correct the_question negative positive"));
+              ? coq_claim("determinant_not_above the_question the_scales the_threshold",
+                          "check_crossing_correct the_question the_scales the_threshold negative "
+                          "positive")
+              : coq_claim("singularity the_question",
+                          "check_singularity_correct the_question negative positive"));
 }
 
 std::string point_theorem(Lines& lines, const Question& question) {
   return "\n(** A point at which the determinant is at most the threshold. *)\n"
          "Definition the_point : coordinates :=\n  " +
          coq_point(lines, "0", question.variables.size()) + ".\n" +
-         theorem("determinant_not_above the_question the_scales the_threshold",
-                 "check_point_correct the_question the_scales the_threshold the_point");
+         coq_claim("determinant_not_above the_question the_scales the_threshold",
+                   "check_point_correct the_question the_scales the_threshold the_point");
 }
 
 std::string singular_theorem(Lines& lines, const Question& question) {
@@ -149,67 +112,13 @@ std::string solutions_theorem(const Question& question, const std::vector<std::s
   const CoqQuestion coq = coq_question(kept, question);
   const std::string claim =
       question.solutions->verdict == format::kIncomplete ? "some_solutions" : "all_solutions";
-  return heading(question) + coq.text + coq_solutions(question) +
+  return coq_heading(question) + coq.text + coq_solutions(question) +
          "\n(** The variables of second order, and how often a part of the ranges is halved or "
          "narrowed. *)\nDefinition the_method : method := Method " +
          std::to_string(question.variables.size() + question.closure->names.size()) + " " +
          std::to_string(kDeepestSearch) + ".\n" +
-         theorem(claim + " the_closure the_solutions",
-                 "check_" + claim + "_correct the_closure the_method the_solutions");
-}
-
-/// The closure of a theorem, its pieces, and its tubes, which are hints.
-std::string theorem_of_tubes(Lines& lines, const Question& question, const CoqQuestion& coq,
-                             const VariablesOfCoq& variables, const Pieces& pieces,
-                             const std::string& claim, const std::string& check,
-                             const std::string& arguments) {
-  const std::size_t count = pieces.values.size();
-  const std::string along = count == 0 ? "" : "_along",
-                    all = (count == 0 ? " the_closure" : " the_closure pieces") + arguments;
-  return (count == 0 ? "" : coq_way(pieces, question)) +
-         coq_tubes(lines, question, variables, count) +
-         "\n(** The variables of second order, and how often a box is halved whose tube is too "
-         "narrow. *)\nDefinition the_method : method := Method " +
-         std::to_string(coq.second_order) + " 6.\n" +
-         theorem(claim + along + all, check + along + "_correct" + all + " the_method the_tubes");
-}
-
-/// The theorem about a quantity over the branch of a closure. Tubes of a finite error are those of the
-/// mechanism and its copy.
-std::string branch_theorem(Lines& lines, const Question& question,
-                           const std::vector<std::string>& kept, const Pieces& pieces) {
-  const bool is_distance = is_finite_error(question);
-  const BranchQuantityText branch =
-      is_distance ? split_distance(question, kept) : split_branch(question, kept);
-  std::istringstream text(branch.question);
-  Lines plain(text);
-  Question closure;
-  read_question(plain, closure);
-  CoqQuestion coq = coq_question(lines_of(branch.question), closure, pieces.names);
-  if (is_distance) coq.second_order = closure.variables.size();
-  const VariablesOfCoq variables{branch.places, closure.variables.size()};
-  if (is_distance) add_nominal_copy(closure);
-  return heading(question) + coq.text + branch.definitions +
-         theorem_of_tubes(lines, closure, coq, variables, pieces, branch.claim,
-                          "check_" + branch.claim, branch.arguments);
-}
-
-/// The theorem about one branch of a closure, along the pieces if there are some.
-std::string closure_theorem(Lines& lines, const Question& question,
-                            const std::vector<std::string>& kept, const Pieces& pieces) {
-  if (question.is_index)
-    throw Unfinished(
-        "the theorem about a closure has the tubes of one file; write the proof without shards");
-  if (question.paves) throw Unfinished("there is no theorem about a paving of a branch yet");
-  if (question.quantity) return branch_theorem(lines, question, kept, pieces);
-  if (question.singular)
-    throw Unfinished("there is no theorem about a singular configuration of a closure yet");
-  const CoqQuestion coq = coq_question(kept, question, pieces.names);
-  VariablesOfCoq variables{{}, question.variables.size()};
-  for (std::size_t k = 0; k < variables.count; ++k) variables.places.push_back(k);
-  return heading(question) + coq.text +
-         theorem_of_tubes(lines, question, coq, variables, pieces, "one_branch", "check_closure",
-                          "");
+         coq_claim(claim + " the_closure the_solutions",
+                   "check_" + claim + "_correct the_closure the_method the_solutions");
 }
 
 /// `claim arguments`, of the question or of each piece, and the check that proves it.
@@ -217,9 +126,9 @@ std::string theorem_of_pieces(const std::string& claim, const std::string& check
                               const std::string& arguments, bool has_pieces) {
   const std::string applied = check + (has_pieces ? "_pieces" : "") + "_correct the_question" +
                               arguments + " the_method" + (has_pieces ? " pieces" : "");
-  if (!has_pieces) return theorem(claim + " the_question" + arguments, applied);
-  return theorem("Forall (fun piece => " + claim + " (the_question piece)" + arguments + ") pieces",
-                 applied);
+  if (!has_pieces) return coq_claim(claim + " the_question" + arguments, applied);
+  return coq_claim(
+      "Forall (fun piece => " + claim + " (the_question piece)" + arguments + ") pieces", applied);
 }
 
 /// The theorem about each point of the set; of each piece, if the question has pieces.
@@ -258,7 +167,7 @@ std::string force(const Question& bordered, const std::vector<std::string>& line
   const CoqQuestion coq = coq_question(with_load, question, pieces.names);
   const std::string kind = force.is_two_sided ? "force_within" : "force_below";
   const std::string of_pieces = pieces_text(pieces, question.graph);
-  return heading(question, describe(force)) + coq.text +
+  return coq_heading(question, describe(force)) + coq.text +
          "\n(** The row of the force, the first being row 0, and the limit. *)\n"
          "Definition the_row : nat := " +
          std::to_string(force.row) +
@@ -268,9 +177,26 @@ std::string force(const Question& bordered, const std::vector<std::string>& line
                            !of_pieces.empty());
 }
 
+/// The parts that the theorem about a paving of a load keeps.
+std::string feasible_parts(Lines& lines, const Question& paved, const VariablesOfCoq& variables) {
+  if (paved.is_index)
+    throw Unfinished(
+        "the theorem about a paving has the boxes of one file; write the proof without shards");
+  const TubeOfLeaf no_tube = [](std::string_view, auto) { return ""; };
+  const std::vector<TreeOfBoxes> trees{read_tree_of_boxes(lines, variables, no_tube)};
+  require_end_of_trees(lines);
+  const auto is_kept = [](std::string_view word) { return word == format::kFeasibleLeaf; };
+  if (std::ranges::none_of(trees[0], [&](const BoxOfTree& box) { return is_kept(box.word); }))
+    throw Unfinished("no box of the paving is feasible: a theorem would say nothing");
+  return coq_parts_definition(
+      "The parts in which the forces are within the limits. The theorem says nothing of the parts "
+      "that are left out. The variables are numbered from 0, as their ranges.",
+      "the_parts", trees, false, is_kept);
+}
+
 /// The theorem about forces within limits. `feasible`: the question of the certificate, or that of its
 /// first piece.
-std::string limits(const Question& feasible, const std::vector<std::string>& lines,
+std::string limits(Lines& proof, const Question& feasible, const std::vector<std::string>& lines,
                    const Pieces& pieces) {
   const LimitsQuestion limits = split_limits(feasible, lines);
   std::istringstream text(limits.question);
@@ -281,9 +207,16 @@ std::string limits(const Question& feasible, const std::vector<std::string>& lin
   with_load.insert(with_load.end(), limits.more.begin(), limits.more.end());
   const CoqQuestion coq = coq_question(with_load, question, pieces.names);
   const std::string of_pieces = pieces_text(pieces, question.graph);
-  return heading(feasible) + coq.text + of_pieces + method(coq) +
-         theorem_of_pieces("forces_within_limits", "check_limits",
-                           " the_scales the_load the_limits", !of_pieces.empty());
+  const std::string arguments = " the_scales the_load the_limits";
+  if (!feasible.paves)
+    return coq_heading(feasible) + coq.text + of_pieces + method(coq) +
+           theorem_of_pieces("forces_within_limits", "check_limits", arguments, !of_pieces.empty());
+  if (!of_pieces.empty())
+    throw Unfinished("there is no theorem about a paving of a load along pieces");
+  return coq_heading(feasible) + coq.text + feasible_parts(proof, feasible, limits.variables) +
+         method(coq) +
+         theorem_of_pieces("forces_within_limits_in", "check_limits_in", " the_parts" + arguments,
+                           false);
 }
 
 /// The question has the constants of a piece as an argument; the theorem is about all pieces.
@@ -296,13 +229,13 @@ std::string trajectory(Lines& lines, CoqStatement statement) {
   if (question.solutions) throw Rejection("solutions are at one place, and on no pieces");
   const std::vector<std::string> kept = lines_of(pieces.question_of(0));
   question.is_piecewise = true;
-  if (question.closure) return closure_theorem(lines, question, kept, pieces);
+  if (question.closure) return coq_heading(question) + coq_closure(lines, question, kept, pieces);
   if (question.singular) throw Rejection("a singular pose lies on one piece: there are several");
-  if (question.load) return limits(question, kept, pieces);
+  if (question.load) return limits(lines, question, kept, pieces);
   if (question.quantity || statement == CoqStatement::kForce) return force(question, kept, pieces);
   const CoqQuestion coq = coq_question(kept, question, pieces.names);
   const std::string of_pieces = pieces_text(pieces, question.graph);
-  return heading(question) + coq.text + of_pieces + method(coq) +
+  return coq_heading(question) + coq.text + of_pieces + method(coq) +
          regular_theorem(question, !of_pieces.empty());
 }
 
@@ -315,14 +248,21 @@ std::string read_and_write(Lines& lines, CoqStatement statement, Question& quest
   if (statement == CoqStatement::kForce && question.closure && !question.quantity)
     throw Unfinished("this certificate of a closure states no force");
   if (question.is_piecewise) return trajectory(lines, statement);
-  if (question.closure) return closure_theorem(lines, question, kept = lines.take_kept(), {});
-  if (question.load) return limits(question, lines.take_kept(), {});
+  if (question.closure) {
+    kept = lines.take_kept();
+    return coq_heading(question) + coq_closure(lines, question, kept, {});
+  }
+  if (question.load) {
+    const std::vector<std::string> own = lines.take_kept();
+    return limits(lines, question, own, {});
+  }
   if (question.quantity || statement == CoqStatement::kForce)
     return force(question, lines.take_kept(), {});
   kept = lines.take_kept();
   const CoqQuestion coq = coq_question(kept, question);
-  if (question.singular) return heading(question) + coq.text + singular_theorem(lines, question);
-  return heading(question) + coq.text + method(coq) + regular_theorem(question, false);
+  if (question.singular)
+    return coq_heading(question) + coq.text + singular_theorem(lines, question);
+  return coq_heading(question) + coq.text + method(coq) + regular_theorem(question, false);
 }
 
 /// `question` is complete after this, and `kept` has its lines.

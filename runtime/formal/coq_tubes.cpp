@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/formal/coq_tubes.hpp"
 
-#include <cstdio>
 #include <span>
 #include <vector>
 
@@ -11,13 +10,6 @@
 
 namespace regulus::verifier {
 namespace {
-
-std::string coq_double(std::string_view word) {
-  const double x = read_double(word);
-  char text[40];
-  std::snprintf(text, sizeof text, x < 0 ? "(%a)" : "%a", x);
-  return text;
-}
 
 using Words = std::span<const std::string_view>;
 
@@ -47,110 +39,63 @@ std::string tube(Words numbers, const std::vector<std::size_t>& places, std::siz
          doubles(numbers.subspan(m, n)) + " [" + rows + "] " + doubles(numbers.last(n)) + ")";
 }
 
-/// A box: open, cut in two, or a leaf.
-struct BoxOfTree {
-  std::string text;       ///< empty: the box is open
-  std::size_t lower = 0;  ///< the upper part is the next box; 0: a leaf
-  std::size_t depth = 0;
-};
+/// Returns the text of a leaf.
+std::string leaf_of(std::string_view word, Words numbers, const Question& question,
+                    const VariablesOfCoq& variables) {
+  if (word == format::kOutsideLeaf && numbers.empty()) return "Excluded";
+  if (question.paves && word == format::kUndecidedLeaf && numbers.empty()) return "NoTube";
+  const bool is_about_forces = question.paves && question.quantity && word != format::kTubeLeaf;
+  if (word == format::kTubeLeaf || (is_about_forces && format::has_tube(word)))
+    return tube(numbers, variables.places, variables.count, question.closure->names.size());
+  throw Rejection("there is no rule '" + std::string(word) + "'");
+}
 
-class TreeOfTubes {
- public:
-  TreeOfTubes(Lines& lines, const Question& question, const VariablesOfCoq& variables)
-      : lines_(lines), variables_(variables), n_(question.closure->names.size()) {}
-
-  /// Reads on to the line after the tree.
-  std::string text() {
-    while (next()) {
-      const auto words = words_of(lines_.text());
-      if (words.size() == 4 && words[0] == "s")
-        cut(words);
-      else if (words.size() >= 3 && words[0] == "l")
-        leaf(words);
-      else
-        break;
-    }
-    std::string text;
-    print(0, text);
-    return text;
+void print(const TreeOfBoxes& boxes, std::size_t number, std::string& text) {
+  const BoxOfTree& box = boxes[number];
+  if (box.lower == 0) {
+    text += box.tube;
+    return;
   }
-
- private:
-  static constexpr std::size_t kDeepest = 1000;  ///< as the verifier allows
-
-  bool next() {
-    if (lines_.next()) return true;
-    throw Rejection("the file ends before the line 'end'");
+  text += "Cut " + std::to_string(box.variable) + ' ' + box.place;
+  for (const std::size_t part : {box.lower, box.lower + 1}) {
+    text += "\n  (";
+    print(boxes, part, text);
+    text += ")";
   }
-
-  BoxOfTree& open_box(std::string_view word) {
-    const std::size_t number = read_count(word, std::size_t(-1));
-    if (number >= nodes_.size() || !nodes_[number].text.empty())
-      throw Rejection("box " + std::string(word) + " is not open");
-    return nodes_[number];
-  }
-
-  void cut(const std::vector<std::string_view>& words) {
-    BoxOfTree& node = open_box(words[1]);
-    if (node.depth == kDeepest) throw Unfinished("too many splits are above a tube");
-    const std::size_t k = read_count(words[2], format::kMostVariables);
-    if (k >= variables_.places.size())
-      throw Rejection("there is no variable " + std::string(words[2]));
-    node.text = "Cut " + std::to_string(variables_.places[k]) + " " + coq_double(words[3]);
-    node.lower = nodes_.size();
-    const BoxOfTree part{"", 0, node.depth + 1};
-    nodes_.push_back(part), nodes_.push_back(part);
-  }
-
-  void leaf(const std::vector<std::string_view>& words) {
-    BoxOfTree& node = open_box(words[1]);
-    if (words[2] == format::kOutsideLeaf && words.size() == 3)
-      node.text = "Excluded";
-    else if (words[2] == format::kTubeLeaf)
-      node.text = tube(Words(words).subspan(3), variables_.places, variables_.count, n_);
-    else
-      throw Rejection("there is no rule '" + std::string(words[2]) + "'");
-  }
-
-  void print(std::size_t number, std::string& text) const {
-    const BoxOfTree& node = nodes_[number];
-    if (node.text.empty()) throw Rejection("box " + std::to_string(number) + " has no leaf");
-    text += node.text;
-    if (node.lower == 0) return;
-    for (const std::size_t part : {node.lower, node.lower + 1}) {
-      text += "\n  (";
-      print(part, text);
-      text += ")";
-    }
-  }
-
-  Lines& lines_;
-  const VariablesOfCoq& variables_;
-  const std::size_t n_;
-  std::vector<BoxOfTree> nodes_{1};
-};
+}
 
 }  // namespace
 
-std::string coq_tubes(Lines& lines, const Question& question, const VariablesOfCoq& variables,
-                      std::size_t pieces) {
-  std::vector<CoqItem> trees;
+TreesOfTubes read_trees_of_tubes(Lines& lines, const Question& question,
+                                 const VariablesOfCoq& variables, std::size_t pieces) {
+  const TubeOfLeaf leaf = [&](std::string_view word, Words numbers) {
+    return leaf_of(word, numbers, question, variables);
+  };
+  TreesOfTubes trees;
   if (pieces == 0) {
-    trees.push_back({"", TreeOfTubes(lines, question, variables).text()});
+    trees.push_back(read_tree_of_boxes(lines, variables, leaf));
   } else if (!lines.next()) {
     throw Rejection("the file ends before the line 'tree'");
   }
   while (trees.size() < pieces) {
     if (lines.text() != "tree") throw Rejection("expected the line 'tree' of a piece");
-    trees.push_back({"piece " + std::to_string(trees.size() + 1),
-                     TreeOfTubes(lines, question, variables).text()});
+    trees.push_back(read_tree_of_boxes(lines, variables, leaf));
   }
-  if (!lines.text().starts_with("end "))
-    throw Rejection("expected 's BOX VARIABLE AT', 'l BOX RULE' or 'end LEAVES'");
+  require_end_of_trees(lines);
+  return trees;
+}
+
+std::string coq_tubes(const TreesOfTubes& trees, bool has_pieces) {
+  std::vector<CoqItem> items;
+  for (const TreeOfBoxes& tree : trees) {
+    CoqItem& item = items.emplace_back();
+    if (has_pieces) item.comment = "piece " + std::to_string(items.size());
+    print(tree, 0, item.text);
+  }
   return "\n(** Where the set is cut, and the tubes over its parts. They are hints: Coq checks "
          "them. *)\nDefinition the_tubes : " +
-         (pieces == 0 ? "tubes := (\n  " + trees[0].text + ")%float.\n"
-                      : "list tubes := (\n  " + coq_list(trees, "   ") + ")%float.\n");
+         (has_pieces ? "list tubes := (\n  " + coq_list(items, "   ") + ")%float.\n"
+                     : "tubes := (\n  " + items.at(0).text + ")%float.\n");
 }
 
 }  // namespace regulus::verifier

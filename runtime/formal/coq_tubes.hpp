@@ -5,20 +5,20 @@
 #include <string>
 #include <vector>
 
+#include "runtime/formal/coq_tree.hpp"
 #include "runtime/verifier/question.hpp"
 
 namespace regulus::verifier {
 
-/// The variables of a certificate among those of a theorem, which may have more.
-struct VariablesOfCoq {
-  std::vector<std::size_t> places;  ///< by variable of the certificate: its number
-  std::size_t count = 0;
-};
+/// A tree, or one for each piece.
+using TreesOfTubes = std::vector<TreeOfBoxes>;
 
-/// Reads the proof of a closure, and returns its definition `the_tubes`: the cuts and the tubes, which
-/// are hints for Coq. `pieces`: so many trees, as a list; 0: the question has no pieces. Throws Rejection
+/// Reads the proof of a closure. `pieces`: so many trees; 0: the question has no pieces. Throws Rejection
 /// if they are no trees.
-[[nodiscard]] std::string coq_tubes(Lines& lines, const Question& question,
-                                    const VariablesOfCoq& variables, std::size_t pieces);
+[[nodiscard]] TreesOfTubes read_trees_of_tubes(Lines& lines, const Question& question,
+                                               const VariablesOfCoq& variables, std::size_t pieces);
+
+/// Returns the definition `the_tubes`: the cuts and the tubes, which are hints for Coq.
+[[nodiscard]] std::string coq_tubes(const TreesOfTubes& trees, bool has_pieces);
 
 }  // namespace regulus::verifier

@@ -146,8 +146,15 @@ TEST_F(BranchOnWay, IsPavedUpToItsEnd) {
   EXPECT_EQ(verified(path("proof")), 1);
   const CommandResult theorem = run_command(
       {REGULUS_BINARY_DIR "/bin/regulus-verify", "--coq", path("proof.v"), path("proof")});
-  EXPECT_NE(theorem.exit_code, 0);
-  EXPECT_THAT(theorem.errors, HasSubstr("there is no theorem about a paving of a branch"));
+  EXPECT_EQ(theorem.exit_code, 0) << theorem.errors;
+  // The branch is kept up to the third segment, and on a part of that.
+  const std::string kept =
+      "[(* piece 1 *) Kept;\n   (* piece 2 *) Kept;\n   (* piece 3 *) Parted 0 ";
+  EXPECT_THAT(text_of(path("proof.v")), HasSubstr(kept));
+  EXPECT_THAT(text_of(path("proof.v")), HasSubstr(" Kept LeftOut;\n   (* piece 4 *) LeftOut]"));
+  EXPECT_THAT(
+      text_of(path("proof.v")),
+      HasSubstr("\nTheorem the_claim : one_branch_along_in the_closure pieces the_parts.\n"));
 }
 
 /// The first segment is excluded, so that the way has no branch to follow.

@@ -63,6 +63,9 @@ endfunction()
 write_force_theorem(force 700)
 write_force_theorem(signed_force 2000 --signed)
 write_theorem(limits cable_8 hall --load weight)
+execute_process(COMMAND ${REGULUS} locate ${SOURCE_DIR}/models/cable_8.toml hall --load weight --range z=4:7.5
+                        --resolution 1/8 --certificate ${WORK_DIR}/paving.txt --quiet OUTPUT_QUIET)
+expect_success("paving.v" ${VERIFY} --coq paving.v paving.txt)
 file(WRITE ${WORK_DIR}/platform.csv "x,y,z,roll,pitch,yaw\n0,0,9,0,0,0\n1,0,9.5,0.05,0,0\n1,1,10,0.05,0.05,0.1\n")
 write_theorem(limits_pieces octahedral work --load payload --waypoints ${WORK_DIR}/platform.csv)
 execute_process(COMMAND ${REGULUS} bound ${SOURCE_DIR}/models/octahedral.toml work force --load payload --leg 1
@@ -71,7 +74,7 @@ execute_process(COMMAND ${REGULUS} bound ${SOURCE_DIR}/models/octahedral.toml wo
 expect_success("force_pieces.v" ${VERIFY} --coq force_pieces.v bound.leg_1.safe)
 
 # ---- The reader: Coq reads the same questions.
-foreach(name IN ITEMS pieces names T1 errors tolerance scara singular above force signed_force limits
+foreach(name IN ITEMS pieces names T1 errors tolerance scara singular above force signed_force limits paving
                  limits_pieces force_pieces)
   expect_success("${name}.v is not read" ${FORMAL} --compare same_${name}.v ${name}.v)
   expect_theorem("Coq reads another question in ${name}.v" same_${name}.v)
@@ -104,11 +107,11 @@ expect_refused("_match'error" "match")
 
 # ---- Verdicts.
 foreach(name IN ITEMS pieces pieces_above names T1 errors tolerance circle wide scara axes singular above below crossing force
-                 signed_force limits limits_pieces force_pieces)
+                 signed_force limits paving limits_pieces force_pieces)
   expect_success("${name}.v is not proved" ${FORMAL} --hints hinted_${name}.v ${name}.v)
   expect_success("hinted_${name}.v is not proved" ${FORMAL} hinted_${name}.v)
 endforeach()
-foreach(name IN ITEMS pieces pieces_above names circle above force signed_force limits limits_pieces force_pieces)
+foreach(name IN ITEMS pieces pieces_above names circle above force signed_force limits paving limits_pieces force_pieces)
   expect_theorem("Coq refuses hinted_${name}.v" hinted_${name}.v)
 endforeach()
 expect_theorem("Coq refuses below.v" below.v)
@@ -125,6 +128,24 @@ execute_process(COMMAND ${FORMAL} --quiet --max-leaves 300 false.v WORKING_DIREC
                 RESULT_VARIABLE code OUTPUT_VARIABLE answer)
 if(NOT code EQUAL 2 OR NOT answer STREQUAL "NOT PROVED\n")
   message(FATAL_ERROR "A singular robot: ${answer} (exit ${code})")
+endif()
+
+# A paving that keeps parts in which no forces within the limits hold the load; and hints for fewer parts.
+file(READ ${WORK_DIR}/paving.v text)
+string(REGEX REPLACE "the_parts : parts := \\([^%]*\\)%float" "the_parts : parts := (Parted 2 6 LeftOut Kept)%float" other
+                     "${text}")
+file(WRITE ${WORK_DIR}/more.v "${other}")
+execute_process(COMMAND ${FORMAL} --quiet --max-leaves 300 more.v WORKING_DIRECTORY ${WORK_DIR}
+                RESULT_VARIABLE code OUTPUT_VARIABLE answer)
+if(other STREQUAL text OR NOT code EQUAL 2 OR NOT answer STREQUAL "NOT PROVED\n")
+  message(FATAL_ERROR "A paving that keeps too much: ${answer} (exit ${code})")
+endif()
+file(READ ${WORK_DIR}/hinted_paving.v text)
+string(REGEX REPLACE "list tree :=\n  \\[[^;]*;" "list tree :=\n  [" other "${text}")
+file(WRITE ${WORK_DIR}/fewer.v "${other}")
+execute_process(COMMAND ${FORMAL} --quiet fewer.v WORKING_DIRECTORY ${WORK_DIR} RESULT_VARIABLE code OUTPUT_VARIABLE answer)
+if(other STREQUAL text OR NOT code EQUAL 1 OR NOT answer STREQUAL "REJECTED\n")
+  message(FATAL_ERROR "Hints for fewer parts: ${answer} (exit ${code})")
 endif()
 
 # A limit that is exceeded.

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
 (** The checks as a program of OCaml. *)
 From Coq Require Extraction.
-From Regulus Require Import Intervals Questions Boxes Search Singularity Threshold Forces Limits
+From Regulus Require Import Intervals Questions Boxes Parts Search Singularity Threshold Forces Limits
   Notations.
 From Regulus Require Primitives.
 
@@ -14,6 +14,6 @@ Definition arctangent2 := atan2.
 Set Warnings "-extraction-opaque-accessed".
 Extraction "checker.ml" check_tree check_piece_trees check_determinant_piece_trees check_singularity
   check_force_piece_trees range_within range_below bordered bordered_method
-  check_limits_piece_trees test_limits
+  check_limits_piece_trees check_limits_trees kept_boxes test_limits
   check_point check_crossing test test_determinant is_closed variable_to_split I.midpoint lower_part upper_part enclose_ranges
   no_entry rational_of within tangent arcsine arccosine arctangent2.

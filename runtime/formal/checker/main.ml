@@ -63,6 +63,8 @@ let write_comparison u text (file : Reader.file) =
       Printf.sprintf "Goal (the_scales, the_load, the_limits) = (%s, %s, %s).\nProof. reflexivity. Qed.\n"
         (Print.list Print.expression file.scales) (Print.list Print.expression file.load)
         (Print.list Print.pair file.limits)
+      ^ if not (Prove.is_paving file) then ""
+        else Printf.sprintf "Goal the_parts = %s.\nProof. reflexivity. Qed.\n" (Print.parts file.parts)
     else
       Printf.sprintf "Goal (the_row, the_load, the_limit) = (%d%%nat, %s, %s).\nProof. reflexivity. Qed.\n"
         (Search.number_of file.row) (Print.list Print.expression file.load) (Print.expression file.limit))

@@ -52,3 +52,9 @@ let question q =
     [ "Question"; list pair q.ranges; list expression q.definitions; list expression q.constraints;
       list expression q.also_defined; list (list expression) q.matrix;
       Printf.sprintf "%d%%nat" (Search.number_of q.columns) ]
+
+let rec parts = function
+  | Kept -> "Kept"
+  | LeftOut -> "LeftOut"
+  | Parted (k, place, lower, upper) ->
+      Printf.sprintf "(Parted %d%%nat (%h)%%float %s %s)" (Search.number_of k) place (parts lower) (parts upper)

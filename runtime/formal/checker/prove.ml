@@ -32,26 +32,30 @@ type verdict =
    and the theorems of the library that prove it with and without splits. *)
 type claim = {
   searched : question -> question;  (* whose set is split *)
+  boxes : box -> box list;  (* those parts of the box of its ranges that the statement is about *)
   test : question -> box -> answer;
   check : expression list list -> tree list -> bool;
   hinted : string;
   plain : string;
 }
 
-(* The splits of each piece. *)
+(* The splits of each box of each piece. *)
 let find_trees bounds (file : Reader.file) claim pieces =
   let found = ref 0 in
   let count () =
     incr found;
     if !found > bounds.max_leaves then raise (Search.Open "the most leaves are reached")
   in
-  let tree piece =
+  let trees piece =
     let q = claim.searched (file.question piece) in
     match enclose_ranges q.ranges with
     | None -> raise (Search.Open "an end of a range has no value")
-    | Some root -> Search.splits ~count (claim.test q) (Search.number_of file.method_.deepest) root
+    | Some root ->
+        List.map (Search.splits ~count (claim.test q) (Search.number_of file.method_.deepest) root) (claim.boxes root)
   in
-  with_clock bounds (fun () -> Printf.sprintf "searching: %d leaves" !found) (fun () -> List.map tree pieces)
+  with_clock bounds (fun () -> Printf.sprintf "searching: %d leaves" !found) (fun () -> List.concat_map trees pieces)
+
+let is_paving (file : Reader.file) = List.mem "the_parts" file.typed
 
 let text_before_theorem text =
   let mark = "\nTheorem the_claim" in
@@ -76,7 +80,7 @@ let with_hints text (file : Reader.file) claim trees =
   let list = Buffer.create 65536 in
   List.iteri (fun i t -> if i > 0 then Buffer.add_string list ";\n   "; Search.print_tree list t) trees;
   let name, kind, opening, closing =
-    if file.has_pieces then ("the_trees", "list tree", "[", "]") else ("the_tree", "tree", "", "")
+    if file.has_pieces || is_paving file then ("the_trees", "list tree", "[", "]") else ("the_tree", "tree", "", "")
   in
   Printf.sprintf
     "%s\n(** How the boxes are split. *)\nDefinition %s : %s :=\n  %s%s%s.\n\n\
@@ -104,30 +108,42 @@ let theorems (file : Reader.file) kind arguments =
     ( Printf.sprintf "check%s_tree_correct the_question %s the_tree" kind arguments,
       Printf.sprintf "check%s_correct the_question %s" kind arguments )
 
+let whole box = [ box ]
+
 let regular (file : Reader.file) =
   let hinted, plain = theorems file "" "the_method" in
-  { searched = Fun.id; test = (fun q -> test q file.method_);
+  { searched = Fun.id; boxes = whole; test = (fun q -> test q file.method_);
     check = check_piece_trees file.question file.method_; hinted; plain }
 
 let above (file : Reader.file) =
   let hinted, plain = theorems file "_determinant" "the_scales the_threshold the_method" in
-  { searched = Fun.id; test = (fun q -> test_determinant q file.scales file.threshold file.method_);
+  { searched = Fun.id; boxes = whole; test = (fun q -> test_determinant q file.scales file.threshold file.method_);
     check = check_determinant_piece_trees file.question file.scales file.threshold file.method_;
     hinted; plain }
 
 (* `side`: "within" for the absolute force, "below" for the force. *)
 let force (file : Reader.file) side ends =
   let hinted, plain = theorems file ("_force_" ^ side) "the_row the_load the_limit the_method" in
-  { searched = (fun q -> bordered q file.row file.load (ends file.limit));
+  { searched = (fun q -> bordered q file.row file.load (ends file.limit)); boxes = whole;
     test = (fun q -> test q (bordered_method file.method_));
     check = check_force_piece_trees ends file.question file.row file.load file.limit file.method_;
     hinted; plain }
 
 let limits (file : Reader.file) =
   let hinted, plain = theorems file "_limits" "the_scales the_load the_limits the_method" in
-  { searched = Fun.id; test = (fun q -> test_limits q file.scales file.load file.limits file.method_);
+  { searched = Fun.id; boxes = whole;
+    test = (fun q -> test_limits q file.scales file.load file.limits file.method_);
     check = check_limits_piece_trees file.question file.scales file.load file.limits file.method_;
     hinted; plain }
+
+let limits_in_parts (file : Reader.file) =
+  let arguments = "the_question the_parts the_scales the_load the_limits the_method" in
+  let q = file.question [] in
+  { searched = Fun.id; boxes = kept_boxes file.parts;
+    test = (fun q -> test_limits q file.scales file.load file.limits file.method_);
+    check = (fun _ -> check_limits_trees q file.parts file.scales file.load file.limits file.method_);
+    hinted = Printf.sprintf "check_limits_trees_correct %s the_trees" arguments;
+    plain = Printf.sprintf "check_limits_in_correct %s" arguments }
 
 let at_points bounds text how check =
   if with_clock bounds (fun () -> "checking") check then Proved { what = ""; how; hinted = text }
@@ -164,6 +180,9 @@ let prove bounds text (file : Reader.file) =
   else if states (Printf.sprintf "force_below %s the_row the_load the_limit") then
     all (force file "below" range_below)
   else if states (Printf.sprintf "forces_within_limits %s the_scales the_load the_limits") then all (limits file)
+  else if
+    (not file.has_pieces) && states (Printf.sprintf "forces_within_limits_in %s the_parts the_scales the_load the_limits")
+  then all (limits_in_parts file)
   else
   match (file.has_pieces, file.statement) with
   | false, "singularity the_question"

@@ -9,6 +9,7 @@ type file = {
   has_pieces : bool;
   pieces : expression list list;  (* the constants of each *)
   method_ : method0;
+  parts : parts;  (* that a theorem about a paving keeps *)
   trees : tree list;
   points : (string * Float64.t list) list;  (* `negative` and `positive`, or `the_point` *)
   scales : expression list;
@@ -23,7 +24,7 @@ type file = {
 
 let typed_names =
   [ "the_question"; "the_method"; "pieces"; "the_tree"; "the_trees"; "negative"; "positive"; "the_point";
-    "the_scales"; "the_threshold"; "the_row"; "the_load"; "the_limit"; "the_limits" ]
+    "the_scales"; "the_threshold"; "the_row"; "the_load"; "the_limit"; "the_limits"; "the_parts" ]
 
 (* Where the reader is, and the names that have a meaning. *)
 type state = {
@@ -220,9 +221,10 @@ let double s =
     let sign = if accept s (Symbol "-") then -1. else 1. in
     match peek s with
     | Double x -> advance s; sign *. x
+    | Number digits -> advance s; sign *. float_of_string digits
     | Word "infinity" -> advance s; sign *. infinity
     | Word "neg_infinity" -> advance s; -. (sign *. infinity)
-    | _ -> expected s "a hexadecimal number"
+    | _ -> expected s "a double"
   in
   if accept s (Symbol "(") then begin
     let x = signed s in
@@ -230,6 +232,26 @@ let double s =
     x
   end
   else signed s
+
+let rec parts s =
+  enter s (fun () ->
+      match peek s with
+      | Word "Kept" -> advance s; Kept
+      | Word "LeftOut" -> advance s; LeftOut
+      | Symbol "(" ->
+          advance s;
+          let w = parted s in
+          take s (Symbol ")");
+          w
+      | _ -> expected s "'Kept', 'LeftOut' or '('")
+
+and parted s =
+  if not (accept s (Word "Parted")) then parts s
+  else
+    let k = nat_of (take_count s 1000) in
+    let place = double s in
+    let lower = parts s in
+    Parted (k, place, lower, parts s)
 
 (* The tokens before `last`, separated by spaces. *)
 let words_until s last =
@@ -267,11 +289,12 @@ let declare s name =
   take_words s "Name";
   Hashtbl.add s.names name (Name (nat_of (take_count s 1_000_000)))
 
-let coordinates s =
-  let numbers = take_list s double in
-  take s (Symbol "%");
-  take_words s "float";
-  numbers
+let of_doubles s item =
+  let value = item s in
+  take s (Symbol "%"); take_words s "float";
+  value
+
+let coordinates s = of_doubles s (fun s -> take_list s double)
 
 (* Definition the_question (piece : list expression) : question := ... *)
 let question_definition s ~has_pieces =
@@ -293,6 +316,7 @@ let typed s file name kind =
       { file with method_ = { second_order; deepest = nat_of (take_count s most_nested) } }
   | "pieces", ": list ( list expression )" ->
       { file with pieces = take_list s (fun s -> take_list s expression) }
+  | "the_parts", ": parts" -> { file with parts = of_doubles s parts }
   | "the_tree", ": tree" -> { file with trees = [ tree s ] }
   | "the_trees", ": list tree" -> { file with trees = take_list s tree }
   | ("negative" | "positive" | "the_point"), ": coordinates" ->
@@ -323,10 +347,10 @@ let imports =
     "From Regulus Require Import Expressions Questions Search Singularity Threshold Forces";
     "From Regulus Require Import Notations"; "Import ListNotations" ]
 
-(* Forces within limits need one library more. *)
+(* Forces within limits need one library more, and their pavings two. *)
 let take_import s import =
   take_words s import;
-  if String.ends_with ~suffix:" Forces" import then ignore (accept s (Word "Limits"));
+  if String.ends_with ~suffix:" Forces" import && accept s (Word "Limits") then ignore (accept s (Word "Parts"));
   take s (Symbol ".")
 
 let zero = Constant (rational_of (Pos (D0 Nil)) Nil (Pos (D0 Nil)))
@@ -334,7 +358,7 @@ let zero = Constant (rational_of (Pos (D0 Nil)) Nil (Pos (D0 Nil)))
 let nothing =
   { typed = []; question = (fun _ -> raise (Fault (1, "the file does not define 'the_question'")));
     has_pieces = false; pieces = [];
-    method_ = { second_order = O; deepest = O }; trees = []; points = []; scales = [];
+    method_ = { second_order = O; deepest = O }; parts = Kept; trees = []; points = []; scales = [];
     threshold = zero; row = O; load = []; limit = zero; limits = []; statement = ""; proof = "" }
 
 (* The text up to the claim, and what follows if the file is about the robot of a model file: theorems in

@@ -12,8 +12,8 @@ let rec nth k list =
 
 let rec number_of = function O -> 0 | S n -> 1 + number_of n
 
-(* `count` is called for each leaf, and may raise Open. *)
-let splits ~count test deepest root =
+(* `count` is called for each leaf, and may raise Open. The box is part of the root. *)
+let splits ~count test deepest root box =
   let rec search depth box =
     let answer = test box in
     if is_closed answer then (count (); Leaf)
@@ -26,7 +26,7 @@ let splits ~count test deepest root =
           let lower = search (depth - 1) (lower_part box k middle) in
           Split (k, lower, search (depth - 1) (upper_part box k middle))
   in
-  search deepest root
+  search deepest box
 
 let rec leaves = function Leaf -> 1 | Split (_, lower, upper) -> leaves lower + leaves upper
 
