@@ -6,7 +6,7 @@ From Coq Require Import Reals QArith Qreals Lra Lia List PArith Bool.
 From Coq Require PrimFloat.
 From Regulus Require Import Expressions Intervals Forms Evaluation Boxes Hints Regularity.
 From Regulus Require Import Continuity Existence Derivatives LinearAlgebra Questions Search.
-From Regulus Require Import Limits Closures Tubes Branches Ways Rates.
+From Regulus Require Import Limits Closures Tubes Parts Branches Ways Rates.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -817,6 +817,7 @@ Fixpoint fitted_leaf (c : closure) (full fuel : nat) (t : tube) (b : box) : tube
 Fixpoint fitted_tubes (c : closure) (full fuel : nat) (g : tubes) (b : box) : tubes :=
   match g with
   | Excluded => Excluded
+  | NoTube => NoTube
   | Held t => fitted_leaf c full fuel t b
   | Cut k p l u => Cut k p (fitted_tubes c full fuel l (lower_part b k p))
                      (fitted_tubes c full fuel u (upper_part b k p))
@@ -855,12 +856,23 @@ Definition check_finite_error_within (c : closure) (errors : list nat) (i : nat)
     | Some b, Some middles, Some radii, Some root =>
         let around := around_start d middles radii (length b) in
         let h := refined d full (deepest m) (fitted d m g) in
-        if check_branch d full around (tight_start d full b around) h
+        if check_branch_in d full around (tight_start d full b around) Kept h
         then all_near most_halvings d full i (unknowns c + i) limit (leaves_of h root)
         else false
     | _, _, _, _ => false
     end
   else false.
+
+Lemma check_branch_tubes d full around tight w g root :
+  check_branch_in d full around tight w g = true ->
+  enclose_ranges (ranges (places d)) = Some root -> has_tubes_in w g root = true.
+Proof.
+  unfold check_branch_in. intros H R. rewrite R in H.
+  destruct (enclose_values (start d)); [|discriminate].
+  destruct (enclose_values (map fst (near d))); [|discriminate].
+  destruct (enclose_values (map snd (near d))); [|discriminate].
+  do 2 (apply andb_prop in H as [H _]). apply andb_prop in H as [_ H]. exact H.
+Qed.
 
 Lemma limit_known limit : is_known (evaluate [] limit) = true -> defined [] limit /\
   encloses (range_or_none (evaluate [] limit)) (value [] limit).
@@ -910,8 +922,12 @@ Proof.
   destruct (enclose_values (map snd (near d))) as [radii|]; [|discriminate].
   destruct (enclose_ranges (ranges (places d))) as [root|] eqn:R; [|discriminate].
   cbv zeta in C. set (h := refined d full (deepest m) (fitted d m g)) in *.
-  destruct (check_branch d full _ _ h) eqn:C1; [|discriminate]. rename C into C2.
-  apply check_branch_holds in C1 as (G & root' & R' & Ct & (Br & St & Mo) & X0 & _).
+  destruct (check_branch_in d full _ _ Kept h) eqn:C1; [|discriminate]. rename C into C2.
+  pose proof (check_branch_tubes _ _ _ _ _ _ _ C1 R) as Tu.
+  apply check_branch_holds in C1 as (G & _ & root' & R' & Ct & Br & X0 & _).
+  apply (is_branch_among_fewer _ (in_set (places d))) in Br;
+    [|intros x X; exact (conj X Logic.I)].
+  destruct Br as (Br & St & Mo).
   rewrite R in R'. injection R' as <-. destruct G as (G1 & G2 & G3).
   destruct (given_of_both errors c (conj G1 G2)) as [E L].
   set (n := unknowns c) in *. set (q := configuration d full h root) in *.
@@ -942,7 +958,7 @@ Proof.
   - intros x X. rewrite parts_distance by exact I.
     assert (B : in_box root x).
     { eapply enclose_ranges_correct; [exact R|]. apply (both_sets x X). }
-    destruct (held_in_set d full h root x Ct B (both_sets x X))
+    destruct (held_in_set d full Kept h root x Ct Tu B (both_sets x X) Logic.I)
       as [_ (t & b' & v & In_l & B' & V & Q)].
     change (configuration d full h root x) with (q x) in Q. rewrite Q.
     apply (all_near_correct most_halvings d full i (n + i) limit (leaves_of h root) t b' x);
@@ -974,7 +990,7 @@ Definition check_finite_error_within_along (c : list expression -> closure)
   let way := map c pieces in
   let n := unknowns_along c pieces in
   if is_known (evaluate [] limit) && Nat.ltb i n && all_join way then
-    match stretches full (deepest m) (map (doubled errors) way)
+    match stretches full (deepest m) (map (doubled errors) way) (all_kept pieces)
             (all_fitted (map (doubled errors) way) m gs) with
     | Some l =>
         if check_stretches full l then
@@ -1092,7 +1108,7 @@ Proof.
   destruct (enclose_values (map fst (near (mechanism s)))) as [middles|]; [|discriminate].
   destruct (enclose_values (map snd (near (mechanism s)))) as [radii|]; [|discriminate].
   do 3 (apply andb_prop in H as [H _]).
-  apply check_branch_holds in H as (_ & b0 & R & _ & _ & X0 & _). simpl.
+  apply check_branch_holds in H as (_ & _ & b0 & R & _ & _ & X0 & _). simpl.
   rewrite <- (proj1 X0). exact (enclose_ranges_length _ _ R).
 Qed.
 
@@ -1104,12 +1120,14 @@ Proof.
   set (n := unknowns_along c pieces). intros C.
   destruct (is_known (evaluate [] limit) && Nat.ltb i n && all_join way) eqn:H; [|discriminate].
   apply andb_prop in H as [H J]. apply andb_prop in H as [K I]. apply Nat.ltb_lt in I.
-  destruct (stretches full (deepest m) (map (doubled errors) way) _) as [l|] eqn:L;
+  destruct (stretches full (deepest m) (map (doubled errors) way) _ _) as [l|] eqn:L;
     [|discriminate].
   destruct (check_stretches full l) eqn:C1; [|discriminate]. rename C into C2.
-  apply stretches_correct in L as [M E].
+  apply stretches_correct in L as (M & Kw & E).
   pose proof (check_stretches_start full l E C1) as S0.
-  apply (check_stretches_correct _ _ E) in C1 as (W & B & others & n2 & Kl & Li).
+  apply (check_stretches_correct _ _ E) in C1 as (W & _ & B & others & n2 & Kl & Li).
+  assert (MW : map (doubled errors) way = map (fun piece => doubled errors (c piece)) pieces)
+    by (unfold way; apply map_map).
   assert (U2 : forall s, In s l -> unknowns (mechanism s) = n2).
   { intros s Is. exact (has_unknowns _ _ _ s (are_pieces full l others n2 E Kl s Is)). }
   assert (U : forall d, In d way -> unknowns d = n).
@@ -1118,7 +1136,7 @@ Proof.
       apply in_map_iff in D as (s & Es & Is). rewrite <- (U2 s Is), Es. reflexivity. }
     intros d D. pose proof (T d D). unfold n, unknowns_along. fold way.
     destruct way as [|e later]; [destruct D|]. pose proof (T e (or_introl eq_refl)). lia. }
-  rewrite M in W, B, S0.
+  rewrite M in W, B, S0. rewrite Kw, MW in B. apply branch_of_all_kept in B. rewrite <- MW in B.
   assert (Pieces : forall d, In d way -> _) by exact (pieces_are errors way W).
   unfold finite_error_within_along. fold way.
   split; [exact (proj1 (limit_known _ K))|]. split; [exact I|]. split.
@@ -1130,7 +1148,8 @@ Proof.
   destruct (parts_along errors way n (along full 0 l) W U B) as [P1 P2].
   { destruct way; [reflexivity|exact S0]. }
   split; [exact P1|]. split; [exact P2|]. intros x k d D. rewrite parts_distance by exact I.
-  destruct (on_both errors way W x k d D) as (D2 & In_d & _). rewrite <- M in D2.
+  destruct (on_both errors way W x k d D) as (D2 & In_d & _). rewrite MW in D2.
+  apply on_all_kept in D2. rewrite <- MW, <- M, <- Kw in D2.
   destruct (along_on_piece full l others n2 E Kl Li x k _ D2)
     as (s & t & b & v & N & Es & In_l & Bx & _ & V & ->).
   pose proof (nth_error_In _ _ N) as In_s. rewrite forallb_forall in C2.
