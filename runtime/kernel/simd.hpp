@@ -106,13 +106,14 @@ REGULUS_INLINE V4 sign_select(V4 x, V4 if_set, V4 otherwise) {
   return __builtin_ia32_blendvpd256(otherwise, if_set, x);
 }
 
-// Clang 22 no longer has the target's builtins; the generic ones obey -frounding-math as well.
-#if defined(__clang__) && __has_builtin(__builtin_elementwise_fma)
-REGULUS_INLINE V4 sqrt(V4 a) { return __builtin_elementwise_sqrt(a); }
-REGULUS_INLINE V4 fma(V4 a, V4 b, V4 c) { return __builtin_elementwise_fma(a, b, c); }
-#else
+// Clang 22 no longer has the target's builtins, and its generic ones obey -frounding-math. Those of
+// Clang 19 round to nearest.
+#if !defined(__clang__) || __has_builtin(__builtin_ia32_vfmaddpd256)
 REGULUS_INLINE V4 sqrt(V4 a) { return __builtin_ia32_sqrtpd256(a); }
 REGULUS_INLINE V4 fma(V4 a, V4 b, V4 c) { return __builtin_ia32_vfmaddpd256(a, b, c); }
+#else
+REGULUS_INLINE V4 sqrt(V4 a) { return __builtin_elementwise_sqrt(a); }
+REGULUS_INLINE V4 fma(V4 a, V4 b, V4 c) { return __builtin_elementwise_fma(a, b, c); }
 #endif
 
 #endif
