@@ -84,7 +84,7 @@ expect_text(smooth.txt "The pieces of the way, each with its values of theta1_c0
 # Along other ways, of other mechanisms, and where the pieces are not one way.
 expect_no_theorem(four_bar.txt "unknown phi = 1/4*pi" "unknown phi = -1/4*pi")
 expect_no_theorem(four_bar.txt "\nstart 0\n" "\nstart 3/2\n")
-expect_no_theorem(four_bar.txt "| -43/72*pi" "| -5/6*pi") # beyond the end of the branch
+expect_no_theorem(four_bar.txt "| -43/72*pi" "| -19/18*pi") # to -140 degrees, beyond the end of the branch
 expect_no_theorem(four_bar.txt "piece 5/18*pi |" "piece 1/4*pi |") # it begins elsewhere
 expect_no_theorem(four_bar.txt "uncertain rocker = 1/4" "uncertain rocker = 1/5")
 expect_no_theorem(four_bar.txt "crank*sin(theta)" "crank*sin(theta)*(1 + 0*s)")
