@@ -104,7 +104,7 @@ TEST(Completions, OfferTheNamesOfTheModelOnTheLine) {
   const std::string bash = (directory.path() / "bash").string();
   std::ofstream(bash) << bash_completion(command_table());
   const std::string planar = "regulus check " REGULUS_SOURCE_DIR "/models/planar_3rpr.toml ";
-  EXPECT_EQ(bash_offers(bash, planar + "''"), "circle crossing reach regular\n");
+  EXPECT_EQ(bash_offers(bash, planar + "''"), "circle crossing disk reach regular\n");
   EXPECT_EQ(bash_offers(bash, planar + "cr"), "crossing\n");
   EXPECT_EQ(bash_offers(bash, planar + "circle --range ''"), "T=\n");
   EXPECT_EQ(bash_offers(bash, planar + "crossing --range ''"), "phi= x= y=\n");

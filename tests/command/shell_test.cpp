@@ -216,7 +216,7 @@ TEST(ShellScript, PrintsEachResultAsAJsonObjectOnALine) {
   std::vector<nlohmann::json> objects;
   while (std::getline(lines, line)) objects.push_back(nlohmann::json::parse(line));
   ASSERT_EQ(objects.size(), 6U);
-  EXPECT_EQ(objects[0]["motions"].size(), 4U);
+  EXPECT_EQ(objects[0]["motions"].size(), 5U);
   EXPECT_EQ(objects[2]["verdict"], "no-singularity");
   EXPECT_THAT(objects[4]["text"].get<std::string>(), HasSubstr("A(3,3)"));
   EXPECT_EQ(objects[5]["history"].size(), 7U);
