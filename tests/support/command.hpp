@@ -9,9 +9,11 @@
 #include <array>
 #include <chrono>
 #include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -82,8 +84,13 @@ class RunningCommand {
     _exit(127);
   }
 
-  /// Reads the masks of blocked and of handled signals that the kernel shows.
+  /// Reads the masks of blocked and of handled signals that the kernel shows. Before the child is the
+  /// program, the C library may block all signals.
   [[nodiscard]] bool catches(int signal) const {
+    std::error_code none;
+    if (std::filesystem::read_symlink("/proc/" + std::to_string(pid_) + "/exe", none) ==
+        std::filesystem::read_symlink("/proc/self/exe", none))
+      return false;
     std::ifstream status("/proc/" + std::to_string(pid_) + "/status");
     for (std::string line; std::getline(status, line);)
       if ((line.starts_with("SigCgt:") || line.starts_with("SigBlk:")) &&
