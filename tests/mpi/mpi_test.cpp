@@ -332,11 +332,13 @@ TEST_F(RanksOnAWay, CompareWithALimitAsOneThreadDoes) {
 TEST_F(RanksOnAWay, NameOneThatReadsOtherWayPoints) {
   std::filesystem::create_directory(file("other"));
   std::ofstream(file("other/way.csv")) << "x,y\n1.1,0\n1.2,0\n";
-  const std::string program = REGULUS_BINARY_DIR "/bin/regulus-mpi";
+  // Two programs with a colon between them crash mpiexec of Open MPI 5.0.7.
+  const std::string start = "[ \"$OMPI_COMM_WORLD_RANK\" = 0 ] || cd other; exec " +
+                            std::string(REGULUS_BINARY_DIR "/bin/regulus-mpi") +
+                            " check ring.toml way";
   const CommandResult result =
-      run_command({MPIEXEC, "--oversubscribe", "--allow-run-as-root", "-n", "1", "-wdir",
-                   directory_.path().string(), program, "check", "ring.toml", "way", ":", "-n", "1",
-                   "-wdir", file("other"), program, "check"});
+      run_command({MPIEXEC, "--oversubscribe", "--allow-run-as-root", "-n", "2", "-wdir",
+                   directory_.path().string(), "/bin/sh", "-c", start});
   EXPECT_EQ(result.exit_code, 70) << result.errors;
   EXPECT_THAT(result.errors, HasSubstr("rank 1 on "));
   EXPECT_THAT(result.errors, HasSubstr("way.csv: the first rank has read other way-points"));

@@ -159,7 +159,9 @@ def test_a_forked_process_ends_as_it_should():
         "    sys.exit(0)\n"
         "sys.exit(os.waitpid(child, 0)[1])\n"
     )
-    finished = subprocess.run([sys.executable, "-c", program], capture_output=True, timeout=60)
+    # Python warns of each fork where there are threads.
+    command = [sys.executable, "-W", "ignore::DeprecationWarning", "-c", program]
+    finished = subprocess.run(command, capture_output=True, timeout=60)
     assert finished.returncode == 0 and finished.stderr == b""
 
 
