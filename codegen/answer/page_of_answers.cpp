@@ -96,7 +96,7 @@ std::unique_ptr<Answer> ask_with_proof(const AskCheck& asked, Services services,
   return answer;
 }
 
-/// Of a branch the boxes have a proof.
+/// A certificate proves the boxes of a branch.
 std::unique_ptr<Answer> ask_with_tree(const AskPaving& asked, Services services,
                                       PageOfAnswers& page) {
   std::string tree;

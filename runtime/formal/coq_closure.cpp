@@ -18,7 +18,7 @@
 namespace regulus::verifier {
 namespace {
 
-/// What is claimed of the branch, the check that shows it, and arguments of both.
+/// The claim about the branch; the check that shows it has the same arguments.
 struct ClaimOfBranch {
   std::string claim, check, arguments;
 };

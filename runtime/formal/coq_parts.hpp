@@ -11,7 +11,7 @@
 
 namespace regulus::verifier {
 
-/// Is a leaf with this word kept? Leaves beside the set are in any part.
+/// Says if the theorem keeps a leaf with this word. A leaf outside the set may be in any part.
 using IsKept = std::function<bool(std::string_view)>;
 
 /// Returns the parts of a tree. Parts beside each other that have the same fate are one.

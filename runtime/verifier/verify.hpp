@@ -91,8 +91,9 @@ struct ShardProof {
   bool has_met_point = false;    ///< a point of the set was shown to exist
   int sign = 0;                  ///< of det A at a point of the set, if one is known
   std::array<std::uint64_t, kPavedWords.size()> paved{};  ///< as Verification::paved
-  // Of places of a table: model, SHA-256 and motion; as Verification::differences; complete, none,
-  // incomplete, solutions, roots, real roots, numbers.
+  // The shard may be about places of a table. Then `about` has model, SHA-256 and motion, `differences` is
+  // as Verification::differences, and `of_places` counts those that are complete, have none, are
+  // incomplete, then solutions, roots, real roots and numbers.
   std::vector<std::string> about{}, differences{};
   std::vector<std::uint64_t> of_places{};
   bool is_of_other_model = false;  ///< and so rejected

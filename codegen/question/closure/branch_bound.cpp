@@ -161,8 +161,10 @@ class ComponentOverBranch {
   void bracket() {
     const double attained = found_.attained - room_at(found_.attained),
                  upper = found_.upper + room_at(found_.upper);
-    const bool says_nothing = result_.component.is_absolute && !value_.is_least() && attained <= 0;
-    if (std::isfinite(attained) && !says_nothing)
+    const bool is_known = std::isfinite(attained);
+    const bool says_nothing =
+        is_known && result_.component.is_absolute && !value_.is_least() && attained <= 0;
+    if (is_known && !says_nothing)
       result_.attained =
           end_beyond(attained, value_.is_least() ? RoundTo::kAbove : RoundTo::kBelow);
     else

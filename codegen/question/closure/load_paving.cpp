@@ -172,7 +172,7 @@ class LoadPavingGoal {
     keep(std::move(box), claim, tube);
   }
 
-  /// Where nothing is known of forces a box has the tube of the branch, if it is on that.
+  /// An undecided box keeps the tube of the branch, if it is on the branch.
   void keep(TreeBox box, ForceClaim claim, std::optional<BranchTube> tube) {
     const char* word = claim == ForceClaim::kFeasible     ? format::kFeasibleLeaf
                        : claim == ForceClaim::kInfeasible ? format::kInfeasibleLeaf
