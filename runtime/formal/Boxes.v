@@ -118,7 +118,7 @@ Lemma replace_nth {A} k n (y z : A) l :
 Proof.
   revert k n. induction l; intros k n; simpl.
   - destruct k, n; simpl; try reflexivity; destruct (Nat.eqb _ _); reflexivity.
-  - destruct k, n; simpl; auto. rewrite IHl. reflexivity.
+  - destruct k, n; simpl; auto; rewrite IHl; reflexivity.
 Qed.
 
 Lemma in_box_replace b x k i :

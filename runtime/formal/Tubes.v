@@ -123,7 +123,7 @@ Lemma put_nth j s l k : nth k (put j s l) 0 =
 Proof.
   revert j k. induction l; intros j k; simpl.
   - destruct j, k; simpl; try reflexivity; destruct (Nat.eqb _ _); reflexivity.
-  - destruct j, k; simpl; auto. rewrite IHl. reflexivity.
+  - destruct j, k; simpl; auto; rewrite IHl; reflexivity.
 Qed.
 
 (** ** The test *)
