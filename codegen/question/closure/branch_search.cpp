@@ -14,6 +14,9 @@ constexpr double kSlackOfWidth = 1 + 0x1p-30;
 /// If no branch leads to a box after so many splits, there may be a singular configuration on the way;
 /// it is looked for again where there are so many for each parameter.
 constexpr std::uint32_t kSplitsBeforeDoubt = 6, kSplitsBeforeAsking = 10;
+/// And it is looked for in all of the motion after so many boxes: of many variables the boxes become
+/// small late.
+constexpr std::uint64_t kBoxesBeforeAsking = 512;
 
 /// The goal of the search: box_search.hpp. The last box that was made is judged first.
 class BranchGoal {
@@ -127,9 +130,10 @@ class BranchGoal {
     std::uint64_t ask = 0;
     if (is_lost && box.depth >= kSplitsBeforeDoubt) ask = 1;
     if (is_small) ask = is_lost ? 2 : 4;
+    if (course_.boxes() >= kBoxesBeforeAsking && (asked_ & 8) == 0) ask = 8;
     if (ask == 0 || (asked_ & ask) != 0 || !settings_.ask || result_.is_refuted) return true;
     std::vector<double> place;
-    for (std::size_t k = 0; k < variables_; ++k) place.push_back(mid(box.box[k]));
+    for (std::size_t k = 0; ask != 8 && k < variables_; ++k) place.push_back(mid(box.box[k]));
     result_.is_refuted = settings_.ask(place, is_lost);
     if (result_.is_refuted || course_.must_pause()) return false;
     asked_ |= ask;

@@ -17,8 +17,9 @@ struct BranchSettings : BoxSearchSettings {
   double min_relative_width = 0x1p-32;
   /// Decide every box, also after one that cannot be, and keep the uncertain quantities whole.
   bool paves = false;
-  /// Asked at most three times, about the middle of a small box without a tube, by variable;
-  /// `is_lost`: no branch was followed to it. True: the search ends.
+  /// Asked at most four times: once about all of the motion, where `place` is empty, and about the
+  /// middle of a small box without a tube, by variable; `is_lost`: no branch was followed to it. True:
+  /// the search ends.
   std::function<bool(const std::vector<double>& place, bool is_lost)> ask{};
 };
 

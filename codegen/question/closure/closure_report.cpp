@@ -14,6 +14,7 @@
 #include "codegen/answer/report/report.hpp"
 #include "codegen/answer/report/search_facts.hpp"
 #include "codegen/model/degrees.hpp"
+#include "codegen/question/closure/steepest_corner.hpp"
 
 namespace regulus {
 namespace {
@@ -157,6 +158,11 @@ std::string reason_of(const ClosureFinding& found) {
 std::optional<Fold> fold_beyond(const PreparedClosure& prepared, std::vector<double> place,
                                 bool is_lost, const SearchOptions& search,
                                 const FormingWatch& watch) {
+  if (place.empty()) {
+    auto corner = steepest_corner(prepared);
+    if (!corner) return std::nullopt;
+    place = std::move(*corner), is_lost = true;
+  }
   const auto parameters = place.begin() + std::ptrdiff_t(prepared.shape.parameters);
   std::vector<double> uncertain(parameters, place.end());
   place.erase(parameters, place.end());

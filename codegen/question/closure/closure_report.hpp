@@ -29,8 +29,8 @@ struct ClosureFinding {
 /// The ends of a branch are looked for so much further than the first box without it.
 inline constexpr double kPartBeyondBoxes = 0x1p-6;
 
-/// Looks for a singular configuration that keeps the branch from a small box without a tube. `place`,
-/// `is_lost`: as BranchSettings::ask has them.
+/// Looks for a singular configuration that keeps the branch from a small box without a tube, or is
+/// anywhere in the motion. `place`, `is_lost`: as BranchSettings::ask has them.
 [[nodiscard]] std::optional<Fold> fold_beyond(const PreparedClosure& prepared,
                                               std::vector<double> place, bool is_lost,
                                               const SearchOptions& search,
