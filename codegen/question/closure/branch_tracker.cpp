@@ -55,14 +55,13 @@ class Way {
     const auto inverse = approx_inverse_of(middles(system->by_unknown), n);
     if (!inverse) return shorten();
     const std::vector<double> correction = product(*inverse, middles(system->value), n, 1);
-    double size = 0;
-    for (std::size_t i = 0; i < n; ++i)
-      size = std::fmax(size, std::fabs(correction[i]) / std::fmax(1.0, std::fabs(trial_[i])));
+    const double size = size_of(correction);
     if (!std::isfinite(size)) return shorten();
+    const double small = std::fmin(kNoise, std::fmax(kSmall, rounding_of(*inverse, *system)));
     const bool is_noise = corrections_ >= kCorrectionsBeforeNoise && size <= kNoise;
     const bool is_bad = is_noise            ? false
-                        : corrections_ == 0 ? size > kPartOfStep * predicted_ + kSmall
-                                            : size > kPartOfCorrection * last_ + kSmall;
+                        : corrections_ == 0 ? size > kPartOfStep * predicted_ + small
+                                            : size > kPartOfCorrection * last_ + small;
     if (is_bad && has_begun_) return shorten();
     if (corrections_ >= kMostCorrections) return shorten();
     for (std::size_t i = 0; i < n; ++i) trial_[i] -= correction[i];
@@ -87,6 +86,23 @@ class Way {
     for (std::size_t k = 0; k < x.size(); ++k)
       x[k] = start_.variables[k] + part * (end_[k] - start_.variables[k]);
     return x;
+  }
+
+  /// Relative to 1 or to the unknown.
+  [[nodiscard]] double size_of(std::span<const double> correction) const {
+    double size = 0;
+    for (std::size_t i = 0; i < correction.size(); ++i)
+      size = std::fmax(size, std::fabs(correction[i]) / std::fmax(1.0, std::fabs(trial_[i])));
+    return size;
+  }
+
+  /// The size of a correction that rounding alone may make.
+  [[nodiscard]] double rounding_of(std::vector<double> inverse,
+                                   const SystemBoxes::System& system) const {
+    for (double& entry : inverse) entry = std::fabs(entry);
+    std::vector<double> radii;
+    for (const Interval& value : system.value) radii.push_back(rad_ru(value));
+    return size_of(product(inverse, radii, shape_.unknowns, 1));
   }
 
   void shorten() {
