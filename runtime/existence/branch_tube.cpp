@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/interval/floating_point_scope.hpp"
+
 namespace regulus {
 
 namespace {
@@ -34,147 +36,172 @@ bool certain_holds(const BranchTube& tube, std::span<const Interval> box,
 
 namespace {
 
-/// Bounds of the entries of K·M: over all of Z, and of its mean along segments from the centre.
-struct Bounds {
-  double all = kInfinity, mean = kInfinity;
+/// Columns of intervals [−neg, hi], each as its n lower ends, negated, and its n upper ends. In the
+/// mode upward every operation of the processor rounds both outward.
+class Columns {
+ public:
+  Columns(std::size_t count, std::size_t n) : n_(n), ends_(2 * count * n, 0.0) {}
+
+  [[nodiscard]] double* neg(std::size_t column) { return ends_.data() + 2 * column * n_; }
+  [[nodiscard]] double* hi(std::size_t column) { return neg(column) + n_; }
+  void set(std::size_t column, std::size_t row, const Interval& x) {
+    neg(column)[row] = -x.lo, hi(column)[row] = x.hi;
+  }
+  /// Sets all columns of a matrix with n rows of `count` entries.
+  void set(std::span<const Interval> matrix, std::size_t count, std::size_t from = 0) {
+    for (std::size_t j = 0; j < n_ && !matrix.empty(); ++j)
+      for (std::size_t k = 0; k < count; ++k) set(from + k, j, matrix[j * count + k]);
+  }
+
+  /// Adds a multiple of a column. A factor 0 makes unbounded ends 0.
+  void add(std::size_t to, double factor, Columns& other, std::size_t from) {
+    if (factor == 0) return;
+    const double size = std::fabs(factor);
+    const double* const of_neg = factor > 0 ? other.neg(from) : other.hi(from);
+    const double* const of_hi = factor > 0 ? other.hi(from) : other.neg(from);
+    double *const x = neg(to), *const y = hi(to);
+    for (std::size_t j = 0; j < n_; ++j) x[j] += size * of_neg[j];
+    for (std::size_t j = 0; j < n_; ++j) y[j] += size * of_hi[j];
+  }
+
+ private:
+  const std::size_t n_;
+  std::vector<double> ends_;
 };
 
 /// A bound that is not a number does not count.
 double least(double a, double b) { return b < a || std::isnan(a) ? b : a; }
+
+/// 0 times an unbounded bound is 0.
+double times(double a, double b) { return a == 0 || b == 0 ? 0 : a * b; }
 
 class ImageOfTube {
  public:
   ImageOfTube(const BranchTube& tube, std::span<const Interval> box,
               std::span<const double> inverse, const TubeSystem& system)
       : tube_(tube),
-        inverse_(inverse),
         system_(system),
         n_(tube.center.size()),
         m_(tube.at.size()),
-        is_second_order_(!system.rates_by_unknown.empty()) {
+        is_second_order_(!system.rates_by_unknown.empty()),
+        inverse_(n_ * n_),
+        sum_(1, n_),
+        over_(m_ + n_, n_),
+        center_(m_ + n_, n_),
+        rates_(is_second_order_ ? (m_ + n_) * (m_ + n_) : 0, n_) {
+    for (std::size_t i = 0; i < n_; ++i)
+      for (std::size_t j = 0; j < n_; ++j) inverse_[j * n_ + i] = inverse[i * n_ + j];
     for (std::size_t k = 0; k < m_; ++k) reach_.push_back(mag(box[k] - Interval(tube.at[k])));
     reach_.insert(reach_.end(), tube.radius.begin(), tube.radius.end());
-    if (is_second_order_) find_rates();
   }
 
-  TubeImage image() {
-    image_.radius.assign(n_, 0), image_.change.assign(n_, 0);
+  /// In the mode upward.
+  [[gnu::noinline]] void run() {
+    image_.radius.assign(n_, 0), image_.change.assign(n_, 0), image_.offset.assign(n_, 0);
     image_.impact.assign(n_ * m_, 0), image_.spread.assign(n_ * n_, 0);
-    for (std::size_t i = 0; i < n_; ++i) {
-      image_.offset.push_back(mag(combined(i, Column(system_.value.begin(), system_.value.end()))));
-      image_.radius[i] = image_.offset.back();
+    for (std::size_t i = 0; i < n_; ++i) sum_.set(0, i, system_.value[i]);
+    combine(sum_, 0, n_, image_.offset);
+    image_.radius = image_.offset;
+    set(over_, system_.by_variable, system_.by_unknown);
+    if (is_second_order_) {
+      set(center_, system_.center_by_variable, system_.center_by_unknown);
+      find_rates();
     }
     for (std::size_t k = 0; k < m_; ++k)
       if (reach_[k] != 0) add_variable(k);
     for (std::size_t l = 0; l < n_; ++l) add_unknown(l);
-    return std::move(image_);
   }
+  [[nodiscard]] TubeImage image() { return std::move(image_); }
 
  private:
-  using Column = std::vector<Interval>;
   using Matrix = std::span<const Interval>;
+  using Bounds = std::vector<double>;
 
-  /// Row i of K times a column.
-  [[nodiscard]] Interval combined(std::size_t i, const Column& column) const {
-    Interval sum(0.0);
-    for (std::size_t j = 0; j < n_; ++j) sum += Interval(inverse_[i * n_ + j]) * column[j];
-    return sum;
-  }
-
-  /// Column k of Φ_x + Φ_p S, or of a derivative of it.
-  [[nodiscard]] Column along(Matrix by_variable, Matrix by_unknown, std::size_t k) const {
-    Column column(n_);
+  /// Returns the magnitudes of K times a column, less 1 in row `unit`.
+  void combine(Columns& columns, std::size_t column, std::size_t unit, Bounds& magnitudes) {
+    neg_.assign(n_, 0.0), hi_.assign(n_, 0.0);
     for (std::size_t j = 0; j < n_; ++j) {
-      column[j] = by_variable[j * m_ + k];
-      for (std::size_t q = 0; q < n_; ++q)
-        column[j] += by_unknown[j * n_ + q] * Interval(tube_.slopes[q * m_ + k]);
+      const double* const k = inverse_.data() + j * n_;
+      const double neg = columns.neg(column)[j], hi = columns.hi(column)[j];
+      for (std::size_t i = 0; i < n_; ++i) {
+        const double of_neg = k[i] > 0 ? neg : k[i] < 0 ? hi : 0.0;
+        const double of_hi = k[i] > 0 ? hi : k[i] < 0 ? neg : 0.0;
+        neg_[i] += std::fabs(k[i]) * of_neg;
+        hi_[i] += std::fabs(k[i]) * of_hi;
+      }
     }
-    return column;
-  }
-  [[nodiscard]] Column column(Matrix by_unknown, std::size_t l) const {
-    Column result(n_);
-    for (std::size_t j = 0; j < n_; ++j) result[j] = by_unknown[j * n_ + l];
-    return result;
+    if (unit < n_) neg_[unit] += 1.0, hi_[unit] -= 1.0;
+    for (std::size_t i = 0; i < n_; ++i) magnitudes[i] = neg_[i] > hi_[i] ? neg_[i] : hi_[i];
   }
 
-  [[nodiscard]] Matrix rate_by_unknown(std::size_t by) const {
-    return system_.rates_by_unknown.subspan(by * n_ * n_, n_ * n_);
-  }
-  [[nodiscard]] Matrix rate_by_variable(std::size_t by) const {
-    return system_.rates_by_variable.subspan(by * n_ * m_, n_ * m_);
+  /// The columns of Φ_x + Φ_p S, and of Φ_p, or of a derivative of both.
+  void set(Columns& columns, Matrix by_variable, Matrix by_unknown, std::size_t from = 0) {
+    columns.set(by_variable, m_, from);
+    columns.set(by_unknown, n_, from + m_);
+    for (std::size_t k = 0; k < m_; ++k)
+      for (std::size_t q = 0; q < n_; ++q)
+        columns.add(from + k, tube_.slopes[q * m_ + k], columns, from + m_ + q);
   }
 
-  /// The derivatives of all columns, those of variables along the tube, where variable l moves the
-  /// unknowns along, or unknown l − m alone.
+  /// The derivatives of all columns, where variable l moves the unknowns along, or unknown l − m
+  /// alone. Those by a variable need those by the unknowns as they are.
   void find_rates() {
     const std::size_t all = m_ + n_;
-    std::vector<Column> alone(all * all);
     for (std::size_t by = 0; by < all; ++by)
-      for (std::size_t k = 0; k < all; ++k)
-        alone[by * all + k] = k < m_ ? along(rate_by_variable(by), rate_by_unknown(by), k)
-                                     : column(rate_by_unknown(by), k - m_);
-    rates_ = alone;
+      set(rates_, system_.rates_by_variable.subspan(by * n_ * m_, n_ * m_),
+          system_.rates_by_unknown.subspan(by * n_ * n_, n_ * n_), by * all);
     for (std::size_t l = 0; l < m_; ++l)
       for (std::size_t k = 0; reach_[l] != 0 && k < all; ++k)
         for (std::size_t i = 0; i < n_; ++i)
-          for (std::size_t j = 0; j < n_; ++j)
-            rates_[l * all + k][j] +=
-                Interval(tube_.slopes[i * m_ + l]) * alone[(m_ + i) * all + k][j];
+          rates_.add(l * all + k, tube_.slopes[i * m_ + l], rates_, (m_ + i) * all + k);
   }
 
-  /// Bounds of row after row of K times column k, less 1 in row `unit`.
-  [[nodiscard]] std::vector<Bounds> bounds(const Column& over, const Column& center,
-                                           std::size_t unit, std::size_t k) const {
-    std::vector<double> change(n_, 0.0);
-    for (std::size_t l = 0; is_second_order_ && l < m_ + n_; ++l) {
+  /// Bounds row after row of K times column k, less 1 in row `unit`: over all of Z, and of its mean
+  /// along segments from the centre.
+  void bound(std::size_t k, std::size_t unit) {
+    all_.assign(n_, 0.0), mean_.assign(n_, 0.0);
+    combine(over_, k, unit, all_);
+    mean_ = all_;
+    if (!is_second_order_) return;
+    change_.assign(n_, 0.0), magnitudes_.assign(n_, 0.0);
+    for (std::size_t l = 0; l < m_ + n_; ++l) {
       if (reach_[l] == 0) continue;
-      const Column& rates = rates_[l * (m_ + n_) + k];
-      for (std::size_t i = 0; i < n_; ++i)
-        change[i] = add_ru(change[i], mul_ru(mag(combined(i, rates)), reach_[l]));
+      combine(rates_, l * (m_ + n_) + k, n_, magnitudes_);
+      for (std::size_t i = 0; i < n_; ++i) change_[i] += times(magnitudes_[i], reach_[l]);
     }
-    const auto less = [&](std::size_t i, const Column& values) {
-      const Interval sum = combined(i, values);
-      return mag(i == unit ? sum - Interval(1.0) : sum);
-    };
-    std::vector<Bounds> result(n_);
+    combine(center_, k, unit, magnitudes_);
     for (std::size_t i = 0; i < n_; ++i) {
-      result[i].all = result[i].mean = less(i, over);
-      if (!is_second_order_) continue;
-      const double at_center = less(i, center);
-      result[i].all = least(result[i].all, add_ru(at_center, change[i]));
-      result[i].mean = least(result[i].mean, add_ru(at_center, mul_ru(0.5, change[i])));
+      all_[i] = least(all_[i], magnitudes_[i] + change_[i]);
+      mean_[i] = least(mean_[i], magnitudes_[i] + 0.5 * change_[i]);
     }
-    return result;
   }
 
   void add_variable(std::size_t k) {
-    const Column center = is_second_order_
-                              ? along(system_.center_by_variable, system_.center_by_unknown, k)
-                              : Column();
-    const auto found = bounds(along(system_.by_variable, system_.by_unknown, k), center, n_, k);
+    bound(k, n_);
     for (std::size_t i = 0; i < n_; ++i) {
-      image_.impact[i * m_ + k] = mul_ru(found[i].mean, reach_[k]);
-      image_.radius[i] = add_ru(image_.radius[i], image_.impact[i * m_ + k]);
+      image_.impact[i * m_ + k] = times(mean_[i], reach_[k]);
+      image_.radius[i] += image_.impact[i * m_ + k];
     }
   }
 
   void add_unknown(std::size_t l) {
-    const Column center = is_second_order_ ? column(system_.center_by_unknown, l) : Column();
-    const auto found = bounds(column(system_.by_unknown, l), center, l, m_ + l);
+    bound(m_ + l, l);
     for (std::size_t i = 0; i < n_; ++i) {
-      image_.spread[i * n_ + l] = found[i].all;
-      image_.change[i] = add_ru(image_.change[i], mul_ru(found[i].all, tube_.radius[l]));
-      image_.radius[i] = add_ru(image_.radius[i], mul_ru(found[i].mean, tube_.radius[l]));
+      image_.spread[i * n_ + l] = all_[i];
+      image_.change[i] += times(all_[i], tube_.radius[l]);
+      image_.radius[i] += times(mean_[i], tube_.radius[l]);
     }
   }
 
   const BranchTube& tube_;
-  const std::span<const double> inverse_;
   const TubeSystem& system_;
   const std::size_t n_, m_;
   const bool is_second_order_;
-  std::vector<double> reach_;  ///< of variables and unknowns, from the centre
-  std::vector<Column> rates_;  ///< by direction l, then column k; empty: of first order
+  std::vector<double> inverse_;  ///< K, column by column
+  std::vector<double> reach_;    ///< of variables and unknowns, from the centre
+  Columns sum_, over_, center_;
+  Columns rates_;  ///< by direction l, then column k
+  Bounds neg_, hi_, magnitudes_, change_, all_, mean_;
   TubeImage image_;
 };
 
@@ -182,7 +209,12 @@ class ImageOfTube {
 
 TubeImage image_of(const BranchTube& tube, std::span<const Interval> box,
                    std::span<const double> inverse, const TubeSystem& system) {
-  return ImageOfTube(tube, box, inverse, system).image();
+  ImageOfTube image(tube, box, inverse, system);
+  {
+    const FloatingPointScope scope(FloatingPointRounding::kUpward);
+    image.run();
+  }
+  return image.image();
 }
 
 /// A bound that is not a number fails every comparison.
