@@ -14,6 +14,7 @@
 #include "codegen/question/quantity/platform_closure.hpp"
 #include "tests/property/closure/checked_closures.hpp"
 #include "tests/property/closure/deviated_platforms.hpp"
+#include "tests/support/certificates.hpp"
 #include "tests/support/trials.hpp"
 
 namespace regulus::platform_error_test {
@@ -61,6 +62,19 @@ TEST(PlatformError, MeetsThePublishedFiguresOfA3Rpr) {
       EXPECT_GE(c.proved->approx, errors[i] - 1e-5) << c.component.label;
     }
   }
+}
+
+/// Near a singular pose rounding moves Newton's corrections; the configurations are found again.
+TEST(PlatformError, IsFoundWhereLegsHoldThePlatformBadly) {
+  const std::string text = test::contents(REGULUS_SOURCE_DIR "/models/robot_1.toml") +
+                           "\n[motion.m]\nparameters = { T = [0, 0.01] }\nx = \"8*cos(2*pi*T)\"\n"
+                           "y = \"8*sin(2*pi*T)\"\nz = 55\npsi = 0\ntheta = 0\nphi = 0\n";
+  const Bound found = bound(text, "y_deviation", 0.05);
+  ASSERT_EQ(found.components.size(), 1U);
+  const ComponentBound& y = found.components[0];
+  ASSERT_TRUE(y.is_closed && y.attained && y.proved) << y.reason;
+  EXPECT_LE(y.attained->approx, 0.7344);
+  EXPECT_GE(y.proved->approx, 0.7284);
 }
 
 std::string hexapod(const std::string& more = "") {

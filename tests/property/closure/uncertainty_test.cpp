@@ -77,6 +77,37 @@ TEST(UncertainQuantities, OfABallAreTakenWithinIt) {
   EXPECT_GE(refuted, 3);
 }
 
+/// p = √(1 + x + Σ aₖ eₖ): the branch ends in one corner of nine ranges alone.
+TEST(UncertainQuantities, ThatEndTheBranchInOneCornerOfManyAreFound) {
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> factor(0.5, 1), part(0.93, 1.07);
+  int refuted = 0;
+  for (int count = 0; count < 16; ++count) {
+    std::string text =
+        "regulus = 1\nname = \"root\"\n[pose]\nx = \"m\"\n[geometry]\n"
+        "e = { value = [0, 0, 0, 0, 0, 0, 0, 0], tolerance = 0.125, group = \"g\" }\n[closure]\n"
+        "unknowns = { p = \"m\" }\nequations = [\"p^2 - 1 - x";
+    double sum = 0;
+    std::vector<double> factors(8);
+    for (double& a : factors) sum += a = factor(random);
+    const double most = 0.99 * part(random);
+    for (std::size_t k = 0; k < 8; ++k)
+      text += fmt::format(" + ({})*e_{}", (k % 3 == 0 ? -8 : 8) * most * factors[k] / sum, k + 1);
+    text += "\"]\nstart = { x = 0, p = 1 }\n[motion.m]\nx = [-0.01, 0.01]\n";
+    if (std::fabs(most - 0.99) < 0.01) continue;
+    SearchOptions search = test::usual_options();
+    search.max_boxes = 2000;
+    const CheckedClosure checked = test::check_closure_text(text, search);
+    refuted += checked.verdict() == Verdict::kSingularity ? 1 : 0;
+    EXPECT_NE(checked.verdict(), most < 0.99 ? Verdict::kSingularity : Verdict::kNoSingularity);
+    if (most < 0.99) continue;
+    ASSERT_EQ(checked.verdict(), Verdict::kSingularity) << text;
+    const verifier::Verification v = test::verified(certified_closure(checked), text);
+    EXPECT_EQ(v.outcome, verifier::Outcome::kVerified) << describe(v);
+  }
+  EXPECT_GE(refuted, 5);
+}
+
 /// The ranges of the legs as errors of one pose: the same boxes as of a motion through them.
 TEST(UncertainQuantities, AreHalvedAsRangesOfAMotionAre) {
   const std::string legs[2] = {
