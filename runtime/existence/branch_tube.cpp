@@ -123,6 +123,7 @@ class ImageOfTube {
     for (std::size_t j = 0; j < n_; ++j) {
       const double* const k = inverse_.data() + j * n_;
       const double neg = columns.neg(column)[j], hi = columns.hi(column)[j];
+      if (neg == 0 && hi == 0) continue;
       for (std::size_t i = 0; i < n_; ++i) {
         const double of_neg = k[i] > 0 ? neg : k[i] < 0 ? hi : 0.0;
         const double of_hi = k[i] > 0 ? hi : k[i] < 0 ? neg : 0.0;
