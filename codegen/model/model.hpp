@@ -30,7 +30,8 @@ struct Range {
 struct PoseParameter {
   GiNaC::realsymbol symbol;
   std::string name;
-  std::string unit;  ///< a label; "1" = none
+  std::string unit;           ///< a label; "1" = none
+  bool is_deviation = false;  ///< from a commanded length: 0 in every motion, and in no report
 };
 
 /// The factor of a column of the matrix: a component of the twist.

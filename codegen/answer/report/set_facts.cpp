@@ -64,7 +64,7 @@ void say_given(const Request& request, Facts& facts) {
   const Motion& motion = request.motion;
   for (std::size_t i = 0; i < motion.pose.size(); ++i) {
     const PoseParameter& p = request.model.pose[i];
-    if (motion.pose[i].is_equal(p.symbol)) continue;
+    if (motion.pose[i].is_equal(p.symbol) || p.is_deviation) continue;
     facts.say("", symbols_of(motion.pose[i]).empty()
                       ? fixed_text(p, motion.pose[i])
                       : fmt::format("{} = {}{}", p.name, formula_text(motion.pose[i]),

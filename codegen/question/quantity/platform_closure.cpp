@@ -105,7 +105,7 @@ class PlatformClosure {
   ex error_of_leg(std::size_t k) {
     const std::string name = "leg_" + std::to_string(k + 1);
     const std::vector<ex>& errors = given_.model.actuators.error;
-    const PoseParameter error{GiNaC::realsymbol(name), name, given_.model.pose[0].unit};
+    const PoseParameter error{GiNaC::realsymbol(name), name, given_.model.pose[0].unit, true};
     request_.model.pose.push_back(error);
     request_.motion.pose.emplace_back(0);
     request_.motion.error.resize(request_.motion.pose.size() - 1, 0);

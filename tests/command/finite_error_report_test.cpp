@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a person reads about finite errors of a platform on legs.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/command.hpp"
+
+namespace regulus::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+/// The equations have a deviation of each leg's length, which every motion leaves at 0.
+TEST(FiniteErrorReport, NamesThePoseAndNoLegsOfLength0) {
+  const CommandResult result =
+      regulus({"bound", model_path("octahedral"), "level_89", "error", "--finite", "--tolerance",
+               "base=0.001", "--freedom", "z_deviation"});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(result.output, HasSubstr("\n           z = "));
+  EXPECT_THAT(result.output, Not(HasSubstr("leg_1 = 0")));
+}
+
+}  // namespace
+}  // namespace regulus::test
