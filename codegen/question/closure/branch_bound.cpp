@@ -14,6 +14,7 @@
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/exact/exact_double.hpp"
 #include "codegen/model/exact/expression_parser.hpp"
+#include "codegen/question/closure/closure_claims.hpp"
 #include "codegen/question/quantity/negligible.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 
@@ -30,16 +31,11 @@ AttainedPlace place_at(const PreparedClosure& prepared, std::span<const Interval
   const Closure& closure = *prepared.request.model.closure;
   AttainedPlace result;
   result.pose = describe_place(p, place);
-  std::string configuration;
   nlohmann::ordered_json values = nlohmann::ordered_json::object();
-  for (std::size_t i = 0; i < closure.unknowns.size(); ++i) {
-    const PoseParameter& unknown = closure.unknowns[i];
-    configuration += fmt::format("{}{} = {:.9g}{}", configuration.empty() ? "where " : ", ",
-                                 unknown.name, mid(unknowns[i]), unit_suffix(unknown.unit));
-    values[unknown.name] = json_interval(unknowns[i]);
-  }
+  for (std::size_t i = 0; i < closure.unknowns.size(); ++i)
+    values[closure.unknowns[i].name] = json_interval(unknowns[i]);
   result.values = Facts(Readers::kPeople)
-                      .say("", configuration)
+                      .say("", describe_configuration(prepared, unknowns))
                       .say("", describe_uncertain_values(p, place))
                       .text();
   result.json = {{"parameters", json_parameters(p, place)},
@@ -124,8 +120,8 @@ class ComponentOverBranch {
     const BoxSearchSettings limits = settings_of(
         branch_.common(), limited(settings_.search, budget.left()), settings_.interrupt);
     SearchDisplay display(settings_.output);
-    found_ = branch_.bracket(
-        value_, aim(), limits,
+    found_ = bracket_values(
+        branch_.reached(), value_, aim(), limits,
         {display.observer(), topic_,
          kept_as(settings_.checkpoint, "values of " + settings_.part + result_.component.label)});
     result_.boxes = found_.boxes;
@@ -204,11 +200,11 @@ class ComponentOverBranch {
   }
 
   void certify_safe(const GiNaC::ex& bound) {
-    certify_value(result_.proofs, branch_.proved(found_.trees), result_.component, bound,
+    certify_value(result_.proofs, branch_.reached().proved(found_.trees), result_.component, bound,
                   std::nullopt);
   }
   void certify_attained(const GiNaC::ex& bound) {
-    certify_value(result_.proofs, branch_.proved(), result_.component, bound,
+    certify_value(result_.proofs, branch_.reached().proved(), result_.component, bound,
                   PlaceOfValue{found_.piece, found_.at});
   }
 
