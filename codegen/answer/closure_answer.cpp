@@ -121,7 +121,7 @@ class ClosurePaving final : public PavingAnswer {
   void tell(Facts& facts) const override {
     tell_paving(prepared_.preparation, search_, options_, volumes_, result, facts);
     tell_branch(prepared_, found_.searched.links, found_.folds, facts);
-    tell_below(prepared_, found_.threshold, facts);
+    tell_below(prepared_, nullptr, found_.threshold, facts);
     proof.tell(facts);
   }
   [[nodiscard]] std::string about_files() const override { return proof.line() + checkpoint_line_; }

@@ -45,21 +45,6 @@ AttainedPlace place_at(const PreparedClosure& prepared, std::span<const Interval
   return result;
 }
 
-/// Returns the commanded pose with its errors, which are among the uncertain quantities.
-nlohmann::ordered_json json_pose_on(const BranchInPieces& branch, std::size_t piece,
-                                    const Interval& s, const nlohmann::ordered_json& uncertain) {
-  nlohmann::ordered_json pose = nlohmann::ordered_json::object();
-  const std::vector<Interval> commanded = branch.commanded(piece, s);
-  for (std::size_t i = 0; i < commanded.size(); ++i) {
-    const std::string& name = branch.way().request.model.pose[i].name;
-    Interval value = commanded[i];
-    if (const auto error = uncertain.find(name + "_error"); error != uncertain.end())
-      value += Interval((*error)[0].get<double>(), (*error)[1].get<double>());
-    pose[name] = json_interval(value);
-  }
-  return pose;
-}
-
 /// The same on a piece of a branch. `prepared`: the question about it.
 AttainedPlace place_on(const BranchInPieces& branch, std::size_t piece,
                        const PreparedClosure& prepared, std::span<const Interval> place,
@@ -67,9 +52,9 @@ AttainedPlace place_on(const BranchInPieces& branch, std::size_t piece,
   AttainedPlace result = place_at(prepared, place, unknowns);
   if (const Trajectory* const way = branch.trajectory()) {
     result.pose = describe_segment(*way, piece, place[0]);
-    result.values =
-        Facts(Readers::kPeople).say("", branch.pose_at(piece, place[0])).text() + result.values;
-    result.json["pose"] = json_pose_on(branch, piece, place[0], result.json["uncertain"]);
+    result.values = Facts(Readers::kPeople).say("", branch.way().pose_at(piece, place[0])).text() +
+                    result.values;
+    result.json["pose"] = json_pose_on(branch.way(), piece, place[0], result.json["uncertain"]);
     result.json["segment"] = json_segment(*way, piece, place[0]);
   }
   return result;

@@ -127,7 +127,8 @@ void tell_shortage(const PreparedBranchLoad& prepared, const BranchLoadResult& r
   facts.tell("witness", json_shortage(prepared, shortage), "at",
              way == nullptr ? describe_place(prepared.closure().preparation, shortage.place)
                             : describe_segment(*way, shortage.piece, shortage.place[0]));
-  if (way != nullptr) facts.say("", prepared.branch.pose_at(shortage.piece, shortage.place[0]));
+  if (way != nullptr)
+    facts.say("", prepared.branch.way().pose_at(shortage.piece, shortage.place[0]));
   say_shortage(prepared, shortage, facts);
 }
 

@@ -8,7 +8,6 @@
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/model/way/trajectory.hpp"
 #include "codegen/question/closure/closure_certificate.hpp"
-#include "codegen/question/way/path_bounds.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 
 namespace regulus {
@@ -67,24 +66,6 @@ void BranchInPieces::pave(const SearchOptions& search, double resolution, const 
     found_ = pave_way(prepared_, search, resolution, watch, run);
   else
     take(pave_closure(common(), search, resolution, watch, run));
-}
-
-std::vector<Interval> BranchInPieces::commanded(std::size_t piece, const Interval& s) const {
-  std::vector<Interval> values;
-  for (const PieceOfPose& part : trajectory()->pieces.at(piece).pose)
-    values.push_back(CoordinateBounds(part).over(s.lo, s.hi));
-  return values;
-}
-
-std::string BranchInPieces::pose_at(std::size_t piece, const Interval& s) const {
-  std::string text;
-  const std::vector<Interval> values = commanded(piece, s);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const PoseParameter& p = prepared_.request.model.pose[i];
-    text += fmt::format("{}{} = {:.6g}{}", text.empty() ? "" : ", ", p.name, mid(values[i]),
-                        unit_suffix(p.unit));
-  }
-  return text;
 }
 
 bool BranchInPieces::is_empty() const {

@@ -37,14 +37,6 @@ class BranchInPieces {
     return prepared_.request.motion.trajectory.get();
   }
   [[nodiscard]] std::size_t pieces() const { return prepared_.pieces(); }
-  /// Encloses the commanded value of each pose parameter on a part of a segment.
-  ///
-  /// Requires  trajectory().
-  [[nodiscard]] std::vector<Interval> commanded(std::size_t piece, const Interval& s) const;
-  /// Returns "theta = 0.3 rad": the commanded pose on a segment, about.
-  ///
-  /// Requires  trajectory().
-  [[nodiscard]] std::string pose_at(std::size_t piece, const Interval& s) const;
 
   // After follow() or pave().
   [[nodiscard]] const WayFinding& found() const { return found_; }

@@ -13,6 +13,7 @@
 #include "codegen/answer/report/search_facts.hpp"
 #include "codegen/model/degrees.hpp"
 #include "codegen/question/closure/branch_threshold.hpp"
+#include "codegen/question/way/trajectory_report.hpp"
 
 namespace regulus {
 namespace {
@@ -101,24 +102,46 @@ std::string describe_meaning(const PreparedClosure& prepared, Verdict verdict, b
                      threshold_text(prepared.preparation.variety.alpha, exceeded));
 }
 
-void tell_below(const PreparedClosure& prepared, const std::optional<ThresholdFinding>& found,
-                Facts& facts) {
+Json json_pose_on(const PreparedWay& way, std::size_t piece, const Interval& s,
+                  const Json& uncertain) {
+  Json pose = Json::object();
+  const std::vector<Interval> commanded = way.commanded(piece, s);
+  for (std::size_t i = 0; i < commanded.size(); ++i) {
+    const std::string& name = way.request.model.pose[i].name;
+    Interval value = commanded[i];
+    if (const auto error = uncertain.find(name + "_error"); error != uncertain.end())
+      value += Interval((*error)[0].get<double>(), (*error)[1].get<double>());
+    pose[name] = json_interval(value);
+  }
+  return pose;
+}
+
+void tell_below(const PreparedClosure& prepared, const PreparedWay* way,
+                const std::optional<ThresholdFinding>& found, Facts& facts) {
   if (!found || !found->below) return static_cast<void>(facts.add("witness", nullptr));
   const PlaceBelow& below = *found->below;
   const PreparedSearch& p = prepared.preparation;
   const std::vector<PoseParameter>& unknowns = prepared.request.model.closure->unknowns;
-  Json configuration = Json::object();
+  const Json uncertain = json_uncertain(p, below.place);
+  Json configuration = Json::object(), pose = Json::object();
   for (std::size_t i = 0; i < unknowns.size(); ++i)
     configuration[unknowns[i].name] = json_interval(below.unknowns[i]);
   Facts told = facts.part();
-  told.say("witness", describe_place(p, below.place))
-      .say("", describe_configuration(prepared, below.unknowns))
+  if (way == nullptr) {
+    told.say("witness", describe_place(p, below.place));
+  } else {
+    const Interval& s = below.place[0];
+    told.say("witness", describe_segment(*way->request.motion.trajectory, below.piece, s));
+    told.say("", way->pose_at(below.piece, s));
+    pose = json_pose_on(*way, below.piece, s, uncertain);
+  }
+  told.say("", describe_configuration(prepared, below.unknowns))
       .say("", describe_uncertain_values(p, below.place))
       .say("",
            fmt::format("det of the equations' derivatives ≈ {:.9g} there", mid(below.determinant)));
   const Json point = {{"parameters", json_parameters(p, below.place)},
-                      {"pose", Json::object()},
-                      {"uncertain", json_uncertain(p, below.place)},
+                      {"pose", std::move(pose)},
+                      {"uncertain", uncertain},
                       {"determinant", json_interval(below.determinant)},
                       {"unknowns", std::move(configuration)}};
   told.add("points", Json::array({point})).add("approx_hadamard", nullptr);

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "codegen/answer/facts.hpp"
-#include "codegen/question/closure/closure_report.hpp"
+#include "codegen/question/closure/closure_way.hpp"
 
 namespace regulus {
 
@@ -34,8 +34,14 @@ namespace regulus {
 [[nodiscard]] std::string describe_configuration(const PreparedClosure& prepared,
                                                  std::span<const Interval> unknowns);
 
-/// Tells the configuration where a threshold is not exceeded, as the witness.
-void tell_below(const PreparedClosure& prepared, const std::optional<ThresholdFinding>& found,
-                Facts& facts);
+/// Returns the commanded pose on a segment with its errors. `uncertain`: the uncertain quantities, which
+/// have them.
+[[nodiscard]] nlohmann::ordered_json json_pose_on(const PreparedWay& way, std::size_t piece,
+                                                  const Interval& s,
+                                                  const nlohmann::ordered_json& uncertain);
+
+/// Tells the configuration where a threshold is not exceeded, as the witness. `way`: null over ranges.
+void tell_below(const PreparedClosure& prepared, const PreparedWay* way,
+                const std::optional<ThresholdFinding>& found, Facts& facts);
 
 }  // namespace regulus

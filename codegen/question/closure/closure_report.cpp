@@ -309,7 +309,7 @@ void tell_closure(const PreparedClosure& prepared, const SearchOptions& search,
   facts.add("filters", Json::array());
   tell_boxes(check.statistics, facts);
   facts.add("leaves", json_leaves(check.statistics));
-  tell_below(prepared, found.threshold, facts);
+  tell_below(prepared, nullptr, found.threshold, facts);
   facts.add("blocking_box", nullptr);
   if (!check.blocking_box.empty()) {
     Json box = json_parameters(p, check.blocking_box);

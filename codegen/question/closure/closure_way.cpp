@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/closure/closure_way.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "codegen/answer/certificate/piece_question.hpp"
+#include "codegen/answer/report/number_text.hpp"
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/closure_start.hpp"
 #include "codegen/model/exact/exact_double.hpp"
 #include "codegen/model/way/trajectory.hpp"
 #include "codegen/question/closure/branch_threshold.hpp"
+#include "codegen/question/way/path_bounds.hpp"
 #include "codegen/question/way/trajectory_run.hpp"
 #include "codegen/support/stopwatch.hpp"
 
@@ -234,6 +238,24 @@ Problem PreparedWay::problem_of(std::size_t piece) const {
     problem.inner.at(first + c) = is_thin(value) ? std::optional(value) : std::nullopt;
   }
   return problem;
+}
+
+std::vector<Interval> PreparedWay::commanded(std::size_t piece, const Interval& s) const {
+  std::vector<Interval> result;
+  for (const PieceOfPose& part : request.motion.trajectory->pieces.at(piece).pose)
+    result.push_back(CoordinateBounds(part).over(s.lo, s.hi));
+  return result;
+}
+
+std::string PreparedWay::pose_at(std::size_t piece, const Interval& s) const {
+  std::string text;
+  const std::vector<Interval> pose = commanded(piece, s);
+  for (std::size_t i = 0; i < pose.size(); ++i) {
+    const PoseParameter& p = request.model.pose[i];
+    text += fmt::format("{}{} = {:.6g}{}", text.empty() ? "" : ", ", p.name, mid(pose[i]),
+                        unit_suffix(p.unit));
+  }
+  return text;
 }
 
 PreparedWay prepare_way(Request request, double model_seconds, const SearchOptions& search,

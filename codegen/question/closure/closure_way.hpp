@@ -22,6 +22,10 @@ struct PreparedWay {
   [[nodiscard]] std::size_t pieces() const noexcept { return values.size(); }
   /// Returns the problem of a piece.
   [[nodiscard]] Problem problem_of(std::size_t piece) const;
+  /// Encloses the commanded value of each pose parameter on a part of a segment.
+  [[nodiscard]] std::vector<Interval> commanded(std::size_t piece, const Interval& s) const;
+  /// Returns "theta = 0.3 rad": the commanded pose on a segment, about.
+  [[nodiscard]] std::string pose_at(std::size_t piece, const Interval& s) const;
 };
 
 /// Throws    UsageError if the way-points do not begin at the start of the closure; the exceptions of

@@ -143,7 +143,7 @@ void tell_closure_way(const PreparedWay& prepared, const SearchOptions& search,
                       const WayFinding& found, Facts& facts) {
   tell_question(prepared, search, found, facts);
   facts.add("excluded", 0);
-  tell_below(prepared.common, found.threshold, facts);
+  tell_below(prepared.common, &prepared, found.threshold, facts);
   tell_segment(prepared, found, facts);
   tell_meaning(
       describe_meaning(prepared.common, found.result.verdict, found.is_refuted(), "these segments"),
@@ -159,9 +159,12 @@ void tell_way_paving(const PreparedWay& prepared, const SearchOptions& search, d
   static constexpr std::array kClaimsOfThreshold = {Claim::kFree, Claim::kSingular,
                                                     Claim::kUndecided, Claim::kOutside};
   tell_question(prepared, search, found, facts);
+  const std::string poses = words_of_poses(prepared, "stretch", " and of the tube around it");
   facts.add("claim",
-            fmt::format("free: {}, for {}", describe_regular_branch(prepared.common),
-                        words_of_poses(prepared, "stretch", " and of the tube around it")));
+            fmt::format("free: {}, for {}", describe_regular_branch(prepared.common), poses) +
+                (found.threshold ? fmt::format("; singular: {}, for {}",
+                                               describe_threshold(prepared.common, false), poses)
+                                 : ""));
   facts.add("resolution", resolution);
   const std::span<const Claim> claims = found.threshold ? std::span<const Claim>(kClaimsOfThreshold)
                                                         : std::span<const Claim>(kClaimsOfBranch);
