@@ -13,6 +13,7 @@
 #include "codegen/answer/report/search_checkpoint.hpp"
 #include "codegen/model/request.hpp"
 #include "codegen/question/closure/closure_certificate.hpp"
+#include "codegen/question/closure/closure_claims.hpp"
 #include "codegen/question/closure/closure_report.hpp"
 #include "codegen/question/closure/paving_certificate.hpp"
 #include "runtime/problem/observers.hpp"
@@ -22,32 +23,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The option --checkpoint of a search over a branch.
-class CheckpointOfBranch {
- public:
-  CheckpointOfBranch(const Services& services, const PreparedClosure& prepared,
-                     const SearchOptions& search)
-      : services_(services), prepared_(prepared), search_(search) {}
-
-  [[nodiscard]] KeepBranch keeper() {
-    return [this](BranchSettings settings, const SearchOfBranch& search) {
-      checkpoint_.emplace(services_.checkpoint,
-                          [&] { return checkpointed_question(prepared_, search_, settings); });
-      if (checkpoint_->file() == nullptr) return search(settings);
-      settings.save_every = checkpoint_->interval();
-      BranchResult result = checkpoint_->file()->continue_search(settings, search);
-      checkpoint_->finish(result.stopped_by.has_value());
-      return result;
-    };
-  }
-  [[nodiscard]] std::string line() const { return checkpoint_ ? checkpoint_->line() : ""; }
-
- private:
-  const Services& services_;
-  const PreparedClosure& prepared_;
-  const SearchOptions& search_;
-  std::optional<SearchCheckpoint> checkpoint_;
-};
+/// What a checkpoint calls the search of the branch.
+constexpr const char* kTree = "tree";
 
 /// The answer for a mechanism whose configuration is a solution of equations.
 class ClosureCheck final : public CheckAnswer {
@@ -59,16 +36,16 @@ class ClosureCheck final : public CheckAnswer {
                                   watch_of(services, search_))) {
     services.begin_search();
     SearchDisplay display(display_of(services));
-    CheckpointOfBranch checkpoint(services, prepared_, search_);
-    found_ = check_closure(prepared_, search_, watch_of(services, search_), display.observer(),
-                           checkpoint.keeper());
-    checkpoint_line_ = checkpoint.line();
-    const ProofPlacing placing{nullptr, services.shard_size};
-    proof = found_.is_refuted()
-                ? certify_fold(services.certificate, prepared_, *found_.reached(), placing)
-                : certify_branch(services.certificate, prepared_, found_.searched, placing);
-    if (proof.is_lost()) lost.push_back(proof.obstacle());
+    SearchCheckpoint checkpoint(services.checkpoint,
+                                [&] { return checkpointed_question(prepared_, search_, 0); });
+    found_ =
+        check_closure(prepared_, search_, watch_of(services, search_),
+                      {display.observer(), {}, {checkpoint.file(), checkpoint.interval(), kTree}});
     result = check_result(prepared_, found_);
+    proof = certify_check(services.certificate, prepared_, found_, {nullptr, services.shard_size});
+    if (proof.is_lost()) lost.push_back(proof.obstacle());
+    write_beside([&] { checkpoint.finish(result.stopped_by.has_value()); });
+    checkpoint_line_ = checkpoint.line();
     for (const VariableLabel& variable : prepared_.preparation.labels.variables)
       variables.push_back(variable.name);
   }
@@ -110,13 +87,17 @@ class ClosurePaving final : public PavingAnswer {
                      [&listener] { listener.ask_for_end(); });
     services.begin_search();
     SearchDisplay display(display_of(services));
-    CheckpointOfBranch checkpoint(services, prepared_, search_);
-    found_ = pave_closure(prepared_, search_, options_.resolution, watch_of(services, search_),
-                          display.observer(), checkpoint.keeper());
-    checkpoint_line_ = checkpoint.line();
-    proof = certify_paving(services.certificate, prepared_, found_.searched,
-                           {nullptr, services.shard_size});
+    SearchCheckpoint checkpoint(services.checkpoint, [&] {
+      return checkpointed_question(prepared_, search_, options_.resolution);
+    });
+    found_ =
+        pave_closure(prepared_, search_, options_.resolution, watch_of(services, search_),
+                     {display.observer(), {}, {checkpoint.file(), checkpoint.interval(), kTree}});
+    proof = certify_paving(services.certificate, prepared_, found_, {nullptr, services.shard_size});
     if (proof.is_lost()) lost.push_back(proof.obstacle());
+    write_beside(
+        [&] { checkpoint.finish(check_result(prepared_, found_).stopped_by.has_value()); });
+    checkpoint_line_ = checkpoint.line();
     std::optional<PavingTree> tree;
     if (services.tree != nullptr) tree.emplace(problem_, 0);
     std::vector<Observer*> watching =
@@ -140,6 +121,7 @@ class ClosurePaving final : public PavingAnswer {
   void tell(Facts& facts) const override {
     tell_paving(prepared_.preparation, search_, options_, volumes_, result, facts);
     tell_branch(prepared_, found_.searched.links, found_.folds, facts);
+    tell_below(prepared_, nullptr, found_.threshold, facts);
     proof.tell(facts);
   }
   [[nodiscard]] std::string about_files() const override { return proof.line() + checkpoint_line_; }
@@ -151,7 +133,8 @@ class ClosurePaving final : public PavingAnswer {
     free = fraction(Claim::kFree);
     undecided = fraction(Claim::kUndecided);
     outside = fraction(Claim::kOutside);
-    singular = unreachable = Interval(0.0);
+    singular = fraction(Claim::kSingular);
+    unreachable = Interval(0.0);
   }
 
   SearchOptions search_;

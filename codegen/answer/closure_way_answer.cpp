@@ -23,39 +23,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The option --checkpoint of the searches of all pieces.
-class CheckpointOfWay {
- public:
-  /// `resolution`: of a paving; 0: of a check.
-  CheckpointOfWay(const Services& services, const PreparedWay& prepared,
-                  const SearchOptions& search, double resolution)
-      : checkpoint_(
-            services.checkpoint,
-            [&] {
-              Json question = checkpointed_question(prepared.request, search);
-              question["closure"] = prepared.common.shape.unknowns;
-              question["paves"] = resolution > 0;
-              question["resolution"] = resolution;
-              return question;
-            },
-            true) {}
+/// Returns everything that the boxes of all pieces depend on. `resolution`: of a paving; 0: of a check.
+Json checkpointed_way(const PreparedWay& prepared, const SearchOptions& search, double resolution) {
+  Json question = checkpointed_question(prepared.request, search);
+  question["closure"] = prepared.common.shape.unknowns;
+  question["paves"] = resolution > 0;
+  question["resolution"] = resolution;
+  return question;
+}
 
-  [[nodiscard]] KeepPiece keeper() {
-    if (checkpoint_.file() == nullptr) return {};
-    return [this](std::size_t piece, BranchSettings settings, const SearchOfBranch& search) {
-      settings.save_every = checkpoint_.interval();
-      return checkpoint_.file()->continue_search(settings, search, place_of_piece(piece));
-    };
-  }
-  void finish(const WayFinding& found) {
-    const bool is_refuted = found.deciding && found.deciding->is_refuted();
-    checkpoint_.finish(!is_refuted && found.result.stopped_by.has_value());
-  }
-  [[nodiscard]] std::string line() const { return checkpoint_.line(); }
-
- private:
-  SearchCheckpoint checkpoint_;
-};
+/// The file stays if the searches were ended and may go on.
+void finish(SearchCheckpoint& checkpoint, const WayFinding& found) {
+  checkpoint.finish(!found.is_refuted() && found.result.stopped_by.has_value());
+}
 
 /// The answer has no `variables`, as that of other motions along way-points.
 class ClosureWayCheck final : public CheckAnswer {
@@ -67,12 +47,13 @@ class ClosureWayCheck final : public CheckAnswer {
             prepare_way(std::move(request), model_seconds, search_, watch_of(services, search_))) {
     services.begin_search();
     SearchDisplay display(display_of(services));
-    CheckpointOfWay checkpoint(services, prepared_, search_, 0);
-    found_ = check_way(prepared_, search_, watch_of(services, search_), display.observer(),
-                       checkpoint.keeper());
+    SearchCheckpoint checkpoint(
+        services.checkpoint, [&] { return checkpointed_way(prepared_, search_, 0); }, true);
+    found_ = check_way(prepared_, search_, watch_of(services, search_),
+                       {display.observer(), {}, {checkpoint.file(), checkpoint.interval(), ""}});
     proof = certify_way(services.certificate, prepared_, found_, {nullptr, services.shard_size});
     if (proof.is_lost()) lost.push_back(proof.obstacle());
-    write_beside([&] { checkpoint.finish(found_); });
+    write_beside([&] { finish(checkpoint, found_); });
     checkpoint_line_ = checkpoint.line();
     result = found_.result;
   }
@@ -104,9 +85,11 @@ class ClosureWayPaving final : public PavingAnswer {
     WayPictures pictures(services.pictures);
     services.begin_search();
     SearchDisplay display(display_of(services));
-    CheckpointOfWay checkpoint(services, prepared_, search_, resolution_);
+    SearchCheckpoint checkpoint(
+        services.checkpoint, [&] { return checkpointed_way(prepared_, search_, resolution_); },
+        true);
     found_ = pave_way(prepared_, search_, resolution_, watch_of(services, search_),
-                      display.observer(), checkpoint.keeper());
+                      {display.observer(), {}, {checkpoint.file(), checkpoint.interval(), ""}});
     result = found_.result;
     proof = certify_paving(services.certificate, prepared_, found_, {nullptr, services.shard_size});
     if (proof.is_lost()) lost.push_back(proof.obstacle());
@@ -122,7 +105,7 @@ class ClosureWayPaving final : public PavingAnswer {
       pictures.draw({fmt::format("{}, {}", request_asked.model.name, request_asked.motion.name),
                      trajectory, stretches_, name});
     });
-    write_beside([&] { checkpoint.finish(found_); });
+    write_beside([&] { finish(checkpoint, found_); });
     checkpoint_line_ = checkpoint.line();
   }
 

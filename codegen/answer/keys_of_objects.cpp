@@ -98,6 +98,7 @@ constexpr Key kPoint[] = {
     {"exact?", "exact{}", "coordinates that are known exactly and need not be doubles"},
     {"enclosed?", "text[]", "names of what has some value of its range, where rank is lost"},
     {"null_vector?", "enclosure[]", "what the matrix maps to 0 there; one component is 1"},
+    {"unknowns?", "enclosure{}", "the configuration of a closure"},
 };
 constexpr Key kPlaceOfValue[] = {
     {"exact?", "exact{}", "coordinates that are known exactly and need not be doubles"},

@@ -11,6 +11,7 @@
 #include "codegen/question/bound/datasheet.hpp"
 #include "codegen/question/closure/branch_load.hpp"
 #include "codegen/question/closure/branch_pieces.hpp"
+#include "codegen/question/closure/branch_threshold.hpp"
 #include "codegen/question/closure/closure_run.hpp"
 #include "codegen/question/closure/value_judge.hpp"
 #include "codegen/question/condition/box_judge.hpp"
@@ -124,15 +125,13 @@ class Topics {
   }
 
   Found operator()(const AskCheck& asked) const {
-    if (auto closed = read_closure(asked.model, {}))
-      return on_branch(*std::move(closed), asked.search);
+    if (const auto closed = read_closure(asked.model, {})) return on_branch(*closed, asked.search);
     if (const auto along = read_trajectory(asked.model)) return on_way(*along, asked.search);
     return Formed{prepare(asked.model, asked.search)};
   }
 
   Found operator()(const AskPaving& asked) const {
-    if (auto closed = read_closure(asked.model, {}))
-      return on_branch(*std::move(closed), asked.search);
+    if (const auto closed = read_closure(asked.model, {})) return on_branch(*closed, asked.search);
     ModelOptions model = asked.model;
     model.separates_reach = !certifies_;
     if (const auto along = read_trajectory(model)) return on_way(*along, asked.search);
@@ -243,15 +242,13 @@ class Topics {
         prepare_forces(of_pieces(*along, *along), 0, asked.load, forming(search), {}));
   }
 
-  [[nodiscard]] Found on_branch(Request request, const SearchOptions& search) const {
-    if (request.motion.trajectory) return on_way_of_branch(std::move(request), search);
-    return about_branch(prepare_closure(std::move(request), 0, forming(search), {}));
-  }
-
-  /// The kernel is that of all pieces; the search has the numbers of one, and the topic its start.
-  [[nodiscard]] Found on_way_of_branch(Request request, const SearchOptions& search) const {
+  /// Along way-points the kernel is that of all pieces; the search has the numbers of one, and the topic its
+  /// start.
+  [[nodiscard]] Found on_branch(const Request& request, const SearchOptions& search) const {
     if (!is_told_) return std::nullopt;
-    return about_branch(closed_of(std::move(request), search, DerivativesBy::kVariables));
+    PreparedClosure closed = closed_of(request, search, DerivativesBy::kVariables);
+    if (!has_threshold(request)) return about_branch(std::move(closed));
+    return on_branch(std::move(closed), value_at_threshold(request.model));
   }
 
   [[nodiscard]] PreparedClosure closed_of(Request request, const SearchOptions& search,
@@ -302,7 +299,7 @@ class Topics {
     if (is_closed || request.motion.trajectory) {
       if (!is_told_) return std::nullopt;
       Request grown = at_value(question, std::move(request));
-      return is_closed ? on_branch(std::move(grown), search) : on_way(grown, search);
+      return is_closed ? on_branch(grown, search) : on_way(grown, search);
     }
     return Formed{std::move(
         PreparedMargin(question, std::move(request), 0, compiled_first(forming(search)), {})

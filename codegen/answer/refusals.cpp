@@ -188,7 +188,7 @@ constexpr std::string_view kIntroduction =
     "of a [closure]\nthose of errors, also finite ones, and speeds; of loads, that forces within "
     "limits hold "
     "them;\nof pavings of loads and of branches, where they hold it and where the branch is "
-    "certain.\n"
+    "certain. It\nproves no threshold over a branch.\n"
     "Along way-points `solve` answers at each of them, and says nothing of the way between "
     "them.\n\n";
 

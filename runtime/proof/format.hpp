@@ -220,22 +220,34 @@ struct ClaimedBound {
   return branch + value + beyond + b.bound + place;
 }
 
+/// What a threshold of a closure is compared with.
+inline constexpr const char* kDeterminantOfClosure =
+    "|det of the equations' derivatives by the unknowns|";
+
 /// Returns the claim about a closure of as many equations as the set has rows in words.
 [[nodiscard]] inline std::string describe_closure_claim(const ClaimedSet& set, bool singular) {
   const std::string equations =
-      set.rows == 1 ? "equation is" : std::to_string(set.rows) + " equations are";
+      "the " + (set.rows == 1 ? "equation is" : std::to_string(set.rows) + " equations are");
+  const std::string place = ", " + describe_place(set, !singular) + " of the variety";
+  const std::string determinant = kDeterminantOfClosure;
   if (singular)
-    return "configurations of the mechanism lead from the start to one where the " + equations +
-           " singular, " + describe_place(set, false) + " of the variety";
-  return "the mechanism has exactly one configuration on its branch, and the " + equations +
-         " defined and regular there, " + describe_place(set, true) + " of the variety";
+    return "configurations of the mechanism lead from the start to one where " +
+           (set.has_threshold ? determinant + " is at most alpha" : equations + " singular") +
+           place;
+  return "the mechanism has exactly one configuration on its branch, and " + equations +
+         (set.has_threshold ? " defined there, and " + determinant + " exceeds alpha"
+                            : " defined and regular there") +
+         place;
 }
 
 /// Returns the claim PAVING about a closure in words. `load`: the name of the load whose forces are compared
 /// with limits; empty: there is none.
-[[nodiscard]] inline std::string describe_branch_paving(const ClaimedSet& set,
-                                                        const std::string& load) {
+[[nodiscard]] inline std::string describe_branch_paving(ClaimedSet set, const std::string& load) {
+  const bool has_threshold = std::exchange(set.has_threshold, false);
   const std::string branch = describe_closure_claim(set, false) + " in a leaf with a tube";
+  if (has_threshold)
+    return branch + "; " + kDeterminantOfClosure + " exceeds alpha in a leaf '" + kFeasibleLeaf +
+           "', and is at most alpha in a leaf '" + kInfeasibleLeaf + "'";
   if (load.empty()) return branch;
   return branch + "; the forces of all motors under the load " + load +
          " are within their limits for every vector of it in a leaf '" + kFeasibleLeaf +

@@ -38,7 +38,7 @@ std::string BranchProver::contradiction(const Box& point, LeafClaim claim) {
   if (!quantity_ || claim == LeafClaim::kBranch) return "";
   if (!test_.has_one_solution(point, *tube_)) return "";
   if (claim == LeafClaim::kInfeasible)
-    return quantity_->keeps_bound(test_) ? "all forces are within their limits" : "";
+    return quantity_->keeps_bound(test_) ? all_keep_ : "";
   return quantity_->attains_bound(test_) ? "the quantity is beyond the bound" : "";
 }
 

@@ -14,7 +14,9 @@ class BranchProver final : public SplittingProver {
         variety_(variety),
         test_(question),
         outside_(question, variety),
-        motion_(question, question.motion_defined) {
+        motion_(question, question.motion_defined),
+        all_keep_(question.has_threshold ? "|det| exceeds alpha"
+                                         : "all forces are within their limits") {
     if (question.quantity && !question.singular) quantity_.emplace(question);
   }
 
@@ -34,6 +36,7 @@ class BranchProver final : public SplittingProver {
   BranchTest test_;
   Outside outside_;
   Evaluation motion_;
+  const char* const all_keep_;              ///< what contradicts a leaf `infeasible`
   std::optional<BranchQuantity> quantity_;  ///< that keeps its bound, or attains it all over
   const TubeNumbers* tube_ = nullptr;       ///< of the leaf
   std::vector<double> impact_;              ///< for the last box

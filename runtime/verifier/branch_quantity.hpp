@@ -27,6 +27,18 @@ namespace regulus::verifier {
 /// Requires  question.closure; the lines of the model and the motion have been read.
 void read_branch_quantity_lines(Lines& lines, Question& question);
 
+/// True if a closure has a threshold: FORMAT.md, "Closures". It is a bound of the determinant.
+[[nodiscard]] bool has_threshold_of_branch(const Question& question);
+
+/// Makes the threshold of a closure that bound. Throws Unfinished if it may be negative.
+///
+/// Requires  has_threshold_of_branch(question); the lines of the model and the motion have been read.
+void take_threshold_of_branch(Question& question);
+
+/// The claim that |det| is at most the threshold is shown by a singular configuration, where it is 0, if the
+/// proof has no line `value`. Leaves the claim SINGULARITY of that configuration.
+void show_threshold_by_fold(Question& question);
+
 /// Reads the line `value` after `proof`, the place of an attained bound. Throws Rejection, or Unfinished
 /// if the place is not certainly in the set.
 void read_value_line(Lines& lines, Question& question, const Variety& variety);

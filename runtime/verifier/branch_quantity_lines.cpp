@@ -8,12 +8,15 @@
 #include "runtime/verifier/branch_singular_values.hpp"
 #include "runtime/verifier/constant_lines.hpp"
 #include "runtime/verifier/derivative.hpp"
+#include "runtime/verifier/evaluation.hpp"
 #include "runtime/verifier/outside.hpp"
 #include "runtime/verifier/proof.hpp"
 #include "runtime/verifier/quantity_lines.hpp"
 
 namespace regulus::verifier {
 namespace {
+
+constexpr long kBitsOfThreshold = 128;
 
 class BranchQuantityReader {
  public:
@@ -140,6 +143,26 @@ bool has_branch_rates(const std::string& kind) {
 
 bool is_finite_error(const Question& question) {
   return question.closure && question.quantity && question.quantity->kind == format::kFiniteError;
+}
+
+bool has_threshold_of_branch(const Question& question) {
+  return question.closure && question.has_threshold;
+}
+
+void take_threshold_of_branch(Question& q) {
+  const auto alpha = evaluate(q.graph, {q.alpha}, {}, kBitsOfThreshold);
+  if (!alpha || arb_is_nonnegative((*alpha)[0].get()) == 0)
+    throw Unfinished("alpha is not certainly 0 or positive");
+  QuantityLines& quantity = q.quantity.emplace();
+  quantity.kind = format::kDeterminant;
+  quantity.side = format::kLeast;
+  quantity.bound = q.alpha;
+  quantity.claim = q.paves ? format::describe_branch_paving(q.claimed_set(), "")
+                           : format::describe_closure_claim(q.claimed_set(), q.singular);
+}
+
+void show_threshold_by_fold(Question& q) {
+  if (has_threshold_of_branch(q) && q.singular) q.quantity.reset();
 }
 
 bool is_attained_bound(const Question& question) {

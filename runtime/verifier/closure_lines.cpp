@@ -31,8 +31,7 @@ void read_unknown(ConstantLines& lines, Question& q, const Scope& commanded, Sco
 
 void read_unknown_lines(Lines& lines, Question& q, const Scope& commanded, Scope& actual) {
   if (q.paves) q.load.reset();  // forces over a branch are a quantity
-  if (q.load || q.has_threshold)
-    throw Rejection("a claim about a closure is about singularity, and alpha is 0");
+  if (q.load) throw Rejection("a claim about a closure is about singularity");
   ClosureLines& closure = q.closure.emplace();
   ConstantLines reader(lines, q);
   while (reader.is("unknown")) read_unknown(reader, q, commanded, actual);

@@ -106,6 +106,7 @@ class PieceChecker {
     if (question.singular && !question.closure)
       throw Rejection("a singular pose lies on one piece: there are several");
     if (k == 0) describe(question);
+    if (!value_) show_threshold_by_fold(question);
     question.graph.end_of_file();
   }
 

@@ -56,7 +56,9 @@ class QuestionReader {
     read_model();
     read_motion();
     if (q_.load) read_load_lines(lines_, q_);
-    if (!q_.load && is("quantity"))
+    if (q_.closure && q_.has_threshold)
+      take_threshold_of_branch(q_);
+    else if (!q_.load && is("quantity"))
       q_.closure ? read_branch_quantity_lines(lines_, q_) : read_quantity_lines(lines_, q_);
     read_end(claim, "the claim is not about this matrix and set");
   }
@@ -90,6 +92,7 @@ class QuestionReader {
         q_.variables, [](const Variable& v) { return v.kind == VariableKind::kParameter; });
     if (has_range || !q_.constraints.empty() || q_.closure->names.empty())
       throw Rejection("a claim about all solutions has unknowns, no parameter and no constraint");
+    if (q_.has_threshold) throw Rejection("a claim about all solutions has no threshold");
   }
 
   void read_end(const std::string& claim, const std::string& otherwise) const {

@@ -53,6 +53,14 @@ std::string digest_of(const std::vector<std::string>& head) {
   return digest.text();
 }
 
+/// True if the proof of the claim that a threshold is not exceeded has a singular configuration.
+bool begins_with_fold(Lines& lines, const Question& question) {
+  if (!question.singular || !has_threshold_of_branch(question) || question.is_index) return false;
+  const bool is_fold = lines.next() && lines.text().starts_with("reason ");
+  lines.repeat();
+  return is_fold;
+}
+
 /// `place`: that of a table which the claim must be about; null: the file is about no table.
 void check(Lines& lines, Question& question, const Options& options, Verification& result,
            PlacePart* place) {
@@ -79,6 +87,7 @@ void check(Lines& lines, Question& question, const Options& options, Verificatio
   if (is_finite_error(question)) add_nominal_copy(question);
   const Variety variety = enclose_variety(question);
   put_in_single_values(question);
+  if (begins_with_fold(lines, question)) show_threshold_by_fold(question);
   if (is_attained_bound(question)) read_value_line(lines, question, variety);
   if (question.is_index)
     check_shards(lines,

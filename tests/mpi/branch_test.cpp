@@ -80,6 +80,39 @@ TEST_F(RanksOnABranch, FollowAWayAsOneThreadDoes) {
         << end;
 }
 
+TEST_F(RanksOnABranch, CompareAThresholdAsOneThreadDoes) {
+  std::ofstream(file("way.csv")) << "theta\n0\n1\n-1\n";
+  for (const Words& along : {Words{}, Words{"--waypoints", file("way.csv")}}) {
+    const Words asked = joined({model("four_bar"), "swing", "--quiet"}, along);
+    for (const char* alpha : {"0.0623", "0.07"}) {
+      const Words check = joined(joined({"check"}, asked), {"--alpha", alpha, "--certificate"});
+      const CommandResult one = run_command(one_thread(joined(check, {file("one")})));
+      const CommandResult many = run_command(ranks(2, joined(check, {file("many")})));
+      EXPECT_EQ(many.output, one.output) << many.errors;
+      EXPECT_NE(text_of(file("one")), "");
+      EXPECT_TRUE(text_of(file("many")) == text_of(file("one"))) << alpha;
+    }
+    for (const Words& more :
+         {Words{"margin", "--alpha", "0:1"}, Words{"locate", "--alpha", "0.07"}}) {
+      const Words words = joined(joined({more[0]}, asked), {more[1], more[2]});
+      EXPECT_EQ(run_command(ranks(2, words)).output, run_command(one_thread(words)).output);
+    }
+  }
+}
+
+/// Its search of values is shared after 16 384 boxes.
+TEST_F(RanksOnABranch, ShareTheSearchOfAThreshold) {
+  std::ofstream(file("bars.toml")) << bars("0.01", "[-1, 1]");
+  const Words check = {"check",       file("bars.toml"), "m",       "--alpha",      "0.0586",
+                       "--max-boxes", "40000",           "--quiet", "--certificate"};
+  const CommandResult one = run_command(one_thread(joined(check, {file("one")})));
+  EXPECT_EQ(one.output, "NO SINGULARITY\n") << one.errors;
+  const CommandResult many = run_command(ranks(2, joined(check, {file("many")})));
+  EXPECT_EQ(many.output, one.output) << many.errors;
+  EXPECT_GT(text_of(file("one")).size(), 1'000'000U);
+  EXPECT_TRUE(text_of(file("many")) == text_of(file("one")));
+}
+
 /// Its uncertain links leave many boxes undecided.
 const std::string kBars = bars("0.01", "[-1, 1]");
 

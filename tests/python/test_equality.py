@@ -180,6 +180,22 @@ def test_a_branch_follows_way_points(command, tmp_path):
     assert place["pose"]["theta"][0] == pytest.approx(commanded + error, abs=1e-12)
 
 
+def test_a_threshold_over_a_branch_is_compared_as_by_the_command(command, tmp_path):
+    way, theirs, ours = tmp_path / "way.csv", tmp_path / "command", tmp_path / "module"
+    way.write_text("theta [deg]\n0\n50\n-50\n")
+    bar = rg.load("four_bar")
+    for along, words in (({}, []), ({"waypoints": way}, ["--waypoints", str(way)])):
+        for alpha, verdict in (("0.06", "no-singularity"), ("0.063", "singularity")):
+            asked = ["--alpha", alpha, *words, "--certificate", str(theirs)]
+            expected = command("check", bar.path, "swing", *asked)
+            found = bar.check("swing", alpha=alpha, certificate=ours, **along)
+            assert found.verdict == expected["verdict"] == verdict
+            assert found.claim == expected["claim"] and alpha in found.claim
+            assert ours.read_bytes() == theirs.read_bytes()
+    found = bar.margin("swing", alpha=(0, 1), gap=0.05)
+    assert 0.06 < found.safe < 0.0625 < found.singular < 0.066
+
+
 def test_a_load_is_answered_as_by_the_command(command, tmp_path):
     cable = rg.load("cable_8")
     for ranges, words in (({}, []), ({"z": (4, "7.5")}, ["--range", "z=4:7.5"])):

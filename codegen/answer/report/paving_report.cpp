@@ -32,11 +32,25 @@ std::string matrix_of(const SearchSubject& p) {
                             : describe_size(p);
 }
 
+std::string name_of_determinant(const SearchSubject& p) {
+  return p.labels.is_branch ? "|det| of its " + matrix_of(p) : "|det J⁻¹|";
+}
+
+/// Returns what is claimed of every pose of a free box.
+std::string describe_free(const SearchSubject& p) {
+  const bool threshold = p.variety.alpha.hi > 0;
+  const std::string exceeds =
+      fmt::format("{} > {}", name_of_determinant(p), threshold_text(p.variety.alpha, true));
+  if (p.labels.is_branch)
+    return fmt::format("the branch has exactly one configuration, and {},",
+                       threshold ? exceeds : fmt::format("its {} has full rank", matrix_of(p)));
+  return threshold ? exceeds : fmt::format("the {} has full rank", matrix_of(p));
+}
+
 /// Returns the claim of a box of that kind, for every value of the uncertain quantities or for
 /// some.
 std::string describe_claim(const SearchSubject& p, Claim claim) {
   const bool threshold = p.variety.alpha.hi > 0;
-  const std::string alpha = threshold_text(p.variety.alpha, claim == Claim::kFree);
   const bool uncertain = uncertain_count(p) > 0;
   const char* poses = p.labels.constraints > p.labels.reach
                           ? "pose of the box that meets the constraints"
@@ -44,17 +58,12 @@ std::string describe_claim(const SearchSubject& p, Claim claim) {
                                            : "pose of the box";
   switch (claim) {
     case Claim::kFree:
-      return fmt::format("{} at every {}{}",
-                         threshold ? fmt::format("|det J⁻¹| > {}", alpha)
-                         : p.labels.is_branch
-                             ? fmt::format("the branch has exactly one configuration, and its {} "
-                                           "has full rank,",
-                                           matrix_of(p))
-                             : fmt::format("the {} has full rank", matrix_of(p)),
-                         poses, uncertain ? ", for every value of the uncertain quantities" : "");
+      return fmt::format("{} at every {}{}", describe_free(p), poses,
+                         uncertain ? ", for every value of the uncertain quantities" : "");
     case Claim::kSingular:
       return fmt::format("{} at some {}{}",
-                         threshold ? fmt::format("|det J⁻¹| ≤ {}", alpha)
+                         threshold ? fmt::format("{} ≤ {}", name_of_determinant(p),
+                                                 threshold_text(p.variety.alpha, false))
                                    : fmt::format("the {} is singular", matrix_of(p)),
                          poses, uncertain ? ", for some value of the uncertain quantities" : "");
     case Claim::kUndecided:

@@ -14,6 +14,7 @@
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/exact/exact_double.hpp"
 #include "codegen/model/exact/expression_parser.hpp"
+#include "codegen/question/closure/closure_claims.hpp"
 #include "codegen/question/quantity/negligible.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 
@@ -30,16 +31,11 @@ AttainedPlace place_at(const PreparedClosure& prepared, std::span<const Interval
   const Closure& closure = *prepared.request.model.closure;
   AttainedPlace result;
   result.pose = describe_place(p, place);
-  std::string configuration;
   nlohmann::ordered_json values = nlohmann::ordered_json::object();
-  for (std::size_t i = 0; i < closure.unknowns.size(); ++i) {
-    const PoseParameter& unknown = closure.unknowns[i];
-    configuration += fmt::format("{}{} = {:.9g}{}", configuration.empty() ? "where " : ", ",
-                                 unknown.name, mid(unknowns[i]), unit_suffix(unknown.unit));
-    values[unknown.name] = json_interval(unknowns[i]);
-  }
+  for (std::size_t i = 0; i < closure.unknowns.size(); ++i)
+    values[closure.unknowns[i].name] = json_interval(unknowns[i]);
   result.values = Facts(Readers::kPeople)
-                      .say("", configuration)
+                      .say("", describe_configuration(prepared, unknowns))
                       .say("", describe_uncertain_values(p, place))
                       .text();
   result.json = {{"parameters", json_parameters(p, place)},
@@ -49,21 +45,6 @@ AttainedPlace place_at(const PreparedClosure& prepared, std::span<const Interval
   return result;
 }
 
-/// Returns the commanded pose with its errors, which are among the uncertain quantities.
-nlohmann::ordered_json json_pose_on(const BranchInPieces& branch, std::size_t piece,
-                                    const Interval& s, const nlohmann::ordered_json& uncertain) {
-  nlohmann::ordered_json pose = nlohmann::ordered_json::object();
-  const std::vector<Interval> commanded = branch.commanded(piece, s);
-  for (std::size_t i = 0; i < commanded.size(); ++i) {
-    const std::string& name = branch.way().request.model.pose[i].name;
-    Interval value = commanded[i];
-    if (const auto error = uncertain.find(name + "_error"); error != uncertain.end())
-      value += Interval((*error)[0].get<double>(), (*error)[1].get<double>());
-    pose[name] = json_interval(value);
-  }
-  return pose;
-}
-
 /// The same on a piece of a branch. `prepared`: the question about it.
 AttainedPlace place_on(const BranchInPieces& branch, std::size_t piece,
                        const PreparedClosure& prepared, std::span<const Interval> place,
@@ -71,9 +52,9 @@ AttainedPlace place_on(const BranchInPieces& branch, std::size_t piece,
   AttainedPlace result = place_at(prepared, place, unknowns);
   if (const Trajectory* const way = branch.trajectory()) {
     result.pose = describe_segment(*way, piece, place[0]);
-    result.values =
-        Facts(Readers::kPeople).say("", branch.pose_at(piece, place[0])).text() + result.values;
-    result.json["pose"] = json_pose_on(branch, piece, place[0], result.json["uncertain"]);
+    result.values = Facts(Readers::kPeople).say("", branch.way().pose_at(piece, place[0])).text() +
+                    result.values;
+    result.json["pose"] = json_pose_on(branch.way(), piece, place[0], result.json["uncertain"]);
     result.json["segment"] = json_segment(*way, piece, place[0]);
   }
   return result;
@@ -124,8 +105,8 @@ class ComponentOverBranch {
     const BoxSearchSettings limits = settings_of(
         branch_.common(), limited(settings_.search, budget.left()), settings_.interrupt);
     SearchDisplay display(settings_.output);
-    found_ = branch_.bracket(
-        value_, aim(), limits,
+    found_ = bracket_values(
+        branch_.reached(), value_, aim(), limits,
         {display.observer(), topic_,
          kept_as(settings_.checkpoint, "values of " + settings_.part + result_.component.label)});
     result_.boxes = found_.boxes;
@@ -204,11 +185,11 @@ class ComponentOverBranch {
   }
 
   void certify_safe(const GiNaC::ex& bound) {
-    certify_value(result_.proofs, branch_.proved(found_.trees), result_.component, bound,
+    certify_value(result_.proofs, branch_.reached().proved(found_.trees), result_.component, bound,
                   std::nullopt);
   }
   void certify_attained(const GiNaC::ex& bound) {
-    certify_value(result_.proofs, branch_.proved(), result_.component, bound,
+    certify_value(result_.proofs, branch_.reached().proved(), result_.component, bound,
                   PlaceOfValue{found_.piece, found_.at});
   }
 

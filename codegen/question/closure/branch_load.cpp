@@ -7,12 +7,10 @@
 #include <utility>
 
 #include "codegen/answer/report/progress.hpp"
-#include "codegen/question/closure/uncertain_values.hpp"
 #include "codegen/question/engine/search_topic.hpp"
 #include "codegen/question/load/force_problem.hpp"
 #include "codegen/question/way/margin_checkpoint.hpp"
 #include "codegen/support/time_budget.hpp"
-#include "runtime/interval/floating_point_scope.hpp"
 
 namespace regulus {
 namespace {
@@ -21,6 +19,10 @@ constexpr const char* kBranch = "branch";
 constexpr const char* kForces = "forces";
 constexpr const char* kBranchEnds =
     "the branch ends in the motion, where a motor may need any force";
+
+/// f is how far a force is beyond its limits: it is at most 0, or not.
+constexpr double kBeyond = std::numeric_limits<double>::denorm_min();
+constexpr ValueAim kWithinLimits{.below = kBeyond, .from = kBeyond};
 
 /// The two searches: of the branch, and of the forces over it.
 class LoadRun {
@@ -50,14 +52,15 @@ class LoadRun {
     branch_.pave(prepared_.search, resolution, watch_,
                  run_of(TopicKind::kBranch, kBranch, nullptr));
     note_branch();
-    const std::size_t found = branch_.found().pieces.size();
-    bool is_feasible = found == branch_.pieces(), is_empty = is_feasible;
-    const PiecesRun forces = run_of(TopicKind::kQuestion, kForces, progress);
     const bool is_whole = !result_.stopped_by;
-    std::uint64_t spent = 0;
-    for (std::size_t k = 0; k < found; ++k) {
-      const BranchLoadPaving& paving =
-          result_.paved.emplace_back(pave_piece(k, resolution, listener, forces, is_whole, spent));
+    result_.paved =
+        pave_pieces(branch_.reached(), value_, kWithinLimits, resolution, is_whole, limits(),
+                    run_of(TopicKind::kQuestion, kForces, progress), listener);
+    bool is_feasible = result_.paved.size() == branch_.pieces(), is_empty = is_feasible;
+    for (std::size_t k = 0; k < result_.paved.size(); ++k) {
+      const BranchPaving& paving = result_.paved[k];
+      note_search(paving.boxes, paving.seconds, paving.stopped_by);
+      if (paving.place && !result_.shortage) show_shortage(k, *paving.place, paving.at);
       is_feasible = is_feasible && paving.is_feasible;
       is_empty = is_empty && paving.is_empty;
     }
@@ -77,27 +80,6 @@ class LoadRun {
     if (run_.checkpoint != nullptr)
       run.kept = {run_.checkpoint->file(), run_.checkpoint->interval(), name};
     return run;
-  }
-
-  /// Another run may have another branch, if this one is not whole: no file has the forces over it.
-  BranchLoadPaving pave_piece(std::size_t k, double resolution, const PieceForceListener& listener,
-                              const PiecesRun& run, bool is_whole, std::uint64_t& spent) {
-    QuestionOfPiece piece(branch_, k);
-    const ForceListener listen = [&](std::span<const Interval> box, ForceClaim claim) {
-      listener(k, box, claim);
-    };
-    branch_.turn_to_piece(prepared_.search.workers, run.topic, k);
-    const auto search = [&](const BoxSearchSettings& chosen) {
-      return pave_forces({piece.problem, piece.closure, value_}, branch_.found().pieces[k],
-                         resolution, chosen, piece.is_possible, listen, run.progress);
-    };
-    const BoxSearchSettings share = share_of(limits(), spent, 0, branch_.found().pieces.size() - k);
-    BranchLoadPaving paving =
-        is_whole ? run.kept.run(share, search, branch_.part_of_name(k)) : search(share);
-    spent += paving.boxes;
-    note_search(paving.boxes, paving.seconds, paving.stopped_by);
-    if (paving.place && !result_.shortage) show_shortage(k, *paving.place, paving.at);
-    return paving;
   }
 
   [[nodiscard]] std::string reason_of_paving() const {
@@ -133,16 +115,14 @@ class LoadRun {
   }
 
   void find_forces() {
-    // f is how far a force is beyond its limits: it is at most 0, or not.
-    constexpr double kBeyond = std::numeric_limits<double>::denorm_min();
-    const ValueAim aim{.below = kBeyond, .from = kBeyond};
     SearchDisplay display(run_.output);
-    BracketOfPieces found = branch_.bracket(
-        value_, aim, limits(), run_of(TopicKind::kQuestion, kForces, display.observer()));
+    BracketOfPieces found =
+        bracket_values(branch_.reached(), value_, kWithinLimits, limits(),
+                       run_of(TopicKind::kQuestion, kForces, display.observer()));
     note_search(found.boxes, found.seconds, found.stopped_by);
-    if (found.attained >= kBeyond)
+    if (found.attained >= *kWithinLimits.from)
       show_shortage(found.piece, *found.place, found.at);
-    else if (found.upper < kBeyond)
+    else if (found.upper < *kWithinLimits.below)
       result_.verdict = FeasibilityVerdict::kFeasible;
     else
       result_.reason = found.stopped_by
@@ -156,20 +136,9 @@ class LoadRun {
   void show_shortage(std::size_t piece, const BranchTube& tube,
                      const std::vector<Interval>& place) {
     result_.verdict = FeasibilityVerdict::kInfeasible;
-    const FloatingPointScope nearest(FloatingPointRounding::kNearest);
-    const Problem problem = branch_.way().problem_of(piece);
-    SystemBoxes system(problem, closure_.scaling, closure_.shape);
-    TubeFinder finder(system, closure_.shape, closure_.ranges);
-    const TubeTrial trial{place, tube, {}};
-    const auto measured = finder.measure({&trial, 1});
-    BranchShortage& shortage = result_.shortage.emplace();
-    shortage.piece = piece;
-    shortage.place = place;
-    shortage.unknowns = enclose(tube, place);
-    if (!measured.front()) return;
-    const BranchRates rates(tube, measured.front()->image, measured.front()->inverse,
-                            measured.front()->over.by_unknown);
-    shortage.beyond = value_.farthest_beyond(rates, measured.front()->over);
+    ValuesAtPlace at = values_at(branch_.reached(), piece, tube, place, &value_);
+    result_.shortage = BranchShortage{piece, place, std::move(at.unknowns),
+                                      std::move(at.beyond).value_or(ForceBeyond{})};
   }
 
   void finish(bool paves) {
@@ -213,18 +182,19 @@ ProofStatus certify_load(const std::string& path, const PreparedBranchLoad& prep
     return status;
   }
   if (result.shortage)
-    return certify_forces(path, prepared.branch.proved(), prepared.set(),
+    return certify_forces(path, prepared.branch.reached().proved(), prepared.set(),
                           PlaceOfValue{result.shortage->piece, result.shortage->place}, placing);
-  return certify_forces(path, prepared.branch.proved(result.trees), prepared.set(), std::nullopt,
-                        placing);
+  return certify_forces(path, prepared.branch.reached().proved(result.trees), prepared.set(),
+                        std::nullopt, placing);
 }
 
 ProofStatus certify_load_paving(const std::string& path, const PreparedBranchLoad& prepared,
                                 const BranchLoadResult& result, const ProofPlacing& placing) {
   std::vector<PavedTree> trees;
-  for (const BranchLoadPaving& piece : result.paved) trees.push_back({&piece.tree, piece.words});
+  for (const BranchPaving& piece : result.paved) trees.push_back({&piece.tree, piece.words});
   trees.resize(prepared.branch.pieces());
-  return certify_paved_forces(path, prepared.branch.proved(), prepared.set(), trees, placing);
+  return certify_paved_forces(path, prepared.branch.reached().proved(), prepared.set(), trees,
+                              placing);
 }
 
 BranchLoadResult pave_branch_load(PreparedBranchLoad& prepared, double resolution,

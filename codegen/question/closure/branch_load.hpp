@@ -13,7 +13,7 @@
 #include "codegen/answer/report/search_checkpoint.hpp"
 #include "codegen/question/closure/branch_pieces.hpp"
 #include "codegen/question/closure/branch_value.hpp"
-#include "codegen/question/closure/load_paving.hpp"
+#include "codegen/question/closure/value_paving.hpp"
 #include "codegen/question/load/feasibility_report.hpp"
 
 namespace regulus {
@@ -53,9 +53,9 @@ struct BranchShortage {
 
 struct BranchLoadResult {
   FeasibilityVerdict verdict = FeasibilityVerdict::kPossibleProblem;
-  std::string reason;                     ///< why neither was shown; otherwise empty
-  std::vector<BranchTree> trees;          ///< of FEASIBLE: the load is held over each tube
-  std::vector<BranchLoadPaving> paved{};  ///< of a paving: the pieces that were reached
+  std::string reason;                 ///< why neither was shown; otherwise empty
+  std::vector<BranchTree> trees;      ///< of FEASIBLE: the load is held over each tube
+  std::vector<BranchPaving> paved{};  ///< of a paving: the pieces that were reached
   std::optional<BranchShortage> shortage{};
   bool is_empty = false;
   std::optional<Reason> stopped_by{};
@@ -85,10 +85,6 @@ struct BranchLoadRun {
                                               const PreparedBranchLoad& prepared,
                                               const BranchLoadResult& result,
                                               const ProofPlacing& placing);
-
-/// Receives the claim about a box of a piece.
-using PieceForceListener =
-    std::function<void(std::size_t piece, std::span<const Interval> box, ForceClaim claim)>;
 
 /// Decides every box of the pieces, down to so small a part of each range, as far as the branch is
 /// followed. `listener` receives every leaf, in one order; `progress` may be null, and gets them as of

@@ -12,6 +12,7 @@
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/mechanism/twist.hpp"
 #include "codegen/question/closure/branch_load.hpp"
+#include "codegen/question/closure/closure_claims.hpp"
 #include "codegen/question/closure/closure_way_report.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 #include "runtime/interval/floating_point_scope.hpp"
@@ -84,13 +85,7 @@ Json json_shortage(const PreparedBranchLoad& prepared, const BranchShortage& s) 
 
 void say_shortage(const PreparedBranchLoad& prepared, const BranchShortage& s, Facts& facts) {
   const Model& model = prepared.closure().request.model;
-  std::string configuration;
-  for (std::size_t i = 0; i < s.unknowns.size(); ++i) {
-    const PoseParameter& unknown = model.closure->unknowns[i];
-    configuration += fmt::format("{}{} = {:.9g}{}", configuration.empty() ? "where " : ", ",
-                                 unknown.name, mid(s.unknowns[i]), unit_suffix(unknown.unit));
-  }
-  facts.say("", configuration);
+  facts.say("", describe_configuration(prepared.closure(), s.unknowns));
   facts.say("", describe_uncertain_values(prepared.closure().preparation, s.place));
   if (s.beyond.along.empty()) return;
   std::vector<double> wrench;
@@ -132,7 +127,8 @@ void tell_shortage(const PreparedBranchLoad& prepared, const BranchLoadResult& r
   facts.tell("witness", json_shortage(prepared, shortage), "at",
              way == nullptr ? describe_place(prepared.closure().preparation, shortage.place)
                             : describe_segment(*way, shortage.piece, shortage.place[0]));
-  if (way != nullptr) facts.say("", prepared.branch.pose_at(shortage.piece, shortage.place[0]));
+  if (way != nullptr)
+    facts.say("", prepared.branch.way().pose_at(shortage.piece, shortage.place[0]));
   say_shortage(prepared, shortage, facts);
 }
 

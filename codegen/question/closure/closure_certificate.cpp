@@ -6,6 +6,7 @@
 #include "codegen/answer/certificate/certificate_question.hpp"
 #include "codegen/answer/certificate/piece_question.hpp"
 #include "codegen/model/way/trajectory.hpp"
+#include "codegen/question/closure/branch_threshold.hpp"
 
 namespace regulus {
 namespace {
@@ -113,7 +114,9 @@ ProofStatus certify_fold(const std::string& path, const PreparedClosure& prepare
 
 ProofStatus certify_way(const std::string& path, const PreparedWay& prepared,
                         const WayFinding& found, const ProofPlacing& placing) {
-  const bool is_refuted = found.deciding && found.deciding->is_refuted();
+  const bool is_refuted = found.is_refuted();
+  if (found.threshold && !is_refuted)
+    return certify_threshold(path, pieces_of(prepared, found), *found.threshold, placing);
   if (is_refuted && found.deciding->index == 0)
     return certify_fold(path, *found.deciding->alone, *found.deciding->fold, placing);
   ProofStatus status(path);
@@ -140,6 +143,13 @@ ProofStatus certify_way(const std::string& path, const PreparedWay& prepared,
   });
   if (status.obstacle().empty()) status.set_written();
   return status;
+}
+
+ProofStatus certify_check(const std::string& path, const PreparedClosure& prepared,
+                          const ClosureFinding& found, const ProofPlacing& placing) {
+  if (found.is_refuted()) return certify_fold(path, prepared, *found.reached(), placing);
+  if (!found.threshold) return certify_branch(path, prepared, found.searched, placing);
+  return certify_threshold(path, pieces_of(prepared, found.searched), *found.threshold, placing);
 }
 
 ProofStatus certify_branch(const std::string& path, const PreparedClosure& prepared,

@@ -21,8 +21,13 @@ void write_tree(ProofFile& file, const BranchTree& tree);
 [[nodiscard]] ProofStatus certify_branch(const std::string& path, const PreparedClosure& prepared,
                                          const ClosureResult& result, const ProofPlacing& placing);
 
+/// Writes the proof of what a check has found, if it has shown anything. An empty `path` means no
+/// certificate.
+[[nodiscard]] ProofStatus certify_check(const std::string& path, const PreparedClosure& prepared,
+                                        const ClosureFinding& found, const ProofPlacing& placing);
+
 /// Writes the proof of a branch along way-points, or of a singular configuration on the first of their
-/// segments, if it is shown. An empty `path` means no certificate.
+/// segments, if it is shown, or of what was found of a threshold. An empty `path` means no certificate.
 [[nodiscard]] ProofStatus certify_way(const std::string& path, const PreparedWay& prepared,
                                       const WayFinding& found, const ProofPlacing& placing);
 

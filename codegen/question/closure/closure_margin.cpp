@@ -3,6 +3,7 @@
 
 #include "codegen/answer/report/progress.hpp"
 #include "codegen/question/closure/closure_certificate.hpp"
+#include "codegen/question/closure/closure_claims.hpp"
 #include "codegen/question/closure/closure_way_report.hpp"
 #include "codegen/question/engine/search_topic.hpp"
 #include "codegen/support/stopwatch.hpp"
@@ -13,25 +14,22 @@ namespace regulus {
 CheckedBranch::CheckedBranch(Request request, const SearchOptions& search,
                              const FormingWatch& watch, Observer* progress,
                              const SearchTopic& topic)
-    : prepared(prepare_closure(std::move(request), 0, search, watch)) {
-  turn_to(search.workers, topic, prepared.request.motion);
-  found = check_closure(prepared, search, watch, progress);
-}
+    : prepared(prepare_closure(std::move(request), 0, search, watch)),
+      found(check_closure(prepared, search, watch, {progress, topic, {}})) {}
 
 Result CheckedBranch::result() const { return check_result(prepared, found); }
 
 std::string CheckedBranch::claim() const { return describe_claim(prepared, found); }
 
 ProofStatus CheckedBranch::certify(const std::string& path, const ProofPlacing& placing) const {
-  return found.is_refuted() ? certify_fold(path, prepared, *found.reached(), placing)
-                            : certify_branch(path, prepared, found.searched, placing);
+  return certify_check(path, prepared, found, placing);
 }
 
 CheckedBranchOnWay::CheckedBranchOnWay(Request request, const SearchOptions& search,
                                        const FormingWatch& watch, Observer* progress,
                                        const SearchTopic& topic)
     : prepared(prepare_way(std::move(request), 0, search, watch)),
-      found(check_way(prepared, search, watch, progress, {}, topic)) {}
+      found(check_way(prepared, search, watch, {progress, topic, {}})) {}
 
 std::string CheckedBranchOnWay::claim() const { return describe_claim(prepared, found); }
 

@@ -14,36 +14,15 @@
 #include "codegen/answer/report/report.hpp"
 #include "codegen/answer/report/search_facts.hpp"
 #include "codegen/model/degrees.hpp"
+#include "codegen/question/closure/branch_threshold.hpp"
+#include "codegen/question/closure/closure_claims.hpp"
+#include "codegen/question/closure/paving_certificate.hpp"
 #include "codegen/question/closure/steepest_corner.hpp"
 
 namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// True for a range that is narrower than the one that an unknown has without its own.
-bool is_narrowed(const Closure& closure, std::size_t i) {
-  const auto approx = [](const GiNaC::ex& e) {
-    return GiNaC::ex_to<GiNaC::numeric>(e.evalf()).to_double();
-  };
-  const std::string& unit = closure.unknowns[i].unit;
-  const double usual = unit == "rad" ? 2 * std::numbers::pi : is_in_degrees(unit) ? 360 : 1000;
-  const Range& range = closure.ranges[i];
-  return std::fmin(approx(range.hi - closure.start[i]), approx(closure.start[i] - range.lo)) <
-         usual * (1 - 1e-9);
-}
-
-/// Returns ", which is within the range of knee," if there are such ranges.
-std::string within_ranges(const Closure& closure) {
-  std::string names;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < closure.unknowns.size(); ++i)
-    if (is_narrowed(closure, i))
-      ++count, names += (names.empty() ? "" : ", ") + closure.unknowns[i].name;
-  return count == 0
-             ? ""
-             : fmt::format(", which is within the range{} of {},", count == 1 ? "" : "s", names);
-}
 
 std::string unknown_names(const Closure& closure) {
   std::string names;
@@ -143,9 +122,15 @@ std::vector<double> beyond_the_branch(const PreparedClosure& prepared,
   return places;
 }
 
+void note(PreparedClosure& prepared, ClosureFinding& found, ThresholdFinding threshold) {
+  prepared.preparation.seconds.search += threshold.seconds;
+  found.threshold = std::move(threshold);
+}
+
 }  // namespace
 
 std::string reason_of(const ClosureFinding& found) {
+  if (found.searched.is_proved() && found.threshold) return found.threshold->reason;
   if (found.searched.branch.is_empty) return describe(Reason::kEmptyVariety);
   if (!found.searched.branch.is_complete && found.searched.branch.reason == Reason::kWidth)
     return "a box at the minimum width has no certain branch: it may end there, be singular, or "
@@ -178,8 +163,7 @@ std::optional<Fold> fold_beyond(const PreparedClosure& prepared, std::vector<dou
 }
 
 ClosureFinding check_closure(PreparedClosure& prepared, const SearchOptions& search,
-                             const FormingWatch& watch, Observer* progress,
-                             const KeepBranch& keep) {
+                             const FormingWatch& watch, const PiecesRun& run) {
   ClosureFinding found;
   BranchSettings settings = settings_of(prepared, search, watch.interrupt);
   const Deadline deadline(settings);
@@ -188,19 +172,29 @@ ClosureFinding check_closure(PreparedClosure& prepared, const SearchOptions& sea
       found.folds = {std::move(*fold)};
     return found.is_refuted();
   };
-  found.searched = run_closure(prepared, settings, progress, keep);
+  turn_to(search.workers, topic_of_branch(run.topic, prepared.request), prepared.request.motion);
+  found.searched = run_closure(prepared, settings, run.progress, run.kept);
+  if (has_threshold(prepared.request) && found.searched.is_proved()) {
+    const BoxSearchSettings rest = rest_of(settings, deadline, found.searched.branch.boxes);
+    note(prepared, found, compare_threshold(pieces_of(prepared, found.searched), rest, run));
+  }
   return found;
 }
 
 ClosureFinding pave_closure(PreparedClosure& prepared, const SearchOptions& search,
-                            double resolution, const FormingWatch& watch, Observer* progress,
-                            const KeepBranch& keep) {
+                            double resolution, const FormingWatch& watch, const PiecesRun& run) {
   ClosureFinding found;
   BranchSettings settings = settings_of(prepared, search, watch.interrupt);
   settings.paves = true;
   settings.min_relative_width = resolution;
   const Deadline deadline(settings);
-  found.searched = run_closure(prepared, settings, progress, keep);
+  turn_to(search.workers, topic_of_branch(run.topic, prepared.request), prepared.request.motion);
+  found.searched = run_closure(prepared, settings, run.progress, run.kept);
+  if (has_threshold(prepared.request)) {
+    const BoxSearchSettings rest = rest_of(settings, deadline, found.searched.branch.boxes);
+    note(prepared, found,
+         pave_threshold(pieces_of(prepared, found.searched), resolution, rest, run));
+  }
   if (prepared.shape.parameters != 1) return found;
   for (const double end : beyond_the_branch(prepared, found.searched))
     if (auto fold = find_fold(prepared, {end}, {}, within(search, deadline), watch))
@@ -209,20 +203,18 @@ ClosureFinding pave_closure(PreparedClosure& prepared, const SearchOptions& sear
 }
 
 void tell_boxes(const PreparedClosure& prepared, const ClosureFinding& found, Observer& observer) {
-  for (const Split& split : found.searched.branch.tree.splits())
-    observer.on_split({split.parent, 0, {}}, split);
-  const std::vector<BranchLeaf>& leaves = found.searched.branch.tree.leaves();
-  const std::vector<char>& on_branch = found.searched.links.on_branch;
+  const PavedTree paved = paved_trees({&found.searched, 1}, found.threshold).front();
+  for (const Split& split : paved.tree->splits()) observer.on_split({split.parent, 0, {}}, split);
   Proof undecided;
   undecided.reason = Reason::kWidth;
-  for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf) {
-    const bool is_free = leaf < on_branch.size() && on_branch[leaf] != 0;
-    const std::span<const Interval> box =
-        std::span(leaves[leaf].at.box).first(prepared.shape.variables);
-    observer.on_leaf({leaves[leaf].at.id, leaves[leaf].at.depth, box},
-                     is_free                   ? Rule::kSecondOrder
-                     : leaves[leaf].is_outside ? Rule::kOutside
-                                               : Rule::kBlocked,
+  for (std::size_t i = 0; i < paved.words.size(); ++i) {
+    const TreeBox& at = paved.tree->leaves()[i].at;
+    const Claim claim = paved.claim_of(i);
+    observer.on_leaf({at.id, at.depth, std::span(at.box).first(prepared.shape.variables)},
+                     claim == Claim::kFree       ? Rule::kSecondOrder
+                     : claim == Claim::kSingular ? Rule::kWitness
+                     : claim == Claim::kOutside  ? Rule::kOutside
+                                                 : Rule::kBlocked,
                      undecided);
   }
 }
@@ -295,7 +287,8 @@ Result check_result(const PreparedClosure& prepared, const ClosureFinding& found
     check.verdict = Verdict::kSingularity;
     check.reason = Reason::kLostRank;
   }
-  if (!found.searched.branch.blocking_box.empty())
+  if (found.threshold) conclude(check, *found.threshold);
+  if (check.verdict == Verdict::kPossibleProblem && !found.searched.branch.blocking_box.empty())
     check.blocking_box.assign(
         found.searched.branch.blocking_box.begin(),
         found.searched.branch.blocking_box.begin() + std::ptrdiff_t(prepared.shape.variables));
@@ -305,43 +298,6 @@ Result check_result(const PreparedClosure& prepared, const ClosureFinding& found
           ? Occupancy::kInhabited
           : Occupancy::kUnknown;
   return check;
-}
-
-std::string describe_regular_branch(const PreparedClosure& prepared) {
-  const std::string within = within_ranges(*prepared.request.model.closure);
-  return fmt::format(
-      "the branch has exactly one configuration{} and its {}×{} matrix of the equations' "
-      "derivatives has full rank",
-      within.empty() ? "," : within, prepared.shape.unknowns, prepared.shape.unknowns);
-}
-
-std::string describe_claim(const PreparedClosure& prepared, const ClosureFinding& found) {
-  const PreparedSearch& p = prepared.preparation;
-  const std::string size = fmt::format("{0}×{0}", prepared.shape.unknowns);
-  if (found.is_refuted())
-    return fmt::format(
-        "the branch reaches a configuration of the motion where its {} matrix of the equations' "
-        "derivatives is singular",
-        size);
-  if (!found.searched.is_proved()) return nothing_proved(reason_of(found));
-  const std::size_t uncertain = uncertain_count(p);
-  return fmt::format("{}, for every {}{}", describe_regular_branch(prepared), describe_pose(p),
-                     uncertain == 0 ? ""
-                     : uncertain == 1
-                         ? fmt::format(" and every value of the uncertain quantity ({})",
-                                       describe_groups(p.labels))
-                         : fmt::format(" and every value of the {} uncertain quantities ({})",
-                                       uncertain, describe_groups(p.labels)));
-}
-
-/// Returns what the claim says of the mechanism; nothing if nothing is proved.
-std::string describe_meaning(const ClosureFinding& found) {
-  if (found.is_refuted())
-    return "at some pose of this motion the mechanism can move although the motors are locked";
-  return found.searched.is_proved()
-             ? "at no pose of this motion can the mechanism change its branch, or move while the "
-               "motors are locked"
-             : "";
 }
 
 void tell_closure(const PreparedClosure& prepared, const SearchOptions& search,
@@ -359,7 +315,8 @@ void tell_closure(const PreparedClosure& prepared, const SearchOptions& search,
   facts.add("filters", Json::array());
   tell_boxes(check.statistics, facts);
   facts.add("leaves", json_leaves(check.statistics));
-  facts.add("witness", nullptr).add("blocking_box", nullptr);
+  tell_below(prepared, nullptr, found.threshold, facts);
+  facts.add("blocking_box", nullptr);
   if (!check.blocking_box.empty()) {
     Json box = json_parameters(p, check.blocking_box);
     box.update(json_uncertain(p, check.blocking_box));
@@ -367,7 +324,7 @@ void tell_closure(const PreparedClosure& prepared, const SearchOptions& search,
   }
   tell_occupancy(check, facts);
   tell_time(p.seconds_spent(), facts);
-  tell_meaning(describe_meaning(found), facts);
+  tell_meaning(describe_meaning(prepared, check.verdict, found.is_refuted(), "this motion"), facts);
   const std::string claim = describe_claim(prepared, found);
   facts.tell("claim", claim, "claim", claim);
 }

@@ -8,15 +8,17 @@
 
 #include "codegen/answer/facts.hpp"
 #include "codegen/question/closure/fold_search.hpp"
+#include "codegen/question/closure/threshold_finding.hpp"
 #include "runtime/problem/observer.hpp"
 #include "runtime/problem/result.hpp"
 
 namespace regulus {
 
-/// The search over a branch, and the singular configurations that it led to.
+/// The search over a branch, the singular configurations that it led to, and what was found of a threshold.
 struct ClosureFinding {
   ClosureResult searched;
   std::vector<Fold> folds{};
+  std::optional<ThresholdFinding> threshold{};  ///< of a motion that has one, if it was compared
 
   /// Returns the first one that is shown to be on the branch; null if there is none.
   [[nodiscard]] const Fold* reached() const {
@@ -36,19 +38,18 @@ inline constexpr double kPartBeyondBoxes = 0x1p-6;
                                               const SearchOptions& search,
                                               const FormingWatch& watch);
 
-/// Asks whether the branch is regular all over the motion. `progress` may be null.
+/// Asks whether the branch is regular all over the motion, and whether it exceeds a threshold.
 [[nodiscard]] ClosureFinding check_closure(PreparedClosure& prepared, const SearchOptions& search,
-                                           const FormingWatch& watch, Observer* progress,
-                                           const KeepBranch& keep = {});
+                                           const FormingWatch& watch, const PiecesRun& run = {});
 
 /// Decides every box of the motion, down to so small a part of each range, and looks for the ends of
 /// the branch in a motion of one parameter.
 [[nodiscard]] ClosureFinding pave_closure(PreparedClosure& prepared, const SearchOptions& search,
                                           double resolution, const FormingWatch& watch,
-                                          Observer* progress, const KeepBranch& keep = {});
+                                          const PiecesRun& run = {});
 
-/// Tells the splits of a paving, without their boxes, and its leaves: free if they are on the branch,
-/// outside, or undecided.
+/// Tells the splits of a paving, without their boxes, and its leaves: free, singular if a threshold is
+/// exceeded nowhere on the branch there, outside, or undecided.
 void tell_boxes(const PreparedClosure& prepared, const ClosureFinding& found, Observer& observer);
 
 /// Returns the finding in the terms of a check.
@@ -56,14 +57,6 @@ void tell_boxes(const PreparedClosure& prepared, const ClosureFinding& found, Ob
 
 /// Returns why the branch is not proved.
 [[nodiscard]] std::string reason_of(const ClosureFinding& found);
-
-/// Returns the claim, or why there is none, in words.
-[[nodiscard]] std::string describe_claim(const PreparedClosure& prepared,
-                                         const ClosureFinding& found);
-
-/// Returns "the branch has exactly one configuration, and its 2×2 matrix of the equations' derivatives has
-/// full rank": what is claimed of poses.
-[[nodiscard]] std::string describe_regular_branch(const PreparedClosure& prepared);
 
 /// A coordinate of the place where a branch begins.
 struct StartCoordinate {

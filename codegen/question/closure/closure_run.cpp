@@ -2,6 +2,7 @@
 #include "codegen/question/closure/closure_run.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "codegen/answer/certificate/certificate_question.hpp"
@@ -105,10 +106,6 @@ std::vector<Interval> enclose_ranges(const Closure& closure) {
 PreparedSystem prepare_system(Request request, double model_seconds, const SearchOptions& search,
                               const FormingWatch& watch, DerivativesBy by,
                               const std::vector<PoseParameter>& constants) {
-  if (!request.motion.alpha.is_zero())
-    throw UsageError(
-        "a [closure] has no threshold; leave alpha out, and compare the determinant with a number "
-        "by a bound of it with a limit");
   PreparedSystem prepared;
   ClosedSystem system = close(request, by, constants);
   prepared.shape = system.shape;
@@ -118,6 +115,7 @@ PreparedSystem prepare_system(Request request, double model_seconds, const Searc
   prepared.problem = prepared.preparation.problem();
   prepared.problem.idle.clear();
   prepared.scaling = prepared.preparation.stages->formulation().scaling;
+  prepared.preparation.variety.alpha = enclose_constant(request.motion.alpha, "alpha");
   prepared.request = std::move(request);
   relabel(prepared.preparation, prepared.request, system);
   return prepared;
@@ -139,17 +137,24 @@ BranchSettings settings_of(const PreparedSystem& prepared, const SearchOptions& 
   return settings;
 }
 
+BoxSearchSettings rest_of(const BranchSettings& settings, const Deadline& deadline,
+                          std::uint64_t spent_boxes) {
+  BoxSearchSettings rest = settings;
+  rest.time_limit = std::fmax(deadline.left(), 0.0);
+  rest.max_boxes -= std::min(rest.max_boxes, spent_boxes);
+  return rest;
+}
+
 ClosureResult run_closure(PreparedClosure& prepared, const BranchSettings& settings,
-                          Observer* progress, const KeepBranch& keep) {
+                          Observer* progress, const KeptPieces& kept) {
   const ClosureQuestion question = prepared.question();
   const Deadline deadline(settings);
   BranchSettings first = settings;
   first.time_limit *= kPartOfSearch;
-  const SearchOfBranch search = [&](const BranchSettings& chosen) {
-    return search_branch(question, chosen, progress);
-  };
   ClosureResult result;
-  result.branch = keep ? keep(first, search) : search(first);
+  result.branch = kept.run(first, [&](const BranchSettings& chosen) {
+    return search_branch(question, chosen, progress);
+  });
   Stopwatch watch;
   if (settings.paves || (result.branch.is_complete && !result.branch.is_empty))
     result.links = link_branch(question, result.branch.tree, prepared.start,
@@ -159,13 +164,12 @@ ClosureResult run_closure(PreparedClosure& prepared, const BranchSettings& setti
 }
 
 nlohmann::ordered_json checkpointed_question(const PreparedClosure& prepared,
-                                             const SearchOptions& search,
-                                             const BranchSettings& settings) {
+                                             const SearchOptions& search, double resolution) {
   nlohmann::ordered_json question = json_question(prepared.request, search);
   question.erase("options");  // they change how long it takes
   question["closure"] = prepared.shape.unknowns;
-  question["paves"] = settings.paves;
-  question["least_width"] = settings.min_relative_width;
+  question["paves"] = resolution > 0;
+  question["least_width"] = resolution > 0 ? resolution : BranchSettings{}.min_relative_width;
   return question;
 }
 

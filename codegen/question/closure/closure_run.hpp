@@ -9,8 +9,10 @@
 #include <optional>
 #include <string>
 
+#include "codegen/answer/report/json_checkpoint.hpp"
 #include "codegen/question/closure/branch_links.hpp"
 #include "codegen/question/engine/pipeline.hpp"
+#include "codegen/question/engine/search_topic.hpp"
 
 namespace regulus {
 
@@ -32,7 +34,7 @@ struct PreparedSystem {
 /// Forms the kernel. `constants`: as for close().
 ///
 /// Requires  request.model.closure.
-/// Throws    UsageError for a threshold; the exceptions of prepare().
+/// Throws    the exceptions of prepare().
 [[nodiscard]] PreparedSystem prepare_system(Request request, double model_seconds,
                                             const SearchOptions& search, const FormingWatch& watch,
                                             DerivativesBy by = DerivativesBy::kVariables,
@@ -54,8 +56,7 @@ struct PreparedClosure : PreparedSystem {
 /// Forms the kernel of the equations and of their derivatives. `constants`: as for close().
 ///
 /// Requires  request.model.closure.
-/// Throws    UsageError for a threshold, and for a start that is not in the motion's ranges; the
-///           exceptions of prepare().
+/// Throws    UsageError for a start that is not in the motion's ranges; the exceptions of prepare().
 [[nodiscard]] PreparedClosure prepare_closure(Request request, double model_seconds,
                                               const SearchOptions& search,
                                               const FormingWatch& watch,
@@ -99,21 +100,48 @@ class Deadline {
   const std::atomic<bool>* const interrupt_;
 };
 
+/// Returns the settings of a search after that of a branch, which has evaluated so many boxes.
+[[nodiscard]] BoxSearchSettings rest_of(const BranchSettings& settings, const Deadline& deadline,
+                                        std::uint64_t spent_boxes);
+
 /// The search has this part of the time; the links have the rest.
 inline constexpr double kPartOfSearch = 0.9;
 
-/// Runs the search with these settings, and keeps it in a file, for the option --checkpoint.
-using SearchOfBranch = std::function<BranchResult(const BranchSettings&)>;
-using KeepBranch = std::function<BranchResult(const BranchSettings&, const SearchOfBranch&)>;
+/// The file that has searches of a branch, for the option --checkpoint.
+struct KeptPieces {
+  JsonCheckpoint* file = nullptr;  ///< null: none
+  /// Seconds between two saves, at most; nullopt: the usual ones.
+  std::optional<double> interval{};
+  std::string name{};  ///< of the searches in the file
+
+  /// Runs a search with its place in the file, if there is one. `part`: of the name of the place.
+  template <class BoxSettings, class Search>
+  auto run(BoxSettings settings, const Search& search, const std::string& part = "") const {
+    if (file == nullptr) return search(settings);
+    if (interval) settings.save_every = *interval;
+    const bool has_both = !name.empty() && !part.empty();
+    return file->continue_search(settings, search, name + (has_both ? ", " : "") + part);
+  }
+  /// Returns the same file for other searches.
+  [[nodiscard]] KeptPieces named(std::string other) const {
+    return {file, interval, std::move(other)};
+  }
+};
+
+/// How the searches of a branch, or of all its pieces, are watched, shared and kept.
+struct PiecesRun {
+  Observer* progress = nullptr;  ///< may be null
+  SearchTopic topic{};           ///< for other processes, without what tells one piece from another
+  KeptPieces kept{};
+};
 
 /// Searches, and links what it finds, if the search is complete or paves. `progress` may be null.
-/// `keep`: empty means that no file has the search.
 [[nodiscard]] ClosureResult run_closure(PreparedClosure& prepared, const BranchSettings& settings,
-                                        Observer* progress, const KeepBranch& keep = {});
+                                        Observer* progress, const KeptPieces& kept = {});
 
-/// Returns everything that the boxes depend on, for a checkpoint.
+/// Returns everything that the boxes depend on, for a checkpoint. `resolution`: of a paving; 0: of a check.
 [[nodiscard]] nlohmann::ordered_json checkpointed_question(const PreparedClosure& prepared,
                                                            const SearchOptions& search,
-                                                           const BranchSettings& settings);
+                                                           double resolution);
 
 }  // namespace regulus

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/closure/closure_way.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "codegen/answer/certificate/piece_question.hpp"
+#include "codegen/answer/report/number_text.hpp"
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/closure_start.hpp"
 #include "codegen/model/exact/exact_double.hpp"
 #include "codegen/model/way/trajectory.hpp"
+#include "codegen/question/closure/branch_threshold.hpp"
+#include "codegen/question/way/path_bounds.hpp"
+#include "codegen/question/way/trajectory_run.hpp"
 #include "codegen/support/stopwatch.hpp"
 
 namespace regulus {
@@ -31,14 +37,11 @@ double beyond_the_branch(const ClosureResult& piece) {
 class WaySearch {
  public:
   WaySearch(PreparedWay& prepared, const SearchOptions& search, const BranchSettings& settings,
-            const FormingWatch& watch, Observer* progress, const KeepPiece& keep,
-            const SearchTopic& topic)
+            const FormingWatch& watch, const PiecesRun& run)
       : prepared_(prepared),
         search_(search),
         watch_(watch),
-        progress_(progress),
-        keep_(keep),
-        topic_(topic),
+        run_(run),
         settings_(settings),
         deadline_(settings_),
         near_(prepared.common.near_start) {}
@@ -46,8 +49,9 @@ class WaySearch {
   WayFinding run() {
     Stopwatch watch;
     for (std::size_t k = 0; k < prepared_.pieces() && !found_.deciding; ++k) follow(k);
-    prepared_.common.preparation.seconds.search = watch.lap();
     conclude();
+    compare();
+    prepared_.common.preparation.seconds.search = watch.lap();
     return std::move(found_);
   }
 
@@ -87,13 +91,15 @@ class WaySearch {
 
   [[nodiscard]] BranchResult searched(const ClosureQuestion& question,
                                       const BranchSettings& settings, std::size_t k) {
-    SearchTopic topic = topic_;
+    SearchTopic topic = topic_of_branch(run_.topic, prepared_.request);
     topic.start = near_.unknowns;
     turn_to_piece(search_.workers, std::move(topic), prepared_.request.motion, k);
-    const SearchOfBranch search = [&](const BranchSettings& chosen) {
-      return search_branch(question, chosen, progress_);
-    };
-    return keep_ ? keep_(k, settings, search) : search(settings);
+    return run_.kept.run(
+        settings,
+        [&](const BranchSettings& chosen) {
+          return search_branch(question, chosen, run_.progress);
+        },
+        place_of_piece(k));
   }
 
   [[nodiscard]] BranchBefore before(std::size_t k) const {
@@ -166,6 +172,18 @@ class WaySearch {
     return true;
   }
 
+  /// Compares a threshold, as far as the branch is followed.
+  void compare() {
+    if (!has_threshold(prepared_.request) || found_.pieces.empty()) return;
+    if (!settings_.paves && !found_.is_proved()) return;
+    const PiecesOfBranch pieces = pieces_of(prepared_, found_);
+    const BoxSearchSettings rest = rest_of(settings_, deadline_, found_.result.statistics.boxes);
+    found_.threshold = settings_.paves
+                           ? pave_threshold(pieces, settings_.min_relative_width, rest, run_)
+                           : compare_threshold(pieces, rest, run_);
+    regulus::conclude(found_.result, *found_.threshold);
+  }
+
   void conclude() {
     Result& all = found_.result;
     all.method = Method::kAuto;
@@ -185,7 +203,7 @@ class WaySearch {
       if (motion.constraints.empty() && motion.reach.empty()) all.occupancy = Occupancy::kInhabited;
       return;
     }
-    if (found_.deciding->is_refuted()) {
+    if (found_.is_refuted()) {
       all.verdict = Verdict::kSingularity;
       all.reason = Reason::kLostRank;
     } else if (!found_.pieces.empty()) {
@@ -201,9 +219,7 @@ class WaySearch {
   PreparedWay& prepared_;
   const SearchOptions& search_;
   const FormingWatch& watch_;
-  Observer* const progress_;
-  const KeepPiece& keep_;
-  const SearchTopic& topic_;
+  const PiecesRun& run_;
   const BranchSettings settings_;
   const Deadline deadline_;
   BranchPoint near_;                ///< where the piece begins, approximately
@@ -222,6 +238,24 @@ Problem PreparedWay::problem_of(std::size_t piece) const {
     problem.inner.at(first + c) = is_thin(value) ? std::optional(value) : std::nullopt;
   }
   return problem;
+}
+
+std::vector<Interval> PreparedWay::commanded(std::size_t piece, const Interval& s) const {
+  std::vector<Interval> result;
+  for (const PieceOfPose& part : request.motion.trajectory->pieces.at(piece).pose)
+    result.push_back(CoordinateBounds(part).over(s.lo, s.hi));
+  return result;
+}
+
+std::string PreparedWay::pose_at(std::size_t piece, const Interval& s) const {
+  std::string text;
+  const std::vector<Interval> pose = commanded(piece, s);
+  for (std::size_t i = 0; i < pose.size(); ++i) {
+    const PoseParameter& p = request.model.pose[i];
+    text += fmt::format("{}{} = {:.6g}{}", text.empty() ? "" : ", ", p.name, mid(pose[i]),
+                        unit_suffix(p.unit));
+  }
+  return text;
 }
 
 PreparedWay prepare_way(Request request, double model_seconds, const SearchOptions& search,
@@ -243,18 +277,17 @@ PreparedWay prepare_way(Request request, double model_seconds, const SearchOptio
 }
 
 WayFinding check_way(PreparedWay& prepared, const SearchOptions& search, const FormingWatch& watch,
-                     Observer* progress, const KeepPiece& keep, const SearchTopic& topic) {
+                     const PiecesRun& run) {
   const BranchSettings settings = settings_of(prepared.common, search, watch.interrupt);
-  return WaySearch(prepared, search, settings, watch, progress, keep, topic).run();
+  return WaySearch(prepared, search, settings, watch, run).run();
 }
 
 WayFinding pave_way(PreparedWay& prepared, const SearchOptions& search, double resolution,
-                    const FormingWatch& watch, Observer* progress, const KeepPiece& keep,
-                    const SearchTopic& topic) {
+                    const FormingWatch& watch, const PiecesRun& run) {
   BranchSettings settings = settings_of(prepared.common, search, watch.interrupt);
   settings.paves = true;
   settings.min_relative_width = resolution;
-  return WaySearch(prepared, search, settings, watch, progress, keep, topic).run();
+  return WaySearch(prepared, search, settings, watch, run).run();
 }
 
 }  // namespace regulus

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "codegen/question/closure/closure_report.hpp"
-#include "codegen/question/engine/search_topic.hpp"
 
 namespace regulus {
 
@@ -23,6 +22,10 @@ struct PreparedWay {
   [[nodiscard]] std::size_t pieces() const noexcept { return values.size(); }
   /// Returns the problem of a piece.
   [[nodiscard]] Problem problem_of(std::size_t piece) const;
+  /// Encloses the commanded value of each pose parameter on a part of a segment.
+  [[nodiscard]] std::vector<Interval> commanded(std::size_t piece, const Interval& s) const;
+  /// Returns "theta = 0.3 rad": the commanded pose on a segment, about.
+  [[nodiscard]] std::string pose_at(std::size_t piece, const Interval& s) const;
 };
 
 /// Throws    UsageError if the way-points do not begin at the start of the closure; the exceptions of
@@ -45,29 +48,24 @@ struct WayFinding {
   std::vector<ClosureResult> pieces;  ///< that were searched, in order
   std::vector<BranchPoint> begins;    ///< where each of them begins, approximately
   std::optional<PieceWithoutBranch> deciding{};
-  Result result;  ///< in the terms of a check, of all pieces
+  std::optional<ThresholdFinding> threshold{};  ///< as ClosureFinding::threshold
+  Result result;                                ///< in the terms of a check, of all pieces
 
+  /// The branch is shown to be one, along all pieces.
   [[nodiscard]] bool is_proved() const { return !deciding; }
+  [[nodiscard]] bool is_refuted() const { return deciding && deciding->is_refuted(); }
 };
-
-/// Runs the search of a piece with these settings, and keeps it in a file, for the option --checkpoint.
-using KeepPiece =
-    std::function<BranchResult(std::size_t piece, const BranchSettings&, const SearchOfBranch&)>;
 
 /// Follows the branch piece by piece. A piece begins with the configuration at the end of the one
 /// before it, and each of its boxes there must hold the same configurations. The first piece on which
-/// that fails ends the search.
-///
-/// `progress` may be null. `keep`: empty means that no file has the searches. `topic`: of all pieces,
-/// for workers that share the boxes of one after the other.
+/// that fails ends the search. Then compares a threshold.
 [[nodiscard]] WayFinding check_way(PreparedWay& prepared, const SearchOptions& search,
-                                   const FormingWatch& watch, Observer* progress,
-                                   const KeepPiece& keep = {}, const SearchTopic& topic = {});
+                                   const FormingWatch& watch, const PiecesRun& run = {});
 
 /// Decides every part of the pieces, down to `resolution`, up to the first piece that the branch does
 /// not follow to its end. There it looks for the end of the branch.
 [[nodiscard]] WayFinding pave_way(PreparedWay& prepared, const SearchOptions& search,
-                                  double resolution, const FormingWatch& watch, Observer* progress,
-                                  const KeepPiece& keep = {}, const SearchTopic& topic = {});
+                                  double resolution, const FormingWatch& watch,
+                                  const PiecesRun& run = {});
 
 }  // namespace regulus

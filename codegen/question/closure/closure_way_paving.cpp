@@ -4,22 +4,18 @@
 #include <algorithm>
 #include <utility>
 
+#include "codegen/question/closure/paving_certificate.hpp"
+
 namespace regulus {
 namespace {
 
 /// Adds the leaves of one piece. Its first variable is s, and a paving halves no other.
-void add_parts(const ClosureResult& piece, std::size_t k, std::vector<PathStretch>& parts) {
-  const std::vector<BranchLeaf>& leaves = piece.branch.tree.leaves();
-  const std::vector<char>& on_branch = piece.links.on_branch;
-  for (std::size_t i = 0; i < leaves.size(); ++i) {
-    const bool is_free = i < on_branch.size() && on_branch[i] != 0;
-    PathStretch part{is_free                ? Claim::kFree
-                     : leaves[i].is_outside ? Claim::kOutside
-                                            : Claim::kUndecided,
-                     {},
-                     {k, leaves[i].at.box[0].lo},
-                     {k, leaves[i].at.box[0].hi}};
-    if (part.claim == Claim::kUndecided && !leaves[i].tube) part.reason = piece.branch.reason;
+void add_parts(const PavedTree& piece, Reason reason, std::size_t k,
+               std::vector<PathStretch>& parts) {
+  for (std::size_t i = 0; i < piece.words.size(); ++i) {
+    const BranchLeaf& leaf = piece.tree->leaves()[i];
+    PathStretch part{piece.claim_of(i), {}, {k, leaf.at.box[0].lo}, {k, leaf.at.box[0].hi}};
+    if (part.claim == Claim::kUndecided && !leaf.tube) part.reason = reason;
     parts.push_back(part);
   }
 }
@@ -42,7 +38,9 @@ std::vector<PathStretch> stretches_in_order(std::vector<PathStretch> parts, std:
 
 std::vector<PathStretch> stretches_of(const PreparedWay& prepared, const WayFinding& found) {
   std::vector<PathStretch> parts;
-  for (std::size_t k = 0; k < found.pieces.size(); ++k) add_parts(found.pieces[k], k, parts);
+  const std::vector<PavedTree> paved = paved_trees(found.pieces, found.threshold);
+  for (std::size_t k = 0; k < paved.size(); ++k)
+    add_parts(paved[k], found.pieces[k].branch.reason, k, parts);
   return stretches_in_order(std::move(parts), prepared.pieces(),
                             found.result.stopped_by.value_or(Reason::kAllBoxesCertified));
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/place_text.hpp"
@@ -15,6 +16,7 @@
 #include "codegen/answer/report/search_facts.hpp"
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/way/trajectory.hpp"
+#include "codegen/question/closure/closure_claims.hpp"
 #include "codegen/question/margin/margin_report.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 
@@ -37,9 +39,11 @@ std::string words_of_poses(const PreparedWay& prepared, const std::string& set,
                      is_uncertain ? " and every value of the uncertain quantities" : "");
 }
 
+/// Returns why neither is shown, or the reason of the verdict.
 std::string reason_of(const WayFinding& found) {
-  return found.deciding && !found.deciding->is_refuted() ? found.deciding->obstacle
-                                                         : describe(found.result.reason);
+  if (found.result.verdict != Verdict::kPossibleProblem) return describe(found.result.reason);
+  if (found.deciding && !found.is_refuted()) return found.deciding->obstacle;
+  return found.threshold ? found.threshold->reason : describe(found.result.reason);
 }
 
 void tell_begin(const PreparedWay& prepared, const WayFinding& found, Facts& facts) {
@@ -58,12 +62,18 @@ void tell_begin(const PreparedWay& prepared, const WayFinding& found, Facts& fac
 
 /// The segment that decides, with the place on it.
 void tell_segment(const PreparedWay& prepared, const WayFinding& found, Facts& facts) {
+  const Trajectory& trajectory = *prepared.request.motion.trajectory;
+  if (found.threshold && found.threshold->below && !found.is_refuted()) {
+    const PlaceBelow& below = *found.threshold->below;
+    facts.add("segment", json_segment(trajectory, below.piece, below.place[0]));
+    facts.add("folds", Json::array());
+    return;
+  }
   if (!found.deciding) {
     facts.add("segment", nullptr).add("folds", Json::array());
     return;
   }
   const PieceWithoutBranch& piece = *found.deciding;
-  const Trajectory& trajectory = *prepared.request.motion.trajectory;
   std::optional<Interval> s;
   if (piece.fold)
     s = piece.fold->place[0];
@@ -119,29 +129,25 @@ void tell_way_question(const PreparedWay& prepared, const WayFinding& found, Fac
 }
 
 std::string describe_claim(const PreparedWay& prepared, const WayFinding& found) {
-  if (found.is_proved())
+  if (found.result.verdict == Verdict::kNoSingularity)
     return fmt::format("{}, for {}", describe_regular_branch(prepared.common),
                        words_of_segments(prepared));
-  const PieceWithoutBranch& piece = *found.deciding;
-  if (!piece.is_refuted()) return nothing_proved(piece.obstacle);
-  return fmt::format(
-      "the branch reaches a configuration of segment {} where its {}×{} matrix of the equations' "
-      "derivatives is singular",
-      piece.index + 1, prepared.common.shape.unknowns, prepared.common.shape.unknowns);
+  if (found.result.verdict == Verdict::kPossibleProblem) return nothing_proved(reason_of(found));
+  const std::size_t piece =
+      found.is_refuted() ? found.deciding->index : found.threshold->below->piece;
+  return describe_refuted(prepared.common, fmt::format("segment {}", piece + 1),
+                          found.is_refuted());
 }
 
 void tell_closure_way(const PreparedWay& prepared, const SearchOptions& search,
                       const WayFinding& found, Facts& facts) {
   tell_question(prepared, search, found, facts);
-  facts.add("excluded", 0).add("witness", nullptr);
+  facts.add("excluded", 0);
+  tell_below(prepared.common, &prepared, found.threshold, facts);
   tell_segment(prepared, found, facts);
-  tell_meaning(found.is_proved()
-                   ? "at no pose of these segments can the mechanism change its branch, or move "
-                     "while the motors are locked"
-               : found.deciding->is_refuted() ? "at some pose of these segments the mechanism can "
-                                                "move although the motors are locked"
-                                              : "",
-               facts);
+  tell_meaning(
+      describe_meaning(prepared.common, found.result.verdict, found.is_refuted(), "these segments"),
+      facts);
   const std::string claim = describe_claim(prepared, found);
   facts.tell("claim", claim, "claim", claim);
 }
@@ -150,13 +156,19 @@ void tell_way_paving(const PreparedWay& prepared, const SearchOptions& search, d
                      const WayFinding& found, const std::vector<PathStretch>& stretches,
                      Facts& facts) {
   static constexpr std::array kClaimsOfBranch = {Claim::kFree, Claim::kUndecided, Claim::kOutside};
+  static constexpr std::array kClaimsOfThreshold = {Claim::kFree, Claim::kSingular,
+                                                    Claim::kUndecided, Claim::kOutside};
   tell_question(prepared, search, found, facts);
+  const std::string poses = words_of_poses(prepared, "stretch", " and of the tube around it");
   facts.add("claim",
-            fmt::format("free: {}, for {}", describe_regular_branch(prepared.common),
-                        words_of_poses(prepared, "stretch", " and of the tube around it")));
+            fmt::format("free: {}, for {}", describe_regular_branch(prepared.common), poses) +
+                (found.threshold ? fmt::format("; singular: {}, for {}",
+                                               describe_threshold(prepared.common, false), poses)
+                                 : ""));
   facts.add("resolution", resolution);
-  tell_stretches(*prepared.request.motion.trajectory, stretches, kClaimsOfBranch, word_of_claim,
-                 facts);
+  const std::span<const Claim> claims = found.threshold ? std::span<const Claim>(kClaimsOfThreshold)
+                                                        : std::span<const Claim>(kClaimsOfBranch);
+  tell_stretches(*prepared.request.motion.trajectory, stretches, claims, word_of_claim, facts);
   tell_segment(prepared, found, facts);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "codegen/answer/certificate/piece_question.hpp"
+#include "codegen/question/closure/branch_threshold.hpp"
 #include "codegen/question/closure/closure_certificate.hpp"
 
 namespace regulus {
@@ -26,6 +27,25 @@ PavedTree PavedTree::of(const ClosureResult& piece) {
                           : leaves[i].is_outside                    ? format::kOutsideLeaf
                                                                     : format::kUndecidedLeaf);
   return paved;
+}
+
+Claim PavedTree::claim_of(std::size_t leaf) const {
+  const std::string_view word = words[leaf];
+  if (word == format::kOutsideLeaf) return Claim::kOutside;
+  if (word == format::kInfeasibleLeaf) return Claim::kSingular;
+  return word == (has_threshold ? format::kFeasibleLeaf : format::kTubeLeaf) ? Claim::kFree
+                                                                             : Claim::kUndecided;
+}
+
+std::vector<PavedTree> paved_trees(std::span<const ClosureResult> pieces,
+                                   const std::optional<ThresholdFinding>& threshold) {
+  std::vector<PavedTree> trees;
+  if (threshold)
+    for (const BranchPaving& piece : threshold->paved)
+      trees.push_back({&piece.tree, piece.words, true});
+  else
+    for (const ClosureResult& piece : pieces) trees.push_back(PavedTree::of(piece));
+  return trees;
 }
 
 ProofStatus certify_paved(const std::string& path, const Request& request,
@@ -63,17 +83,20 @@ ProofStatus certify_paved(const std::string& path, const Request& request,
 }
 
 ProofStatus certify_paving(const std::string& path, const PreparedClosure& prepared,
-                           const ClosureResult& result, const ProofPlacing& placing) {
-  if (result.is_proved()) return certify_branch(path, prepared, result, placing);
-  return certify_paved(path, prepared.request, prepared.preparation.labels, {PavedTree::of(result)},
-                       is_regular(), placing);
+                           const ClosureFinding& found, const ProofPlacing& placing) {
+  if (found.threshold)
+    return certify_threshold(path, pieces_of(prepared, found.searched), *found.threshold, placing);
+  if (found.searched.is_proved()) return certify_branch(path, prepared, found.searched, placing);
+  return certify_paved(path, prepared.request, prepared.preparation.labels,
+                       {PavedTree::of(found.searched)}, is_regular(), placing);
 }
 
 ProofStatus certify_paving(const std::string& path, const PreparedWay& prepared,
                            const WayFinding& found, const ProofPlacing& placing) {
+  if (found.threshold)
+    return certify_threshold(path, pieces_of(prepared, found), *found.threshold, placing);
   if (found.is_proved()) return certify_way(path, prepared, found, placing);
-  std::vector<PavedTree> trees;
-  for (const ClosureResult& piece : found.pieces) trees.push_back(PavedTree::of(piece));
+  std::vector<PavedTree> trees = paved_trees(found.pieces, {});
   trees.resize(prepared.pieces());
   return certify_paved(path, prepared.request, prepared.common.preparation.labels, trees,
                        is_regular(), placing);

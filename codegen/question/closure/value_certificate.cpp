@@ -95,9 +95,10 @@ CertifiedAbout about(const ValueLines& lines) {
 /// Writes the proof of one end of a value.
 class ValueProof {
  public:
-  ValueProof(const ProvedPieces& branch, ValueLines lines, const std::optional<PlaceOfValue>& place)
+  ValueProof(const ProvedPieces& branch, CertifiedAbout about,
+             const std::optional<PlaceOfValue>& place)
       : branch_(branch),
-        lines_(std::move(lines)),
+        about_(std::move(about)),
         place_(place),
         uncertain_(uncertain_names(branch.labels)) {}
 
@@ -105,15 +106,14 @@ class ValueProof {
   [[nodiscard]] std::string obstacle() const {
     const Request& request = branch_.request;
     return certificate_obstacle(
-        about(lines_)(has_pieces() ? piece_request(request, 0) : request, uncertain_),
-        place_.has_value());
+        about_(has_pieces() ? piece_request(request, 0) : request, uncertain_), place_.has_value());
   }
 
   /// Throws FileError.
   void write(const std::string& path, const ProofPlacing& placing) const {
     const CertifiedQuestion question =
-        has_pieces() ? trajectory_question(branch_.request, uncertain_, about(lines_))
-                     : about(lines_)(branch_.request, uncertain_);
+        has_pieces() ? trajectory_question(branch_.request, uncertain_, about_)
+                     : about_(branch_.request, uncertain_);
     const auto file = with_file_errors([&] { return std::make_shared<ProofFile>(path); });
     file->begin(question.head(place_.has_value()) + (place_ ? value_line() : ""));
     for (const BranchTree* const tree : branch_.trees) {
@@ -137,24 +137,37 @@ class ValueProof {
   }
 
   const ProvedPieces& branch_;
-  const ValueLines lines_;
+  const CertifiedAbout about_;
   const std::optional<PlaceOfValue>& place_;
   const std::set<std::string> uncertain_;
 };
+
+ProofStatus certify(const std::string& path, const ProvedPieces& branch,
+                    const CertifiedAbout& about, const std::optional<PlaceOfValue>& place,
+                    const ProofPlacing& placing) {
+  ProofStatus status(path);
+  if (!status.is_wanted()) return status;
+  const ValueProof proof(branch, about, place);
+  status.set_obstacle(proof.obstacle());
+  if (!status.obstacle().empty()) return status;
+  status.attempt([&] { proof.write(path, placing); });
+  if (status.obstacle().empty()) status.set_written();
+  return status;
+}
 
 }  // namespace
 
 ProofStatus certify_forces(const std::string& path, const ProvedPieces& branch,
                            const VectorSet& load, const std::optional<PlaceOfValue>& place,
                            const ProofPlacing& placing) {
-  ProofStatus status(path);
-  if (!status.is_wanted()) return status;
-  const ValueProof proof(branch, lines_of_limits(branch.request.model, load), place);
-  status.set_obstacle(proof.obstacle());
-  if (!status.obstacle().empty()) return status;
-  status.attempt([&] { proof.write(path, placing); });
-  if (status.obstacle().empty()) status.set_written();
-  return status;
+  const ValueLines lines = lines_of_limits(branch.request.model, load);
+  return certify(path, branch, about(lines), place, placing);
+}
+
+ProofStatus certify_exceeded(const std::string& path, const ProvedPieces& branch,
+                             const std::optional<PlaceOfValue>& place,
+                             const ProofPlacing& placing) {
+  return certify(path, branch, is_regular(), place, placing);
 }
 
 ProofStatus certify_paved_forces(const std::string& path, const ProvedPieces& branch,
@@ -168,7 +181,8 @@ void certify_value(EndProofs& proofs, const ProvedPieces& branch, const Componen
                    const ex& bound, const std::optional<PlaceOfValue>& place) {
   if (!proofs.are_wanted()) return;
   const bool is_attained = place.has_value();
-  const ValueProof proof(branch, ValueText(branch.request.model, component).lines(bound), place);
+  const ValueLines lines = ValueText(branch.request.model, component).lines(bound);
+  const ValueProof proof(branch, about(lines), place);
   if (const std::string why = proof.obstacle(); !why.empty())
     return is_attained ? proofs.set_no_singular(why) : proofs.set_no_safe(why);
   try {

@@ -39,7 +39,13 @@ void certify_value(EndProofs& proofs, const ProvedPieces& branch, const Componen
                                          const std::optional<PlaceOfValue>& place,
                                          const ProofPlacing& placing);
 
-/// Writes the proof of a paving of the same; `trees`: of all pieces. An empty `path` means no certificate.
+/// Writes the proof that |det Φ_p| exceeds the threshold of the motion over the tubes of the trees, or, at
+/// a place, that it does not. An empty `path` means no certificate. Requires the same.
+[[nodiscard]] ProofStatus certify_exceeded(const std::string& path, const ProvedPieces& branch,
+                                           const std::optional<PlaceOfValue>& place,
+                                           const ProofPlacing& placing);
+
+/// Writes the proof of a paving of the forces; `trees`: of all pieces. An empty `path` means no certificate.
 [[nodiscard]] ProofStatus certify_paved_forces(const std::string& path, const ProvedPieces& branch,
                                                const VectorSet& load,
                                                const std::vector<PavedTree>& trees,

@@ -149,6 +149,7 @@ void fix_parameters(Request& request) {
 /// its range, another one in its range.
 Request searched_request(const Request& request) {
   Request searched = request;
+  searched.motion.alpha = 0;
   Closure& closure = *searched.model.closure;
   for (std::size_t i = 0; i < closure.unknowns.size(); ++i) {
     closure.start[i] = (closure.ranges[i].lo + closure.ranges[i].hi) / 2;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "runtime/verifier/branch_quantity.hpp"
 #include "runtime/verifier/evaluation.hpp"
 #include "runtime/verifier/model/place_comparison.hpp"
 #include "runtime/verifier/quantity_lines.hpp"
@@ -67,9 +68,9 @@ class MotionComparison {
       comparer_.refuse_model("the file has no motion '" + q_.motion + "'");
   }
 
-  /// Forces and bounds have no threshold.
+  /// Forces, bounds and solutions have no threshold. That of a closure is its bound.
   void compare_threshold() {
-    if (!q_.load && !q_.quantity) {
+    if (has_threshold_of_branch(q_) || (!q_.load && !q_.quantity && !q_.solutions)) {
       comparer_.compare_or_zero(motion_ + "alpha", "alpha ", "alpha");
     } else {
       if (!is_zero_number(q_.graph, q_.alpha)) comparer_.refuse_stated("alpha ");

@@ -34,7 +34,7 @@ inline CheckedClosure check_closure_text(const std::string& text, const SearchOp
   ModelOptions options;
   options.motion = "m";
   CheckedClosure checked{prepare_closure(read_request(text, options), 0, search, {}), {}};
-  checked.found = check_closure(checked.prepared, search, {}, nullptr);
+  checked.found = check_closure(checked.prepared, search, {});
   return checked;
 }
 
@@ -42,10 +42,7 @@ inline CheckedClosure check_closure_text(const std::string& text, const SearchOp
 inline std::string certified_closure(const CheckedClosure& checked) {
   const TemporaryDirectory directory;
   const std::string path = (directory.path() / "certificate").string();
-  const ProofStatus status =
-      checked.found.is_refuted()
-          ? certify_fold(path, checked.prepared, *checked.found.reached(), {})
-          : certify_branch(path, checked.prepared, checked.found.searched, {});
+  const ProofStatus status = certify_check(path, checked.prepared, checked.found, {});
   std::ostringstream text;
   if (status.is_written()) text << std::ifstream(path).rdbuf();
   return text.str();

@@ -45,7 +45,7 @@ inline CheckedWay check_way_text(const std::string& model, const std::string& fi
   options.motion = "m";
   options.waypoints = file;
   CheckedWay checked{prepare_way(read_request(model, options), 0, search, {}), {}};
-  checked.found = check_way(checked.prepared, search, {}, nullptr);
+  checked.found = check_way(checked.prepared, search, {});
   return checked;
 }
 

@@ -31,7 +31,7 @@ Verdict verdict_of(const std::string& text) {
   ModelOptions options;
   options.motion = "m";
   PreparedClosure prepared = prepare_closure(read_request(text, options), 0, search, {});
-  return check_result(prepared, check_closure(prepared, search, {}, nullptr)).verdict;
+  return check_result(prepared, check_closure(prepared, search, {})).verdict;
 }
 
 TEST(ManyFourBars, HaveNoVerdictAgainstTheirClosedForm) {

@@ -25,7 +25,7 @@ struct PavedBranch {
 
   explicit PavedBranch(const std::string& model)
       : prepared(prepare_closure(request_of(model), 0, usual_options(), {})),
-        found(pave_closure(prepared, usual_options(), kFinestPart, {}, nullptr)) {}
+        found(pave_closure(prepared, usual_options(), kFinestPart, {})) {}
   static Request request_of(const std::string& model) {
     ModelOptions options;
     options.motion = "m";
@@ -33,7 +33,7 @@ struct PavedBranch {
   }
   [[nodiscard]] std::string certificate() const {
     return written([this](const std::string& path) {
-      return certify_paving(path, prepared, found.searched, {});
+      return certify_paving(path, prepared, found, {});
     });
   }
 };
@@ -246,7 +246,7 @@ class ThePavingOfAWay : public testing::Test {
     options.motion = "m";
     options.waypoints = file;
     PreparedWay prepared = prepare_way(read_request(model_, options), 0, usual_options(), {});
-    const WayFinding found = pave_way(prepared, usual_options(), kFinestPart, {}, nullptr);
+    const WayFinding found = pave_way(prepared, usual_options(), kFinestPart, {});
     return written(
         [&](const std::string& path) { return certify_paving(path, prepared, found, {}); });
   }

@@ -103,7 +103,7 @@ TEST(APavedWay, IsFreeUpToTheToggleOfItsClosedForm) {
     options.motion = "m";
     options.waypoints = file.path();
     PreparedWay prepared = prepare_way(read_request(model, options), 0, usual_options(), {});
-    const WayFinding found = pave_way(prepared, usual_options(), kResolution, {}, nullptr);
+    const WayFinding found = pave_way(prepared, usual_options(), kResolution, {});
     const std::vector<PathStretch> stretches = stretches_of(prepared, found);
     const double pieces = double(places.size() - 1);
     ASSERT_FALSE(stretches.empty());

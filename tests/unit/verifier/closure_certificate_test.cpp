@@ -47,7 +47,7 @@ std::string example_of_the_page(int number) {
 }
 
 TEST(ACertificateOfAClosure, IsThatOfThePage) {
-  for (const int number : {1, 2, 3}) {
+  for (const int number : {1, 2, 3, 4}) {
     const Verification v = verify_text(example_of_the_page(number));
     EXPECT_TRUE(is(Outcome::kVerified, v, "")) << number;
     EXPECT_EQ(v.links, 1U);

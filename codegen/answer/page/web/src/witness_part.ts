@@ -104,7 +104,7 @@ export function witnessPart(data: PageData, pose: Shown, robot: Drawable | null,
   return section(
     isProved ? "The singular pose" : "The pose to look at",
     h("p", {}, isProved
-      ? "Proved: the matrix is singular at a pose that agrees with this one in the digits shown."
+      ? `Proved: ${data.report.alpha > 0 ? "the determinant is within the threshold" : "the matrix is singular"} at a pose that agrees with this one in the digits shown.`
       : "Sampled, not proved: the smallest singular value that the search met."),
     h("p", {}, ...buttons),
     table(["parameter", "value"], list),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/question/closure/load_paving.hpp"
+#include "codegen/question/closure/value_paving.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -15,15 +15,17 @@ constexpr double kSlackOfResolution = 1 + 0x1p-30;
 
 /// The goal of the search: box_search.hpp. The boxes of the branch are judged, and halved where neither
 /// is shown. The last box that was made is judged first.
-class LoadPavingGoal {
+class ValuePavingGoal {
  public:
   static constexpr bool kJudgesWhenMade = false;
 
-  LoadPavingGoal(BoxCourse& course, const ValueQuestion& question, const ClosureResult& branch,
-                 double resolution, const IsPossible& is_possible, const ForceListener& listener)
+  ValuePavingGoal(BoxCourse& course, const ValueQuestion& question, const ClosureResult& branch,
+                  const ValueAim& aim, double resolution, const IsPossible& is_possible,
+                  const ForceListener& listener)
       : course_(course),
         question_(question),
         branch_(branch),
+        aim_(aim),
         resolution_(resolution),
         is_possible_(is_possible),
         listener_(listener) {
@@ -95,7 +97,7 @@ class LoadPavingGoal {
     open_.push_back(std::move(box));
   }
 
-  BranchLoadPaving finish() {
+  BranchPaving finish() {
     result_.is_feasible = open_.empty() && is_feasible_ && !course_.lacks_memory();
     result_.is_empty = open_.empty() && is_empty_;
     for (TreeBox& box : open_) {
@@ -148,9 +150,9 @@ class LoadPavingGoal {
     const bool is_known = tube && is_of_leaf(*tube, leaf, finding.near_center);
     if (finding.tube.is_outside)
       leave(std::move(box), ForceClaim::kOutside);
-    else if (is_known && finding.upper <= 0)
+    else if (is_known && finding.upper < *aim_.below)
       leave(std::move(box), ForceClaim::kFeasible, tube);
-    else if (is_known && finding.lower > 0)
+    else if (is_known && finding.lower >= *aim_.from)
       leave(std::move(box), ForceClaim::kInfeasible, tube);
     else if (!variable_to_split(box))
       leave(std::move(box), ForceClaim::kUndecided);
@@ -187,9 +189,9 @@ class LoadPavingGoal {
     leaves_.push_back({std::move(box), std::move(tube), claim == ForceClaim::kOutside});
   }
 
-  /// Keeps the first place where a force is certainly beyond its limits.
+  /// Keeps the first place where the value is certainly beyond the limit.
   void note_value(BoxId id, const ValueFinding& finding) {
-    if (result_.place || !finding.middle || !(finding.attained > 0)) return;
+    if (result_.place || !finding.middle || !(finding.attained >= *aim_.from)) return;
     const BranchTube& tube = *finding.middle;
     std::vector<Interval> place;
     for (std::size_t k = 0; k < tube.at.size(); ++k) {
@@ -213,6 +215,7 @@ class LoadPavingGoal {
   BoxCourse& course_;
   const ValueQuestion& question_;
   const ClosureResult& branch_;
+  const ValueAim& aim_;
   const double resolution_;
   const IsPossible& is_possible_;
   const ForceListener& listener_;
@@ -221,22 +224,22 @@ class LoadPavingGoal {
   bool is_feasible_ = true, is_empty_ = true;
   BoxId shown_in_ = 0;
   std::vector<BranchLeaf> leaves_;
-  BranchLoadPaving result_;
+  BranchPaving result_;
 };
 
 }  // namespace
 
-BranchLoadPaving pave_forces(const ValueQuestion& question, const ClosureResult& branch,
-                             double resolution, const BoxSearchSettings& settings,
-                             const IsPossible& is_possible, const ForceListener& listener,
-                             Observer* progress) {
+BranchPaving pave_values(const ValueQuestion& question, const ClosureResult& branch,
+                         const ValueAim& aim, double resolution, const BoxSearchSettings& settings,
+                         const IsPossible& is_possible, const ForceListener& listener,
+                         Observer* progress) {
   BranchTree tree;
   SplitRecorder recorder(tree);
   Observers observers(present({&recorder, progress}));
   BoxCourse course(question.problem, settings, &observers);
-  LoadPavingGoal goal(course, question, branch, resolution, is_possible, listener);
-  BoxSearch<ValueJudge, LoadPavingGoal>(question, kBoxesOfPavingRound, course, goal).run();
-  BranchLoadPaving paving = goal.finish();
+  ValuePavingGoal goal(course, question, branch, aim, resolution, is_possible, listener);
+  BoxSearch<ValueJudge, ValuePavingGoal>(question, kBoxesOfPavingRound, course, goal).run();
+  BranchPaving paving = goal.finish();
   for (BranchLeaf& leaf : goal.take_leaves()) tree.leave(std::move(leaf));
   paving.tree = std::move(tree);
   return paving;
