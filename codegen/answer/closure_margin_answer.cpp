@@ -4,6 +4,7 @@
 #include "codegen/answer/closure_answer.hpp"
 #include "codegen/answer/outputs.hpp"
 #include "codegen/model/request.hpp"
+#include "codegen/question/closure/closure_claims.hpp"
 #include "codegen/question/closure/closure_margin.hpp"
 #include "codegen/question/closure/closure_way_report.hpp"
 #include "codegen/question/margin/margin_certificates.hpp"
@@ -61,6 +62,7 @@ class ClosureMargin final : public MarginAnswer {
     tell_margin(shown.prepared.preparation, search_, request_.nominal(), question_, found_, gap_,
                 facts);
     tell_branch(shown.prepared, shown.found.searched.links, shown.found.folds, facts);
+    tell_below(shown.prepared, nullptr, shown.found.threshold, facts);
   }
   void tell_bracket(const CheckedBranchOnWay& shown, Facts& facts) const {
     tell_way_margin(shown.prepared, search_, shown.found, question_, found_, gap_, facts);

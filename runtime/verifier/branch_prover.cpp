@@ -37,8 +37,7 @@ std::string BranchProver::contradiction(const Box& point, LeafClaim claim) {
   if (test_.has_no_solution(point, *tube_)) return "the tube has no configuration";
   if (!quantity_ || claim == LeafClaim::kBranch) return "";
   if (!test_.has_one_solution(point, *tube_)) return "";
-  if (claim == LeafClaim::kInfeasible)
-    return quantity_->keeps_bound(test_) ? all_keep_ : "";
+  if (claim == LeafClaim::kInfeasible) return quantity_->keeps_bound(test_) ? all_keep_ : "";
   return quantity_->attains_bound(test_) ? "the quantity is beyond the bound" : "";
 }
 

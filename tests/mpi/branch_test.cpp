@@ -93,7 +93,7 @@ TEST_F(RanksOnABranch, CompareAThresholdAsOneThreadDoes) {
       EXPECT_TRUE(text_of(file("many")) == text_of(file("one"))) << alpha;
     }
     for (const Words& more :
-         {Words{"margin", "--alpha", "0:1"}, Words{"locate", "--alpha", "0.07"}}) {
+         {Words{"margin", "--alpha", "0.05:0.07"}, Words{"locate", "--alpha", "0.07"}}) {
       const Words words = joined(joined({more[0]}, asked), {more[1], more[2]});
       EXPECT_EQ(run_command(ranks(2, words)).output, run_command(one_thread(words)).output);
     }

@@ -189,7 +189,7 @@ void tell_way_margin(const PreparedWay& prepared, const SearchOptions& search,
   add_bracket(question, margin, facts);
   for (const auto* step : {&margin.empty, &margin.certified, &margin.refuted})
     say_end(question, *step, facts);
-  facts.add("witness", nullptr);
+  tell_below(prepared.common, &prepared, found.threshold, facts);
   tell_segment(prepared, found, facts);
   tell_gap(margin, gap_wanted, facts);
 }

@@ -32,9 +32,8 @@ struct PavedBranch {
     return read_request(model, options);
   }
   [[nodiscard]] std::string certificate() const {
-    return written([this](const std::string& path) {
-      return certify_paving(path, prepared, found, {});
-    });
+    return written(
+        [this](const std::string& path) { return certify_paving(path, prepared, found, {}); });
   }
 };
 
