@@ -278,6 +278,14 @@ void say_held(const SolveAsked& asked, Facts& facts) {
 
 }  // namespace
 
+Json checkpointed_question(const SolveAsked& asked, const std::string& places) {
+  Json question =
+      json_asked(asked, places.empty() ? json_place(placed_values(asked.request)) : Json(nullptr));
+  question.erase("options");  // they change how long it takes
+  question["solutions"] = places.empty() ? "one place" : places;
+  return question;
+}
+
 void tell_solutions(const SolveAsked& asked, const Solutions& solutions, const SolvedNoun& noun,
                     Facts& facts) {
   facts.add("verdict", word_of(solutions));

@@ -29,6 +29,11 @@ struct SolveAsked {
   const std::vector<std::string>& held;
 };
 
+/// Returns everything that the boxes of the searches depend on, for a checkpoint. `places`: a digest of
+/// many places; empty: there is one.
+[[nodiscard]] nlohmann::ordered_json checkpointed_question(const SolveAsked& asked,
+                                                           const std::string& places);
+
 void tell_solutions(const SolveAsked& asked, const Solutions& solutions, const SolvedNoun& noun,
                     Facts& facts);
 

@@ -159,9 +159,7 @@ class SystemSolver {
     }
   }
 
-  Solutions solve(const BoxSearchSettings& limits, Observer* progress) {
-    RootSettings settings;
-    static_cast<BoxSearchSettings&>(settings) = limits;
+  Solutions solve(const RootSettings& settings, Observer* progress) {
     std::vector<Interval> periods;
     for (const SearchRange& range : ranges_) periods.push_back(range.period);
     const auto system = [this] { return std::make_unique<KernelSystem>(problem_, prepared_); };
@@ -228,9 +226,9 @@ void require_values(const Request& request) {
           request.motion.name, p.name, p.name));
 }
 
-Solutions solve_system(const PreparedSystem& prepared, const BoxSearchSettings& limits,
+Solutions solve_system(const PreparedSystem& prepared, const RootSettings& settings,
                        Observer* progress) {
-  return SystemSolver(prepared).solve(limits, progress);
+  return SystemSolver(prepared).solve(settings, progress);
 }
 
 void sort_by_values(std::vector<CertainSolution>& solutions) {

@@ -18,8 +18,8 @@ void require_values(const Request& request);
 /// Searches the whole circle of an unknown whose range has a whole period, and otherwise the range.
 ///
 /// Requires  prepared without derivatives by variables; require_values() passes.
-[[nodiscard]] Solutions solve_system(const PreparedSystem& prepared,
-                                     const BoxSearchSettings& limits, Observer* progress);
+[[nodiscard]] Solutions solve_system(const PreparedSystem& prepared, const RootSettings& settings,
+                                     Observer* progress);
 
 /// Puts solutions in the order of the middles of their values.
 void sort_by_values(std::vector<CertainSolution>& solutions);
