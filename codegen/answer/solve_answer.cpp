@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <nlohmann/json.hpp>
 
@@ -318,28 +317,6 @@ Word word_of_place(const Solutions& solutions) {
   return solutions.found.empty() ? Word::kRefuted : Word::kProved;
 }
 
-/// How many places have each answer, the worst first.
-std::string describe_places(const std::vector<SolvedPlace>& places, std::uint64_t left,
-                            const SolvedNoun& noun) {
-  std::array<std::size_t, 3> counts{};
-  std::size_t found = 0;
-  for (const SolvedPlace& place : places) {
-    ++counts[std::size_t(word_of_place(place.solutions))];
-    found += place.solutions.found.size();
-  }
-  std::string text;
-  for (const auto& [word, name] : {std::pair{Word::kOpen, "INCOMPLETE"},
-                                   {Word::kRefuted, "NONE"},
-                                   {Word::kProved, "COMPLETE"}})
-    if (const std::size_t count = counts[std::size_t(word)]; count > 0)
-      text += fmt::format("{}{} at {}", text.empty() ? "" : ", ", name, count);
-  if (left > 0) text += fmt::format("{}not asked at {}", text.empty() ? "" : ", ", left);
-  const std::size_t all = places.size() + left;
-  return fmt::format("{} of {} place{}: {}{} {}", text, all, all == 1 ? "" : "s",
-                     counts[std::size_t(Word::kOpen)] > 0 || left > 0 ? "at least " : "", found,
-                     found == 1 ? noun.one : noun.many);
-}
-
 void refuse_for_one_place(const AskSolve& asked, const Services& services) {
   if (asked.wanted == AskSolve::Places::kMany)
     throw UsageError(
@@ -380,6 +357,11 @@ Word SolveAnswer::word() const {
 std::string SolveAnswer::headline() const {
   return has_places_ ? describe_places(places, places_left, noun)
                      : describe_result(solutions, noun);
+}
+
+bool is_about_places(const AskSolve& asked) {
+  const AskSolve resolved = with_waypoints_of_motion(asked, {});
+  return !resolved.table.empty() || !resolved.places.empty();
 }
 
 std::unique_ptr<SolveAnswer> ask(const AskSolve& asked, const Services& services) {

@@ -5,12 +5,16 @@
 #include <cmath>
 #include <utility>
 
+#include "codegen/question/engine/search_topic.hpp"
 #include "codegen/question/solve/retraced_roots.hpp"
 
 namespace regulus {
 namespace {
 
 constexpr std::size_t kBoxesOfRound = 64;
+/// A search of so many boxes has rounds that keep many workers busy.
+constexpr std::uint64_t kBoxesBeforeLongRounds = BoxSharing{}.boxes_before;
+constexpr std::size_t kBoxesOfLongRound = 2048;
 
 /// The goal of the search: box_search.hpp. The last box that was made is judged first.
 class RootGoal {
@@ -30,7 +34,8 @@ class RootGoal {
 
   void fill(std::vector<std::vector<Interval>>& boxes, std::uint64_t left) {
     round_.clear();
-    course_.take_round(open_, kBoxesOfRound, left, round_, boxes,
+    const bool is_long = course_.boxes() >= kBoxesBeforeLongRounds;
+    course_.take_round(open_, is_long ? kBoxesOfLongRound : kBoxesOfRound, left, round_, boxes,
                        [this](SavedTree& tree) { describe(tree); });
   }
 
@@ -192,6 +197,11 @@ void keep_different(RootList& list, const std::vector<Interval>& periods) {
 
 RootList search_roots(const RootQuestion& question, const std::vector<Interval>& periods,
                       const RootSettings& settings, Observer* progress) {
+  if (settings.workers != nullptr) {
+    SearchTopic topic;
+    topic.piece = question.number;
+    settings.workers->turn_to(write_topic(topic));
+  }
   const RootSearch search = [&](const RootSettings& own) {
     BoxCourse course(question.problem, own, progress);
     RootGoal goal(course, question, own);

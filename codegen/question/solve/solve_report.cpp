@@ -322,6 +322,26 @@ Json json_solved(const SolvedPlace& place, const Model& model, const SolvedNoun&
   return facts.object();
 }
 
+std::string describe_places(const std::vector<SolvedPlace>& places, std::uint64_t left,
+                            const SolvedNoun& noun) {
+  const auto count_of = [&places](std::string_view word) {
+    return std::ranges::count_if(
+        places, [word](const SolvedPlace& place) { return word_of(place.solutions) == word; });
+  };
+  std::size_t found = 0;
+  for (const SolvedPlace& place : places) found += place.solutions.found.size();
+  std::string text;
+  for (const auto& [word, name] :
+       {std::pair{"incomplete", "INCOMPLETE"}, {"none", "NONE"}, {"complete", "COMPLETE"}})
+    if (const auto count = count_of(word); count > 0)
+      text += fmt::format("{}{} at {}", text.empty() ? "" : ", ", name, count);
+  if (left > 0) text += fmt::format("{}not asked at {}", text.empty() ? "" : ", ", left);
+  const std::size_t all = places.size() + left;
+  return fmt::format("{} of {} place{}: {}{} {}", text, all, all == 1 ? "" : "s",
+                     count_of("incomplete") > 0 || left > 0 ? "at least " : "", found,
+                     found == 1 ? noun.one : noun.many);
+}
+
 std::string describe_time(const SolvedPlace& place, const std::string& unit) {
   if (!place.time) return "";
   return fmt::format(", t = {}{}", shortest_text(*place.time), unit.empty() ? "" : " " + unit);

@@ -74,6 +74,7 @@ RootSettings root_settings_of(const SolveRun& run) {
   settings.interrupt = run.interrupt;
   if (run.search.max_boxes != 0) settings.max_boxes = run.search.max_boxes;
   if (run.search.time_limit != 0) settings.time_limit = run.search.time_limit;
+  settings.workers = run.search.workers;
   settings.keep = run.keep;
   return settings;
 }

@@ -162,8 +162,8 @@ class SystemSolver {
   Solutions solve(const RootSettings& settings, Observer* progress) {
     std::vector<Interval> periods;
     for (const SearchRange& range : ranges_) periods.push_back(range.period);
-    const auto system = [this] { return std::make_unique<KernelSystem>(problem_, prepared_); };
-    RootList list = search_roots({problem_, prepared_.shape, system}, periods, settings, progress);
+    RootList list =
+        search_roots(question_of_system(problem_, prepared_), periods, settings, progress);
     for (Root& root : list.roots) {
       turn_back(root.values, ranges_);
       if (const auto place = place_in(root.values, ranges_))
@@ -224,6 +224,11 @@ void require_values(const Request& request) {
           "the motion {} gives {} a range; solutions are those at one value: give {}=VALUE by the "
           "option at",
           request.motion.name, p.name, p.name));
+}
+
+RootQuestion question_of_system(const Problem& problem, const PreparedSystem& prepared) {
+  return {problem, prepared.shape,
+          [&problem, &prepared] { return std::make_unique<KernelSystem>(problem, prepared); }};
 }
 
 Solutions solve_system(const PreparedSystem& prepared, const RootSettings& settings,

@@ -15,6 +15,10 @@ namespace regulus {
 /// Throws    UsageError if a parameter of the motion has a range and not a value.
 void require_values(const Request& request);
 
+/// Returns the question of a search with the ranges of `problem` and a kernel; both must outlive it.
+[[nodiscard]] RootQuestion question_of_system(const Problem& problem,
+                                              const PreparedSystem& prepared);
+
 /// Searches the whole circle of an unknown whose range has a whole period, and otherwise the range.
 ///
 /// Requires  prepared without derivatives by variables; require_values() passes.
