@@ -31,6 +31,8 @@ namespace regulus {
                                                     const Services& services);
 [[nodiscard]] std::unique_ptr<DatasheetAnswer> ask(const AskDatasheet& asked,
                                                    const Services& services);
+/// Returns true if the question is about many places, each for itself. Throws InputError for the model.
+[[nodiscard]] bool is_about_places(const AskSolve& asked);
 /// Returns null, and writes no file, for a process that is not the first of Services::places.
 [[nodiscard]] std::unique_ptr<SolveAnswer> ask(const AskSolve& asked, const Services& services);
 

@@ -8,8 +8,6 @@ namespace regulus {
 namespace {
 
 constexpr Key kQuestion[] = {
-    {"model_sha256", "sha256"},
-    {"motion", "text"},
     {"ranges", "range{}", "of the motion parameters"},
     {"uncertain", "uncertain_quantity[]"},
     {"groups", "group[]", "how many quantities of each group are uncertain"},
@@ -24,8 +22,6 @@ constexpr Key kQuestion[] = {
     {"constraints_exact?", "text[]", "each is at most 0; not along way-points"},
     {"place?", "placed_number{}", "of solve: the numbers that are given"},
     {"held?", "text[]", "of solve: joints that keep their values"},
-    {"options", "options"},
-    {"version", "text"},
 };
 constexpr Key kOptions[] = {
     {"method", "text"},
@@ -257,19 +253,18 @@ constexpr Key kForceWitness[] = {
 constexpr Key kEndFiles[] = {{"safe", "text?"}, {"singular", "text?"}};
 constexpr Key kEndObstacles[] = {{"safe?", "text"}, {"singular?", "text"}};
 constexpr Key kSheetEntry[] = {
-    {"model", "text"},          {"model_file", "text"},
-    {"model_sha256", "sha256"}, {"motion", "text"},
-    {"boxes", "count"},         {"seconds", "seconds"},
-    {"claim", "text?"},         {"verdict", "closed|open|refuted|within|exceeded|possible-problem"},
+    {"boxes", "count"},
+    {"seconds", "seconds"},
+    {"claim", "text?"},
+    {"verdict", "closed|open|refuted|within|exceeded|possible-problem"},
 };
 
 /// Of questions, searches and solutions.
 std::vector<ObjectKind> kinds_of_parts_of_searches() {
   return {
       {"question",
-       "everything that was asked: with the model of model_sha256 it can be asked again; in a "
-       "margin "
-       "the growing quantity has its declared value",
+       "everything that was asked about the model, the motion and with the options of the head: "
+       "with these it can be asked again; in a margin the growing quantity has its declared value",
        {kQuestion}},
       {"options", "of the search", {kOptions}},
       {"uncertain_quantity", "a constant or a control error", {kUncertain}},

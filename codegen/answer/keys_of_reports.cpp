@@ -13,7 +13,7 @@ constexpr Key kHead[] = {
     {"model_sha256", "sha256"},
     {"motion", "text"},
     {"question", "question"},
-    {"options", "options", "those of the question"},
+    {"options", "options", "of the search"},
     {"version", "text", "of Regulus"},
     {"engine", "text", "what evaluated the kernel"},
     {"threads", "count"},

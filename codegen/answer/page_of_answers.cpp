@@ -16,6 +16,7 @@
 #include "codegen/model/way/trajectory.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/scratch_folder.hpp"
+#include "codegen/support/shell_word.hpp"
 #include "codegen/support/write_file.hpp"
 #include "runtime/proof/format.hpp"
 
@@ -44,6 +45,22 @@ void leave_out_open_boxes(Json& report) {
 std::string text_or(const Json& report, const char* key) {
   const auto found = report.find(key);
   return found != report.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+/// Cuts the start of a proof of places after the last place that is whole. Returns the number of places
+/// that are left; 0: it is no such proof, or has none.
+std::size_t keep_first_places(std::string& proof) {
+  if (!proof.starts_with(format::kPlacesMagic)) return 0;
+  std::size_t count = 0, end = 0;
+  for (std::size_t at = 0;; ++count) {
+    at = proof.find(fmt::format("\nplace {}\n", count + 1), at);
+    if (at == std::string::npos) break;
+    end = at + 1;
+  }
+  if (count < 2) return 0;
+  proof.resize(end);
+  proof += fmt::format("{}{}\n", format::kPlaces, --count);
+  return count;
 }
 
 /// Returns the boxes or the stretches of a paving for a page.
@@ -130,6 +147,7 @@ std::unique_ptr<Answer> ask_with_lines(const AskSolve& asked, const Services& se
   what.text = lines + what.text;
   if (answer->proof.is_written()) what.certificate = answer->proof.path();
   what.no_certificate = answer->proof.obstacle();
+  what.table = asked.table;
   page.add(std::move(what));
   return answer;
 }
@@ -184,6 +202,7 @@ void PageOfAnswers::add(ShownAnswer answer) {
   data_.text = is_sheet ? answer.text + answer.headline : answer.text;
   data_.report = without_files(std::move(answer.report));
   if (answer.kind == kSolutions) leave_out_open_boxes(data_.report);
+  if (!answer.table.empty()) data_.again.back() += " --waypoints " + shell_word(answer.table);
   data_.certificate_note = answer.no_certificate;
   const bool is_paved_branch = is_closed && answer.kind == "paving";
   if (is_paved_branch) data_.again.front() = data_.command;
@@ -197,14 +216,19 @@ void PageOfAnswers::add(ShownAnswer answer) {
 void PageOfAnswers::take_proof(const std::string& file) {
   data_.certificate = read_start(file, kLongestProof + 1, Readable::kFile);
   const bool is_index = data_.certificate.starts_with(format::kIndexMagic) ||
-                        data_.certificate.starts_with(format::kPlacesIndexMagic),
-             is_of_places = data_.certificate.starts_with(format::kPlacesMagic);
-  if (!is_index && !is_of_places && data_.certificate.size() <= kLongestProof) return;
+                        data_.certificate.starts_with(format::kPlacesIndexMagic);
+  if (!is_index && data_.certificate.size() <= kLongestProof) return;
+  if (const std::size_t count = is_index ? 0 : keep_first_places(data_.certificate); count > 0) {
+    data_.certificate_note = fmt::format(
+        "it has the proofs at the first {} of {} places; the option --certificate "
+        "writes those at all of them to a file",
+        count, data_.report["places"].size());
+    data_.again.back() = "regulus verify proof.txt";  // the table has more places
+    return;
+  }
   data_.certificate.clear();
   data_.certificate_note =
-      is_of_places
-          ? "its proof has a part for each place, and no page holds it; `regulus verify` checks it"
-      : is_index
+      is_index
           ? "its proof is in several files, which a page does not hold; `regulus verify` checks it"
           : "its proof is longer than a page holds; the option --certificate writes it to a file";
 }

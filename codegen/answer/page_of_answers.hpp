@@ -20,12 +20,13 @@ inline constexpr std::size_t kLongestProof = std::size_t{4} << 20;
 
 /// What a page shows of one answer.
 struct ShownAnswer {
-  std::string kind;                 ///< of Asked: "check", "paving", "margin", "bound", "load", …
-  std::string headline;             ///< "NO SINGULARITY"
-  std::string text;                 ///< the report for people
-  nlohmann::ordered_json report;    ///< the report for programs
-  std::string certificate{};        ///< of a check or of solutions: the file of the proof
-  std::string no_certificate{};     ///< why
+  std::string kind;               ///< of Asked: "check", "paving", "margin", "bound", "load", …
+  std::string headline;           ///< "NO SINGULARITY"
+  std::string text;               ///< the report for people
+  nlohmann::ordered_json report;  ///< the report for programs
+  std::string certificate{};      ///< of a check or of solutions: the file of the proof
+  std::string no_certificate{};   ///< why
+  std::string table{};            ///< of solutions: the file of their places; empty: there is none
   nlohmann::ordered_json paving{};  ///< of a paving: its header, its tree, or its stretches
 };
 

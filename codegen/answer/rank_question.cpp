@@ -21,6 +21,9 @@
 #include "codegen/question/engine/search_topic.hpp"
 #include "codegen/question/load/feasibility_run.hpp"
 #include "codegen/question/margin/prepared_margin.hpp"
+#include "codegen/question/solve/rank_roots.hpp"
+#include "codegen/question/solve/solve_run.hpp"
+#include "codegen/question/solve/system_solutions.hpp"
 #include "codegen/question/way/path_run.hpp"
 #include "codegen/question/way/read_trajectory.hpp"
 #include "codegen/question/way/regularity_judge.hpp"
@@ -82,6 +85,25 @@ Formed about_values(PreparedClosure closed, BranchValue of) {
         {problem,
          {problem, branch->scaling, branch->shape, branch->near_start, branch->ranges},
          *value});
+  };
+  return question;
+}
+
+Formed about_equations(PreparedSystem system) {
+  Formed question{std::move(system.preparation), system.problem};
+  const auto prepared = std::make_shared<const PreparedSystem>(std::move(system));
+  question.judges = [prepared](const Problem& problem, const Settings&) {
+    return unit_judges<RootJudge>(question_of_system(problem, *prepared));
+  };
+  return question;
+}
+
+/// These systems have no kernel.
+Formed about_roots(RootSystems systems) {
+  Formed question{};
+  question.searched.emplace().outer.resize(systems.unknowns);
+  question.judges = [systems = std::move(systems)](const Problem& problem, const Settings&) {
+    return unit_judges<RootJudge>(systems.question(problem));
   };
   return question;
 }
@@ -174,7 +196,16 @@ class Topics {
     return bounded(request, quantity, std::nullopt, asked.search);
   }
 
-  Found operator()(const AskSolve&) const { return std::nullopt; }
+  Found operator()(const AskSolve& asked) const {
+    if (!is_told_) return std::nullopt;
+    const Request request = read_solve_request(asked.model, {});
+    if (auto equations = kernel_request(request))
+      return about_equations(prepare_system(*std::move(equations), 0, forming(asked.search), {},
+                                            DerivativesBy::kUnknowns));
+    RootSystems systems = systems_of(request, asked.held, topic_.piece.value_or(0));
+    if (systems.unknowns == 0) throw cluster::MalformedMessage();
+    return about_roots(std::move(systems));
+  }
 
  private:
   [[nodiscard]] SearchOptions forming(SearchOptions search) const {

@@ -32,9 +32,6 @@ constexpr std::string_view kNoTheorem =
 constexpr std::string_view kNoTheoremOfSolutions =
     "Coq has theorems about lists of configurations and of poses in the plane, and none about "
     "poses in space and postures; regulus-verify proves these";
-constexpr std::string_view kNoCheckpointOfSolutions =
-    "no answer rests on a checkpoint, so each list would be proved again from its beginning; leave "
-    "it out, and of a table ask for the places that are left";
 constexpr std::string_view kNoBoxesOfSolutions =
     "a picture is of the boxes of a paving, not of solutions";
 constexpr std::string_view kOneMethodOfSolutions =
@@ -48,16 +45,12 @@ constexpr Refusal kRefusals[] = {
     {kWayCondition2, kTheorem, kNoTheorem},
     {kClosureCondition2, kTheorem, kNoTheorem},
     {kWaySolve, kTheorem, kNoTheoremOfSolutions},
-    {kWaySolve, kCheckpoint, kNoCheckpointOfSolutions},
     {kWaySolve, kPicture, kNoBoxesOfSolutions, false},
     {kClosureWayCondition2, kTheorem, kNoTheorem},
     {kClosureWaySolve, kTheorem, kNoTheoremOfSolutions},
-    {kClosureWaySolve, kCheckpoint, kNoCheckpointOfSolutions},
     {kClosureWaySolve, kPicture, kNoBoxesOfSolutions, false},
     {kSolve, kTheorem, kNoTheoremOfSolutions},
-    {kSolve, kCheckpoint, kNoCheckpointOfSolutions},
     {kSolve, kPicture, kNoBoxesOfSolutions, false},
-    {kClosureSolve, kCheckpoint, kNoCheckpointOfSolutions},
     {kClosureSolve, kPicture, kNoBoxesOfSolutions, false},
 };
 

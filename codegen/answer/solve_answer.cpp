@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <nlohmann/json.hpp>
 
@@ -14,15 +13,30 @@
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/progress.hpp"
 #include "codegen/answer/report/report_text.hpp"
+#include "codegen/answer/report/search_checkpoint.hpp"
 #include "codegen/answer/report/search_facts.hpp"
 #include "codegen/model/way/place_file.hpp"
+#include "codegen/question/closure/branch_pieces.hpp"
 #include "codegen/question/solve/list_file.hpp"
 #include "codegen/question/solve/solution_bytes.hpp"
 #include "codegen/question/solve/solve_report.hpp"
 #include "codegen/question/solve/solve_run.hpp"
+#include "runtime/files/sha256.hpp"
 
 namespace regulus {
 namespace {
+
+using KeepRoots = decltype(SolveRun::keep);
+
+/// Keeps the searches at a place in the file, which has them by its name and their number.
+KeepRoots keep_in(const std::optional<SearchCheckpoint>& checkpoint, const std::string& place) {
+  if (!checkpoint || checkpoint->file() == nullptr) return {};
+  const KeptPieces kept{checkpoint->file(), checkpoint->interval(), place + "search "};
+  return [kept, number = std::make_shared<int>(0)](const RootSettings& settings,
+                                                   const RootSearch& search) {
+    return kept.run(settings, search, std::to_string(++*number));
+  };
+}
 
 class FoundSolutions final : public SolveAnswer {
  public:
@@ -31,15 +45,21 @@ class FoundSolutions final : public SolveAnswer {
         held_(asked.held),
         request_(read_solve_request(asked.model, watch_of(services, search_))) {
     set_outputs_aside(asked.model, asked.search, services);
+    const SolveAsked about{request_, search_, held_};
+    std::optional<SearchCheckpoint> checkpoint(
+        std::in_place, services.checkpoint, [&] { return checkpointed_question(about, ""); }, true);
     SearchDisplay display(display_of(services));
     SolveRun run{search_,
                  watch_of(services, search_),
                  services.interrupt,
                  display.observer(),
                  [&services] { services.begin_search(); },
-                 held_};
+                 held_,
+                 keep_in(checkpoint, "")};
     noun = noun_of(request_);
     solutions = solve(request_, run);
+    write_beside([&] { checkpoint->finish(solutions.stopped_by.has_value()); });
+    checkpoint_line_ = checkpoint->line();
     proof = certify_solutions(services.certificate, request_, solutions);
     if (proof.is_lost()) lost.push_back(proof.obstacle());
   }
@@ -48,12 +68,13 @@ class FoundSolutions final : public SolveAnswer {
     tell_solutions({request_, search_, held_}, solutions, noun, facts);
     proof.tell(facts);
   }
-  [[nodiscard]] std::string about_files() const override { return proof.line(); }
+  [[nodiscard]] std::string about_files() const override { return proof.line() + checkpoint_line_; }
 
  private:
   SearchOptions search_;
   std::vector<std::string> held_;
   Request request_;
+  std::string checkpoint_line_;
 };
 
 /// Notes are about the file, and those of places that have them first.
@@ -73,24 +94,39 @@ class SolutionsAtPlaces final : public SolveAnswer {
     is_proved_ = !services.certificate.empty();
     SearchDisplay display(display_of(services));
     // The limit of time is that of each place.
-    const NewRun run = [&] {
-      return SolveRun{
-          asked.search,       watch_of(services, asked.search),         services.interrupt,
-          display.observer(), [&services] { services.begin_search(); }, asked.held};
+    const NewRun run = [&](std::size_t row) {
+      return SolveRun{asked.search,
+                      watch_of(services, asked.search),
+                      services.interrupt,
+                      display.observer(),
+                      [&services] { services.begin_search(); },
+                      asked.held,
+                      keep_in(checkpoint_, name_of(rows_[row].line) + ", ")};
     };
     // A mistake is told before the first search.
-    for (const PlaceRow& row : rows_) note(request_at(row, model).notes);
+    Sha256 digest;
+    for (const PlaceRow& row : rows_) {
+      const Request request = request_at(row, model);
+      note(request.notes);
+      for (const PlacedValue& value : placed_values(request))
+        digest.add(value.name + ' ' + value.exact + '\n');
+    }
     first_ = request_at(rows_.front(), model);
+    open_checkpoint(services, digest.text());
     noun = noun_of(*first_);
     services.tell(text_of_facts([this](Facts& facts) { tell_head(facts); }));
     share(model, run, services.places);
-    for (std::size_t k = 0; is_first && k < rows_.size(); ++k) {
+    if (!is_first) {
+      checkpoint_->finish(false);
+      return;
+    }
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
       if (!places.empty() && services.interrupt != nullptr && services.interrupt->load()) break;
       add(request_at(rows_[k], model), k, run);
       services.tell(line_of(k));
     }
-    if (!is_first) return;
     places_left = rows_.size() - places.size();
+    write_beside([this] { checkpoint_->finish(can_continue()); });
     proof = certify_places(services.certificate, proofs_, places_left, services.shard_size);
     if (proof.is_lost()) lost.push_back(proof.obstacle());
     write_beside([&] {
@@ -109,9 +145,30 @@ class SolutionsAtPlaces final : public SolveAnswer {
     tell_numbers(facts);
     proof.tell(facts);
   }
-  [[nodiscard]] std::string about_files() const override { return proof.line(); }
+  [[nodiscard]] std::string about_files() const override {
+    return proof.line() + checkpoint_->line();
+  }
 
  private:
+  /// Each process has a file of its own, with the places that it has solved.
+  void open_checkpoint(const Services& services, const std::string& digest) {
+    CheckpointOptions options = services.checkpoint;
+    if (!options.path.empty() && services.places.part > 0)
+      options.path += fmt::format(".{}", services.places.part);
+    checkpoint_.emplace(
+        options,
+        [&] {
+          return checkpointed_question({*first_, asked_.search, asked_.held}, digest);
+        },
+        true);
+  }
+
+  [[nodiscard]] bool can_continue() const {
+    return places_left > 0 || std::ranges::any_of(places, [](const SolvedPlace& place) {
+             return place.solutions.stopped_by.has_value();
+           });
+  }
+
   void tell_head(Facts& facts) const {
     tell_places_asked({*first_, asked_.search, asked_.held}, unknowns_, facts);
     if (!asked_.table.empty())
@@ -149,14 +206,14 @@ class SolutionsAtPlaces final : public SolveAnswer {
         notes_.push_back(one);
   }
 
-  using NewRun = std::function<SolveRun()>;
+  using NewRun = std::function<SolveRun(std::size_t row)>;
   struct Found {
     Solutions solutions;
     ListProof proof{};
   };
 
-  [[nodiscard]] Found found_at(const Request& request, const NewRun& run) const {
-    Found found{solve(request, run())};
+  [[nodiscard]] Found found_at(const Request& request, const SolveRun& run) const {
+    Found found{solve(request, run)};
     if (is_proved_) found.proof = prove_list(request, found.solutions);
     return found;
   }
@@ -166,7 +223,7 @@ class SolutionsAtPlaces final : public SolveAnswer {
     found_.resize(rows_.size());
     if (shared.parts < 2) return;
     for (std::size_t k = shared.part; k < rows_.size(); k += shared.parts) {
-      const Found found = found_at(request_at(rows_[k], model), run);
+      const Found found = found_at(request_at(rows_[k], model), run(k));
       cluster::ByteWriter bytes;
       bytes.put_text(sha256_);
       put(bytes, found.solutions);
@@ -190,10 +247,10 @@ class SolutionsAtPlaces final : public SolveAnswer {
     place.line = rows_[row].line;
     place.time = rows_[row].time;
     place.place = placed_values(request);
-    Found found = found_[row].empty() ? found_at(request, run) : take_found(found_[row]);
+    Found found = found_[row].empty() ? found_at(request, run(row)) : take_found(found_[row]);
     place.solutions = std::move(found.solutions);
     if (places.size() == 1) unknowns_ = place.solutions.unknowns;
-    if (is_proved_) proofs_.push_back({name_of(place), std::move(found.proof)});
+    if (is_proved_) proofs_.push_back({name_of(place.line), std::move(found.proof)});
     if (lines_->is_wanted() &&
         !(lines_->stream() << report_text(json_solved(place, request.model, noun)) << '\n'))
       lines_->finish();  // throws, with the reason that the file has
@@ -212,13 +269,13 @@ class SolutionsAtPlaces final : public SolveAnswer {
     }
   }
 
-  [[nodiscard]] std::string name_of(const SolvedPlace& place) const {
-    return fmt::format("{} {}", asked_.table.empty() ? "place" : "line", place.line);
+  [[nodiscard]] std::string name_of(int line) const {
+    return fmt::format("{} {}", asked_.table.empty() ? "place" : "line", line);
   }
 
   [[nodiscard]] std::string line_of(std::size_t index) const {
     const SolvedPlace& place = places[index];
-    return fmt::format("{:11}{}{}: {}\n", index == 0 ? "answers" : "", name_of(place),
+    return fmt::format("{:11}{}{}: {}\n", index == 0 ? "answers" : "", name_of(place.line),
                        describe_time(place, time_unit_), describe_result(place.solutions, noun));
   }
 
@@ -243,6 +300,7 @@ class SolutionsAtPlaces final : public SolveAnswer {
 
   AskSolve asked_;
   std::optional<LinesFile> lines_;
+  std::optional<SearchCheckpoint> checkpoint_;
   bool tells_at_once_;
   std::vector<PlaceRow> rows_;
   std::string sha256_, time_unit_;
@@ -257,28 +315,6 @@ class SolutionsAtPlaces final : public SolveAnswer {
 Word word_of_place(const Solutions& solutions) {
   if (solutions.completeness == Completeness::kIncomplete) return Word::kOpen;
   return solutions.found.empty() ? Word::kRefuted : Word::kProved;
-}
-
-/// How many places have each answer, the worst first.
-std::string describe_places(const std::vector<SolvedPlace>& places, std::uint64_t left,
-                            const SolvedNoun& noun) {
-  std::array<std::size_t, 3> counts{};
-  std::size_t found = 0;
-  for (const SolvedPlace& place : places) {
-    ++counts[std::size_t(word_of_place(place.solutions))];
-    found += place.solutions.found.size();
-  }
-  std::string text;
-  for (const auto& [word, name] : {std::pair{Word::kOpen, "INCOMPLETE"},
-                                   {Word::kRefuted, "NONE"},
-                                   {Word::kProved, "COMPLETE"}})
-    if (const std::size_t count = counts[std::size_t(word)]; count > 0)
-      text += fmt::format("{}{} at {}", text.empty() ? "" : ", ", name, count);
-  if (left > 0) text += fmt::format("{}not asked at {}", text.empty() ? "" : ", ", left);
-  const std::size_t all = places.size() + left;
-  return fmt::format("{} of {} place{}: {}{} {}", text, all, all == 1 ? "" : "s",
-                     counts[std::size_t(Word::kOpen)] > 0 || left > 0 ? "at least " : "", found,
-                     found == 1 ? noun.one : noun.many);
 }
 
 void refuse_for_one_place(const AskSolve& asked, const Services& services) {
@@ -321,6 +357,11 @@ Word SolveAnswer::word() const {
 std::string SolveAnswer::headline() const {
   return has_places_ ? describe_places(places, places_left, noun)
                      : describe_result(solutions, noun);
+}
+
+bool is_about_places(const AskSolve& asked) {
+  const AskSolve resolved = with_waypoints_of_motion(asked, {});
+  return !resolved.table.empty() || !resolved.places.empty();
 }
 
 std::unique_ptr<SolveAnswer> ask(const AskSolve& asked, const Services& services) {

@@ -38,12 +38,13 @@ std::chrono::steady_clock::time_point BoxCourse::deadline() const {
   return start_ + std::chrono::duration_cast<Clock::duration>(limit);
 }
 
-std::pair<TreeBox, TreeBox> BoxCourse::split(TreeBox parent, std::size_t variable) {
-  const Halves halves = *bisect(parent.box[variable]);
+std::pair<TreeBox, TreeBox> BoxCourse::split(TreeBox parent, std::size_t variable,
+                                             std::optional<double> at) {
+  const Halves halves = at ? *cut(parent.box[variable], *at) : *bisect(parent.box[variable]);
   if (progress_ != nullptr)
     progress_->on_split({parent.id, parent.depth, parent.box},
                         {parent.id, std::uint32_t(variable), halves.left.hi, next_id_});
-  if (settings_.save) tree_.add_split(parent.id, variable);
+  if (settings_.save) tree_.add_split(parent.id, variable, at);
   TreeBox lower{next_id_, parent.depth + 1, parent.box};
   TreeBox upper{next_id_ + 1, parent.depth + 1, std::move(parent.box)};
   lower.box[variable] = halves.left;

@@ -32,6 +32,13 @@
 //                                          if only so many open boxes, the last ones, are not judged
 //     void revise(const Box&, Finding&)    if not all findings are of use
 //
+// A goal whose boxes are not halves of others continues in its own way. In the place of these, but for
+// describe(), it has
+//
+//     bool retrace(const SavedTree&, const JudgeMany&)
+//                                          proves again what the text says, and counts the boxes.
+//                                          Returns false if judging ended early
+//
 // Rounds, and so the boxes of a search, do not depend on threads, workers or time.
 #pragma once
 
@@ -106,8 +113,10 @@ class BoxCourse {
 
   // For goals.
 
-  /// Requires  choose_variable() has chosen it.
-  [[nodiscard]] std::pair<TreeBox, TreeBox> split(TreeBox parent, std::size_t variable);
+  /// Requires  choose_variable() has chosen it. `at`: where it is cut, which is saved; nullopt: in
+  ///           the middle.
+  [[nodiscard]] std::pair<TreeBox, TreeBox> split(TreeBox parent, std::size_t variable,
+                                                  std::optional<double> at = {});
   /// The box is not split any more.
   void leaf(const TreeBox& box, Rule rule, double bound = std::numeric_limits<double>::infinity());
   /// The same, after the search.
@@ -167,6 +176,10 @@ class BoxCourse {
 template <class Judge, class Goal>
 class BoxSearch {
  public:
+  /// Judges any number of boxes, and returns false if it ends early.
+  using JudgeMany = std::function<bool(std::span<const std::vector<Interval>>,
+                                       std::span<typename Judge::Finding>)>;
+
   /// `most`: the number of boxes of a usual round. All must outlive this object.
   BoxSearch(const typename Judge::Question& question, std::size_t most, BoxCourse& course,
             Goal& goal)
@@ -201,7 +214,11 @@ class BoxSearch {
 
   /// Returns false if the search ends before its first round.
   bool begin() {
-    if constexpr (kCanContinue) {
+    if constexpr (requires(const SavedTree& from, const JudgeMany& judge) {
+                    goal_.retrace(from, judge);
+                  }) {
+      if (const SavedTree* from = course_.settings().from) return retrace(*from);
+    } else if constexpr (kCanContinue) {
       if (const SavedTree* from = course_.settings().from) return continue_from(*from);
     }
     goal_.start(course_.root());
@@ -229,18 +246,38 @@ class BoxSearch {
     course_.count(tree.size() - (tree.leaves().size() - judged));
     TreeProof<Judge> proof(
         tree, judges_, [this] { return course_.must_pause(); }, revise());
-    if (!proof.prove(judged, from.shown)) {
-      if (!course_.must_pause())
-        course_.note_lack_of_memory(), static_cast<void>(course_.must_pause());
-      course_.note_lack_of_continuation();
-      goal_.start(course_.root());
-      return false;
-    }
+    if (!proof.prove(judged, from.shown)) return give_up();
     for (std::size_t i = 0; i < from.shown.size(); ++i)
       goal_.recall(box_of(tree, from.shown[i]), proof.shown()[i]);
     goal_.resume_own(from.own);
     repeat(tree, proof);
     course_.note_saved();
+    return true;
+  }
+
+  /// Judging the tree again has ended early.
+  bool give_up() {
+    if (!course_.must_pause())
+      course_.note_lack_of_memory(), static_cast<void>(course_.must_pause());
+    course_.note_lack_of_continuation();
+    goal_.start(course_.root());
+    return false;
+  }
+
+  bool retrace(const SavedTree& from) {
+    const JudgeMany judge = [this](std::span<const std::vector<Interval>> boxes,
+                                   std::span<typename Judge::Finding> findings) {
+      for (std::size_t at = 0; at < boxes.size(); at += kJudgedAtOnce) {
+        const std::size_t count = std::min(kJudgedAtOnce, boxes.size() - at);
+        if (course_.must_pause() ||
+            !judges_.judge(boxes.subspan(at, count), findings.subspan(at, count), 0))
+          return false;
+      }
+      return true;
+    };
+    if (!goal_.retrace(from, judge)) return give_up();
+    course_.note_saved();
+    course_.tell_progress(goal_.open());
     return true;
   }
 

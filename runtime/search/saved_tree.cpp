@@ -11,17 +11,20 @@ namespace {
 
 constexpr double kNoBound = std::numeric_limits<double>::infinity();
 
-void add_bounded(std::string& text, BoxId box, double bound) {
-  text += std::to_string(box);
-  if (!(bound < kNoBound)) {
-    text += "- ";
-    return;
-  }
+void add_number(std::string& text, char before, double number) {
   char digits[40];
   const auto end =
-      std::to_chars(digits, digits + sizeof digits, std::fabs(bound), std::chars_format::hex).ptr;
-  text += std::signbit(bound) ? "=-0x" : "=0x";
+      std::to_chars(digits, digits + sizeof digits, std::fabs(number), std::chars_format::hex).ptr;
+  (text += before) += std::signbit(number) ? "-0x" : "0x";
   text.append(digits, end) += ' ';
+}
+
+void add_bounded(std::string& text, BoxId box, double bound) {
+  text += std::to_string(box);
+  if (bound < kNoBound)
+    add_number(text, '=', bound);
+  else
+    text += "- ";
 }
 
 [[noreturn]] void refuse_word(std::string_view word, const char* expected) {
@@ -37,7 +40,7 @@ std::uint64_t take_number(std::string_view& rest, std::string_view word) {
   return number;
 }
 
-double read_bound(std::string_view digits, std::string_view word) {
+double read_real(std::string_view digits, std::string_view word) {
   double bound = 0;
   const bool is_negative = digits.starts_with('-');
   digits.remove_prefix(is_negative ? 1 : 0);
@@ -62,15 +65,19 @@ void read_words(std::string_view text, Read read) {
 
 }  // namespace
 
-void SavedTree::add_split(BoxId box, std::size_t variable) {
-  steps += std::to_string(box) + ':' + std::to_string(variable) + ' ';
+void SavedTree::add_split(BoxId box, std::size_t variable, std::optional<double> at) {
+  steps += std::to_string(box) + ':' + std::to_string(variable);
+  if (at)
+    add_number(steps, '@', *at);
+  else
+    steps += ' ';
 }
 void SavedTree::add_leaf(BoxId box, double bound) { add_bounded(steps, box, bound); }
 void SavedTree::add_open(BoxId box, double bound) { add_bounded(open, box, bound); }
 
 RestoredTree::RestoredTree(const SavedTree& saved, std::vector<Interval> root,
-                           std::size_t splittable)
-    : root_(std::move(root)), splittable_(splittable), is_closed_{false} {
+                           std::size_t splittable, Splits splits)
+    : root_(std::move(root)), splittable_(splittable), way_(splits), is_closed_{false} {
   read_words(saved.steps, [this](std::string_view word) { read_step(word); });
   const std::size_t closed = leaves_.size();
   read_words(saved.open, [this](std::string_view word) {
@@ -93,20 +100,24 @@ void RestoredTree::read_step(std::string_view word) {
   close(box, word);
   if (!rest.starts_with(':')) {
     read_leaf(rest, box, word);
-    steps_.push_back({box, std::nullopt});
+    steps_.push_back({box});
     return;
   }
   rest.remove_prefix(1);
   const std::uint64_t variable = take_number(rest, word);
-  if (!rest.empty() || variable >= splittable_) refuse_word(word, "the number of a variable");
-  splits_.push_back({box, std::uint32_t(variable)});
-  steps_.push_back({box, std::uint32_t(variable)});
+  const bool is_cut = rest.starts_with('@');
+  if (!(rest.empty() || is_cut) || variable >= splittable_)
+    refuse_word(word, "the number of a variable");
+  if (is_cut != (way_ == Splits::kByCuts)) refuse_word(word, "another kind of split");
+  const double at = is_cut ? read_real(rest.substr(1), word) : 0;
+  splits_.push_back({box, std::uint32_t(variable), at});
+  steps_.push_back({box, std::uint32_t(variable), at});
   is_closed_.insert(is_closed_.end(), 2, false);
 }
 
 void RestoredTree::read_leaf(std::string_view rest, BoxId box, std::string_view word) {
   if (rest.starts_with('='))
-    leaves_.push_back({box, read_bound(rest.substr(1), word)});
+    leaves_.push_back({box, read_real(rest.substr(1), word)});
   else if (rest == "-")
     leaves_.push_back({box, kNoBound});
   else
@@ -119,6 +130,10 @@ void RestoredTree::close(BoxId box, std::string_view word) {
   is_closed_[box] = true;
 }
 
+std::optional<Halves> RestoredTree::halves_of(const Interval& range, const Split& split) const {
+  return way_ == Splits::kByCuts ? cut(range, split.at) : bisect(range);
+}
+
 /// Lower halves have odd numbers.
 std::vector<Interval> RestoredTree::box(BoxId box) const {
   std::vector<BoxId> path;
@@ -126,7 +141,7 @@ std::vector<Interval> RestoredTree::box(BoxId box) const {
   std::vector<Interval> result = root_;
   for (auto child = path.rbegin(); child != path.rend(); ++child) {
     const Split& split = splits_[(*child - 1) / 2];
-    const std::optional<Halves> halves = bisect(result[split.variable]);
+    const std::optional<Halves> halves = halves_of(result[split.variable], split);
     if (!halves)
       throw SavedTreeError("box " + std::to_string(split.box) + " cannot be halved in variable " +
                            std::to_string(split.variable));

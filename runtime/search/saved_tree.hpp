@@ -16,6 +16,7 @@ namespace regulus {
 /// The words of `steps` and `open` are separated by spaces; numbers are those of boxes:
 ///
 ///     12:3             box 12 was halved in variable 3, into the next two numbers
+///     12:3@0x1.8p+2    box 12 was cut there: a search that narrows boxes halves what is left of them
 ///     13=0x1.8p+2      box 13 is not split any more, and has this bound
 ///     14-              box 14 is not split any more, and has no bound; before 0x there may be a sign
 ///
@@ -26,7 +27,8 @@ struct SavedTree {
   std::vector<BoxId> shown{};        ///< the boxes that showed more than what is in their subtrees
   std::vector<std::uint64_t> own{};  ///< numbers of the goal's own
 
-  void add_split(BoxId box, std::size_t variable);
+  /// `at`: where it was cut; nullopt: in the middle.
+  void add_split(BoxId box, std::size_t variable, std::optional<double> at = {});
   /// An infinite bound is none.
   void add_leaf(BoxId box, double bound);
   void add_open(BoxId box, double bound);
@@ -40,13 +42,23 @@ class SavedTreeError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The boxes of a saved tree. They tile the variety, whatever the text is, because each is one half
+/// Ensures   left ∪ right = x, both strictly narrower; nullopt iff x has no such number inside.
+[[nodiscard]] inline std::optional<Halves> cut(const Interval& x, double at) noexcept {
+  if (!(x.lo < at && at < x.hi)) return std::nullopt;
+  return Halves{{x.lo, at}, {at, x.hi}};
+}
+
+/// How the boxes of a search are split.
+enum class Splits : std::uint8_t { kInHalves, kByCuts };
+
+/// The boxes of a saved tree. They tile the variety, whatever the text is, because each is one part
 /// of another.
 class RestoredTree {
  public:
   struct Step {
     BoxId box;
-    std::optional<std::uint32_t> variable;  ///< split in it; nullopt: the next of leaves()
+    std::optional<std::uint32_t> variable{};  ///< split in it; nullopt: the next of leaves()
+    double at = 0;                            ///< of Splits::kByCuts: where
   };
   struct Leaf {
     BoxId box;
@@ -55,7 +67,8 @@ class RestoredTree {
 
   /// Accepts any text. `splittable`: the number of variables, from the first, that may be halved.
   /// Throws SavedTreeError.
-  RestoredTree(const SavedTree& saved, std::vector<Interval> root, std::size_t splittable);
+  RestoredTree(const SavedTree& saved, std::vector<Interval> root, std::size_t splittable,
+               Splits splits = Splits::kInHalves);
 
   [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
   /// Those of steps(), in their order, then the open boxes.
@@ -67,7 +80,8 @@ class RestoredTree {
   /// Requires  0 < box < size().
   [[nodiscard]] BoxId parent(BoxId box) const { return splits_[(box - 1) / 2].box; }
   /// Requires  box < size().
-  /// Throws    SavedTreeError if the text halves an interval that has no double inside.
+  /// Throws    SavedTreeError if the text halves an interval that has no double inside, or cuts one
+  ///           that does not have that number inside.
   [[nodiscard]] std::vector<Interval> box(BoxId box) const;
   /// Returns the number of splits above a box.
   [[nodiscard]] std::uint32_t depth(BoxId box) const;
@@ -76,13 +90,16 @@ class RestoredTree {
   struct Split {
     BoxId box;
     std::uint32_t variable;
+    double at;
   };
+  [[nodiscard]] std::optional<Halves> halves_of(const Interval& range, const Split& split) const;
   void read_step(std::string_view word);
   void read_leaf(std::string_view rest, BoxId box, std::string_view word);
   void close(BoxId box, std::string_view word);
 
   std::vector<Interval> root_;
   std::size_t splittable_;
+  Splits way_;
   std::vector<Split> splits_;  ///< the k-th makes the boxes 2k + 1 and 2k + 2
   std::vector<Step> steps_;
   std::vector<Leaf> leaves_;

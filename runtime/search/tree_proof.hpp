@@ -10,6 +10,9 @@
 
 namespace regulus {
 
+/// So many boxes that the threads and workers are busy most of the time.
+inline constexpr std::size_t kJudgedAtOnce = 2048;
+
 /// Judges leaves of a tree again. If findings have a bound, a box above a leaf may have a smaller
 /// one, which holds for the leaf, too: while the bound of the text is smaller than what was found,
 /// the next box above is judged as well. So each bound is that of the text if the text is true, and
@@ -46,8 +49,6 @@ class TreeProof {
   [[nodiscard]] std::vector<Finding>& shown() { return shown_; }
 
  private:
-  /// So many that the threads and workers are busy most of the time.
-  static constexpr std::size_t kJudgedAtOnce = 2048;
   /// With this horizon nothing is shown beside the bounds; with 0 all is.
   static constexpr double kFar = std::numeric_limits<double>::infinity();
   static constexpr bool kHasBounds = requires(Finding & finding) { Judge::bound(finding); };

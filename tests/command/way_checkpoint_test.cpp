@@ -136,7 +136,6 @@ class KeptSearchTest : public testing::TestWithParam<Asked> {
     json report = json::parse(run.output);
     for (const char* key : {"seconds", "proof", "certificate", "threads", "options"})
       report.erase(key);
-    report.at("question").erase("options");
     std::string lines = text_of(path(name + ".lines"));
     if (!lines.empty()) lines.resize(lines.rfind('\n', lines.size() - 2));
     report.erase("certificate_obstacle");

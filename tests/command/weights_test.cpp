@@ -27,8 +27,8 @@ TEST(Weights, ChangeWhatIsSplitAndNoVerdict) {
   };
   const auto plain = report({}), ones = report({"--weight", "x=1", "--weight", "psi=1.0"}),
              other = report({"--weight", "psi=8", "--weight", "theta=8"});
-  EXPECT_FALSE(plain["question"]["options"].contains("weights"));
-  EXPECT_EQ(other["question"]["options"]["weights"], nlohmann::json({"psi=8", "theta=8"}));
+  EXPECT_FALSE(plain["options"].contains("weights"));
+  EXPECT_EQ(other["options"]["weights"], nlohmann::json({"psi=8", "theta=8"}));
   for (const nlohmann::json* one : {&plain, &ones, &other})
     EXPECT_EQ(one->at("verdict"), "no-singularity");
   EXPECT_EQ(plain.at("boxes"), ones.at("boxes"));

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `regulus-mpi solve`: the places of a table, with the bytes of one process.
+#include <csignal>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <regex>
+#include <thread>
 
 #include "tests/mpi/ranks.hpp"
 
@@ -77,6 +80,44 @@ TEST_F(SolvingRanks, SolveOnePlaceOnce) {
   const std::string proof = text_of(file("proof"));
   EXPECT_EQ(run_command(one_thread(solve)).exit_code, 0);
   EXPECT_TRUE(text_of(file("proof")) == proof);
+}
+
+/// The search has more than 16 384 boxes.
+TEST_F(SolvingRanks, ShareTheBoxesOfOnePlace) {
+  const Words solve = {"solve",        model("rpr_6"), "--tolerance", "base=0.3", "--json",
+                       "--time-limit", "600",          "--max-boxes", "20000"};
+  const auto found = [](const CommandResult& run) {
+    nlohmann::json report = nlohmann::json::parse(run.output);
+    for (const char* key : {"seconds", "options", "threads"}) report.erase(key);
+    return report;
+  };
+  const nlohmann::json one = found(run_command(one_thread(solve)));
+  EXPECT_GT(one.at("boxes"), 16384);
+  for (const int count : numbers_of_ranks({1, 2, 3, 8}))
+    EXPECT_EQ(found(run_command(ranks(count, solve))), one) << count << " ranks";
+}
+
+/// Each rank has the places that it solves in a file of its own.
+TEST_F(SolvingRanks, GoOnWithTheirPlaces) {
+  std::ofstream table(file("lengths.csv"));
+  table << "rho_1, rho_2, rho_3\n";
+  for (int k = 0; k < 60; ++k) table << "14.98, 15." << 30 + k % 10 << ", 12\n";
+  table.close();
+  const Words solve = {"solve",         model("rpr_6"), "--waypoints", file("lengths.csv"),
+                       "--certificate", file("proof")};
+  const CommandResult whole = run_command(one_thread(solve));
+  const std::string proof = text_of(file("proof"));
+  const Words kept = joined(solve, {"--checkpoint", file("saved"), "--checkpoint-every", "0"});
+  RunningCommand run(ranks(3, kept));
+  for (int i = 0; i < 20000 && !is_search_saved(file("saved.2")); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  ::kill(run.pid(), SIGTERM);
+  static_cast<void>(run.wait());
+  EXPECT_TRUE(is_search_saved(file("saved.2")));
+  const CommandResult many = run_command(ranks(2, kept));
+  EXPECT_EQ(many.output, whole.output) << many.errors;
+  EXPECT_TRUE(text_of(file("proof")) == proof);
+  EXPECT_FALSE(std::filesystem::exists(file("saved")) || std::filesystem::exists(file("saved.1")));
 }
 
 TEST_F(SolvingRanks, TellAMistakeOfATableOnce) {

@@ -161,10 +161,15 @@ void tell_model(const Request& request, Facts& facts) {
   facts.say("model", request.model.name).say("motion", request.motion.name);
 }
 
-void add_search(const SearchOptions& search, Json question, Facts& facts) {
+Json without_head(Json question) {
+  for (const char* key : {"model_sha256", "motion", "options", "version"}) question.erase(key);
+  return question;
+}
+
+void add_search(const SearchOptions& search, const Json& question, Facts& facts) {
   facts.add("engine", word_of(search.engine)).add("threads", settings_from(search).threads);
   for (const char* key : {"options", "version"}) facts.add(key, question[key]);
-  facts.add("question", std::move(question));
+  facts.add("question", without_head(question));
 }
 
 void tell_method(const PreparedSearch& p, const SearchOptions& search, Method method,

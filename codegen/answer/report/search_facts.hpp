@@ -18,7 +18,9 @@ void tell_model(const Request& request, Facts& facts);
 void add_model(const SearchSubject& preparation, Facts& facts);
 void add_model(const Request& request, Facts& facts);
 /// Tells the question as json_question() returns it, its options and version, engine and threads.
-void add_search(const SearchOptions& search, nlohmann::ordered_json question, Facts& facts);
+void add_search(const SearchOptions& search, const nlohmann::ordered_json& question, Facts& facts);
+/// Returns a question without what the head of each report has.
+[[nodiscard]] nlohmann::ordered_json without_head(nlohmann::ordered_json question);
 /// Tells model, motion, matrix, threshold and uncertain quantities: all that the claim is about.
 void tell_question(const SearchSubject& preparation, const Request& request, Facts& facts);
 /// Tells α: approximately, and its enclosure.

@@ -122,7 +122,6 @@ constexpr const char* kAttainedRow = "uncertain value, and the inner end is atta
 
 Json json_sheet_entry(const Request& request, const Bound& bound, const BoundSettings& settings) {
   Facts facts(Readers::kPrograms);
-  add_model(request, facts);
   tell_bracket(request, bound, settings, facts);
   Json object = facts.object();
   object.erase("proof");  // the head of the report has all of them

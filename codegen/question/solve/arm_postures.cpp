@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/degrees.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/model/place.hpp"
+#include "codegen/question/solve/arm_place.hpp"
 #include "codegen/question/solve/arm_system.hpp"
 #include "codegen/question/solve/platform_legs.hpp"
 #include "codegen/question/solve/root_search.hpp"
@@ -26,7 +26,6 @@ namespace {
 constexpr const char* kTheorem =
     "by the theorem that six joints that turn have at most 16 isolated complex postures (Primrose "
     "1986; Lee & Liang 1988; Raghavan & Roth 1993), of which 16 are certain";
-constexpr std::size_t kWays = 3;
 /// Each way to choose opposite joints gets so many boxes at first, and then all that are left.
 constexpr std::uint64_t kFirstBoxes = 3000;
 /// After a box that cannot be split: each way then only looks for more postures that are certain.
@@ -44,29 +43,11 @@ class ArmSolver {
   ArmSolver(const Request& request, const SolveRun& run)
       : model_(request.model),
         run_(run),
-        geometry_(has_tolerances(request) && !has_errors(request.motion)
-                      ? ArmGeometry::kWithinTolerances
-                      : ArmGeometry::kNominal),
-        chain_(enclose_chain(model_, geometry_)) {
-    const FloatingPointScope nearest(FloatingPointRounding::kNearest);
-    for (const SerialJoint& joint : model_.arm->joints)
-      if (joint.follows)
-        throw UsageError("the postures of an arm with joints that follow others are not found");
-    const bool is_by_tool = !request.motion.tool.empty();
-    const std::vector<std::string> held = held_joints(request.motion, run.held);
-    const std::vector<Interval> values = enclose_values(model_, request.motion);
-    free_.resize(chain_.size());
-    std::iota(free_.begin(), free_.end(), std::size_t{0});
-    target_ = is_by_tool ? enclose_target(model_, request.motion.tool, geometry_)
-                         : posture_at(enclose_chain(model_, ArmGeometry::kNominal), values).end;
-    for (const std::string& name : held) hold(name, values);
-    if (chain_.size() != kJoints)
-      throw UsageError(fmt::format(
-          "{} joints are free to move, and a frame fixes six; {}", chain_.size(),
-          chain_.size() < kJoints ? "postures are found of arms with six"
-          : is_by_tool
-              ? "give values that some keep, such as at " + model_.pose.back().name + "=VALUE"
-              : "name some that keep their values by hold"));
+        at_(arm_at_place(request, run.held)),
+        geometry_(at_.geometry),
+        chain_(at_.chain),
+        target_(at_.target),
+        free_(at_.free) {
     for (const std::size_t i : free_)
       solutions_.unknowns.push_back({model_.pose[i].name, model_.pose[i].unit,
                                      !turns(i)       ? 0
@@ -105,21 +86,6 @@ class ArmSolver {
     std::optional<Reason> stopped_by{};
   };
 
-  /// Returns the joints of the option, and those to which a motion by the tool gives a value.
-  [[nodiscard]] std::vector<std::string> held_joints(const Motion& motion,
-                                                     std::vector<std::string> names) const {
-    for (std::size_t i = 0; i < model_.pose.size() && !motion.tool.empty(); ++i) {
-      const std::string& name = model_.pose[i].name;
-      const bool is_named = std::ranges::find(names, name) != names.end();
-      if (is_named && !keeps_value(model_, motion, i))
-        throw UsageError(fmt::format(
-            "{} is held, and has no value; give it beside the place of the tool, at {}=VALUE",
-            in_quotes(name), name));
-      if (!is_named && keeps_value(model_, motion, i)) names.push_back(name);
-    }
-    return names;
-  }
-
   [[nodiscard]] bool turns(std::size_t joint) const {
     return model_.arm->joints[joint].kind == JointKind::kRevolute;
   }
@@ -130,22 +96,6 @@ class ArmSolver {
   /// Returns the value of a joint of the chain in the unit of the report.
   [[nodiscard]] Interval in_unit(std::size_t joint, const Interval& value) const {
     return in_degrees(free_[joint]) ? Interval(180.0) * value / kPi : value;
-  }
-
-  /// Makes a joint a part of the link behind it.
-  void hold(const std::string& name, const std::vector<Interval>& values) {
-    const auto at =
-        std::ranges::find(free_, name, [this](std::size_t i) { return model_.pose[i].name; });
-    if (at == free_.end()) throw UsageError("no joint " + in_quotes(name) + " is free to be held");
-    const std::size_t i = *at;
-    const auto k = std::size_t(at - free_.begin());
-    const LinkFrame link = compose(chain_[k].origin, chain_[k].moved(values[i]));
-    if (k + 1 < chain_.size())
-      chain_[k + 1].origin = compose(link, chain_[k + 1].origin);
-    else
-      target_ = compose(target_, inverse(link));
-    chain_.erase(chain_.begin() + std::ptrdiff_t(k));
-    free_.erase(at);
   }
 
   [[nodiscard]] bool varies() const { return geometry_ != ArmGeometry::kNominal; }
@@ -190,7 +140,7 @@ class ArmSolver {
     Attempt best;
     const std::uint64_t all = settings_.max_boxes;
     for (const std::uint64_t most : {std::min(all, kFirstBoxes), all}) {
-      for (std::size_t first = 0; first < kWays; ++first) {
+      for (std::size_t first = 0; first < kWholeArm; ++first) {
         settings_.max_boxes = most;
         Attempt attempt = by_opposite_axes(first);
         const bool is_last = attempt.obstacle.empty() ||
@@ -199,7 +149,7 @@ class ArmSolver {
         if (first == 0 || attempt.obstacle.empty() ||
             attempt.postures.size() > best.postures.size()) {
           best = std::move(attempt);
-          solutions_.opposite = (first + kFollowing[0]) % kWays + 1;
+          solutions_.opposite = (first + kFollowing[0]) % kWholeArm + 1;
         }
         if (is_last) return best;
       }
@@ -212,15 +162,12 @@ class ArmSolver {
   }
 
   Attempt by_opposite_axes(std::size_t first) {
-    auto [loop, end] = rotated_loop(chain_, target_, first);
-    move_origins(loop, end);
+    const RootSystems systems = systems_of_arm(at_, first);
+    const auto [loop, end] = loop_from(at_, first);
     const Interval circle(-mid(kPi) - kOverlapOfTurn, mid(kPi) + kOverlapOfTurn);
     Problem problem;
     problem.outer.assign(kSearched.size(), circle);
-    const RootQuestion question{
-        problem, {0, 0, kSearched.size(), 0}, [&, &loop = loop, &end = end] {
-          return std::make_unique<OppositeAxes>(loop, end);
-        }};
+    const RootQuestion question = systems.question(problem);
     const RootList list = search_roots(question, std::vector<Interval>(kSearched.size(), kTurn),
                                        settings_, run_.progress);
     count(list);
@@ -280,11 +227,9 @@ class ArmSolver {
                                   ? Interval(-mid(kPi) - kOverlapOfTurn, mid(kPi) + kOverlapOfTurn)
                                   : limits_of(i));
     }
+    const RootSystems systems = systems_of_arm(at_, kWholeArm);
     const RootList list =
-        search_roots({problem,
-                      {0, 0, kJoints, 0},
-                      [this] { return std::make_unique<WholeArm>(chain_, target_); }},
-                     periods, settings_, run_.progress);
+        search_roots(systems.question(problem), periods, settings_, run_.progress);
     count(list);
     Attempt attempt;
     attempt.stopped_by = list.stopped_by;
@@ -381,10 +326,11 @@ class ArmSolver {
 
   const Model& model_;
   const SolveRun& run_;
+  const ArmAtPlace at_;
   const ArmGeometry geometry_;
-  ArmChain chain_;
-  LinkFrame target_;
-  std::vector<std::size_t> free_;  ///< by joint of the chain: its number in the pose
+  const ArmChain& chain_;
+  const LinkFrame& target_;
+  const std::vector<std::size_t>& free_;
   const Problem problem_{};
   RootSettings settings_;
   Solutions solutions_;

@@ -231,7 +231,7 @@ Solutions solve_platform(const Request& request, const SolveRun& run) {
   PreparedSystem prepared =
       prepare_system(planar_request(request), 0, run.search, run.watch, DerivativesBy::kUnknowns);
   run.begin();
-  return solve_system(prepared, settings_of(prepared, run.search, run.interrupt), run.progress);
+  return solve_system(prepared, root_settings_of(run, prepared), run.progress);
 }
 
 }  // namespace regulus

@@ -109,10 +109,12 @@ bool certain_different(const ChartRoot& a, const ChartRoot& b) {
 class PoseSearch {
  public:
   PoseSearch(const GoughLegs& legs, RootSettings settings, Observer* progress)
-      : equations_(legs), settings_(std::move(settings)), progress_(progress) {}
+      : equations_(std::make_shared<const PoseEquations>(legs)),
+        settings_(std::move(settings)),
+        progress_(progress) {}
 
   PoseList find() {
-    if (!equations_.exist()) {
+    if (!equations_->exist()) {
       list_.is_searched = false;
       return std::move(list_);
     }
@@ -120,20 +122,20 @@ class PoseSearch {
     for (int chart = 0; chart < kChartsOfRotations && !list_.stopped_by; ++chart) search(chart);
     list_.is_complete = list_.is_complete && !list_.is_doubtful;
     for (const ChartRoot& known : roots_)
-      list_.poses.push_back(equations_.pose_of(known.chart, known.root.values));
+      list_.poses.push_back(equations_->pose_of(known.chart, known.root.values));
     return std::move(list_);
   }
 
  private:
   void search(int chart) {
-    const std::size_t n = equations_.unknowns();
+    const std::size_t n = equations_->unknowns();
     Problem problem;
-    problem.outer = equations_.ranges();
+    problem.outer = equations_->ranges();
+    const RootSystems systems = systems_of_chart(equations_, chart);
     const RootList found = search_roots(
-        {problem, {0, 0, n, 0}, [&] { return std::make_unique<ChartSystem>(equations_, chart); }},
-        std::vector<Interval>(n, Interval(0.0)), settings_, progress_);
+        systems.question(problem), std::vector<Interval>(n, Interval(0.0)), settings_, progress_);
     for (const Root& root : found.roots) add({chart, root});
-    for (const auto& box : found.open) list_.open.push_back(equations_.pose_of(chart, box));
+    for (const auto& box : found.open) list_.open.push_back(equations_->pose_of(chart, box));
     list_.is_complete = list_.is_complete && found.is_complete;
     list_.is_doubtful = list_.is_doubtful || found.is_doubtful;
     list_.stopped_by = found.stopped_by;
@@ -149,13 +151,13 @@ class PoseSearch {
       if (known.chart == found.chart || certain_different(known, found)) continue;
       if (is_in_reach(known, found) || is_in_reach(found, known)) return;
       list_.is_doubtful = true;
-      list_.open.push_back(equations_.pose_of(found.chart, found.root.values));
+      list_.open.push_back(equations_->pose_of(found.chart, found.root.values));
       return;
     }
     roots_.push_back(std::move(found));
   }
 
-  const PoseEquations equations_;
+  const std::shared_ptr<const PoseEquations> equations_;
   RootSettings settings_;
   Observer* const progress_;
   std::vector<ChartRoot> roots_;
@@ -232,15 +234,15 @@ class PoseFollowing {
  public:
   PoseFollowing(const GoughLegs& at, const GoughLegs& legs, RootSettings settings,
                 Observer* progress)
-      : equations_(at, deviations_of(at, legs)),
-        all_(legs, equations_),
+      : both_(std::make_shared<const FollowedEquations>(at, legs)),
+        equations_(both_->first),
         legs_(legs),
         settings_(std::move(settings)),
         progress_(progress) {}
 
   PoseTubes follow(const std::vector<GoughPose>& poses) {
     result_.tubes.resize(poses.size());
-    result_.is_searched = equations_.exist() && all_.exist();
+    result_.is_searched = equations_.exist() && both_->all.exist();
     if (!result_.is_searched) return std::move(result_);
     for (; searched_ < kChartsOfRotations && !result_.stopped_by; ++searched_) search(searched_);
     // A chart that was not searched is open all over.
@@ -278,10 +280,8 @@ class PoseFollowing {
     const std::size_t n = equations_.unknowns();
     Problem problem;
     problem.outer = box;
-    RootList found = search_roots({problem,
-                                   {0, 0, n, 0},
-                                   [&] { return std::make_unique<ChartSystem>(equations_, chart); },
-                                   [&] { return std::make_unique<ChartSystem>(all_, chart); }},
+    const RootSystems systems = systems_of_chart(both_, chart);
+    RootList found = search_roots(systems.question(problem),
                                   std::vector<Interval>(n, Interval(0.0)), settings_, progress_);
     for (const auto& part : found.regular)
       if (const auto narrow = narrow_poses(legs_, equations_.pose_of(chart, part)).poses)
@@ -299,7 +299,8 @@ class PoseFollowing {
     return std::move(found.open);
   }
 
-  const PoseEquations equations_, all_;
+  const std::shared_ptr<const FollowedEquations> both_;
+  const PoseEquations& equations_;
   const GoughLegs& legs_;
   RootSettings settings_;
   Observer* const progress_;
@@ -309,6 +310,20 @@ class PoseFollowing {
 };
 
 }  // namespace
+
+RootSystems systems_of_chart(std::shared_ptr<const PoseEquations> equations, int chart) {
+  return {std::size_t(chart), equations->unknowns(),
+          [equations, chart] { return std::make_unique<ChartSystem>(*equations, chart); }};
+}
+
+FollowedEquations::FollowedEquations(const GoughLegs& at, const GoughLegs& legs)
+    : first(at, deviations_of(at, legs)), all(legs, first) {}
+
+RootSystems systems_of_chart(std::shared_ptr<const FollowedEquations> equations, int chart) {
+  return {std::size_t(kChartsOfRotations + chart), equations->first.unknowns(),
+          [equations, chart] { return std::make_unique<ChartSystem>(equations->first, chart); },
+          [equations, chart] { return std::make_unique<ChartSystem>(equations->all, chart); }};
+}
 
 PoseList search_poses(const GoughLegs& legs, RootSettings settings, Observer* progress) {
   return PoseSearch(legs, std::move(settings), progress).find();

@@ -2,13 +2,21 @@
 // All poses of a platform on six legs, by branch and prune over all rotations.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "codegen/question/solve/root_search.hpp"
 #include "runtime/solutions/gough_poses.hpp"
+#include "runtime/solutions/pose_equations.hpp"
 
 namespace regulus {
+
+/// Returns the systems of a search of one chart, which has the number of the chart.
+///
+/// Requires  the equations exist.
+[[nodiscard]] RootSystems systems_of_chart(std::shared_ptr<const PoseEquations> equations,
+                                           int chart);
 
 struct PoseList {
   std::vector<GoughPose> poses;  ///< pairwise different; each is regular
@@ -38,6 +46,18 @@ struct PoseTubes {
   std::uint64_t boxes = 0;
   double seconds = 0;
 };
+
+/// The equations that are searched while poses are followed from the legs `at` to all of `legs`.
+struct FollowedEquations {
+  FollowedEquations(const GoughLegs& at, const GoughLegs& legs);
+
+  PoseEquations first, all;
+};
+/// Returns the systems of such a search of one chart.
+///
+/// Requires  both equations exist.
+[[nodiscard]] RootSystems systems_of_chart(std::shared_ptr<const FollowedEquations> equations,
+                                           int chart);
 
 /// Follows all poses of some legs over the set of all legs that are enclosed.
 ///

@@ -45,13 +45,28 @@ class RootSystem {
   [[nodiscard]] virtual std::optional<Values> at(std::size_t lane) const = 0;
 };
 
+using MakeRootSystem = std::function<std::unique_ptr<RootSystem>()>;
+
 struct RootQuestion {
   const Problem& problem;  ///< its ranges: of the variables, and where each unknown is looked for
   ClosedShape shape;
-  std::function<std::unique_ptr<RootSystem>()> system;
+  MakeRootSystem system;
   /// If there is one, no solutions are looked for: boxes are asked for all over which the derivatives of
   /// this system are regular. It has the unknowns of the other one.
-  std::function<std::unique_ptr<RootSystem>()> regular{};
+  MakeRootSystem regular{};
+  /// Names the systems among those of the question about the solutions, for other processes.
+  std::size_t number = 0;
+};
+
+/// The systems of a search without variables. They live as long as this or a copy of it.
+struct RootSystems {
+  std::size_t number = 0;  ///< RootQuestion::number
+  std::size_t unknowns = 0;
+  MakeRootSystem system{}, regular{};
+
+  [[nodiscard]] RootQuestion question(const Problem& problem) const {
+    return {problem, {0, 0, unknowns, 0}, system, regular, number};
+  }
 };
 
 /// A solution, for each place of the variables.

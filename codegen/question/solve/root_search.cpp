@@ -5,10 +5,16 @@
 #include <cmath>
 #include <utility>
 
+#include "codegen/question/engine/search_topic.hpp"
+#include "codegen/question/solve/retraced_roots.hpp"
+
 namespace regulus {
 namespace {
 
 constexpr std::size_t kBoxesOfRound = 64;
+/// A search of so many boxes has rounds that keep many workers busy.
+constexpr std::uint64_t kBoxesBeforeLongRounds = BoxSharing{}.boxes_before;
+constexpr std::size_t kBoxesOfLongRound = 2048;
 
 /// The goal of the search: box_search.hpp. The last box that was made is judged first.
 class RootGoal {
@@ -28,8 +34,9 @@ class RootGoal {
 
   void fill(std::vector<std::vector<Interval>>& boxes, std::uint64_t left) {
     round_.clear();
-    const std::size_t count = std::min<std::uint64_t>(std::min(kBoxesOfRound, open_.size()), left);
-    take_last(open_, count, round_, boxes);
+    const bool is_long = course_.boxes() >= kBoxesBeforeLongRounds;
+    course_.take_round(open_, is_long ? kBoxesOfLongRound : kBoxesOfRound, left, round_, boxes,
+                       [this](SavedTree& tree) { describe(tree); });
   }
 
   [[nodiscard]] double horizon() const { return 0; }
@@ -37,6 +44,23 @@ class RootGoal {
 
   void conclude(std::span<RootFinding> findings) {
     for (std::size_t i = round_.size(); i-- > 0;) conclude(round_[i], findings[i]);
+  }
+
+  void describe(SavedTree& tree) const {
+    for (const TreeBox& box : open_) tree.add_open(box.id, kInfinity);
+    tree.own = {last_box_};
+  }
+  bool retrace(const SavedTree& from, const RetracedRoots::JudgeMany& judge) {
+    const TreeBox root = course_.root();
+    const RestoredTree tree(from, root.box, ranges_.size(), Splits::kByCuts);
+    RetracedRoots retraced(
+        tree, [this](auto& box, const RootFinding& found) { return narrow(box, found); });
+    if (!retraced.prove(root.box, judge)) return false;
+    course_.count(tree.steps().size());
+    repeat(tree, retraced);
+    if (from.own.size() != 1) throw SavedTreeError("it has other numbers of its own");
+    if (!list_.open.empty()) last_box_ = from.own.front();
+    return true;
   }
 
   RootList finish() {
@@ -55,29 +79,59 @@ class RootGoal {
 
  private:
   void conclude(TreeBox& box, RootFinding& finding) {
-    if (finding.is_empty) return course_.leaf(box, Rule::kOutside);
-    if (finding.root) {
-      list_.roots.push_back(std::move(*finding.root));
-      return course_.leaf(box, Rule::kSecondOrder);
-    }
-    std::ranges::copy(finding.unknowns, box.box.begin() + std::ptrdiff_t(shape_.variables));
-    if (finding.is_regular) {
-      list_.regular.push_back(unknowns_of(box));
-      return course_.leaf(box, Rule::kSecondOrder);
-    }
-    const auto variable =
-        choose_variable(box.box, ranges_, finding.impact, settings_.min_relative_width);
-    if (!variable) return block(box, finding);
-    auto [lower, upper] = course_.split(std::move(box), *variable);
+    const auto variable = narrow(box.box, finding);
+    if (!variable) return leave(box, finding);
+    const double middle = mid(box.box[*variable]);
+    auto [lower, upper] = course_.split(std::move(box), *variable, middle);
     open_.push_back(std::move(upper));
     open_.push_back(std::move(lower));
+  }
+
+  /// Leaves of a box what may have solutions. Returns the variable in which that is halved; nullopt:
+  /// the box is a leaf.
+  [[nodiscard]] std::optional<std::size_t> narrow(std::vector<Interval>& box,
+                                                  const RootFinding& finding) const {
+    if (finding.is_empty || finding.root) return std::nullopt;
+    std::ranges::copy(finding.unknowns, box.begin() + std::ptrdiff_t(shape_.variables));
+    if (finding.is_regular) return std::nullopt;
+    return choose_variable(box, ranges_, finding.impact, settings_.min_relative_width);
+  }
+
+  /// A leaf that is not empty has a bound in the file, so that it is judged as it is here.
+  void leave(const TreeBox& box, RootFinding& finding) {
+    if (finding.is_empty) return course_.leaf(box, Rule::kOutside);
+    if (finding.root)
+      list_.roots.push_back(std::move(*finding.root));
+    else if (finding.is_regular)
+      list_.regular.push_back(unknowns_of(box));
+    else
+      return block(box, finding);
+    course_.leaf(box, Rule::kSecondOrder, 0);
   }
 
   void block(const TreeBox& box, const RootFinding& finding) {
     if (list_.open.empty()) last_box_ = course_.boxes() + settings_.boxes_after_problem;
     list_.is_undefined = list_.is_undefined || finding.is_undefined;
     list_.open.push_back(unknowns_of(box));
-    course_.leaf(box, Rule::kBlocked);
+    course_.leaf(box, Rule::kBlocked, 0);
+  }
+
+  /// Makes the splits and leaves again, in their order.
+  void repeat(const RestoredTree& tree, RetracedRoots& retraced) {
+    for (const RestoredTree::Step& step : tree.steps()) {
+      TreeBox box{step.box, tree.depth(step.box), tree.box(step.box)};
+      if (step.variable) {
+        static_cast<void>(course_.split(std::move(box), *step.variable, step.at));
+      } else if (RetracedRoots::Leaf* const leaf = retraced.leaf(step.box)) {
+        box.box = leaf->box;
+        leave(box, leaf->finding);
+      } else {
+        course_.leaf(box, Rule::kOutside);
+      }
+    }
+    const auto open = std::span(tree.leaves()).last(tree.open());
+    for (const RestoredTree::Leaf& leaf : open)
+      open_.push_back({leaf.box, tree.depth(leaf.box), retraced.leaf(leaf.box)->box});
   }
 
   [[nodiscard]] std::vector<Interval> unknowns_of(const TreeBox& box) const {
@@ -143,12 +197,20 @@ void keep_different(RootList& list, const std::vector<Interval>& periods) {
 
 RootList search_roots(const RootQuestion& question, const std::vector<Interval>& periods,
                       const RootSettings& settings, Observer* progress) {
-  BoxCourse course(question.problem, settings, progress);
-  RootGoal goal(course, question, settings);
-  BoxSearch<RootJudge, RootGoal>(question, kBoxesOfRound, course, goal).run();
-  RootList list = goal.finish();
-  keep_different(list, periods);
-  return list;
+  if (settings.workers != nullptr) {
+    SearchTopic topic;
+    topic.piece = question.number;
+    settings.workers->turn_to(write_topic(topic));
+  }
+  const RootSearch search = [&](const RootSettings& own) {
+    BoxCourse course(question.problem, own, progress);
+    RootGoal goal(course, question, own);
+    BoxSearch<RootJudge, RootGoal>(question, kBoxesOfRound, course, goal).run();
+    RootList list = goal.finish();
+    keep_different(list, periods);
+    return list;
+  };
+  return settings.keep ? settings.keep(settings, search) : search(settings);
 }
 
 }  // namespace regulus

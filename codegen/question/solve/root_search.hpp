@@ -2,6 +2,7 @@
 // Branch and prune over all unknowns of a system: every solution, and the boxes that may hide others.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -10,12 +11,7 @@
 
 namespace regulus {
 
-struct RootSettings : BoxSearchSettings {
-  /// Boxes are not split in an unknown narrower than this part of its range.
-  double min_relative_width = 0x1p-34;
-  /// After a box that cannot be split: how many more are judged, because the list will not be whole.
-  std::uint64_t boxes_after_problem = 20'000;
-};
+struct RootSettings;
 
 struct RootList {
   std::vector<Root> roots;                  ///< pairwise different
@@ -30,11 +26,23 @@ struct RootList {
   double seconds = 0;
 };
 
-/// Finds the roots of a system over the ranges of its unknowns. The result does not depend on threads.
+using RootSearch = std::function<RootList(const RootSettings&)>;
+
+struct RootSettings : BoxSearchSettings {
+  /// Boxes are not split in an unknown narrower than this part of its range.
+  double min_relative_width = 0x1p-34;
+  /// After a box that cannot be split: how many more are judged, because the list will not be whole.
+  std::uint64_t boxes_after_problem = 20'000;
+  /// Runs each search, with its place in a file for the option --checkpoint; empty: there is none.
+  std::function<RootList(const RootSettings&, const RootSearch&)> keep{};
+};
+
+/// Finds the roots of a system over the ranges of its unknowns. The result does not depend on threads,
+/// and not on whether the search was stopped and continued.
 ///
 /// `periods`: by unknown; the equations do not change if it moves by this; 0: no such number.
 /// `progress` may be null.
-/// Throws    the exceptions of the workers.
+/// Throws    SavedTreeError if settings.from is no tree of this search; the exceptions of the workers.
 [[nodiscard]] RootList search_roots(const RootQuestion& question,
                                     const std::vector<Interval>& periods,
                                     const RootSettings& settings, Observer* progress);

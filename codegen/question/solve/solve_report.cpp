@@ -278,6 +278,14 @@ void say_held(const SolveAsked& asked, Facts& facts) {
 
 }  // namespace
 
+Json checkpointed_question(const SolveAsked& asked, const std::string& places) {
+  Json question =
+      json_asked(asked, places.empty() ? json_place(placed_values(asked.request)) : Json(nullptr));
+  question.erase("options");  // they change how long it takes
+  question["solutions"] = places.empty() ? "one place" : places;
+  return question;
+}
+
 void tell_solutions(const SolveAsked& asked, const Solutions& solutions, const SolvedNoun& noun,
                     Facts& facts) {
   facts.add("verdict", word_of(solutions));
@@ -312,6 +320,26 @@ Json json_solved(const SolvedPlace& place, const Model& model, const SolvedNoun&
   facts.add("boxes", place.solutions.boxes);
   facts.add("claim", describe_claim(place.solutions, noun));
   return facts.object();
+}
+
+std::string describe_places(const std::vector<SolvedPlace>& places, std::uint64_t left,
+                            const SolvedNoun& noun) {
+  const auto count_of = [&places](std::string_view word) {
+    return std::ranges::count_if(
+        places, [word](const SolvedPlace& place) { return word_of(place.solutions) == word; });
+  };
+  std::size_t found = 0;
+  for (const SolvedPlace& place : places) found += place.solutions.found.size();
+  std::string text;
+  for (const auto& [word, name] :
+       {std::pair{"incomplete", "INCOMPLETE"}, {"none", "NONE"}, {"complete", "COMPLETE"}})
+    if (const auto count = count_of(word); count > 0)
+      text += fmt::format("{}{} at {}", text.empty() ? "" : ", ", name, count);
+  if (left > 0) text += fmt::format("{}not asked at {}", text.empty() ? "" : ", ", left);
+  const std::size_t all = places.size() + left;
+  return fmt::format("{} of {} place{}: {}{} {}", text, all, all == 1 ? "" : "s",
+                     count_of("incomplete") > 0 || left > 0 ? "at least " : "", found,
+                     found == 1 ? noun.one : noun.many);
 }
 
 std::string describe_time(const SolvedPlace& place, const std::string& unit) {

@@ -29,6 +29,11 @@ struct SolveAsked {
   const std::vector<std::string>& held;
 };
 
+/// Returns everything that the boxes of the searches depend on, for a checkpoint. `places`: a digest of
+/// many places; empty: there is one.
+[[nodiscard]] nlohmann::ordered_json checkpointed_question(const SolveAsked& asked,
+                                                           const std::string& places);
+
 void tell_solutions(const SolveAsked& asked, const Solutions& solutions, const SolvedNoun& noun,
                     Facts& facts);
 
@@ -37,6 +42,10 @@ void tell_solutions(const SolveAsked& asked, const Solutions& solutions, const S
 
 [[nodiscard]] nlohmann::ordered_json json_solved(const SolvedPlace& place, const Model& model,
                                                  const SolvedNoun& noun);
+/// Returns how many places have each answer, the worst first, and how many solutions they have. `left`:
+/// places that were not asked.
+[[nodiscard]] std::string describe_places(const std::vector<SolvedPlace>& places,
+                                          std::uint64_t left, const SolvedNoun& noun);
 /// Returns ", t = 0.2 s"; nothing for a place without a time.
 [[nodiscard]] std::string describe_time(const SolvedPlace& place, const std::string& unit);
 

@@ -74,6 +74,15 @@ RootSettings root_settings_of(const SolveRun& run) {
   settings.interrupt = run.interrupt;
   if (run.search.max_boxes != 0) settings.max_boxes = run.search.max_boxes;
   if (run.search.time_limit != 0) settings.time_limit = run.search.time_limit;
+  settings.workers = run.search.workers;
+  settings.keep = run.keep;
+  return settings;
+}
+
+RootSettings root_settings_of(const SolveRun& run, const PreparedSystem& prepared) {
+  RootSettings settings;
+  static_cast<BoxSearchSettings&>(settings) = settings_of(prepared, run.search, run.interrupt);
+  settings.keep = run.keep;
   return settings;
 }
 
@@ -91,7 +100,7 @@ Solutions solve(const Request& request, const SolveRun& run) {
   PreparedSystem prepared =
       prepare_system(request, 0, run.search, run.watch, DerivativesBy::kUnknowns);
   run.begin();
-  return solve_system(prepared, settings_of(prepared, run.search, run.interrupt), run.progress);
+  return solve_system(prepared, root_settings_of(run, prepared), run.progress);
 }
 
 }  // namespace regulus

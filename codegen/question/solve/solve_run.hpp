@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "codegen/model/place.hpp"
+#include "codegen/question/closure/closure_run.hpp"
 #include "codegen/question/engine/pipeline.hpp"
 #include "codegen/question/solve/root_search.hpp"
 #include "codegen/question/solve/solutions.hpp"
@@ -30,6 +31,8 @@ struct SolveRun {
   Observer* progress = nullptr;          ///< null: none
   std::function<void()> begin_search{};  ///< called when the search begins
   std::vector<std::string> held{};       ///< joints of an arm that keep their values
+  /// As RootSettings::keep: called for each search at this place, always in the same order.
+  std::function<RootList(const RootSettings&, const RootSearch&)> keep{};
 
   void begin() const {
     if (begin_search) begin_search();
@@ -38,6 +41,8 @@ struct SolveRun {
 
 /// Returns the settings of a search of this run.
 [[nodiscard]] RootSettings root_settings_of(const SolveRun& run);
+/// The same, of a search whose kernel took a part of the time.
+[[nodiscard]] RootSettings root_settings_of(const SolveRun& run, const PreparedSystem& prepared);
 
 /// Finds all solutions.
 ///

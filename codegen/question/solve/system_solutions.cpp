@@ -159,13 +159,11 @@ class SystemSolver {
     }
   }
 
-  Solutions solve(const BoxSearchSettings& limits, Observer* progress) {
-    RootSettings settings;
-    static_cast<BoxSearchSettings&>(settings) = limits;
+  Solutions solve(const RootSettings& settings, Observer* progress) {
     std::vector<Interval> periods;
     for (const SearchRange& range : ranges_) periods.push_back(range.period);
-    const auto system = [this] { return std::make_unique<KernelSystem>(problem_, prepared_); };
-    RootList list = search_roots({problem_, prepared_.shape, system}, periods, settings, progress);
+    RootList list =
+        search_roots(question_of_system(problem_, prepared_), periods, settings, progress);
     for (Root& root : list.roots) {
       turn_back(root.values, ranges_);
       if (const auto place = place_in(root.values, ranges_))
@@ -228,9 +226,14 @@ void require_values(const Request& request) {
           request.motion.name, p.name, p.name));
 }
 
-Solutions solve_system(const PreparedSystem& prepared, const BoxSearchSettings& limits,
+RootQuestion question_of_system(const Problem& problem, const PreparedSystem& prepared) {
+  return {problem, prepared.shape,
+          [&problem, &prepared] { return std::make_unique<KernelSystem>(problem, prepared); }};
+}
+
+Solutions solve_system(const PreparedSystem& prepared, const RootSettings& settings,
                        Observer* progress) {
-  return SystemSolver(prepared).solve(limits, progress);
+  return SystemSolver(prepared).solve(settings, progress);
 }
 
 void sort_by_values(std::vector<CertainSolution>& solutions) {

@@ -15,11 +15,15 @@ namespace regulus {
 /// Throws    UsageError if a parameter of the motion has a range and not a value.
 void require_values(const Request& request);
 
+/// Returns the question of a search with the ranges of `problem` and a kernel; both must outlive it.
+[[nodiscard]] RootQuestion question_of_system(const Problem& problem,
+                                              const PreparedSystem& prepared);
+
 /// Searches the whole circle of an unknown whose range has a whole period, and otherwise the range.
 ///
 /// Requires  prepared without derivatives by variables; require_values() passes.
-[[nodiscard]] Solutions solve_system(const PreparedSystem& prepared,
-                                     const BoxSearchSettings& limits, Observer* progress);
+[[nodiscard]] Solutions solve_system(const PreparedSystem& prepared, const RootSettings& settings,
+                                     Observer* progress);
 
 /// Puts solutions in the order of the middles of their values.
 void sort_by_values(std::vector<CertainSolution>& solutions);

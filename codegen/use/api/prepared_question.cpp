@@ -330,7 +330,7 @@ void PreparedQuestion::describe(const Question& question, Finding& finding,
   const SearchOptions search = limited(parts_->search, limits);
   finding.report = text_report(prepared, search, finding.result, nearest);
   nlohmann::ordered_json report = json_report(prepared, search, finding.result, nearest);
-  report["question"] = json_question(parts_->request_of(question), search);
+  report["question"] = without_head(json_question(parts_->request_of(question), search));
   finding.json = report_text(report, 2);
 }
 

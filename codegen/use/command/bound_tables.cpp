@@ -119,6 +119,7 @@ void CommandTables::add_solve() {
   solve_command->get_option("--time-limit")->default_str("60");
   add_certificate_option(*solve_command, solve.certificate, kSolveCertificate);
   add_shard_option(*solve_command, solve.shard_size);
+  add_checkpoint_options(*solve_command, solve.checkpoint);
   add_output_options(*solve_command, solve.output);
   add_page_option(*solve_command, solve.output);
   for (const OptionRefusal& refused : option_refusals_of_solutions())

@@ -66,6 +66,7 @@ struct SolveCommand {
   std::string lines{};           ///< file of the JSON lines of many places, "-" = standard output
   std::string certificate{};     ///< file; empty: none
   std::uint64_t shard_size = 0;  ///< of its shards, in bytes, of many places; 0: it is one file
+  CheckpointOptions checkpoint;
 };
 
 struct VerifyCommand {

@@ -121,6 +121,7 @@ CommandQuestion question_of(const SolveCommand& command) {
                            command.output, services_of(command.output)};
   question.services.certificate = command.certificate;
   question.services.shard_size = command.shard_size;
+  question.services.checkpoint = command.checkpoint;
   question.services.lines.file = command.lines;
   if (command.lines == "-") print_lines(question);
   return question;

@@ -70,6 +70,7 @@ std::string write_start(const Start& start) {
   bytes.put(start.exit_code.value_or(0));
   bytes.put_each(start.words, [&bytes](const std::string& word) { bytes.put_text(word); });
   bytes.put_text(start.model);
+  bytes.put(start.shares_places);
   return bytes.take();
 }
 
@@ -81,6 +82,7 @@ Start read_start_text(std::string_view text) {
   if (ends) start.exit_code = code;
   reader.take_each([&] { start.words.emplace_back(reader.take_text()); });
   start.model = reader.take_text();
+  start.shares_places = reader.take_flag();
   return start;
 }
 

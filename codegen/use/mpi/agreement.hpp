@@ -18,6 +18,7 @@ struct Start {
   std::optional<int> exit_code;
   std::vector<std::string> words;  ///< of the command line
   std::string model;
+  bool shares_places = false;  ///< of solve: each rank solves some of many places
 };
 [[nodiscard]] std::string write_start(const Start& start);
 [[nodiscard]] Start read_start_text(std::string_view text);

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "codegen/answer/ask.hpp"
 #include "codegen/model/file/installed_models.hpp"
 #include "codegen/question/engine/settings.hpp"
 #include "codegen/support/errors.hpp"
@@ -101,6 +102,10 @@ Start read_start(CommandLine& line, std::vector<std::string> words) {
           if (const auto at = std::ranges::find(words, typed); at != words.end())
             *at = command.model.path;
           start.model = model_text(command.model);
+          command.model.text = start.model;
+          const Asked asked = question_of(command).asked;
+          if (const auto* solve = std::get_if<AskSolve>(&asked))
+            start.shares_places = is_about_places(*solve);
         });
         return 0;
       },
@@ -156,7 +161,7 @@ int run_together(Communicator& communicator, const Start& start) {
   });
   const bool first = communicator.is_first();
   if (!is_agreed(communicator, agreed)) return first ? kUsageError : 0;
-  if (line.solve) return solve_together(communicator, *line.solve, typed(start.words));
+  if (start.shares_places) return solve_together(communicator, *line.solve, typed(start.words));
   if (first) return lead(communicator, line, ranks, typed(start.words));
   with_search(line, [&](auto& command) {
     const CommandQuestion question = question_of(command);

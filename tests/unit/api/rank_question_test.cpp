@@ -70,8 +70,11 @@ class FormingRanks final : public cluster::Workers {
     const auto decide = [&](const Problem& own, const Settings& of_search,
                             const cluster::MakeDecider& own_make) {
       EXPECT_EQ(own.outer, problem.outer);
-      EXPECT_EQ(own.kernel->variables, problem.kernel->variables);
-      EXPECT_NE(own.kernel, problem.kernel);
+      EXPECT_EQ(own.kernel == nullptr, problem.kernel == nullptr);
+      if (problem.kernel != nullptr) {
+        EXPECT_EQ(own.kernel->variables, problem.kernel->variables);
+        EXPECT_NE(own.kernel, problem.kernel);
+      }
       EXPECT_EQ(bool(own_make), bool(make));
       Troubles troubles;
       if (seed_ % 2 == 1) troubles = {0.02, 0.05, 0.01, 40};
@@ -252,6 +255,20 @@ TEST_F(QuestionsOfRanks, CheckALoadAlongAWay) { expect_same(AskLoad{model("way")
 
 TEST_F(QuestionsOfRanks, PaveAWayForALoad) { expect_same(AskLoadPaving{model("dip"), search()}); }
 
+/// The equations of a platform in the plane have a kernel, those of one in space have none.
+TEST_F(QuestionsOfRanks, SolveAtOnePlace) {
+  AskSolve plane{{}, search()}, space{{}, search()};
+  plane.model.path = REGULUS_SOURCE_DIR "/models/rpr_6.toml";
+  plane.model.tolerances = {"base=0.3"};
+  plane.search.max_boxes = 19000;
+  expect_same(plane);
+  space.model.path = REGULUS_SOURCE_DIR "/models/robot_1.toml";
+  space.model.at = {"x=1", "y=2", "z=47", "psi=0.1", "theta=0.12", "phi=0.05"};
+  space.model.tolerances = {"base=0.01"};
+  space.search.max_boxes = 20000;
+  for (const SearchTopic& topic : expect_same(space)) EXPECT_GE(topic.piece, 4U);
+}
+
 /// How long each row is searched depends on the time.
 TEST_F(QuestionsOfRanks, MakeADatasheetOfAWay) {
   SearchOptions options = search();
@@ -285,6 +302,10 @@ TEST_F(QuestionsOfRanks, HaveNoTopicOfAnotherQuestion) {
   const auto form = [](const Asked& asked, const SearchTopic& topic) {
     static_cast<void>(prepare_for_rank(asked, {}, write_topic(topic)));
   };
+  AskSolve solve{{}, search()};
+  solve.model.path = REGULUS_SOURCE_DIR "/models/dietmaier.toml";
+  EXPECT_FALSE(prepare_for_rank(solve, {}, std::nullopt));
+  EXPECT_THROW(form(solve, beyond), cluster::MalformedMessage) << "there is no such system";
   EXPECT_THROW(form(check, beyond), cluster::MalformedMessage);
   EXPECT_THROW(form(check, other), InputError) << "it is about other way-points";
   EXPECT_THROW(form(bound, other), cluster::MalformedMessage);

@@ -76,6 +76,9 @@ function quoted(data: PageData): string {
 
 const HELD = "Regulus has proved what it claims. This page has the proof, and does not run it: save it, and let regulus verify check it.";
 
+/** A note beside a proof says what it lacks. */
+const held = (data: PageData): string => (data.certificate_note ? `${HELD} Of the proof ${data.certificate_note}.` : HELD);
+
 /** The claim in the words of a machine's user, as the report has it; null if nothing is proved. */
 function meaning({ report }: PageData): HTMLElement | null {
   return report.meaning ? h("p", { class: "meaning" }, `In other words: ${report.meaning}.`) : null;
@@ -129,7 +132,7 @@ export function verdictPart(data: PageData, question: Question): HTMLElement {
     h(
       "ul",
       {},
-      ...(isCheck ? LIMITS[verdictOf(data)] : [data.certificate === null ? quoted(data) : HELD]).map((text) => h("li", {}, text)),
+      ...(isCheck ? LIMITS[verdictOf(data)] : [data.certificate === null ? quoted(data) : held(data)]).map((text) => h("li", {}, text)),
       h("li", {}, "It is about the robot as the model at the end of this page describes it: these numbers, these tolerances. It cannot know the robot on your floor."),
       h("li", {}, "Collisions, joint limits that the model does not state, and dynamics are no part of it."),
     ),
@@ -229,11 +232,11 @@ function prove(data: PageData, question: Question, certificate: Certificate, end
 /** Proves the verdict again, says in the page's header how far it came, and offers to do it once more. */
 export function proveAgain(data: PageData, question: Question, certificate: Certificate | null): void {
   if (data.kind !== "check")
-    return say(data.certificate_note
+    return say(data.certificate !== null
+      ? "Quoted: this page does not run the proof that it has; regulus verify does."
+      : data.certificate_note
       ? "Quoted: this answer has no proof in a file."
-      : data.certificate === null
-      ? "Quoted: this page has no proof of this answer; regulus verify proves its certificate."
-      : "Quoted: this page does not run the proof that it has; regulus verify does.", "partly");
+      : "Quoted: this page has no proof of this answer; regulus verify proves its certificate.", "partly");
   if (verdictOf(data) === "possible-problem") {
     colour("possible-problem");
     return say("Nothing is claimed, so there is nothing to prove again.", "partly");
