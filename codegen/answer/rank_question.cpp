@@ -98,8 +98,8 @@ Formed about_equations(PreparedSystem system) {
   return question;
 }
 
-/// These systems have no kernel.
 Formed about_roots(RootSystems systems) {
+  if (systems.unknowns == 0) throw cluster::MalformedMessage();
   Formed question{};
   question.searched.emplace().outer.resize(systems.unknowns);
   question.judges = [systems = std::move(systems)](const Problem& problem, const Settings&) {
@@ -202,9 +202,7 @@ class Topics {
     if (auto equations = kernel_request(request))
       return about_equations(prepare_system(*std::move(equations), 0, forming(asked.search), {},
                                             DerivativesBy::kUnknowns));
-    RootSystems systems = systems_of(request, asked.held, topic_.piece.value_or(0));
-    if (systems.unknowns == 0) throw cluster::MalformedMessage();
-    return about_roots(std::move(systems));
+    return about_roots(systems_of(request, asked.held, topic_.piece.value_or(0)));
   }
 
  private:
@@ -373,8 +371,8 @@ class FormedQuestion final : public RankQuestion {
       return regulus::decide_for_another(
           formed_.prepared, options_, search,
           [&](const Problem& problem, const Settings& settings) { decide(problem, settings, {}); });
-    const Problem problem =
-        problem_of_another(formed_.searched.value_or(formed_.prepared.problem()), search);
+    const Problem problem = problem_of_another(
+        formed_.searched ? *formed_.searched : formed_.prepared.problem(), search);
     decide(problem, search.settings, formed_.judges(problem, search.settings));
   }
 

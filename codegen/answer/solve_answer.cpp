@@ -103,16 +103,9 @@ class SolutionsAtPlaces final : public SolveAnswer {
                       asked.held,
                       keep_in(checkpoint_, name_of(rows_[row].line) + ", ")};
     };
-    // A mistake is told before the first search.
-    Sha256 digest;
-    for (const PlaceRow& row : rows_) {
-      const Request request = request_at(row, model);
-      note(request.notes);
-      for (const PlacedValue& value : placed_values(request))
-        digest.add(value.name + ' ' + value.exact + '\n');
-    }
+    const std::string digest = read_places_of(model);
     first_ = request_at(rows_.front(), model);
-    open_checkpoint(services, digest.text());
+    open_checkpoint(services, digest);
     noun = noun_of(*first_);
     services.tell(text_of_facts([this](Facts& facts) { tell_head(facts); }));
     share(model, run, services.places);
@@ -150,6 +143,18 @@ class SolutionsAtPlaces final : public SolveAnswer {
   }
 
  private:
+  /// A mistake is told before the first search. Returns a digest of all places.
+  std::string read_places_of(const Model& model) {
+    Sha256 digest;
+    for (const PlaceRow& row : rows_) {
+      const Request request = request_at(row, model);
+      note(request.notes);
+      for (const PlacedValue& value : placed_values(request))
+        digest.add(value.name + ' ' + value.exact + '\n');
+    }
+    return digest.text();
+  }
+
   /// Each process has a file of its own, with the places that it has solved.
   void open_checkpoint(const Services& services, const std::string& digest) {
     CheckpointOptions options = services.checkpoint;

@@ -99,6 +99,7 @@ TEST_F(FileTrouble, AFolderInWhichNothingCanBeMadeIsSaidBeforeTheSearch) {
       {sheet, "--checkpoint", ""},
       {sheet, "--page", ".html"},
       {solve, "--certificate", ""},
+      {solve, "--checkpoint", ""},
       {solve, "--page", ".html"},
       {{"report", kPlanar, "regular"}, "--output", ".html"},
       {{"generate", kPlanar, "regular", "--output", file("kernel")}, "--depfile", ".d"}};

@@ -11,12 +11,12 @@
 #include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <thread>
 
 #include "tests/command/forged_checkpoints.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/damage.hpp"
-#include "tests/support/interrupted_runs.hpp"
 #include "tests/support/temporary_directory.hpp"
 #include "tests/support/trials.hpp"
 
@@ -24,16 +24,27 @@ namespace regulus::test {
 namespace {
 
 using testing::HasSubstr;
-using testing::Not;
+using Words = std::vector<std::string>;
 
-std::string model(const std::string& name) {
+std::string library_model(const std::string& name) {
   return REGULUS_SOURCE_DIR "/models/" + name + ".toml";
 }
 
-const Words kRobot = {model("robot_1"), "--at",    "x=1",  "--at",       "y=2",  "--at",    "z=47",
-                      "--at",           "psi=0.1", "--at", "theta=0.12", "--at", "phi=0.05"};
-const Words kButterfly = {model("double_butterfly"), "--at", "theta=67.38"};
-const Words kArm = {model("puma_560_serial"),
+const Words kRobot = {library_model("robot_1"),
+                      "--at",
+                      "x=1",
+                      "--at",
+                      "y=2",
+                      "--at",
+                      "z=47",
+                      "--at",
+                      "psi=0.1",
+                      "--at",
+                      "theta=0.12",
+                      "--at",
+                      "phi=0.05"};
+const Words kButterfly = {library_model("double_butterfly"), "--at", "theta=67.38"};
+const Words kArm = {library_model("puma_560_serial"),
                     "--at",
                     "q1=0.3",
                     "--at",
@@ -49,6 +60,11 @@ const Words kArm = {model("puma_560_serial"),
 
 class SolveCheckpoint : public testing::Test {
  protected:
+  [[nodiscard]] static std::string text_of(const std::string& path) {
+    std::ostringstream text;
+    text << std::ifstream(path).rdbuf();
+    return text.str();
+  }
   [[nodiscard]] std::string path(const std::string& name) const { return folder_.path() / name; }
 
   /// `name`: of the files beside the report.
@@ -114,7 +130,7 @@ class SolveCheckpoint : public testing::Test {
     file << "t [s], rho_1, rho_2, rho_3\n";
     for (int k = 0; k < places; ++k) file << k << ", 14.98, " << 15.3 + 0.001 * k << ", 12\n";
     file << places << ", 100, 1, 1\n";
-    return {model("rpr_6"), "--waypoints", path("lengths.csv")};
+    return {library_model("rpr_6"), "--waypoints", path("lengths.csv")};
   }
   /// Runs, and sends the signal when as many searches are in the file.
   [[nodiscard]] CommandResult stopped_by(int signal, const Words& question,
@@ -135,7 +151,7 @@ class SolveCheckpoint : public testing::Test {
 TEST_F(SolveCheckpoint, AtOnePlaceLeadsToTheSameAnswer) {
   expect_same_after_stops(kButterfly, {"20", "100", "300", "400"});
   expect_same_after_stops(kArm, {"10", "40", "80"});
-  expect_same_after_stops({model("rpr_6")}, {"30", "90"});
+  expect_same_after_stops({library_model("rpr_6")}, {"30", "90"});
 }
 
 /// Four searches, one after the other; the errors of a platform need more of them.
@@ -269,7 +285,7 @@ TEST_F(SolveCheckpoint, OfAnotherQuestionIsRefused) {
     EXPECT_THAT(other.errors, HasSubstr("it is about another question"));
     EXPECT_EQ(text_of(path("saved")), before);
   };
-  expect_refused({model("double_butterfly"), "--at", "theta=67.39"});
+  expect_refused({library_model("double_butterfly"), "--at", "theta=67.39"});
   expect_refused(table(2));
   std::filesystem::remove(path("saved"));
   static_cast<void>(stopped_by(SIGKILL, table(30), 3));

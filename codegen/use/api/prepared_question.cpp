@@ -11,6 +11,7 @@
 #include "codegen/answer/report/question_report.hpp"
 #include "codegen/answer/report/report.hpp"
 #include "codegen/answer/report/report_text.hpp"
+#include "codegen/answer/report/search_facts.hpp"
 #include "codegen/kernel/formulation/variable_ranges.hpp"
 #include "codegen/model/changes.hpp"
 #include "codegen/model/exact/decimal.hpp"

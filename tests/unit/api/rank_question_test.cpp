@@ -260,12 +260,12 @@ TEST_F(QuestionsOfRanks, SolveAtOnePlace) {
   AskSolve plane{{}, search()}, space{{}, search()};
   plane.model.path = REGULUS_SOURCE_DIR "/models/rpr_6.toml";
   plane.model.tolerances = {"base=0.3"};
-  plane.search.max_boxes = 19000;
+  plane.search.max_boxes = 17500;
   expect_same(plane);
   space.model.path = REGULUS_SOURCE_DIR "/models/robot_1.toml";
   space.model.at = {"x=1", "y=2", "z=47", "psi=0.1", "theta=0.12", "phi=0.05"};
   space.model.tolerances = {"base=0.01"};
-  space.search.max_boxes = 20000;
+  space.search.max_boxes = 17500;
   for (const SearchTopic& topic : expect_same(space)) EXPECT_GE(topic.piece, 4U);
 }
 

@@ -40,6 +40,29 @@ TEST(SavedTree, IsReadAsItWasWritten) {
   EXPECT_EQ(tree.leaves()[2].bound, 1.0 / 3);
 }
 
+TEST(SavedTree, TilesTheVarietyByCuts) {
+  SavedTree saved;
+  saved.add_split(0, 1, -0.5);
+  saved.add_split(2, 0, 0.125);
+  for (const BoxId leaf : {1, 3, 4}) saved.add_leaf(leaf, 0);
+  const std::vector<Interval> root{{0, 1}, {-1, 3}};
+  const RestoredTree tree(saved, root, 2, Splits::kByCuts);
+  EXPECT_EQ(tree.box(1), (std::vector<Interval>{{0, 1}, {-1, -0.5}}));
+  EXPECT_EQ(tree.box(3), (std::vector<Interval>{{0, 0.125}, {-0.5, 3}}));
+  EXPECT_EQ(tree.box(4), (std::vector<Interval>{{0.125, 1}, {-0.5, 3}}));
+  EXPECT_EQ(tree.steps()[1].at, 0.125);
+  EXPECT_THROW(RestoredTree(saved, root, 2), SavedTreeError) << "halves are asked for";
+  EXPECT_THROW(RestoredTree({"0:1", "1- 2-", {}, {}}, root, 2, Splits::kByCuts), SavedTreeError);
+  for (const char* outside : {"0:0@0x1p+0", "0:0@-0x1p+0", "0:0@0x0p+0"})
+    EXPECT_THROW(static_cast<void>(
+                     RestoredTree({outside, "1- 2-", {}, {}}, root, 2, Splits::kByCuts).box(1)),
+                 SavedTreeError)
+        << outside;
+  for (const char* other : {"0:0@", "0:0@1", "0:0@0xnan", "0:0@0x1p-1x", "0:2@0x1p-1"})
+    EXPECT_THROW(RestoredTree({other, "1- 2-", {}, {}}, root, 2, Splits::kByCuts), SavedTreeError)
+        << other;
+}
+
 TEST(SavedTree, RefusesOtherTexts) {
   const auto make = [](const char* steps, const char* open, std::vector<BoxId> shown = {}) {
     return RestoredTree({steps, open, std::move(shown), {}},
