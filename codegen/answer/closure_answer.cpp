@@ -119,7 +119,8 @@ class ClosurePaving final : public PavingAnswer {
     return json_paving_header(prepared_.preparation, options_);
   }
   void tell(Facts& facts) const override {
-    tell_paving(prepared_.preparation, search_, options_, volumes_, result, facts);
+    tell_paving(prepared_.preparation, prepared_.request, search_, options_, volumes_, result,
+                facts);
     tell_branch(prepared_, found_.searched.links, found_.folds, facts);
     tell_below(prepared_, nullptr, found_.threshold, facts);
     proof.tell(facts);

@@ -70,7 +70,7 @@ class VarietyPaving final : public PavingAnswer {
 
   [[nodiscard]] Json header() const override { return json_paving_header(prepared_, options_); }
   void tell(Facts& facts) const override {
-    tell_paving(prepared_, search_, options_, volumes_, result, facts);
+    tell_paving(prepared_, prepared_.stages->request(), search_, options_, volumes_, result, facts);
     proof.tell(facts);
     facts.say("map", map_);
   }

@@ -193,7 +193,7 @@ def test_a_threshold_over_a_branch_is_compared_as_by_the_command(command, tmp_pa
             assert found.claim == expected["claim"] and alpha in found.claim
             assert ours.read_bytes() == theirs.read_bytes()
     found = bar.margin("swing", alpha=(0, 1), gap=0.05)
-    assert 0.06 < found.safe < 0.0625 < found.singular < 0.066
+    assert 0.05 < float(found.safe) < 0.0625 < float(found.singular) < 0.066
 
 
 def test_a_load_is_answered_as_by_the_command(command, tmp_path):

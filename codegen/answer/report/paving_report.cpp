@@ -195,11 +195,14 @@ Json json_paving_header(const SearchSubject& p, const PavingOptions& options) {
   return header;
 }
 
-void tell_paving(const PreparedSearch& p, const SearchOptions& search, const PavingOptions& options,
-                 const Volumes& volumes, const Result& result, Facts& facts) {
+void tell_paving(const PreparedSearch& p, const Request& asked, const SearchOptions& search,
+                 const PavingOptions& options, const Volumes& volumes, const Result& result,
+                 Facts& facts) {
   facts.add("verdict", json_name(result.verdict)).add("reason", describe(result.reason));
-  tell_question(p, p.stages->request(), facts);
-  if (facts.are_for_programs()) add_search(search, json_question(p, search), facts);
+  tell_question(p, asked, facts);
+  if (facts.are_for_programs())
+    add_search(search, p.labels.is_branch ? json_question(asked, search) : json_question(p, search),
+               facts);
   tell_method(p, search, result.method, result.statistics.boxes, facts);
   facts.add("resolution", options.resolution).add("unit", volume_unit(p, options.axes));
   if (!options.axes.empty())

@@ -16,10 +16,10 @@ namespace regulus {
                                                         const PavingOptions& options);
 
 /// Tells the question, and number, volume and fraction of each kind of box; if the paving is not complete,
-/// the reason.
-void tell_paving(const PreparedSearch& preparation, const SearchOptions& search,
-                 const PavingOptions& options, const Volumes& volumes, const Result& result,
-                 Facts& facts);
+/// the reason. `asked`: of a closure, whose kernel has another request.
+void tell_paving(const PreparedSearch& preparation, const Request& asked,
+                 const SearchOptions& search, const PavingOptions& options, const Volumes& volumes,
+                 const Result& result, Facts& facts);
 
 /// Returns "83.1 %", for example, from certified bounds; "100 %" and "0 %" only for all and
 /// nothing.
