@@ -43,6 +43,7 @@ constexpr auto kDefinitions =
                                      "the_tubes : tubes",
                                      "the_tubes : list tubes",
                                      "the_solutions : list line",
+                                     "the_places : list ( list expression * listed )",
                                      "the_row : nat",
                                      "the_load : list expression",
                                      "the_limit : expression",
@@ -59,11 +60,12 @@ constexpr auto kDefinitions =
 
 /// The words of their bodies. Each has one meaning, that of the imports: no definition has its name.
 constexpr auto kWords = std::to_array<std::string_view>(
-    {"Kept",    "LeftOut", "Parted",   "NoTube", "Vectors", "Force",    "Motion",      "nat",
-     "Closure", "Tube",    "Excluded", "Held",   "Cut",     "Question", "Method",      "Name",
-     "Leaf",    "Split",   "within",   "nth",    "piece",   "no_entry", "segments",    "deg",
-     "pi",      "sqrt",    "sin",      "cos",    "tan",     "asin",     "acos",        "atan",
-     "atan2",   "exp",     "log",      "abs",    "float",   "infinity", "neg_infinity"});
+    {"Kept",   "LeftOut", "Parted",   "NoTube",   "Vectors",  "Force",       "Motion",
+     "nat",    "Closure", "Tube",     "Excluded", "Held",     "Cut",         "Question",
+     "Method", "Name",    "All_of",   "Some_of",  "Leaf",     "Split",       "within",
+     "nth",    "piece",   "no_entry", "segments", "deg",      "pi",          "sqrt",
+     "sin",    "cos",     "tan",      "asin",     "acos",     "atan",        "atan2",
+     "exp",    "log",     "abs",      "float",    "infinity", "neg_infinity"});
 
 constexpr std::string_view kSymbols = "()[];,+-*/^%";
 
@@ -102,7 +104,8 @@ constexpr auto kBranchClaims = std::to_array<Claim>(
      {"branch_within_limits_along_in",
       " pieces the_parts the_feasible_parts the_motors the_vectors the_limits", "Rates"},
      {"all_solutions", " the_solutions", "Closures"},
-     {"some_solutions", " the_solutions", "Closures"}});
+     {"some_solutions", " the_solutions", "Closures"},
+     {"solutions_at", " the_places", "Closures"}});
 
 /// Returns the words with the path of the audited file before each of its own.
 std::string with_paths(std::string_view words) {

@@ -66,6 +66,8 @@ class QuestionWriter {
   QuestionWriter(std::vector<std::string> lines, const Question& question,
                  const std::vector<std::string>& piece_names)
       : lines_(std::move(lines)), q_(question), piece_names_(piece_names) {
+    for (std::size_t k = 0; k < piece_names.size(); ++k)
+      of_piece_[piece_names[k]] = "(nth " + std::to_string(k) + " piece no_entry)";
     declare_variables();
     if (q_.closure) sort_closure_lines();
     for (const std::string& line : lines_) read(line);
@@ -170,11 +172,11 @@ class QuestionWriter {
 
   void read_unknown(std::string_view rest) {
     const std::string name(take_until(rest, " = "));
-    const std::string value = coq_expression(take_until(rest, " +- "), {});
+    const std::string value = coq_expression(take_until(rest, " +- "), of_piece_);
     has_unknowns_ = true;
     actual_[name] = fresh(coq_identifier(name));
     declare(actual_[name]);
-    near_.push_back({actual_[name], "(" + value + ", " + coq_expression(rest, {}) + ")"});
+    near_.push_back({actual_[name], "(" + value + ", " + coq_expression(rest, of_piece_) + ")"});
   }
 
   /// Uncertain quantities and errors start at their middles.
@@ -244,7 +246,7 @@ class QuestionWriter {
 
   [[nodiscard]] std::string constant(const std::string& name, std::string_view value) const {
     const auto found = std::find(piece_names_.begin(), piece_names_.end(), name);
-    if (found == piece_names_.end()) return coq_expression(value, {});
+    if (found == piece_names_.end()) return coq_expression(value, of_piece_);
     return "nth " + std::to_string(found - piece_names_.begin()) + " piece no_entry";
   }
 
@@ -280,8 +282,8 @@ class QuestionWriter {
 
   void read_uncertain(std::string_view rest) {
     const std::string name(take_until(rest, " = "));
-    const std::string middle = coq_expression(take_until(rest, " +- "), {});
-    const std::string spread = coq_expression(rest, {});
+    const std::string middle = coq_expression(take_until(rest, " +- "), of_piece_);
+    const std::string spread = coq_expression(rest, of_piece_);
     ranges_.push_back({actual_[name], "within (" + middle + ") (" + spread + ")"});
     middles_[name] = middle;
     spreads_[name] = spread;
@@ -309,13 +311,16 @@ class QuestionWriter {
     }
     actual_[name] = has_error ? fresh(coq_identifier(name)) : commanded_[name];
     if (!has_error) return;
-    ranges_.push_back({error_of(name), "within 0 (" + coq_expression(rest, {}) + ")"});
+    ranges_.push_back({error_of(name), "within 0 (" + coq_expression(rest, of_piece_) + ")"});
     define(actual_[name], commanded_[name] + " + " + error_of(name));
   }
 
   /// A pose cannot use an earlier one unless that is a parameter.
   const CoqNames& pose_scope() {
-    if (pose_scope_.empty()) pose_scope_ = commanded_;
+    if (pose_scope_.empty()) {
+      pose_scope_ = commanded_;
+      pose_scope_.insert(of_piece_.begin(), of_piece_.end());
+    }
     return pose_scope_;
   }
 
@@ -365,6 +370,7 @@ class QuestionWriter {
   bool has_uncertain_ = false;
   std::set<std::string, std::less<>> with_error_;  ///< poses with a control error
   std::set<std::string> declared_;
+  CoqNames of_piece_;  ///< the constants of a piece, as what they are
   CoqNames commanded_, actual_, pose_scope_, middles_, spreads_;
   std::string names_text_, threshold_;
   bool has_unknowns_ = false;  ///< what is defined from now on may use them

@@ -41,7 +41,8 @@ struct CoqQuestion {
 /// are not part of a certificate, and may follow: the load on the robot, by column; then lines
 /// `limits E : E`, by row.
 ///
-/// `piece_names`: the constants that each piece of a trajectory gives a value.
+/// `piece_names`: the constants that each piece of a trajectory gives a value; or names that stand for
+/// whole numbers of the lines `constant`, `uncertain`, `pose` and `unknown`.
 [[nodiscard]] CoqQuestion coq_question(std::vector<std::string> lines, const Question& question,
                                        const std::vector<std::string>& piece_names = {});
 
