@@ -22,7 +22,7 @@ constexpr std::string_view kLibrary =
 constexpr std::string_view kClosureImport =
     "From Regulus Require Import Expressions Questions Search Closures Tubes Branches";
 constexpr auto kMoreOfClosures =
-    std::to_array<std::string_view>({"", " Ways", " Rates", " Distances", " Solutions"});
+    std::to_array<std::string_view>({"", " Ways", " Rates", " Distances", " Solutions", " Poses"});
 constexpr std::string_view kMoreOfLimits = " Limits", kMoreOfPavings = " Parts";
 
 /// The definitions of a file, but for those of its names.
@@ -43,6 +43,8 @@ constexpr auto kDefinitions =
                                      "the_tubes : tubes",
                                      "the_tubes : list tubes",
                                      "the_solutions : list line",
+                                     "the_legs : list ( leg written )",
+                                     "the_roots : list root",
                                      "the_places : list ( list expression * listed )",
                                      "the_row : nat",
                                      "the_load : list expression",
@@ -107,6 +109,10 @@ constexpr auto kBranchClaims = std::to_array<Claim>(
      {"some_solutions", " the_solutions", "Closures"},
      {"solutions_at", " the_places", "Closures"}});
 
+/// The claims about the poses of a platform, and what they rest on.
+constexpr auto kPoseClaims = std::to_array<std::string_view>(
+    {"some_poses", "forty_poses -> all_poses", "sixteen_poses -> all_poses"});
+
 /// Returns the words with the path of the audited file before each of its own.
 std::string with_paths(std::string_view words) {
   std::string text;
@@ -114,6 +120,17 @@ std::string with_paths(std::string_view words) {
     const std::string_view word = take_until(words, " ");
     if (!word.empty())
       text.append(" ").append(kAuditedFolder).append(".").append(kAuditedFile).append(".") += word;
+  }
+  return text;
+}
+
+/// Returns the words of Poses.v with its path before each.
+std::string with_library(std::string_view words) {
+  std::string text;
+  while (!words.empty()) {
+    const std::string_view word = take_until(words, " ");
+    text += (text.empty() ? "" : " ") + std::string(word == "->" ? "" : "Regulus.Poses.") +
+            std::string(word);
   }
   return text;
 }
@@ -216,6 +233,10 @@ class PlainReader {
         return {stated,
                 "Regulus." + std::string(claim.library) + '.' + name + with_paths(arguments)};
     }
+    const std::string_view arguments = " the_question the_legs the_solutions";
+    for (const std::string_view claim : kPoseClaims)
+      if (stated == std::string(claim).append(arguments))
+        return {stated, with_library(claim) + with_paths(arguments)};
     fail("the statement is not that of a closure");
   }
 

@@ -118,8 +118,9 @@ ListedConfigurations configurations_of(const Question& question,
   if (question.closure) return {question, lines};
   if (question.solutions->legs.size() != kLegsInPlane)
     throw Unfinished(
-        "there is no theorem about lists of poses in space and of postures yet: their equations "
-        "are not in the certificate");
+        "there is no theorem about lists of postures yet, nor about poses in space at the places "
+        "of a "
+        "table");
   Question poses = question;
   const std::string written = PoseWriter(poses, lines, squares).text();
   std::istringstream text(written);

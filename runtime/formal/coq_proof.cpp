@@ -14,6 +14,7 @@
 #include "runtime/formal/coq_load.hpp"
 #include "runtime/formal/coq_parts.hpp"
 #include "runtime/formal/coq_places.hpp"
+#include "runtime/formal/coq_platform.hpp"
 #include "runtime/formal/coq_question.hpp"
 #include "runtime/formal/coq_solutions.hpp"
 #include "runtime/verifier/pieces.hpp"
@@ -23,6 +24,7 @@
 namespace regulus::verifier {
 namespace {
 
+constexpr std::size_t kLegsInSpace = 6;
 /// The most splits one after the other that Coq makes.
 constexpr int kDeepest = 60;
 
@@ -222,7 +224,12 @@ std::string read_and_write(Lines& lines, CoqStatement statement, Question& quest
   lines.repeat();
   lines.keep();
   read_question(lines, question);
-  if (question.solutions) return solutions_theorem(question, kept = lines.take_kept());
+  if (question.solutions) {
+    kept = lines.take_kept();
+    return question.closure || question.solutions->legs.size() != kLegsInSpace
+               ? solutions_theorem(question, kept)
+               : platform_theorem(lines, question, kept);
+  }
   if (statement == CoqStatement::kForce && question.closure && !question.quantity)
     throw Unfinished("this certificate of a closure states no force");
   if (question.is_piecewise) return trajectory(lines, statement);

@@ -62,7 +62,6 @@ namespace {
 /// Turns the lines of a question that has been read without a fault into definitions of Coq.
 class QuestionWriter {
  public:
-  /// `piece_names`: the constants that each piece of a trajectory gives a value.
   QuestionWriter(std::vector<std::string> lines, const Question& question,
                  const std::vector<std::string>& piece_names)
       : lines_(std::move(lines)), q_(question), piece_names_(piece_names) {
@@ -73,6 +72,11 @@ class QuestionWriter {
     for (const std::string& line : lines_) read(line);
   }
 
+  [[nodiscard]] CoqQuestion result() const {
+    return {text(), has_uncertain_ ? parameters_ : q_.variables.size(), actual_};
+  }
+
+ private:
   [[nodiscard]] std::string text() const {
     if (q_.closure) return closure_text();
     std::string text = "(** The names: the variables, then the definitions of the question. *)\n" +
@@ -90,13 +94,6 @@ class QuestionWriter {
     return loads_.empty() ? text : text + load();
   }
 
-  /// The number of variables that are kept to the second order. Each uncertain quantity is small
-  /// and there are many.
-  [[nodiscard]] std::size_t second_order() const {
-    return has_uncertain_ ? parameters_ : q_.variables.size();
-  }
-
- private:
   /// The variables come first, whatever the order of their lines.
   void declare_variables() {
     for (const std::string& line : lines_) {
@@ -110,10 +107,13 @@ class QuestionWriter {
       has_uncertain_ |= v.kind == VariableKind::kUncertain;
       const bool is_error = v.kind == VariableKind::kError;
       const std::string name = is_error ? v.name.substr(0, v.name.find(' ')) : v.name;
-      const std::string identifier = fresh(is_error                     ? error_of(name)
+      const bool is_square = v.name.starts_with("square ");
+      const std::string identifier = fresh(is_square  ? "_square'" + v.name.substr(7)
+                                           : is_error ? error_of(name)
                                            : with_error_.contains(name) ? commanded(name)
                                                                         : coq_identifier(name));
       declare(identifier);
+      if (is_square) actual_[v.name] = identifier;
       if (!is_error) commanded_[name] = identifier;
       if (v.kind == VariableKind::kUncertain) actual_[name] = identifier;
     }
@@ -232,6 +232,8 @@ class QuestionWriter {
       read_pose(rest);
     } else if (key == "unknown") {
       read_unknown(rest);
+    } else if (key == "leg") {
+      read_square(rest.substr(rest.rfind(" | ") + 3));
     } else if (key == "alpha") {
       threshold_ = coq_expression(rest, {});
     } else if (key == "let") {
@@ -287,6 +289,13 @@ class QuestionWriter {
     ranges_.push_back({actual_[name], "within (" + middle + ") (" + spread + ")"});
     middles_[name] = middle;
     spreads_[name] = spread;
+  }
+
+  /// The squared length of a leg is a variable if it varies.
+  void read_square(std::string_view rest) {
+    const std::string middle = coq_expression(take_until(rest, " +- "), {});
+    if (!rest.empty())
+      ranges_.push_back({"", "within (" + middle + ") (" + coq_expression(rest, {}) + ")"});
   }
 
   /// A ball is the constraint that the squared distance from its middle is at most ρ².
@@ -384,8 +393,7 @@ class QuestionWriter {
 
 CoqQuestion coq_question(std::vector<std::string> lines, const Question& question,
                          const std::vector<std::string>& piece_names) {
-  const QuestionWriter writer(std::move(lines), question, piece_names);
-  return {writer.text(), writer.second_order()};
+  return QuestionWriter(std::move(lines), question, piece_names).result();
 }
 
 }  // namespace regulus::verifier

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "runtime/formal/coq_expression.hpp"
 #include "runtime/verifier/question.hpp"
 
 namespace regulus::verifier {
@@ -35,6 +36,8 @@ struct CoqQuestion {
   /// The number of variables that are kept to the second order. Each uncertain quantity is small
   /// and there are many.
   std::size_t second_order = 0;
+  /// The identifiers of the actual quantities; `square N` is a squared length that varies, from 0.
+  CoqNames names;
 };
 
 /// Returns the definitions of a question that has been read without a fault. Lines `load EXPRESSION`

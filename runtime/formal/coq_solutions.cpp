@@ -46,8 +46,10 @@ std::string decimal(double x, int digits, Side side) {
   return (is_negative ? "-" : "") + text;
 }
 
+}  // namespace
+
 /// `(1.234, 1.236)`: the last digit stands for about a tenth of the width, or more.
-std::string ends(const Interval& value, double range) {
+std::string coq_interval(const Interval& value, double range) {
   const double least = std::max(value.hi - value.lo, kNarrowest * range);
   const int digits =
       least > 0 ? std::clamp(int(std::ceil(1 - std::log10(least))), 0, kMostDigits) : kMostDigits;
@@ -56,8 +58,6 @@ std::string ends(const Interval& value, double range) {
   return "(" + decimal(lo, digits, Side::kBelow) + ", " + decimal(hi, digits, Side::kAbove) + ")";
 }
 
-}  // namespace
-
 std::string coq_solutions(const Question& question, const std::string& margin) {
   const auto radii = evaluate(question.graph, question.closure->radius, {}, kBitsOfRange);
   if (!radii) throw Unfinished("the ranges of the unknowns have no certain values");
@@ -65,8 +65,8 @@ std::string coq_solutions(const Question& question, const std::string& margin) {
   for (const SolutionLine& solution : question.solutions->solutions) {
     std::string line;
     for (std::size_t i = 0; i < solution.values.size(); ++i)
-      line +=
-          (i == 0 ? "[" : "; ") + ends(solution.values[i], std::abs((*radii)[i].enclosure().hi));
+      line += (i == 0 ? "[" : "; ") +
+              coq_interval(solution.values[i], std::abs((*radii)[i].enclosure().hi));
     lines.push_back({"", line + "]"});
   }
   return coq_list(lines, margin);

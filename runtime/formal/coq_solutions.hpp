@@ -17,6 +17,10 @@ namespace regulus::verifier {
 /// a fifth, or has the least part of its range that doubles can decide.
 [[nodiscard]] std::string coq_solutions(const Question& question, const std::string& margin);
 
+/// Returns `(1.234, 1.236)`: the interval, with ends that have few digits, and at least the least part
+/// of `range`, the size of the unknown, that doubles can decide.
+[[nodiscard]] std::string coq_interval(const Interval& value, double range);
+
 /// Returns the theorem about a list at one place, with its file.
 ///
 /// Requires: `lines`, the lines of `question`, have been read, and it has solutions.
