@@ -125,6 +125,19 @@ Definition some_solutions (c : closure) (lines : list line) : Prop :=
   is_searched c lines /\
   forall x, in_set (places c) x -> exists ps, NoDup ps /\ Forall2 (is_the_one c x) lines ps.
 
+(** What is listed at a place: all configurations, or some of them. *)
+Inductive listed := All_of (lines : list line) | Some_of (lines : list line).
+
+(** Along way-points: at each place what [all_solutions] or [some_solutions] says of the mechanism with
+    the numbers of this place. Nothing is said of the way between them. *)
+Definition solutions_at (c : list expression -> closure)
+    (places : list (list expression * listed)) : Prop :=
+  Forall (fun place =>
+    match snd place with
+    | All_of lines => all_solutions (c (fst place)) lines
+    | Some_of lines => some_solutions (c (fst place)) lines
+    end) places.
+
 (** ** Ways *)
 
 (** The numbers of the pieces of a straight way: for each number a at a way-point that is b at the next

@@ -234,6 +234,14 @@ Definition check_solutions (all : bool) (c : closure) (w : method) (lines : list
 Definition check_all_solutions := check_solutions true.
 Definition check_some_solutions := check_solutions false.
 
+Definition check_solutions_at (c : list expression -> closure) (w : method)
+    (places : list (list expression * listed)) : bool :=
+  forallb (fun place =>
+    match snd place with
+    | All_of lines => check_all_solutions (c (fst place)) w lines
+    | Some_of lines => check_some_solutions (c (fst place)) w lines
+    end) places.
+
 (** ** Why it is right *)
 
 Lemma range_lists (l : line) : forall p, Forall2 in_range p l <->
@@ -574,4 +582,13 @@ Theorem check_some_solutions_correct c w lines :
 Proof.
   intros H. apply check_solutions_correct in H as [G H]. split; [exact G|]. intros x X.
   destruct (H x X) as (ps & N & F & _). exists ps. auto.
+Qed.
+
+Theorem check_solutions_at_correct c w places :
+  check_solutions_at c w places = true -> solutions_at c places.
+Proof.
+  intros H. unfold check_solutions_at in H. rewrite forallb_forall in H. apply Forall_forall.
+  intros place I. specialize (H place I). destruct (snd place).
+  - exact (check_all_solutions_correct _ w _ H).
+  - exact (check_some_solutions_correct _ w _ H).
 Qed.

@@ -22,7 +22,7 @@ constexpr std::string_view kLibrary =
 constexpr std::string_view kClosureImport =
     "From Regulus Require Import Expressions Questions Search Closures Tubes Branches";
 constexpr auto kMoreOfClosures =
-    std::to_array<std::string_view>({"", " Ways", " Rates", " Distances", " Solutions"});
+    std::to_array<std::string_view>({"", " Ways", " Rates", " Distances", " Solutions", " Poses"});
 constexpr std::string_view kMoreOfLimits = " Limits", kMoreOfPavings = " Parts";
 
 /// The definitions of a file, but for those of its names.
@@ -43,6 +43,9 @@ constexpr auto kDefinitions =
                                      "the_tubes : tubes",
                                      "the_tubes : list tubes",
                                      "the_solutions : list line",
+                                     "the_legs : list ( leg written )",
+                                     "the_roots : list root",
+                                     "the_places : list ( list expression * listed )",
                                      "the_row : nat",
                                      "the_load : list expression",
                                      "the_limit : expression",
@@ -59,11 +62,12 @@ constexpr auto kDefinitions =
 
 /// The words of their bodies. Each has one meaning, that of the imports: no definition has its name.
 constexpr auto kWords = std::to_array<std::string_view>(
-    {"Kept",    "LeftOut", "Parted",   "NoTube", "Vectors", "Force",    "Motion",      "nat",
-     "Closure", "Tube",    "Excluded", "Held",   "Cut",     "Question", "Method",      "Name",
-     "Leaf",    "Split",   "within",   "nth",    "piece",   "no_entry", "segments",    "deg",
-     "pi",      "sqrt",    "sin",      "cos",    "tan",     "asin",     "acos",        "atan",
-     "atan2",   "exp",     "log",      "abs",    "float",   "infinity", "neg_infinity"});
+    {"Kept",   "LeftOut", "Parted",   "NoTube",   "Vectors",  "Force",       "Motion",
+     "nat",    "Closure", "Tube",     "Excluded", "Held",     "Cut",         "Question",
+     "Method", "Name",    "All_of",   "Some_of",  "Leaf",     "Split",       "within",
+     "nth",    "piece",   "no_entry", "segments", "deg",      "pi",          "sqrt",
+     "sin",    "cos",     "tan",      "asin",     "acos",     "atan",        "atan2",
+     "exp",    "log",     "abs",      "float",    "infinity", "neg_infinity"});
 
 constexpr std::string_view kSymbols = "()[];,+-*/^%";
 
@@ -102,7 +106,12 @@ constexpr auto kBranchClaims = std::to_array<Claim>(
      {"branch_within_limits_along_in",
       " pieces the_parts the_feasible_parts the_motors the_vectors the_limits", "Rates"},
      {"all_solutions", " the_solutions", "Closures"},
-     {"some_solutions", " the_solutions", "Closures"}});
+     {"some_solutions", " the_solutions", "Closures"},
+     {"solutions_at", " the_places", "Closures"}});
+
+/// The claims about the poses of a platform, and what they rest on.
+constexpr auto kPoseClaims = std::to_array<std::string_view>(
+    {"some_poses", "forty_poses -> all_poses", "sixteen_poses -> all_poses"});
 
 /// Returns the words with the path of the audited file before each of its own.
 std::string with_paths(std::string_view words) {
@@ -111,6 +120,17 @@ std::string with_paths(std::string_view words) {
     const std::string_view word = take_until(words, " ");
     if (!word.empty())
       text.append(" ").append(kAuditedFolder).append(".").append(kAuditedFile).append(".") += word;
+  }
+  return text;
+}
+
+/// Returns the words of Poses.v with its path before each.
+std::string with_library(std::string_view words) {
+  std::string text;
+  while (!words.empty()) {
+    const std::string_view word = take_until(words, " ");
+    text += (text.empty() ? "" : " ") + std::string(word == "->" ? "" : "Regulus.Poses.") +
+            std::string(word);
   }
   return text;
 }
@@ -213,6 +233,10 @@ class PlainReader {
         return {stated,
                 "Regulus." + std::string(claim.library) + '.' + name + with_paths(arguments)};
     }
+    const std::string_view arguments = " the_question the_legs the_solutions";
+    for (const std::string_view claim : kPoseClaims)
+      if (stated == std::string(claim).append(arguments))
+        return {stated, with_library(claim) + with_paths(arguments)};
     fail("the statement is not that of a closure");
   }
 

@@ -10,6 +10,8 @@ namespace {
 /// The files of the library that a theorem needs.
 std::string imports(const Question& q) {
   const std::string parts = q.paves ? " Parts" : "";
+  if (q.solutions && !q.closure)
+    return "Expressions Questions Search Closures Tubes Branches Poses";
   if (q.closure)
     return std::string("Expressions Questions Search Closures Tubes Branches") +
            (is_finite_error(q) ? " Distances"

@@ -5,6 +5,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <sstream>
 
 #include "runtime/formal/coq_load.hpp"
 #include "runtime/formal/coq_question.hpp"
@@ -21,8 +22,8 @@ constexpr const char* kUnknowns[] = {"x", "y", "phi"};
 
 class PoseWriter {
  public:
-  PoseWriter(Question& question, const std::vector<std::string>& lines)
-      : q_(question), lines_(lines) {
+  PoseWriter(Question& question, const std::vector<std::string>& lines, SquaresOfLegs squares)
+      : q_(question), lines_(lines), are_constants_(squares == SquaresOfLegs::kConstants) {
     for (std::size_t i = 0; i < kLegsInPlane; ++i) names_[i] = free_name(kUnknowns[i], lines);
     form_planar_equations(q_);
   }
@@ -65,9 +66,10 @@ class PoseWriter {
     for (auto* anchor : {&base, &platform})
       for (std::string& coordinate : *anchor) coordinate = take_until(line, " | ");
     std::string square(line);
-    if (square.find(" +- ") != std::string::npos) {
+    const bool is_uncertain = square.find(" +- ") != std::string::npos;
+    if (is_uncertain || are_constants_) {
       const std::string name = free_name("square_" + std::to_string(++legs_), lines_);
-      squares_ += "uncertain " + name + " = " + square + '\n';
+      squares_ += (is_uncertain ? "uncertain " : "constant ") + name + " = " + square + '\n';
       square = name;
     }
     const std::string c = "*cos(" + names_[2] + ')', s = "*sin(" + names_[2] + ')';
@@ -102,6 +104,7 @@ class PoseWriter {
 
   Question& q_;
   const std::vector<std::string>& lines_;
+  const bool are_constants_;  ///< the squared lengths that do not vary
   std::array<std::string, kLegsInPlane> names_;
   std::string squares_, equations_;
   std::size_t legs_ = 0;
@@ -109,8 +112,23 @@ class PoseWriter {
 
 }  // namespace
 
-std::string poses_as_configurations(Question question, const std::vector<std::string>& lines) {
-  return PoseWriter(question, lines).text();
+ListedConfigurations configurations_of(const Question& question,
+                                       const std::vector<std::string>& lines,
+                                       SquaresOfLegs squares) {
+  if (question.closure) return {question, lines};
+  if (question.solutions->legs.size() != kLegsInPlane)
+    throw Unfinished(
+        "there is no theorem about lists of postures yet, nor about poses in space at the places "
+        "of a "
+        "table");
+  Question poses = question;
+  const std::string written = PoseWriter(poses, lines, squares).text();
+  std::istringstream text(written);
+  Lines plain(text);
+  ListedConfigurations listed;
+  read_question(plain, listed.question);
+  listed.lines = lines_of(written);
+  return listed;
 }
 
 }  // namespace regulus::verifier

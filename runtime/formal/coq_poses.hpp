@@ -9,12 +9,24 @@
 
 namespace regulus::verifier {
 
-/// Returns the lines of a certificate about the configurations of a closure with the unknowns x, y and phi, which
-/// claims the same of the poses of `question`, within ranges that have all of them.
+/// A list of configurations, and the lines of its certificate.
+struct ListedConfigurations {
+  Question question;
+  std::vector<std::string> lines;
+};
+
+/// Whether the squared lengths of the legs stand in the equations, or are constants.
+enum class SquaresOfLegs { kInEquations, kConstants };
+
+/// Returns what a certificate lists, if that is configurations of a closure. The poses of a platform on
+/// three legs in the plane become configurations with the unknowns x, y and phi, within ranges that have
+/// all poses.
 ///
-/// `lines`: those of `question`, a claim about the poses of a platform on three legs in the plane. Throws Rejection
-/// for a line `solution` with an angle that is too large; Unfinished if a number is too large, or not certain.
-[[nodiscard]] std::string poses_as_configurations(Question question,
-                                                  const std::vector<std::string>& lines);
+/// Requires: `lines`, the lines of `question`, have been read, and it has solutions.
+/// Throws Rejection for a line `solution` with an angle that is too large; Unfinished if it lists
+/// something else, or if a number of the legs is too large, or not certain.
+[[nodiscard]] ListedConfigurations configurations_of(const Question& question,
+                                                     const std::vector<std::string>& lines,
+                                                     SquaresOfLegs squares);
 
 }  // namespace regulus::verifier

@@ -13,21 +13,20 @@
 #include "runtime/formal/coq_force.hpp"
 #include "runtime/formal/coq_load.hpp"
 #include "runtime/formal/coq_parts.hpp"
-#include "runtime/formal/coq_poses.hpp"
+#include "runtime/formal/coq_places.hpp"
+#include "runtime/formal/coq_platform.hpp"
 #include "runtime/formal/coq_question.hpp"
 #include "runtime/formal/coq_solutions.hpp"
 #include "runtime/verifier/pieces.hpp"
-#include "runtime/verifier/planar_platform.hpp"
 #include "runtime/verifier/proof.hpp"
 #include "runtime/verifier/question.hpp"
 
 namespace regulus::verifier {
 namespace {
 
+constexpr std::size_t kLegsInSpace = 6;
 /// The most splits one after the other that Coq makes.
 constexpr int kDeepest = 60;
-/// The most steps one after the other in a search for configurations.
-constexpr int kDeepestSearch = 400;
 
 std::string method(const CoqQuestion& question) {
   return "\nDefinition the_method : method := Method " + std::to_string(question.second_order) +
@@ -93,32 +92,6 @@ std::string singular_theorem(Lines& lines, const Question& question) {
   if (lines.text() == "reason always-singular")
     throw Unfinished("there is no theorem yet about a robot that is singular at every pose");
   throw Unfinished("there is no theorem about SINGULARITY by '" + lines.text() + "' yet");
-}
-
-/// The theorem about the configurations at one place; the poses in the plane are some, too.
-std::string solutions_theorem(const Question& question, const std::vector<std::string>& kept) {
-  if (!question.closure && question.solutions->legs.size() == kLegsInPlane) {
-    const std::string lines = poses_as_configurations(question, kept);
-    std::istringstream text(lines);
-    Lines plain(text);
-    Question configurations;
-    read_question(plain, configurations);
-    return solutions_theorem(configurations, lines_of(lines));
-  }
-  if (!question.closure)
-    throw Unfinished(
-        "there is no theorem about lists of poses in space and of postures yet: their equations "
-        "are not in the certificate");
-  const CoqQuestion coq = coq_question(kept, question);
-  const std::string claim =
-      question.solutions->verdict == format::kIncomplete ? "some_solutions" : "all_solutions";
-  return coq_heading(question) + coq.text + coq_solutions(question) +
-         "\n(** The variables of second order, and how often a part of the ranges is halved or "
-         "narrowed. *)\nDefinition the_method : method := Method " +
-         std::to_string(question.variables.size() + question.closure->names.size()) + " " +
-         std::to_string(kDeepestSearch) + ".\n" +
-         coq_claim(claim + " the_closure the_solutions",
-                   "check_" + claim + "_correct the_closure the_method the_solutions");
 }
 
 /// `claim arguments`, of the question or of each piece, and the check that proves it.
@@ -242,9 +215,21 @@ std::string trajectory(Lines& lines, CoqStatement statement) {
 /// Reads the question, and what its theorem needs of the proof.
 std::string read_and_write(Lines& lines, CoqStatement statement, Question& question,
                            std::vector<std::string>& kept) {
+  const bool is_about_places = lines.next() && lines.text() == format::kPlacesMagic;
+  if (is_about_places) return places_theorem(lines, question);
+  if (lines.text() == format::kPlacesIndexMagic)
+    throw Unfinished(
+        "the theorem about the places of a table has those of one file; write the proof without "
+        "shards");
+  lines.repeat();
   lines.keep();
   read_question(lines, question);
-  if (question.solutions) return solutions_theorem(question, kept = lines.take_kept());
+  if (question.solutions) {
+    kept = lines.take_kept();
+    return question.closure || question.solutions->legs.size() != kLegsInSpace
+               ? solutions_theorem(question, kept)
+               : platform_theorem(lines, question, kept);
+  }
   if (statement == CoqStatement::kForce && question.closure && !question.quantity)
     throw Unfinished("this certificate of a closure states no force");
   if (question.is_piecewise) return trajectory(lines, statement);

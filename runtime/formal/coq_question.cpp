@@ -62,15 +62,21 @@ namespace {
 /// Turns the lines of a question that has been read without a fault into definitions of Coq.
 class QuestionWriter {
  public:
-  /// `piece_names`: the constants that each piece of a trajectory gives a value.
   QuestionWriter(std::vector<std::string> lines, const Question& question,
                  const std::vector<std::string>& piece_names)
       : lines_(std::move(lines)), q_(question), piece_names_(piece_names) {
+    for (std::size_t k = 0; k < piece_names.size(); ++k)
+      of_piece_[piece_names[k]] = "(nth " + std::to_string(k) + " piece no_entry)";
     declare_variables();
     if (q_.closure) sort_closure_lines();
     for (const std::string& line : lines_) read(line);
   }
 
+  [[nodiscard]] CoqQuestion result() const {
+    return {text(), has_uncertain_ ? parameters_ : q_.variables.size(), actual_};
+  }
+
+ private:
   [[nodiscard]] std::string text() const {
     if (q_.closure) return closure_text();
     std::string text = "(** The names: the variables, then the definitions of the question. *)\n" +
@@ -88,13 +94,6 @@ class QuestionWriter {
     return loads_.empty() ? text : text + load();
   }
 
-  /// The number of variables that are kept to the second order. Each uncertain quantity is small
-  /// and there are many.
-  [[nodiscard]] std::size_t second_order() const {
-    return has_uncertain_ ? parameters_ : q_.variables.size();
-  }
-
- private:
   /// The variables come first, whatever the order of their lines.
   void declare_variables() {
     for (const std::string& line : lines_) {
@@ -108,10 +107,13 @@ class QuestionWriter {
       has_uncertain_ |= v.kind == VariableKind::kUncertain;
       const bool is_error = v.kind == VariableKind::kError;
       const std::string name = is_error ? v.name.substr(0, v.name.find(' ')) : v.name;
-      const std::string identifier = fresh(is_error                     ? error_of(name)
+      const bool is_square = v.name.starts_with("square ");
+      const std::string identifier = fresh(is_square  ? "_square'" + v.name.substr(7)
+                                           : is_error ? error_of(name)
                                            : with_error_.contains(name) ? commanded(name)
                                                                         : coq_identifier(name));
       declare(identifier);
+      if (is_square) actual_[v.name] = identifier;
       if (!is_error) commanded_[name] = identifier;
       if (v.kind == VariableKind::kUncertain) actual_[name] = identifier;
     }
@@ -170,11 +172,11 @@ class QuestionWriter {
 
   void read_unknown(std::string_view rest) {
     const std::string name(take_until(rest, " = "));
-    const std::string value = coq_expression(take_until(rest, " +- "), {});
+    const std::string value = coq_expression(take_until(rest, " +- "), of_piece_);
     has_unknowns_ = true;
     actual_[name] = fresh(coq_identifier(name));
     declare(actual_[name]);
-    near_.push_back({actual_[name], "(" + value + ", " + coq_expression(rest, {}) + ")"});
+    near_.push_back({actual_[name], "(" + value + ", " + coq_expression(rest, of_piece_) + ")"});
   }
 
   /// Uncertain quantities and errors start at their middles.
@@ -230,6 +232,8 @@ class QuestionWriter {
       read_pose(rest);
     } else if (key == "unknown") {
       read_unknown(rest);
+    } else if (key == "leg") {
+      read_square(rest.substr(rest.rfind(" | ") + 3));
     } else if (key == "alpha") {
       threshold_ = coq_expression(rest, {});
     } else if (key == "let") {
@@ -244,7 +248,7 @@ class QuestionWriter {
 
   [[nodiscard]] std::string constant(const std::string& name, std::string_view value) const {
     const auto found = std::find(piece_names_.begin(), piece_names_.end(), name);
-    if (found == piece_names_.end()) return coq_expression(value, {});
+    if (found == piece_names_.end()) return coq_expression(value, of_piece_);
     return "nth " + std::to_string(found - piece_names_.begin()) + " piece no_entry";
   }
 
@@ -280,11 +284,18 @@ class QuestionWriter {
 
   void read_uncertain(std::string_view rest) {
     const std::string name(take_until(rest, " = "));
-    const std::string middle = coq_expression(take_until(rest, " +- "), {});
-    const std::string spread = coq_expression(rest, {});
+    const std::string middle = coq_expression(take_until(rest, " +- "), of_piece_);
+    const std::string spread = coq_expression(rest, of_piece_);
     ranges_.push_back({actual_[name], "within (" + middle + ") (" + spread + ")"});
     middles_[name] = middle;
     spreads_[name] = spread;
+  }
+
+  /// The squared length of a leg is a variable if it varies.
+  void read_square(std::string_view rest) {
+    const std::string middle = coq_expression(take_until(rest, " +- "), {});
+    if (!rest.empty())
+      ranges_.push_back({"", "within (" + middle + ") (" + coq_expression(rest, {}) + ")"});
   }
 
   /// A ball is the constraint that the squared distance from its middle is at most ρ².
@@ -309,13 +320,16 @@ class QuestionWriter {
     }
     actual_[name] = has_error ? fresh(coq_identifier(name)) : commanded_[name];
     if (!has_error) return;
-    ranges_.push_back({error_of(name), "within 0 (" + coq_expression(rest, {}) + ")"});
+    ranges_.push_back({error_of(name), "within 0 (" + coq_expression(rest, of_piece_) + ")"});
     define(actual_[name], commanded_[name] + " + " + error_of(name));
   }
 
   /// A pose cannot use an earlier one unless that is a parameter.
   const CoqNames& pose_scope() {
-    if (pose_scope_.empty()) pose_scope_ = commanded_;
+    if (pose_scope_.empty()) {
+      pose_scope_ = commanded_;
+      pose_scope_.insert(of_piece_.begin(), of_piece_.end());
+    }
     return pose_scope_;
   }
 
@@ -365,6 +379,7 @@ class QuestionWriter {
   bool has_uncertain_ = false;
   std::set<std::string, std::less<>> with_error_;  ///< poses with a control error
   std::set<std::string> declared_;
+  CoqNames of_piece_;  ///< the constants of a piece, as what they are
   CoqNames commanded_, actual_, pose_scope_, middles_, spreads_;
   std::string names_text_, threshold_;
   bool has_unknowns_ = false;  ///< what is defined from now on may use them
@@ -378,8 +393,7 @@ class QuestionWriter {
 
 CoqQuestion coq_question(std::vector<std::string> lines, const Question& question,
                          const std::vector<std::string>& piece_names) {
-  const QuestionWriter writer(std::move(lines), question, piece_names);
-  return {writer.text(), writer.second_order()};
+  return QuestionWriter(std::move(lines), question, piece_names).result();
 }
 
 }  // namespace regulus::verifier

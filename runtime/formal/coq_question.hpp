@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "runtime/formal/coq_expression.hpp"
 #include "runtime/verifier/question.hpp"
 
 namespace regulus::verifier {
@@ -35,13 +36,16 @@ struct CoqQuestion {
   /// The number of variables that are kept to the second order. Each uncertain quantity is small
   /// and there are many.
   std::size_t second_order = 0;
+  /// The identifiers of the actual quantities; `square N` is a squared length that varies, from 0.
+  CoqNames names;
 };
 
 /// Returns the definitions of a question that has been read without a fault. Lines `load EXPRESSION`
 /// are not part of a certificate, and may follow: the load on the robot, by column; then lines
 /// `limits E : E`, by row.
 ///
-/// `piece_names`: the constants that each piece of a trajectory gives a value.
+/// `piece_names`: the constants that each piece of a trajectory gives a value; or names that stand for
+/// whole numbers of the lines `constant`, `uncertain`, `pose` and `unknown`.
 [[nodiscard]] CoqQuestion coq_question(std::vector<std::string> lines, const Question& question,
                                        const std::vector<std::string>& piece_names = {});
 

@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 From Regulus Require Import Search Singularity Threshold Forces Geometry Matrices Legs.
-From Regulus Require Import Existence Branches Ways Limits Rates Distances Solutions.
+From Regulus Require Import Existence Branches Ways Limits Rates Distances Solutions Poses.
 Definition theorems := (check_correct, check_tree_correct, check_pieces_correct,
   check_piece_trees_correct, check_singularity_correct, check_determinant_correct,
   check_determinant_tree_correct,
@@ -19,7 +19,8 @@ Definition theorems := (check_correct, check_tree_correct, check_pieces_correct,
   check_limits_in_correct, check_limits_trees_correct, check_closure_in_correct,
   check_closure_along_in_correct, check_branch_within_limits_in_correct,
   check_branch_within_limits_along_in_correct,
-  check_all_solutions_correct, check_some_solutions_correct,
+  check_all_solutions_correct, check_some_solutions_correct, check_solutions_at_correct,
+  check_some_poses_correct, check_forty_poses_correct, check_sixteen_poses_correct,
   full_rank_of_claim, cube_of_ball, degrees_of_degrees, inverse_of_root,
   full_rank_of_names, above_of_names, singular_of_names, small_of_names, angle_45, angle_to_180,
   root_of_multiple, inverse_of_multiple, crank_fits, carriage_fits, named_point,

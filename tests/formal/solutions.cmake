@@ -83,15 +83,59 @@ string(REPLACE "Definition the_solutions" "Definition line := nat.\nDefinition t
 file(WRITE ${WORK_DIR}/line.v "${other}")
 expect_answer(REJECTED 1 ${WORK_DIR} --audit line.v)
 
-# Poses in the plane are configurations of the equations of the legs; of poses in space there is no theorem.
+# Poses in the plane are configurations of the equations of the legs.
 certificate(poses.txt "COMPLETE: 6 poses" rpr_6)
 expect_proved(all_solutions poses.txt 6 --model ${models}/rpr_6.toml)
 expect_no_theorem(poses.txt "\nleg 0 | 0 | 0 | 0 | 561001/2500" "\nleg 0 | 0 | 0 | 0 | 561002/2500")
 expect_no_theorem(poses.txt "\nleg 0 | 0 | 0 | 0 | " "\nleg 0 | 1 | 0 | 0 | ")
 certificate(moved.txt "COMPLETE: 6 poses" rpr_6 --tolerance base=0.002)
 expect_proved(all_solutions moved.txt 6)
-certificate(space.txt "COMPLETE: 40 poses" dietmaier)
-expect_answer(UNFINISHED 2 ${WORK_DIR} --theorem space.txt)
-if(NOT why MATCHES "no theorem about lists of poses in space and of postures yet")
-  message(FATAL_ERROR "${why}")
+
+# Lists at the places of a table, of configurations and of poses in the plane.
+# expect_places(FILE LINES): the theorem about a table, of so many lines at all its places.
+function(expect_places file lines)
+  expect_answer(PROVED 0 ${WORK_DIR} --theorem ${file} ${ARGN})
+  file(READ ${WORK_DIR}/${file}.v text)
+  string(REGEX REPLACE ".*Definition the_places[^[]*" "" list "${text}")
+  string(REGEX REPLACE "\\.\n.*" "" list "${list}")
+  string(REPLACE "[(" "@" list "${list}")
+  string(REGEX MATCHALL "@" found "${list}")
+  list(LENGTH found count)
+  math(EXPR lines "${lines} + 1") # the list of places
+  if(NOT why MATCHES "theorem    solutions_at the_closure the_places\n" OR NOT count EQUAL lines)
+    message(FATAL_ERROR "${file}: expected ${lines} lines, found ${count}\n${why}")
+  endif()
+endfunction()
+
+file(WRITE ${WORK_DIR}/angles.csv "theta\n0.7\n0.9\n2.4\n")
+certificate(angles.txt "NONE at 1, COMPLETE at 2 of 3 places: 4 configurations" four_bar --waypoints ${WORK_DIR}/angles.csv)
+expect_places(angles.txt 4 --model ${models}/four_bar.toml --waypoints angles.csv)
+expect_answer(PROVED 0 ${WORK_DIR} --audit angles.txt.v)
+file(READ ${WORK_DIR}/angles.txt.v text)
+expect_forgery(place "([9/10]" "([8/10]")
+expect_forgery(place_without "All_of []" "All_of [[(0, 1); (0, 1)]]")
+expect_forgery(places "solutions_at the_closure the_places." "solutions_at the_closure [].")
+# Another angle, a list that is shorter, and a place without a proof.
+expect_no_theorem(angles.txt "pose theta = 9/10" "pose theta = 8/10")
+file(READ ${WORK_DIR}/angles.txt text)
+string(REGEX MATCH "\nsolution [^\n]*" first "${text}")
+expect_no_theorem(angles.txt "${first}" "")
+string(REGEX MATCH "\nregulus-certificate 1\nverdict NONE.*\nplaces 3\n" third "${text}")
+expect_no_theorem(angles.txt "${third}" "\nplaces 3\n")
+expect_no_theorem(angles.txt "\nplaces 3" "\nplaces 4")
+# An incomplete list at one of the places.
+string(REGEX REPLACE "\nsolution [^\n]*\nproof\nend\nplace 2" "\nproof\nend\nplace 2" text "${text}")
+string(REGEX REPLACE "^(.*\nplace 1\nregulus-certificate 1\n)verdict COMPLETE(.*)exactly 2 configurations, one within each(.*\nplace 2\n)"
+                     "\\1verdict INCOMPLETE\\2at least 1 configuration, within the\\3" text "${text}")
+file(WRITE ${WORK_DIR}/some_angles.txt "${text}")
+expect_places(some_angles.txt 3)
+file(STRINGS ${WORK_DIR}/some_angles.txt.v incomplete REGEX "Some_of")
+list(LENGTH incomplete count)
+if(NOT count EQUAL 1)
+  message(FATAL_ERROR "expected one place with some configurations, found ${count}")
 endif()
+
+file(WRITE ${WORK_DIR}/lengths.csv "rho_1,rho_2,rho_3\n14.98,15.38,12.00\n1,1,1\n")
+certificate(lengths.txt "NONE at 1, COMPLETE at 1 of 2 places: 6 poses" rpr_6 --waypoints ${WORK_DIR}/lengths.csv)
+expect_places(lengths.txt 6 --model ${models}/rpr_6.toml --waypoints lengths.csv)
+expect_no_theorem(lengths.txt "| 144\n" "| 145\n")
