@@ -81,8 +81,9 @@ class ViewSearch {
     if (!best_)
       throw Unfinished(
           "the matrix of the certificate is no part of the Jacobian of the arm as seen from a "
-          "link, "
-          "nor has it its determinant");
+          "link" +
+          std::string(needs_zeros_ ? ", with zeros in the other rows," : ",") +
+          " nor has it its determinant");
     return *best_;
   }
 
@@ -130,9 +131,20 @@ class ViewSearch {
       std::vector<std::size_t> rows;
       for (std::size_t row = 0; row < kTwist; ++row)
         if (chosen[row]) rows.push_back(row);
+      if (needs_zeros_ && !are_others_zero(jacobians, rows)) continue;
       if (const auto ratio = ratio_of(jacobians, rows)) return ArmView{0, {}, rows, ratio->text()};
     } while (std::prev_permutation(chosen.begin(), chosen.end()));
     return std::nullopt;
+  }
+
+  /// The columns depend on each other if those of the chosen rows do.
+  [[nodiscard]] bool are_others_zero(const std::vector<std::vector<Ball>>& jacobians,
+                                     const std::vector<std::size_t>& rows) const {
+    for (std::size_t row = 0; row < kTwist; ++row)
+      for (std::size_t j = 0; j < joints_ && std::ranges::find(rows, row) == rows.end(); ++j)
+        for (const std::vector<Ball>& jacobian : jacobians)
+          if (!is_zero(jacobian[row * joints_ + j])) return false;
+    return true;
   }
 
   [[nodiscard]] std::optional<ArmView> fit_rows(
@@ -180,6 +192,7 @@ class ViewSearch {
   const std::size_t joints_;
   ChainView view_;
   std::vector<std::vector<Ball>> points_, of_certificate_;
+  const bool needs_zeros_ = q_.singular && !q_.has_threshold;
   std::optional<ArmView> best_;
   std::pair<std::size_t, std::size_t> least_;
 };

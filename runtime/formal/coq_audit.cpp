@@ -21,8 +21,8 @@ constexpr std::string_view kLibrary =
 /// of its solutions; of forces within limits; and the file more of a paving.
 constexpr std::string_view kClosureImport =
     "From Regulus Require Import Expressions Questions Search Closures Tubes Branches";
-constexpr auto kMoreOfClosures =
-    std::to_array<std::string_view>({"", " Ways", " Rates", " Distances", " Solutions"});
+constexpr auto kMoreOfClosures = std::to_array<std::string_view>(
+    {"", " Ways", " Rates", " Rates Slopes", " Distances", " Solutions"});
 constexpr std::string_view kMoreOfLimits = " Limits", kMoreOfPavings = " Parts";
 
 /// The definitions of a file, but for those of its names.
@@ -51,6 +51,8 @@ constexpr auto kDefinitions =
                                      "the_errors : list nat",
                                      "the_unknown : nat",
                                      "the_measure : measured",
+                                     "the_factors : list expression",
+                                     "the_side : side",
                                      "the_vectors : vectors",
                                      "the_parts : parts",
                                      "the_parts : list parts",
@@ -59,11 +61,12 @@ constexpr auto kDefinitions =
 
 /// The words of their bodies. Each has one meaning, that of the imports: no definition has its name.
 constexpr auto kWords = std::to_array<std::string_view>(
-    {"Kept",    "LeftOut", "Parted",   "NoTube", "Vectors", "Force",    "Motion",      "nat",
-     "Closure", "Tube",    "Excluded", "Held",   "Cut",     "Question", "Method",      "Name",
-     "Leaf",    "Split",   "within",   "nth",    "piece",   "no_entry", "segments",    "deg",
-     "pi",      "sqrt",    "sin",      "cos",    "tan",     "asin",     "acos",        "atan",
-     "atan2",   "exp",     "log",      "abs",    "float",   "infinity", "neg_infinity"});
+    {"Within", "Below",   "Above",    "Beyond",      "Deflection", "Kept",    "LeftOut", "Parted",
+     "NoTube", "Vectors", "Force",    "Motion",      "nat",        "Closure", "Tube",    "Excluded",
+     "Held",   "Cut",     "Question", "Method",      "Name",       "Leaf",    "Split",   "within",
+     "nth",    "piece",   "no_entry", "segments",    "deg",        "pi",      "sqrt",    "sin",
+     "cos",    "tan",     "asin",     "acos",        "atan",       "atan2",   "exp",     "log",
+     "abs",    "float",   "infinity", "neg_infinity"});
 
 constexpr std::string_view kSymbols = "()[];,+-*/^%";
 
@@ -95,6 +98,13 @@ constexpr auto kBranchClaims = std::to_array<Claim>(
      {"branch_above_along", " pieces the_motors the_measure the_vectors the_limit", "Rates"},
      {"branch_within_limits_along", " pieces the_motors the_vectors the_limits", "Rates"},
      {"finite_error_within_along", " pieces the_errors the_unknown the_limit", "Distances"},
+     {"branch_determinant", " the_side the_limit", "Slopes"},
+     {"branch_determinant_along", " pieces the_side the_limit", "Slopes"},
+     {"branch_determinant_in", " the_parts the_feasible_parts the_side the_limit", "Slopes"},
+     {"branch_determinant_along_in", " pieces the_parts the_feasible_parts the_side the_limit",
+      "Slopes"},
+     {"branch_condition", " the_factors the_limit", "Slopes"},
+     {"branch_condition_along", " pieces the_factors the_limit", "Slopes"},
      {"one_branch_in", " the_parts", "Branches"},
      {"one_branch_along_in", " pieces the_parts", "Ways"},
      {"branch_within_limits_in", " the_parts the_feasible_parts the_motors the_vectors the_limits",

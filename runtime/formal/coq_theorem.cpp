@@ -48,7 +48,8 @@ std::string theorem_anew(const std::string& name, const std::string& type) {
 std::string statements_anew(const PlainTheorem& theorem) {
   std::string text = std::string(
                          "Require Coq.Lists.List Regulus.Questions Regulus.Closures Regulus.Limits "
-                         "Regulus.Branches Regulus.Ways Regulus.Rates Regulus.Distances ") +
+                         "Regulus.Branches Regulus.Ways Regulus.Rates Regulus.Slopes "
+                         "Regulus.Distances ") +
                      kAuditedFolder + '.' + kAuditedFile + ".\n" +
                      theorem_anew("the_claim", theorem.type);
   std::string names = "audited_the_claim";
