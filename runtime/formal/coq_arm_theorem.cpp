@@ -64,13 +64,15 @@ std::string ArmWriter::jacobian() const { return "(jacobian " + arm() + ')'; }
 
 std::string ArmWriter::rank() const {
   const std::size_t joints = robot_.pose.size();
-  return (joints > kRowNames.size() ? "full_row_rank 6 " : "full_column_rank 6 ") +
-         std::to_string(joints) + "\n    " + jacobian();
+  const char* word = is_about_columns()          ? "columns_depend 6 "
+                     : joints > kRowNames.size() ? "full_row_rank 6 "
+                                                 : "full_column_rank 6 ";
+  return word + std::to_string(joints) + "\n    " + jacobian();
 }
 
 std::string ArmWriter::determinant() const {
-  const std::string size = "determinant " + std::to_string(view_.rows.size()) + ' ';
-  if (view_.rows.size() == kRowNames.size()) return size + jacobian();
+  const std::string size = "determinant " + std::to_string(view_.rows.size());
+  if (view_.rows.size() == kRowNames.size()) return size + ' ' + jacobian();
   std::vector<std::string> names;
   for (const std::size_t row : view_.rows) names.emplace_back(kRowNames.at(row));
   return size + "\n    (rows_of [" + text_of(names, "; ") + "]\n      (jacobian_seen " +

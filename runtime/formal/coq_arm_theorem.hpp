@@ -20,12 +20,11 @@ class ArmWriter {
 
   /// Returns the definition of the parts. An arm with tolerances has none.
   [[nodiscard]] std::string definition() const;
-  /// Returns "full_column_rank 6 6 …".
+  /// Returns "full_column_rank 6 6 …", or that columns depend on each other.
   [[nodiscard]] std::string rank() const;
   /// Returns "determinant 6 …", of the Jacobian, or of some rows as seen from a link.
   [[nodiscard]] std::string determinant() const;
-  /// Returns true if the claim is that columns depend on each other, and the Jacobian has no
-  /// determinant.
+  /// Returns true if the claim is that columns depend on each other: the Jacobian has no determinant.
   [[nodiscard]] bool is_about_columns() const;
   /// Returns the sentence of a proof about all poses, or about the pose of a certificate.
   [[nodiscard]] std::string regular_proof() const;

@@ -199,7 +199,7 @@ class GeometryWriter {
     const bool is_small = claim_ == RobotClaim::kSmall;
     const std::string conclusion =
         is_small ? size_of_determinant() + " <= " + coq_argument(robot_.threshold)
-        : arm_ && arm_->is_about_columns() ? "~ " + arm_->rank()
+        : arm_ && arm_->is_about_columns() ? arm_->rank()
                                            : determinant() + " = 0";
     const std::string question =
         is_small ? "the_question the_scales the_threshold" : "the_question";
