@@ -36,6 +36,7 @@ constexpr auto kDefinitions =
                                      "negative : coordinates",
                                      "positive : coordinates",
                                      "the_point : coordinates",
+                                     "the_direction : coordinates",
                                      "the_scales : list expression",
                                      "the_threshold : expression",
                                      "the_closure : closure",
@@ -82,6 +83,7 @@ constexpr auto kClaims = std::to_array<Claim>(
      {"force_within", " the_row the_load the_limit"},
      {"force_below", " the_row the_load the_limit"},
      {"forces_within_limits", " the_scales the_load the_limits", "Limits"},
+     {"no_forces_within_limits", " the_scales the_load the_limits", "Limits"},
      {"forces_within_limits_in", " the_parts the_scales the_load the_limits", "Limits"}});
 
 /// The claims about a closure.
