@@ -181,10 +181,11 @@ constexpr std::string_view kIntroduction =
     "ask the same\nquestions as the command. Every search takes limits, threads and an interrupt, "
     "and "
     "shows its progress on\na terminal. Of bounds, Coq proves those of forces, and over the branch "
-    "of a [closure]\nthose of errors, also finite ones, and speeds; of loads, that forces within "
-    "limits hold "
-    "them;\nof pavings of loads and of branches, where they hold it and where the branch is "
-    "certain. It\nproves no threshold over a branch.\n"
+    "of a [closure]\nthose of errors, also finite ones, speeds, deflections, determinants and "
+    "condition numbers in\nthe maximum norm; of loads, that forces within limits hold them, or "
+    "that "
+    "at some pose none\ndo; of pavings of loads and of branches, where they hold it and where the "
+    "branch is certain.\n"
     "Along way-points `solve` answers at each of them, and says nothing of the way between "
     "them.\n\n";
 

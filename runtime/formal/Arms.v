@@ -100,9 +100,47 @@ Fixpoint row_of_column (i number : nat) (l : list (nat * twist)) : R :=
 Definition jacobian (arm : list part) (i j : nat) : R :=
   row_of_column i (S j) (twists (fun u => u) (end_of arm) arm).
 
+(** The columns depend on each other: some motion of the joints does not move the tool. *)
+Definition columns_depend (m n : nat) (a : nat -> nat -> R) : Prop :=
+  exists y : nat -> R,
+    (forall i, (i < m)%nat -> sum n (fun j => a i j * y j) = 0) /\
+    exists j, (j < n)%nat /\ y j <> 0.
+
 (** The rows are independent: the tool can move in every direction. *)
 Definition full_row_rank (m n : nat) (a : nat -> nat -> R) : Prop :=
   full_column_rank n m (fun i j => a j i).
+
+(** From coordinates in the frame behind the first [k] parts to those in the base. *)
+Fixpoint behind (k : nat) (arm : list part) (u : point) : point :=
+  match k, arm with S m, p :: rest => move p (behind m rest u) | _, _ => u end.
+
+Definition dot (u v : point) : R := first u * first v + second u * second v + third u * third v.
+
+(** The components of a vector along the three axes of a frame. *)
+Definition components (F : point -> point) (v : point) : point :=
+  let along u := dot (minus (F u) (F at_origin)) v in
+  (along (1, 0, 0), along (0, 1, 0), along (0, 0, 1)).
+
+Definition along_axes (F : point -> point) (t : twist) : twist :=
+  (components F (fst t), components F (snd t)).
+
+(** The Jacobian as seen from the frame behind the first [k] parts: the velocity of that point of
+    the last link which is at the point [Q] of this frame, and the angular velocity, by components
+    along the axes of this frame. *)
+Definition jacobian_seen (k : nat) (Q : point) (arm : list part) (i j : nat) : R :=
+  let F := behind k arm in
+  row_of_column i (S j)
+    (map (fun t => (fst t, along_axes F (snd t))) (twists (fun u => u) (F Q) arm)).
+
+(** The numbers of its rows, and the matrix of some of them. *)
+Definition v_x : nat := 0.
+Definition v_y : nat := 1.
+Definition v_z : nat := 2.
+Definition w_x : nat := 3.
+Definition w_y : nat := 4.
+Definition w_z : nat := 5.
+Definition rows_of (rows : list nat) (a : nat -> nat -> R) (i j : nat) : R :=
+  a (nth i rows 0%nat) j.
 
 (** ** Rigid motions *)
 
@@ -771,6 +809,216 @@ Proof.
   change 0 with (number None). rewrite map_nth. reflexivity.
 Qed.
 
+(** ** The determinant as seen from a link *)
+
+Lemma determinant_of_combination n p u w x y a : (p < n)%nat ->
+  determinant n (with_row p (fun j => x * u j + y * w j) a)
+  = x * determinant n (with_row p u a) + y * determinant n (with_row p w a).
+Proof.
+  intros P. rewrite (determinant_linear_row n p (fun j => x * u j) w y a P). f_equal.
+  rewrite (determinant_ext n (with_row p (fun j => x * u j) a)
+    (with_row p (fun j => 0 + x * u j) a)).
+  - rewrite (determinant_linear_row n p (fun _ => 0) u x a P).
+    rewrite (row_of_zeros n p (with_row p (fun _ => 0) a) P); [ring|].
+    intros j _. unfold with_row. rewrite Nat.eqb_refl. reflexivity.
+  - intros i j _ _. unfold with_row. destruct (Nat.eqb i p); ring.
+Qed.
+
+(** The matrix with two rows turned. *)
+Lemma determinant_of_turned n p q c s a : (p < n)%nat -> (q < n)%nat -> p <> q ->
+  s ^ 2 = 1 - c ^ 2 ->
+  determinant n (with_row p (fun j => c * a p j + - s * a q j)
+    (with_row q (fun j => s * a p j + c * a q j) a)) = determinant n a.
+Proof.
+  intros P Q D E.
+  set (f := fun u w : nat -> R => determinant n (with_row p u (with_row q w a))).
+  assert (L : forall u w x y z,
+    f (fun j => x * u j + y * w j) z = x * f u z + y * f w z).
+  { intros u w x y z. apply determinant_of_combination, P. }
+  assert (S : forall u w, f u w = determinant n (with_row q w (with_row p u a))).
+  { intros u w. apply determinant_ext. intros i j _ _. unfold with_row.
+    destruct (Nat.eqb_spec i p), (Nat.eqb_spec i q); try reflexivity. lia. }
+  assert (R : forall u w x y z,
+    f z (fun j => x * u j + y * w j) = x * f z u + y * f z w).
+  { intros u w x y z. rewrite !S. apply determinant_of_combination, Q. }
+  assert (Z : forall u, f u u = 0).
+  { intros u. apply (two_rows_equal n p q); try assumption. intros j _. unfold with_row.
+    rewrite !Nat.eqb_refl. destruct (Nat.eqb_spec q p); [lia|reflexivity]. }
+  assert (A : f (a q) (a p) = - f (a p) (a q)).
+  { pose proof (Z (fun j => 1 * a p j + 1 * a q j)) as H. rewrite L, !R, !Z in H. lra. }
+  change (f (fun j => c * a p j + - s * a q j) (fun j => s * a p j + c * a q j)
+    = determinant n a).
+  rewrite L, !R, !Z, A. replace (determinant n a) with (f (a p) (a q)).
+  - ring [E].
+  - apply determinant_ext. intros i j _ _. unfold with_row.
+    destruct (Nat.eqb_spec i p) as [->|]; [reflexivity|].
+    destruct (Nat.eqb_spec i q) as [->|]; reflexivity.
+Qed.
+
+(** Six twists as the columns of a matrix. *)
+Definition of_twists (t : nat -> twist) (i j : nat) : R := coordinate i (t j).
+
+Lemma of_twists_ext (s t : nat -> twist) :
+  (forall j, s j = t j) -> determinant 6 (of_twists s) = determinant 6 (of_twists t).
+Proof.
+  intros E. apply determinant_ext. intros i j _ _. unfold of_twists. rewrite E. reflexivity.
+Qed.
+
+Ltac each_row i :=
+  do 6 (destruct i as [|i]; [cbv -[Rplus Rminus Rmult Ropp IZR cos sin]; ring|]); lia.
+
+Lemma determinant_of_other_point d t :
+  determinant 6 (of_twists (fun j => moved d (t j))) = determinant 6 (of_twists t).
+Proof.
+  destruct d as [[x y] z]. set (a := of_twists t).
+  set (a1 := with_row 0 (fun j => a 0%nat j + z * a 4%nat j) a).
+  set (a2 := with_row 0 (fun j => a1 0%nat j + - y * a1 5%nat j) a1).
+  set (a3 := with_row 1 (fun j => a2 1%nat j + x * a2 5%nat j) a2).
+  set (a4 := with_row 1 (fun j => a3 1%nat j + - z * a3 3%nat j) a3).
+  set (a5 := with_row 2 (fun j => a4 2%nat j + y * a4 3%nat j) a4).
+  transitivity (determinant 6 (with_row 2 (fun j => a5 2%nat j + - x * a5 4%nat j) a5)).
+  - apply determinant_ext. intros i j I _. unfold a5, a4, a3, a2, a1, a, of_twists.
+    destruct (t j) as [[[v0 v1] v2] [[w0 w1] w2]] eqn:T.
+    unfold with_row, coordinate. rewrite T. each_row i.
+  - rewrite add_to_row by lia. unfold a5. rewrite add_to_row by lia. unfold a4.
+    rewrite add_to_row by lia. unfold a3. rewrite add_to_row by lia. unfold a2.
+    rewrite add_to_row by lia. unfold a1. rewrite add_to_row by lia. reflexivity.
+Qed.
+
+Ltac by_turned_rows p q c s P :=
+  let t := fresh "t" in intros t; set (a := of_twists t);
+  set (b := with_row p (fun j => c * a p j + - s * a q j)
+    (with_row q (fun j => s * a p j + c * a q j) a));
+  let p' := eval cbv in (3 + p)%nat in let q' := eval cbv in (3 + q)%nat in
+  transitivity (determinant 6 (with_row p' (fun j => c * b p' j + - s * b q' j)
+    (with_row q' (fun j => s * b p' j + c * b q' j) b)));
+  [ apply determinant_ext; intros i j I _; unfold b, a, of_twists;
+    destruct (t j) as [[[v0 v1] v2] [[w0 w1] w2]] eqn:T;
+    unfold with_row, coordinate; rewrite T; each_row i
+  | rewrite determinant_of_turned by (try exact P; lia); unfold b;
+    rewrite determinant_of_turned by (try exact P; lia); reflexivity ].
+
+Definition keeps_determinants (r : point -> point) : Prop := forall t : nat -> twist,
+  determinant 6 (of_twists (fun j => carried r (t j))) = determinant 6 (of_twists t).
+
+Lemma determinant_about_x angle : keeps_determinants (about_x angle).
+Proof. by_turned_rows 1%nat 2%nat (cos angle) (sin angle) (pythagoras angle). Qed.
+Lemma determinant_about_y angle : keeps_determinants (about_y angle).
+Proof. by_turned_rows 2%nat 0%nat (cos angle) (sin angle) (pythagoras angle). Qed.
+Lemma determinant_about_z angle : keeps_determinants (about_z angle).
+Proof. by_turned_rows 0%nat 1%nat (cos angle) (sin angle) (pythagoras angle). Qed.
+
+Lemma determinant_of_no_turn : keeps_determinants (fun u => u).
+Proof. intros t. apply of_twists_ext. intros j. unfold carried. destruct (t j). reflexivity. Qed.
+
+Lemma determinant_of_spin p : keeps_determinants (spin p).
+Proof.
+  assert (T : forall a angle, keeps_determinants (turned a angle)).
+  { induction a as [| | |a IH]; intros angle; [apply determinant_about_x|apply determinant_about_y
+    |apply determinant_about_z|apply IH]. }
+  induction p; simpl; try apply determinant_of_no_turn; try apply T; try apply determinant_about_x;
+    try apply determinant_about_z.
+  exact IHp.
+Qed.
+
+Lemma determinant_of_spins l : keeps_determinants (spins l).
+Proof.
+  induction l as [|p l IH]; [exact determinant_of_no_turn|]. intros t.
+  rewrite <- (determinant_of_spin p t). exact (IH (fun j => carried (spin p) (t j))).
+Qed.
+
+(** It is that of the Jacobian. *)
+Theorem determinant_seen l Q after :
+  determinant 6 (jacobian (rev l ++ after))
+  = determinant 6 (fun i j => row_of_column i (S j) (seen Q l after)).
+Proof.
+  set (d := minus (end_of (rev l ++ after)) (through l Q)).
+  set (t := fun j => total (S j) (seen Q l after)).
+  transitivity (determinant 6 (of_twists (fun j => to_base l d (t j)))).
+  - apply determinant_ext. intros i j _ _. unfold jacobian, of_twists, t, d.
+    rewrite row_of_total, (seen_from_base l Q). reflexivity.
+  - unfold to_base. rewrite determinant_of_other_point, determinant_of_spins.
+    apply determinant_ext. intros i j _ _. unfold of_twists, t. rewrite row_of_total. reflexivity.
+Qed.
+
+Lemma same_length_of_spin p u v : dot (spin p u) (spin p v) = dot u v.
+Proof.
+  assert (X : forall t, dot (about_x t u) (about_x t v) = dot u v).
+  { intros t. pose proof (pythagoras t) as E. destruct u as [[? ?] ?], v as [[? ?] ?].
+    cbv [dot about_x first second third fst snd]. ring [E]. }
+  assert (Y : forall t, dot (about_y t u) (about_y t v) = dot u v).
+  { intros t. pose proof (pythagoras t) as E. destruct u as [[? ?] ?], v as [[? ?] ?].
+    cbv [dot about_y first second third fst snd]. ring [E]. }
+  assert (Z : forall t, dot (about_z t u) (about_z t v) = dot u v).
+  { intros t. pose proof (pythagoras t) as E. destruct u as [[? ?] ?], v as [[? ?] ?].
+    cbv [dot about_z first second third fst snd]. ring [E]. }
+  assert (T : forall a t, dot (turned a t u) (turned a t v) = dot u v).
+  { induction a; intros t; [apply X|apply Y|apply Z|apply IHa]. }
+  induction p; simpl; auto.
+Qed.
+
+Lemma dot_of_spins l : forall u v, dot (spins l u) (spins l v) = dot u v.
+Proof.
+  induction l as [|p l IH]; intros u v; [reflexivity|]. simpl. rewrite IH.
+  apply same_length_of_spin.
+Qed.
+
+Lemma behind_through l after : forall u, behind (length l) (rev l ++ after) u = through l u.
+Proof.
+  assert (L : forall a p u, through (a ++ [p]) u = move p (through a u)).
+  { induction a as [|q a IH]; intros p u; [reflexivity|]. apply (IH p (move q u)). }
+  assert (B : forall a b u, behind (length a) (a ++ b) u = through (rev a) u).
+  { induction a as [|p a IH]; intros b u; [destruct b; reflexivity|]. simpl. rewrite IH, L.
+    reflexivity. }
+  intros u. rewrite <- (rev_length l), B, rev_involutive. reflexivity.
+Qed.
+
+Lemma components_in_link l v : components (through l) (spins l v) = v.
+Proof.
+  unfold components. rewrite !(rigid_difference _ _ _ _ (through_rigid l)), !dot_of_spins.
+  destruct v as [[a b] c].
+  cbv [dot minus at_origin first second third fst snd]. apply same_point; ring.
+Qed.
+
+Lemma components_linear F : linear_map (along_axes F).
+Proof.
+  assert (P : forall u v, components F (plus u v) = plus (components F u) (components F v)).
+  { intros u v. unfold components.
+    generalize (minus (F (1, 0, 0)) (F at_origin)) (minus (F (0, 1, 0)) (F at_origin))
+      (minus (F (0, 0, 1)) (F at_origin)). intros.
+    repeat match goal with u : point |- _ => destruct u as [[? ?] ?] end.
+    cbv [dot plus first second third fst snd]. apply same_point; ring. }
+  assert (M : forall c u, components F (times c u) = times c (components F u)).
+  { intros c u. unfold components.
+    generalize (minus (F (1, 0, 0)) (F at_origin)) (minus (F (0, 1, 0)) (F at_origin))
+      (minus (F (0, 0, 1)) (F at_origin)). intros.
+    repeat match goal with u : point |- _ => destruct u as [[? ?] ?] end.
+    cbv [dot times first second third fst snd]. apply same_point; ring. }
+  split.
+  - intros [a b] [c d]. unfold along_axes, both. simpl. rewrite !P. reflexivity.
+  - intros c [a b]. unfold along_axes, faster. simpl. rewrite !M. reflexivity.
+Qed.
+
+Theorem same_as_seen l Q after i j :
+  jacobian_seen (length l) Q (rev l ++ after) i j = row_of_column i (S j) (seen Q l after).
+Proof.
+  unfold jacobian_seen. rewrite !row_of_total. f_equal.
+  set (F := behind (length l) (rev l ++ after)).
+  change (map _ (twists (fun u => u) (F Q) (rev l ++ after))) with
+    (map (with_number (along_axes F)) (twists (fun u => u) (F Q) (rev l ++ after))).
+  rewrite total_of_map by apply components_linear.
+  replace (F Q) with (through l Q) by (symmetry; apply behind_through).
+  rewrite (seen_from_base l Q).
+  assert (E : forall v, components F v = components (through l) v).
+  { intros v. unfold components, F. rewrite !behind_through. reflexivity. }
+  unfold along_axes. rewrite !E. destruct (total (S j) (seen Q l after)) as [v w].
+  unfold to_base, moved, carried. simpl.
+  replace (plus (spins l v) (cross (spins l w) (minus (through l Q) (through l Q))))
+    with (spins l v).
+  - rewrite !components_in_link. reflexivity.
+  - generalize (spins l v) (spins l w) (through l Q). intros. by_coordinates.
+Qed.
+
 (** ** Frames by their coordinates *)
 
 (** The origin of a frame and its three axes. *)
@@ -880,6 +1128,111 @@ Proof.
   apply Rmult_integral_contrapositive_currified; assumption.
 Qed.
 
+(** ** The determinant, which is a multiple of that of the certificate *)
+
+Lemma entry_of_view rows n t i j : (i < length rows)%nat -> (j < n)%nat ->
+  matrix_of (view rows n t) i j = row_of_column (nth i rows 0%nat) (S j) t.
+Proof.
+  intros I J. unfold matrix_of, view.
+  rewrite (nth_indep _ [] (map (fun j => row_of_column 0 (S j) t) (seq 0 n)))
+    by (rewrite map_length; exact I).
+  rewrite (map_nth (fun i => map (fun j => row_of_column i (S j) t) (seq 0 n)) rows 0%nat i).
+  apply (nth_map_seq (fun j => row_of_column (nth i rows 0%nat) (S j) t)), J.
+Qed.
+
+Lemma determinant_of_view rows n t v m c d e :
+  length rows = n -> view rows n t = map (map number) v ->
+  sparse_determinant n (sparse_matrix v) = Some d ->
+  sparse_determinant n (sparse_matrix m) = Some e -> d = c * e ->
+  determinant n (fun i j => row_of_column (nth i rows 0%nat) (S j) t)
+  = c * determinant n (matrix_of (map (map number) m)).
+Proof.
+  intros L V D E C. rewrite !determinant_of_sparse, E. simpl. rewrite <- C.
+  change d with (number (Some d)). rewrite <- D, <- determinant_of_sparse, <- V.
+  apply determinant_ext. intros i j I J. rewrite entry_of_view by (rewrite ?L; assumption).
+  reflexivity.
+Qed.
+
+Lemma determinant_of_arm arm l Q after rows t v m c d e :
+  arm = rev l ++ after -> seen Q l after = t -> rows = seq 0 6 ->
+  view rows 6 t = map (map number) v ->
+  sparse_determinant 6 (sparse_matrix v) = Some d ->
+  sparse_determinant 6 (sparse_matrix m) = Some e -> d = c * e ->
+  determinant 6 (jacobian arm) = c * determinant 6 (matrix_of (map (map number) m)).
+Proof.
+  intros -> <- -> V D E C. rewrite (determinant_seen l Q).
+  rewrite <- (determinant_of_view (seq 0 6) 6 _ v m c d e eq_refl V D E C).
+  apply determinant_ext. intros i j I _. rewrite seq_nth by exact I. reflexivity.
+Qed.
+
+Lemma determinant_of_rows arm l Q after k rows n t v m c d e :
+  arm = rev l ++ after -> seen Q l after = t -> length l = k -> length rows = n ->
+  view rows n t = map (map number) v ->
+  sparse_determinant n (sparse_matrix v) = Some d ->
+  sparse_determinant n (sparse_matrix m) = Some e -> d = c * e ->
+  determinant n (rows_of rows (jacobian_seen k Q arm))
+  = c * determinant n (matrix_of (map (map number) m)).
+Proof.
+  intros -> <- <- L V D E C. rewrite <- (determinant_of_view rows n _ v m c d e L V D E C).
+  apply determinant_ext. intros i j _ _. apply same_as_seen.
+Qed.
+
+(** The other rows are zeros. *)
+Lemma dependent_arm arm l Q after rows others n t v m c d e :
+  arm = rev l ++ after -> seen Q l after = t -> length rows = n ->
+  forallb (fun i => existsb (Nat.eqb i) (rows ++ others)) (seq 0 6) = true ->
+  view others n t = map (fun _ => map (fun _ => 0) (seq 0 n)) others ->
+  view rows n t = map (map number) v ->
+  sparse_determinant n (sparse_matrix v) = Some d ->
+  sparse_determinant n (sparse_matrix m) = Some e -> d = c * e ->
+  determinant n (matrix_of (map (map number) m)) = 0 ->
+  columns_depend 6 n (jacobian arm).
+Proof.
+  intros -> <- L B Z V D E C M.
+  pose proof (determinant_of_view rows n _ v m c d e L V D E C) as H. rewrite M, Rmult_0_r in H.
+  destruct (kernel_of_determinant n _ H) as (y & K & Y). exists y. split; [|exact Y].
+  apply (no_motion_seen l Q). apply no_coordinates. intros i I.
+  rewrite coordinate_motion. rewrite forallb_forall in B.
+  specialize (B i (proj2 (in_seq 6 0 i) ltac:(lia))). apply existsb_exists in B as (h & A & B).
+  apply Nat.eqb_eq in B. subst h. apply in_app_or in A as [A|A].
+  - destruct (In_nth rows i 0%nat A) as (p & P & <-). apply K. rewrite <- L. exact P.
+  - destruct (In_nth others i 0%nat A) as (p & P & <-). apply sum_zero. intros k N.
+    rewrite <- (entry_of_view others n) by assumption. rewrite Z. unfold matrix_of.
+    rewrite (nth_indep _ [] (map (fun _ => 0) (seq 0 n))) by (rewrite map_length; exact P).
+    rewrite (map_nth (fun _ => map (fun _ => 0) (seq 0 n)) others 0%nat p).
+    rewrite (nth_map_seq (fun _ => 0)) by exact N. ring.
+Qed.
+
+Lemma large_of_claim q scales threshold x m n : determinant_above q scales threshold ->
+  in_set q x -> map (map (value (extend x (definitions q)))) (matrix q) = m -> columns q = n ->
+  product (map (value (extend x (definitions q))) scales) = 1 ->
+  value [] threshold < Rabs (determinant n (matrix_of m)).
+Proof.
+  intros [_ [_ [_ A]]] S <- <- P. destruct (A x S) as [_ [_ D]].
+  unfold scaled_determinant in D. rewrite (determinant_of_values _ _ _ eq_refl), P, Rmult_1_r in D.
+  exact D.
+Qed.
+
+Lemma small_of_certificate q scales x m n u :
+  map (map (value (extend x (definitions q)))) (matrix q) = m -> columns q = n ->
+  product (map (value (extend x (definitions q))) scales) = 1 ->
+  small_determinant q scales x <= u -> Rabs (determinant n (matrix_of m)) <= u.
+Proof.
+  intros <- <- P D. unfold small_determinant in D.
+  rewrite (determinant_of_values _ _ _ eq_refl), P, Rmult_1_r in D. exact D.
+Qed.
+
+Lemma large_multiple a c d u limit : a = c * d -> u < Rabs d -> c <> 0 -> limit <= Rabs c * u ->
+  limit < Rabs a.
+Proof.
+  intros -> D C L. rewrite Rabs_mult. pose proof (Rabs_pos_lt c C). nra.
+Qed.
+Lemma small_multiple a c d u limit : a = c * d -> Rabs d <= u -> Rabs c * u <= limit ->
+  Rabs a <= limit.
+Proof. intros -> D L. rewrite Rabs_mult. pose proof (Rabs_pos c). nra. Qed.
+Lemma zero_multiple a c d : a = c * d -> d = 0 -> a = 0.
+Proof. intros -> ->. ring. Qed.
+
 (** ** How the proofs of a file go: the sines and cosines of all angles of the arm and of the
     question become variables, or numbers; then both matrices consist of polynomials. *)
 
@@ -946,6 +1299,12 @@ Ltac equal_to_known a :=
       let V := fresh in pose proof (equal_angle a b c s C S ltac:(lra)) as V; destruct V
   end.
 
+Ltac opposite_to_known a :=
+  match goal with
+  | C : cos ?b = ?c, S : sin ?b = ?s |- _ =>
+      let V := fresh in pose proof (negative_angle b c s a C S ltac:(lra)) as V; keep_values V
+  end.
+
 (** Adds hypotheses about the cosine and the sine of an angle. *)
 Ltac know_angle a :=
   lazymatch goal with
@@ -970,6 +1329,7 @@ Ltac know_angle a :=
             pose proof (difference_of_angles b d c s c' s' C S C' S') as V; keep_values V end
         end
       | equal_to_known a
+      | opposite_to_known a
       | idtac ];
       lazymatch goal with
       | _ : cos a = _ |- _ => idtac
@@ -1070,7 +1430,7 @@ Ltac names_of words :=
     end
   end.
 Ltac arm_computed_in M := cbv -[Rplus Rminus Rmult Ropp Rinv Rdiv Rle Rlt Rabs IZR PI sin cos atan
-  exp ln R_sqrt.sqrt full_column_rank matrix_of] in M.
+  exp ln R_sqrt.sqrt full_column_rank matrix_of determinant] in M.
 
 (** The facts s^2 = 1 - c^2, as many as [ring] is given below. *)
 Ltac name_square E :=
@@ -1113,38 +1473,66 @@ Ltac hide_words words := lazymatch words with
     hide_words more
   | _ => idtac end.
 
-(** The rank of the matrix of the certificate, by the quantities of the robot and the values
-    [words] of its joints. *)
-Ltac matrix_of_certificate claim x words S M :=
-  let I := fresh in let N := fresh in
-  lazymatch type of claim with no_singularity ?q =>
-    assert (I : in_set q x) by in_certificate S;
-    pose proof (rank_of_claim q x _ _ _ claim I eq_refl eq_refl eq_refl) as M; clear S I;
-    eassert (N : extend x (definitions q) = _) by names_of words; rewrite N in M; clear N
-  end;
+(** [M] is about the matrix of the question [q] at [x], by the values [words] of its joints. *)
+Ltac in_words q x words M :=
+  let N := fresh in
+  eassert (N : extend x (definitions q) = _) by names_of words; rewrite N in M; clear N;
   hide_words words; coordinates; arm_computed_in M; rewrite ?Rinv_1, ?Rmult_1_r, ?Rmult_0_l in M;
   know_angles_of M.
 
+(** What a claim says of the matrix of the certificate, by the quantities of the robot: its rank, or
+    the size of its determinant. *)
+Ltac no_scales := computed; first [reflexivity | ring |
+  fail 1 "no proof that the rows of the certificate have no scales"].
+Ltac matrix_of_certificate claim x words S M :=
+  let I := fresh in
+  lazymatch type of claim with
+  | no_singularity ?q =>
+    assert (I : in_set q x) by in_certificate S;
+    pose proof (rank_of_claim q x _ _ _ claim I eq_refl eq_refl eq_refl) as M; clear S I;
+    in_words q x words M
+  | determinant_above ?q ?scales ?threshold =>
+    assert (I : in_set q x) by in_certificate S;
+    pose proof (large_of_claim q scales threshold x _ _ claim I eq_refl eq_refl
+      ltac:(no_scales)) as M; clear S I;
+    in_words q x words M
+  end.
+
 (** The arm as a list, and its twists as seen from behind its first [k] parts at the point [Q]. *)
+Ltac arm_of_goal := lazymatch goal with
+  | |- context [jacobian ?a] => a
+  | |- context [jacobian_seen _ _ ?a] => a end.
 Ltac arm_in_parts k Q A V :=
-  let a' := lazymatch goal with |- context [jacobian ?a] =>
-    eval cbv -[Rplus Rminus Rmult Ropp Rinv Rdiv IZR PI sin cos atan exp ln R_sqrt.sqrt
-      Rabs] in a end in
-  lazymatch goal with |- context [jacobian ?a] => change a with a' end;
+  let a := arm_of_goal in
+  let a' := eval cbv -[Rplus Rminus Rmult Ropp Rinv Rdiv IZR PI sin cos atan exp ln R_sqrt.sqrt
+      Rabs] in a in
+  change a with a';
   know_angles_of_goal;
   let P := fresh in pose proof (eq_refl Q) as P; revert P; hide_inverses; intros P;
   lazymatch type of P with ?Q' = _ => clear P;
-  lazymatch goal with |- context [jacobian ?a] =>
+    let a := arm_of_goal in
     let n := natural k in
     let b := eval cbv [firstn rev app] in (rev (firstn n a)) in
     let e := eval cbv [skipn] in (skipn n a) in
     eassert (V : seen Q' b e = _) by twists_seen; cbv [app] in V;
     assert (A : a = rev b ++ e) by reflexivity
-  end end.
+  end.
 
 Ltac same_jacobian := show_inverses; same_polynomial.
 Ltac other_jacobian := fail 2
   "no proof that the matrix of the certificate is that of the arm of the model file".
+
+(** The zeros of both matrices. *)
+Ltac arm_matrices rows M V W :=
+  lazymatch type of M with context [matrix_of ?m] =>
+    lazymatch type of V with _ = ?t =>
+      let n := lazymatch type of M with
+        | full_column_rank _ ?n _ => n | context [determinant ?n _] => n end in
+      eassert (W : view rows n t = _) by normal_rows end;
+    lazymatch type of W with _ = ?v =>
+      let v' := sparse_rows v in change v with (map (map number) v') in W end;
+    let m' := sparse_rows m in change m with (map (map number) m') in M
+  end.
 
 (** [claim] is about the question of a certificate, at the point [x] of its set; [S] says that the
     quantities of the arm are in theirs. Rows of the Jacobian, as seen from a link, have [c] times
@@ -1154,15 +1542,32 @@ Ltac by_arm claim x words k Q rows c S :=
   matrix_of_certificate claim x words S M;
   arm_in_parts k Q A V;
   let rows' := naturals rows in
-  lazymatch type of M with full_column_rank ?n ?n (matrix_of ?m) =>
-    lazymatch type of V with _ = ?t => eassert (W : view rows' n t = _) by normal_rows end;
-    lazymatch type of W with _ = ?v =>
-      let v' := sparse_rows v in change v with (map (map number) v') in W end;
-    let m' := sparse_rows m in change m with (map (map number) m') in M;
-    refine (regular_arm _ _ _ _ rows' n _ _ _ c _ _ A V _ eq_refl W M _ _ _ _);
-    [ repeat constructor | arm_computed; reflexivity | arm_computed; reflexivity
-    | clear M V W A; first [same_jacobian | other_jacobian] | lra ]
-  end.
+  arm_matrices rows' M V W;
+  refine (regular_arm _ _ _ _ rows' _ _ _ _ c _ _ A V _ eq_refl W M _ _ _ _);
+  [ repeat constructor | arm_computed; reflexivity | arm_computed; reflexivity
+  | clear M V W A; first [same_jacobian | other_jacobian] | lra ].
+
+(** A determinant of the goal is [c] times that of the matrix of the certificate. *)
+Ltac arm_determinant rows c M A V W E :=
+  let rows' := naturals rows in
+  arm_matrices rows' M V W;
+  let m := lazymatch type of M with context [map (map number) ?m] => m end in
+  lazymatch goal with
+  | |- context [jacobian_seen] =>
+    epose proof (determinant_of_rows _ _ _ _ _ rows' _ _ _ m c _ _ A V eq_refl eq_refl W) as E
+  | |- _ => epose proof (determinant_of_arm _ _ _ _ rows' _ _ m c _ _ A V eq_refl W) as E
+  end;
+  specialize (E ltac:(arm_computed; reflexivity) ltac:(arm_computed; reflexivity)
+    ltac:(clear M V W A; first [same_jacobian | other_jacobian])).
+
+Ltac size_of_number := first [rewrite Rabs_right by lra | rewrite Rabs_left by lra].
+Ltac by_large_arm claim x words k Q rows c S :=
+  let M := fresh "M" in let A := fresh "A" in let V := fresh "V" in let W := fresh "W" in
+  let E := fresh "E" in
+  matrix_of_certificate claim x words S M;
+  arm_in_parts k Q A V; arm_determinant rows c M A V W E;
+  refine (large_multiple _ c _ _ _ E M _ _); show_inverses; clear;
+  [lra | size_of_number; lower_threshold].
 
 (** The same where the rows of the certificate are those of the Jacobian, or its columns if there
     are more joints than six. *)
@@ -1175,3 +1580,48 @@ Ltac by_rows_of_arm claim x words k Q rows S :=
         | refine (wide_arm _ _ _ _ _ _ _ A V _ M) ];
   clear M V A; arm_computed; repeat apply same_head;
   first [apply same_end | same_jacobian | other_jacobian].
+
+(** [D] is about the determinant of a certificate at a point of its set; [W] has the values of joints
+    there. *)
+Ltac at_pose_of_arm D W k Q rows c close :=
+  repeat match goal with r : _ <= _ <= _ |- _ => clear r end;
+  cbv [quantity nth] in W; cbv [quantity nth];
+  let words := lazymatch type of W with ?w = _ => w end in clear W;
+  let M := fresh "M" in let A := fresh "A" in let V := fresh "V" in let Z := fresh "Z" in
+  lazymatch type of D with
+  | determinant _ (entry ?q (extend ?x _)) = 0 =>
+    pose proof (singular_of_values q x _ _ eq_refl eq_refl D) as M; clear D; in_words q x words M
+  | small_determinant ?q ?scales ?x <= _ =>
+    pose proof (small_of_certificate q scales x _ _ _ eq_refl eq_refl ltac:(no_scales) D) as M;
+    clear D; in_words q x words M
+  end;
+  arm_in_parts k Q A V; close M A V Z.
+
+(** The rows that the certificate leaves out are zeros. *)
+Ltac dependent_columns rows c M A V W :=
+  let rows' := naturals rows in
+  let others := eval cbv in
+    (filter (fun i => negb (existsb (Nat.eqb i) rows')) (seq 0 6)) in
+  arm_matrices rows' M V W;
+  refine (dependent_arm _ _ _ _ rows' others _ _ _ _ c _ _ A V eq_refl _ _ W _ _ _ M);
+  [ reflexivity
+  | first [arm_computed; repeat apply same_head; first [apply same_end | ring | same_jacobian]
+          | fail 1 "no proof that the other rows of the Jacobian are zeros"]
+  | arm_computed; reflexivity | arm_computed; reflexivity
+  | clear M V W A; first [same_jacobian | other_jacobian] ].
+
+(** At the pose [S] of a certificate the determinant of an arm is 0; or at most the threshold. *)
+Ltac by_singular_arm S words k Q rows c :=
+  let W := fresh "W" in pose proof (eq_refl words) as W;
+  by_pose S ltac:(fun D => at_pose_of_arm D W k Q rows c ltac:(fun M A V Z =>
+    lazymatch goal with
+    | |- columns_depend _ _ _ => dependent_columns rows c M A V Z
+    | |- _ => let E := fresh "E" in arm_determinant rows c M A V Z E;
+              exact (zero_multiple _ c _ E M)
+    end)).
+Ltac by_small_arm S words k Q rows c :=
+  let W := fresh "W" in pose proof (eq_refl words) as W;
+  by_pose S ltac:(fun D => at_pose_of_arm D W k Q rows c ltac:(fun M A V Z =>
+    let E := fresh "E" in arm_determinant rows c M A V Z E;
+    refine (small_multiple _ c _ _ _ E M _); show_inverses; clear; size_of_number;
+    lower_threshold)).

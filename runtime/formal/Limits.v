@@ -50,6 +50,20 @@ Definition forces_within_limits_in (q : question) (w : parts) (scales load : lis
   is_load_given q scales load limits /\
   forall x, in_set q x -> is_kept w x -> are_within_limits q scales load limits x.
 
+(** INFEASIBLE: at some point of the set everything is defined, and no forces hold the load of which
+    each is between the limits of its row. *)
+Definition no_forces_within_limits (q : question) (scales load : list expression)
+    (limits : list (expression * expression)) : Prop :=
+  is_load_given q scales load limits /\
+  exists x, in_set q x /\
+    let names := extend x (definitions q) in
+    model_defined q x /\ Forall (defined names) scales /\ Forall (defined names) load /\
+    forall F : nat -> R,
+      holds (rows q) (columns q) (entry q names) (value_of names scales) F
+        (value_of names load) ->
+      ~ forall i, (i < rows q)%nat ->
+          value_of [] (map fst limits) i <= F i <= value_of [] (map snd limits) i.
+
 (** ** Linear algebra *)
 
 Lemma solvable n (a : nat -> nat -> R) (w : nat -> R) : full_column_rank n n a ->
@@ -692,4 +706,113 @@ Theorem check_limits_piece_trees_correct q scales load limits m pieces trees :
 Proof.
   apply (check_each_correct _ (fun q => forces_within_limits q scales load limits)).
   intros q' t. apply check_limits_tree_correct.
+Qed.
+
+(** ** A load that no forces hold *)
+
+(** Along the direction y the load needs more than the forces of all rows can give: twice the sum of
+    w_j y_j is more than the sum of c_i (l_i + u_i) + |c_i| (u_i - l_i), where c_i is s_i times the
+    sum of m_ij y_j. *)
+Definition check_no_forces (q : question) (scales load : list expression)
+    (limits : list (expression * expression)) (position direction : coordinates) : bool :=
+  let a := map (fun u => clamp (fst u) (snd u)) (combine position (ranges q)) in
+  let b := hull a a in
+  let names := evaluate_definitions (variables 99 b) (definitions q) in
+  let y j := point (nth j direction F.nan) in
+  let along (l : list expression) :=
+    interval_sum (columns q) (fun j =>
+      multiply (range_or_none (evaluate names (nth j l no_entry))) (y j)) in
+  let lower i := nth i (bounds_of_limits (map fst limits)) I.nai in
+  let upper i := nth i (bounds_of_limits (map snd limits)) I.nai in
+  let gift i :=
+    let c := multiply (range_or_none (evaluate names (nth i scales no_entry)))
+      (along (nth i (matrix q) [])) in
+    add (multiply c (add (lower i) (upper i)))
+      (multiply (I.abs c) (subtract (upper i) (lower i))) in
+  let need := along load in
+  match enclose_ranges (ranges q) with Some _ => true | None => false end
+  && is_load_known q scales load limits && in_set_and_known q b
+  && forallb is_known (map (evaluate names) scales) && forallb is_known (map (evaluate names) load)
+  && is_positive (subtract (add need need) (interval_sum (rows q) gift)).
+
+Lemma value_enclosed t vs names e : in_unit_box t -> known t vs names ->
+  encloses (range_or_none (evaluate vs e)) (value names e).
+Proof.
+  intros T K. destruct (evaluate vs e) as [v|] eqn:E; [|apply unknown_encloses].
+  exact (proj1 (proj2 (evaluate_correct t vs names e v T K E))).
+Qed.
+
+Lemma most_of_force c f l u : l <= f <= u ->
+  c * f + c * f <= c * (l + u) + Rabs c * (u - l).
+Proof.
+  intros [L U]. destruct (Rle_dec 0 c) as [P|N].
+  - rewrite Rabs_pos_eq by exact P. nra.
+  - rewrite Rabs_left by lra. nra.
+Qed.
+
+Theorem check_no_forces_correct q scales load limits position direction :
+  check_no_forces q scales load limits position direction = true ->
+  no_forces_within_limits q scales load limits.
+Proof.
+  unfold check_no_forces. set (a := map _ (combine position (ranges q))). set (b := hull a a).
+  set (vs := evaluate_definitions (variables 99 b) (definitions q)). cbv zeta. intros H.
+  apply andb_prop in H as [H C]. apply andb_prop in H as [H L]. apply andb_prop in H as [H S].
+  apply andb_prop in H as [G H]. apply andb_prop in G as [Q G].
+  pose proof (is_load_known_correct _ _ _ _ G) as (G1 & G2 & G3 & G4 & G5 & G6).
+  assert (B : in_box b (along a a 0)) by (apply hull_contains; lra).
+  set (x := along a a 0) in *. destruct (in_set_and_known_correct q b x B H) as [X M].
+  pose proof (coordinate_in_unit_box b x B) as T.
+  pose proof (known_definitions _ (definitions q) _ _ T (variables_known 99 b x B)) as K.
+  fold vs in K. set (names := extend x (definitions q)) in *.
+  destruct (enclose_ranges (ranges q)) as [root|] eqn:R; [|discriminate].
+  apply (enclose_ranges_defined q root) in R.
+  split; [exact (conj R (conj G1 (conj G2 (conj G3 G4))))|]. exists x. split; [exact X|].
+  fold names. split; [exact M|].
+  split; [exact (proj1 (all_known_represent _ vs names scales T K S))|].
+  split; [exact (proj1 (all_known_represent _ vs names load T K L))|].
+  intros F HF W.
+  set (y := fun j => real_of (nth j direction F.nan)).
+  set (c := fun i => value_of names scales i
+    * sum (columns q) (fun j => entry q names i j * y j)).
+  assert (N : forall l, encloses (interval_sum (columns q) (fun j =>
+      multiply (range_or_none (evaluate vs (nth j l no_entry))) (point (nth j direction F.nan))))
+    (sum (columns q) (fun j => value_of names l j * y j))).
+  { intros l. apply interval_sum_encloses. intros j J. apply multiply_encloses;
+      [|apply point_encloses]. exact (value_enclosed _ vs names _ T K). }
+  set (lower := value_of [] (map fst limits)) in *. set (upper := value_of [] (map snd limits)) in *.
+  set (gift := fun i => c i * (lower i + upper i) + Rabs (c i) * (upper i - lower i)).
+  assert (P : 0 < sum (columns q) (fun j => value_of names load j * y j)
+                + sum (columns q) (fun j => value_of names load j * y j)
+                - sum (rows q) gift).
+  { refine (is_positive_correct _ _ C (subtract_encloses _ _ _ _ (add_encloses _ _ _ _ (N load)
+      (N load)) (interval_sum_encloses (rows q) _ gift _))).
+    intros i I.
+    assert (Ci : encloses (multiply (range_or_none (evaluate vs (nth i scales no_entry)))
+        (interval_sum (columns q) (fun j => multiply
+          (range_or_none (evaluate vs (nth j (nth i (matrix q) []) no_entry)))
+          (point (nth j direction F.nan))))) (c i)).
+    { apply multiply_encloses; [exact (value_enclosed _ vs names _ T K)|].
+      exact (N (nth i (matrix q) [])). }
+    assert (Li : encloses (nth i (bounds_of_limits (map fst limits)) I.nai) (lower i)).
+    { apply bound_of_limit; [rewrite map_length; lia|exact G5]. }
+    assert (Ui : encloses (nth i (bounds_of_limits (map snd limits)) I.nai) (upper i)).
+    { apply bound_of_limit; [rewrite map_length; lia|exact G6]. }
+    apply add_encloses; apply multiply_encloses.
+    - exact Ci.
+    - apply add_encloses; assumption.
+    - apply absolute_encloses, Ci.
+    - apply subtract_encloses; assumption. }
+  assert (E : sum (columns q) (fun j => value_of names load j * y j)
+              = sum (rows q) (fun i => c i * F i)).
+  { rewrite (sum_ext (columns q) _ (fun j =>
+      sum (rows q) (fun i => entry q names i j * (value_of names scales i * F i) * y j))).
+    - rewrite sum_swap. apply sum_ext. intros i _. unfold c.
+      rewrite (sum_ext (columns q) _ (fun j =>
+        value_of names scales i * F i * (entry q names i j * y j))) by (intros; ring).
+      rewrite sum_scale. ring.
+    - intros j J. rewrite <- (HF j J), Rmult_comm, <- sum_scale. apply sum_ext. intros. ring. }
+  rewrite E, <- sum_plus in P.
+  assert (Le : sum (rows q) (fun i => c i * F i + c i * F i) <= sum (rows q) gift).
+  { apply sum_le. intros i I. apply most_of_force, W, I. }
+  lra.
 Qed.

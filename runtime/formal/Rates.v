@@ -12,17 +12,23 @@ Open Scope R_scope.
 
 (** ** The claims *)
 
+(** A matrix that the mechanism has at the place x in the configuration p. *)
+Definition matrix_at : Type := closure -> list R -> list R -> (nat -> nat -> R) -> Prop.
+
+(** The derivatives of the equations by the unknowns, which are a regular matrix. *)
+Definition has_slopes : matrix_at := fun c x p a =>
+  (forall i j, (i < unknowns c)%nat -> (j < unknowns c)%nat ->
+     derivable_pt_lim (fun s => equation_at c x (put j s p) i) (nth j p 0) (a i j)) /\
+  full_column_rank (unknowns c) (unknowns c) a.
+
 (** J has the derivatives of the unknowns by the motors, which are variables of the places: with the
     derivatives a of the equations by the unknowns, and b by the motors, a J = -b. *)
-Definition has_rates (c : closure) (motors : list nat) (x p : list R) (J : nat -> nat -> R) :
-    Prop :=
+Definition has_rates (motors : list nat) : matrix_at := fun c x p J =>
   exists a b : nat -> nat -> R,
-    (forall i j, (i < unknowns c)%nat -> (j < unknowns c)%nat ->
-       derivable_pt_lim (fun s => equation_at c x (put j s p) i) (nth j p 0) (a i j)) /\
+    has_slopes c x p a /\
     (forall i k, (i < unknowns c)%nat -> (k < length motors)%nat ->
        let v := nth k motors O in
        derivable_pt_lim (fun s => equation_at c (put v s x) p i) (nth v x 0) (b i k)) /\
-    full_column_rank (unknowns c) (unknowns c) a /\
     forall i k, (i < unknowns c)%nat -> (k < length motors)%nat ->
       sum (unknowns c) (fun j => a i j * J j k) = - b i k.
 
@@ -51,14 +57,20 @@ Definition in_vectors (s : vectors) (w : nat -> R) : Prop :=
       w k = value_of [] (map fst (components s)) k + d k
             + sum (length (balls s)) (fun l => part l k * v l k).
 
-(** What is measured: the force of a motor that holds the load w, or how an unknown moves if the
-    motors move by w. *)
-Inductive measured := Force (motor : nat) | Motion (unknown : nat).
+(** What is measured: the force of a motor that holds the load w; how an unknown moves if the motors
+    move by w; or how it moves if the motors give way to the load w by their forces divided by their
+    stiffness. *)
+Inductive measured :=
+  | Force (motor : nat)
+  | Motion (unknown : nat)
+  | Deflection (unknown : nat) (stiffness : list expression).
 
 Definition measure (n d : nat) (J : nat -> nat -> R) (q : measured) (w : nat -> R) : R :=
   match q with
   | Force k => sum n (fun j => J j k * w j)
   | Motion i => sum d (fun k => J i k * w k)
+  | Deflection i c =>
+      sum d (fun k => J i k * (sum n (fun j => J j k * w j) / value_of [] c k))
   end.
 
 (** The set has as many components as there are unknowns, or motors. *)
@@ -66,39 +78,40 @@ Definition fits (n d : nat) (q : measured) (s : vectors) : Prop :=
   match q with
   | Force k => (k < d)%nat /\ length (components s) = n
   | Motion i => (i < n)%nat /\ length (components s) = d
+  | Deflection i c => (i < n)%nat /\ length (components s) = n /\ length c = d /\
+      Forall (fun e => defined [] e /\ 0 < value [] e) c
   end.
 
-(** The closure has one branch p, and P is true of the derivatives by the motors along it. *)
-Definition over_branch (P : (nat -> nat -> R) -> Prop) (c : closure) (motors : list nat) : Prop :=
+(** The closure has one branch p, and P is true of the matrix that it has along it. *)
+Definition over_branch (has : matrix_at) (P : (nat -> nat -> R) -> Prop) (c : closure) : Prop :=
   is_given c /\ exists p, is_branch c p /\
-    forall x, in_set (places c) x -> exists J, has_rates c motors x (p x) J /\ P J.
+    forall x, in_set (places c) x -> exists J, has c x (p x) J /\ P J.
 
 (** The same along a way, on each piece. *)
-Definition over_branch_along (P : (nat -> nat -> R) -> Prop) (c : list expression -> closure)
-    (pieces : list (list expression)) (motors : list nat) : Prop :=
+Definition over_branch_along (has : matrix_at) (P : (nat -> nat -> R) -> Prop)
+    (c : list expression -> closure) (pieces : list (list expression)) : Prop :=
   let way := map c pieces in
   is_way way /\ exists p, is_branch_along way p /\
-    forall x k d, is_on way x k d ->
-      exists J, has_rates d motors (on_piece k x) (p x) J /\ P J.
+    forall x k d, is_on way x k d -> exists J, has d (on_piece k x) (p x) J /\ P J.
 
 (** PAVING: the parts of w keep the places with the branch, as in [one_branch_in], and P is true of
-    the derivatives at those that v keeps, too. *)
-Definition over_branch_in (w v : parts) (P : (nat -> nat -> R) -> Prop) (c : closure)
-    (motors : list nat) : Prop :=
+    the matrix at those that v keeps, too. *)
+Definition over_branch_in (w v : parts) (has : matrix_at) (P : (nat -> nat -> R) -> Prop)
+    (c : closure) : Prop :=
   is_given c /\ is_kept w (the_start c) /\
   exists p, is_branch_among (fun x => in_set (places c) x /\ is_kept w x) c p /\
     forall x, in_set (places c) x -> is_kept w x -> is_kept v x ->
-      exists J, has_rates c motors x (p x) J /\ P J.
+      exists J, has c x (p x) J /\ P J.
 
 (** The same along a way, with the parts of each piece. *)
-Definition over_branch_along_in (ws vs : list parts) (P : (nat -> nat -> R) -> Prop)
-    (c : list expression -> closure) (pieces : list (list expression)) (motors : list nat) :
-    Prop :=
+Definition over_branch_along_in (ws vs : list parts) (has : matrix_at)
+    (P : (nat -> nat -> R) -> Prop) (c : list expression -> closure)
+    (pieces : list (list expression)) : Prop :=
   let way := map c pieces in
   is_way way /\ starts_in way ws /\
   exists p, is_branch_along_among (is_kept_on way ws) way p /\
     forall x k d, is_kept_on way ws x k d -> is_kept (nth k vs LeftOut) (on_piece k x) ->
-      exists J, has_rates d motors (on_piece k x) (p x) J /\ P J.
+      exists J, has d (on_piece k x) (p x) J /\ P J.
 
 (** All pieces have as many unknowns. *)
 Definition unknowns_along (c : list expression -> closure) (pieces : list (list expression)) :=
@@ -127,33 +140,34 @@ Definition keeps_limits_over (over : ((nat -> nat -> R) -> Prop) -> Prop) (n d :
       <= value_of [] (map snd limits) k).
 
 Definition branch_within (c : closure) (motors : list nat) :=
-  is_within_over (fun P => over_branch P c motors) (unknowns c) (length motors).
+  is_within_over (fun P => over_branch (has_rates motors) P c) (unknowns c) (length motors).
 Definition branch_below (c : closure) (motors : list nat) :=
-  is_below_over (fun P => over_branch P c motors) (unknowns c) (length motors).
+  is_below_over (fun P => over_branch (has_rates motors) P c) (unknowns c) (length motors).
 Definition branch_above (c : closure) (motors : list nat) :=
-  is_above_over (fun P => over_branch P c motors) (unknowns c) (length motors).
+  is_above_over (fun P => over_branch (has_rates motors) P c) (unknowns c) (length motors).
 Definition branch_within_limits (c : closure) (motors : list nat) :=
-  keeps_limits_over (fun P => over_branch P c motors) (unknowns c) (length motors).
+  keeps_limits_over (fun P => over_branch (has_rates motors) P c) (unknowns c) (length motors).
 
 Definition branch_within_limits_in (c : closure) (w v : parts) (motors : list nat) :=
-  keeps_limits_over (fun P => over_branch_in w v P c motors) (unknowns c) (length motors).
+  keeps_limits_over (fun P => over_branch_in w v (has_rates motors) P c) (unknowns c)
+    (length motors).
 
 Definition branch_within_along (c : list expression -> closure) pieces (motors : list nat) :=
-  is_within_over (fun P => over_branch_along P c pieces motors) (unknowns_along c pieces)
-    (length motors).
+  is_within_over (fun P => over_branch_along (has_rates motors) P c pieces)
+    (unknowns_along c pieces) (length motors).
 Definition branch_below_along (c : list expression -> closure) pieces (motors : list nat) :=
-  is_below_over (fun P => over_branch_along P c pieces motors) (unknowns_along c pieces)
-    (length motors).
+  is_below_over (fun P => over_branch_along (has_rates motors) P c pieces)
+    (unknowns_along c pieces) (length motors).
 Definition branch_above_along (c : list expression -> closure) pieces (motors : list nat) :=
-  is_above_over (fun P => over_branch_along P c pieces motors) (unknowns_along c pieces)
-    (length motors).
+  is_above_over (fun P => over_branch_along (has_rates motors) P c pieces)
+    (unknowns_along c pieces) (length motors).
 Definition branch_within_limits_along (c : list expression -> closure) pieces
     (motors : list nat) :=
-  keeps_limits_over (fun P => over_branch_along P c pieces motors) (unknowns_along c pieces)
-    (length motors).
+  keeps_limits_over (fun P => over_branch_along (has_rates motors) P c pieces)
+    (unknowns_along c pieces) (length motors).
 Definition branch_within_limits_along_in (c : list expression -> closure) pieces
     (ws vs : list parts) (motors : list nat) :=
-  keeps_limits_over (fun P => over_branch_along_in ws vs P c pieces motors)
+  keeps_limits_over (fun P => over_branch_along_in ws vs (has_rates motors) P c pieces)
     (unknowns_along c pieces) (length motors).
 
 (** ** The derivatives of the equations by variable k of m *)
@@ -590,6 +604,17 @@ Proof.
   intros [|k] K; simpl; [reflexivity|]. apply N. simpl in K. lia.
 Qed.
 
+Lemma columns_exist n (a : nat -> nat -> R) (rhs : nat -> nat -> R) d :
+  full_column_rank n n a -> exists J : nat -> nat -> R,
+  forall i k, (i < n)%nat -> (k < d)%nat ->
+    sum n (fun j => a i j * J j k) = rhs i k.
+Proof.
+  intros F. induction d as [|d [J IH]]; [exists (fun _ _ => 0); lia|].
+  destruct (solvable n a (fun i => rhs i d) F) as [y Y].
+  exists (fun j k => if Nat.eqb k d then y j else J j k). intros i k I K.
+  destruct (Nat.eqb_spec k d) as [->|D]; [exact (Y i I)|]. apply IH; [exact I|lia].
+Qed.
+
 Section Over_tube.
   Variables (c : closure) (full : nat) (motors : list nat).
   Let n := unknowns c.
@@ -641,12 +666,15 @@ Section Over_tube.
 
   Definition form_of_rates (l : list (list form)) (j k : nat) : form := form_of_list (nth k l []) j.
 
+  (** What encloses the matrix over a tube. *)
+  Variable find : tube -> box -> option (nat -> nat -> form).
+
   (** The property is shown over the tube, or over each half of the box. With `&&` and `||` Coq
       would compute both sides. *)
   Fixpoint shown (good : (nat -> nat -> form) -> bool) (fuel : nat) (t : tube) (b : box) : bool :=
     let s := tightest 3 t b in
     if is_tested c full s b then
-      if match rates_over s b with Some l => good (form_of_rates l) | None => false end then true
+      if match find s b with Some F => good F | None => false end then true
       else
         match fuel, largest_of (map (fun i => PrimFloat.sub (I.upper i) (I.lower i)) b) with
         | S fuel', Some k =>
@@ -704,19 +732,8 @@ Section Over_tube.
         apply form_of_value; [exact T|exact KN].
     Qed.
 
-    Lemma columns_exist (a : nat -> nat -> R) (rhs : nat -> nat -> R) d :
-      full_column_rank n n a -> exists J : nat -> nat -> R,
-      forall i k, (i < n)%nat -> (k < d)%nat ->
-        sum n (fun j => a i j * J j k) = rhs i k.
-    Proof.
-      intros F. induction d as [|d [J IH]]; [exists (fun _ _ => 0); lia|].
-      destruct (solvable n a (fun i => rhs i d) F) as [y Y].
-      exists (fun j k => if Nat.eqb k d then y j else J j k). intros i k I K.
-      destruct (Nat.eqb_spec k d) as [->|D]; [exact (Y i I)|]. apply IH; [exact I|lia].
-    Qed.
-
     Lemma rates_over_correct l : rates_over t b = Some l ->
-      exists J, has_rates c motors x p J /\
+      exists J, has_rates motors c x p J /\
         forall j k, (j < n)%nat -> (k < length motors)%nat ->
           form_encloses s (form_of_rates l j k) (J j k).
     Proof.
@@ -730,7 +747,7 @@ Section Over_tube.
       assert (AE : forall i j, (i < n)%nat -> (j < n)%nat ->
                 form_encloses s (form_at a i j) (A i j)).
       { intros i j I J. exact (proj2 (partial_in_columns c full t b v x tested B u U i j I J)). }
-      destruct (columns_exist A (fun i k => - by_motor c x p (nth k motors O) i)
+      destruct (columns_exist n A (fun i k => - by_motor c x p (nth k motors O) i)
         (length motors) F) as [J HJ].
       assert (Col : forall k, (k < length motors)%nat ->
                 is_column (column_by t b (nth k motors O)) = true /\
@@ -740,11 +757,9 @@ Section Over_tube.
         - rewrite <- (proj1 B). apply Nat.ltb_lt, C2, nth_In, K. }
       exists J. split.
       - exists A, (fun i k => by_motor c x p (nth k motors O) i).
-        split; [exact D|]. split; [|split].
-        + intros i k I K w. destruct (Col k K) as [C3 C4].
-          exact (proj1 (column_encloses _ C4 C3 i I)).
-        + exact F.
-        + exact HJ.
+        split; [exact (conj D F)|]. split; [|exact HJ].
+        intros i k I K w. destruct (Col k K) as [C3 C4].
+        exact (proj1 (column_encloses _ C4 C3 i I)).
       - intros j k Hj K. destruct (all_some_nth _ l [] H) as [_ N].
         rewrite !map_length in N. specialize (N k K).
         rewrite map_map in N.
@@ -782,30 +797,33 @@ Section Over_tube.
     change (axis (narrowed t v) x i) with (axis t x i). lra.
   Qed.
 
+  Variables (has : list R -> list R -> (nat -> nat -> R) -> Prop)
+    (valid : (nat -> nat -> R) -> Prop) (d : nat).
+  Hypothesis found : forall t b v x p F, test_tube c full t b = Some v -> in_box b x ->
+    in_tube n t x p -> find t b = Some F ->
+    exists J s, has x p J /\ valid J /\ in_unit_box s /\
+      forall j k, (j < n)%nat -> (k < d)%nat -> form_encloses s (F j k) (J j k).
   Variables (good : (nat -> nat -> form) -> bool) (holds : (nat -> nat -> R) -> Prop).
-  Hypothesis good_holds : forall s F J, in_unit_box s ->
-    (forall j k, (j < n)%nat -> (k < length motors)%nat -> form_encloses s (F j k) (J j k)) ->
+  Hypothesis good_holds : forall s F J, in_unit_box s -> valid J ->
+    (forall j k, (j < n)%nat -> (k < d)%nat -> form_encloses s (F j k) (J j k)) ->
     good F = true -> holds J.
 
   Lemma shown_correct fuel x p : solves c x p -> forall t b,
     shown good fuel t b = true -> in_box b x -> in_tube n t x p ->
-    exists J, has_rates c motors x p J /\ holds J.
+    exists J, has x p J /\ holds J.
   Proof.
     intros S. induction fuel as [|fuel IH]; intros t b H B P;
       pose proof (tightest_holds 3 b x p B S t P) as P1;
       cbn [shown] in H; cbv zeta in H; set (s := tightest 3 t b) in *;
       destruct (is_tested c full s b) eqn:H1; try discriminate.
-    all: assert (Now : match rates_over s b with Some l => good (form_of_rates l)
-                       | None => false end = true ->
-                       exists J, has_rates c motors x p J /\ holds J).
-    1, 3: intros G; destruct (rates_over s b) as [l|] eqn:R; [|discriminate];
+    all: assert (Now : match find s b with Some F => good F | None => false end = true ->
+                       exists J, has x p J /\ holds J).
+    1, 3: intros G; destruct (find s b) as [F|] eqn:E; [|discriminate];
       unfold is_tested in H1; destruct (test_tube c full s b) as [v|] eqn:V; [|discriminate];
-      destruct (rates_over_correct s b v x p V B P1 l R) as (J & HJ & E);
-      exists J; split; [exact HJ|];
-      refine (good_holds _ _ J _ E G); apply coordinate_in_unit_box;
-      apply in_tube_box; [exact B|exact (distances_inside c s x p P1)].
-    all: destruct (match rates_over s b with Some l => good (form_of_rates l)
-                   | None => false end); [exact (Now eq_refl)|]; clear Now.
+      destruct (found s b v x p F V B P1 E) as (J & u & HJ & K & U & N);
+      exists J; split; [exact HJ|]; exact (good_holds u F J U K N G).
+    all: destruct (match find s b with Some F => good F | None => false end);
+      [exact (Now eq_refl)|]; clear Now.
     - discriminate.
     - destruct largest_of as [k|]; [|discriminate].
       destruct (shown good fuel s _) eqn:HL; [|discriminate].
@@ -815,12 +833,71 @@ Section Over_tube.
   Qed.
 End Over_tube.
 
+(** ** What a claim is about: a matrix, and what encloses it over a tube *)
+
+Definition finder : Type := closure -> nat -> tube -> box -> option (nat -> nat -> form).
+
+(** [valid n] is true of all matrices [has] for n unknowns; they have [width n] columns. *)
+Definition finds (has : matrix_at) (valid : nat -> (nat -> nat -> R) -> Prop) (width : nat -> nat)
+    (find : finder) : Prop :=
+  forall c full t b v x p F, test_tube c full t b = Some v -> in_box b x ->
+    in_tube (unknowns c) t x p -> find c full t b = Some F ->
+    exists J s, has c x p J /\ valid (unknowns c) J /\ in_unit_box s /\
+      forall j k, (j < unknowns c)%nat -> (k < width (unknowns c))%nat ->
+        form_encloses s (F j k) (J j k).
+
+Lemma place_in_unit_box c t b x p : in_box b x -> in_tube (unknowns c) t x p ->
+  in_unit_box (coordinate (tube_box c t b)
+    (x ++ map (fun i => nth i p 0 - axis t x i) (seq 0 (unknowns c)))).
+Proof.
+  intros B P. apply coordinate_in_unit_box, in_tube_box; [exact B|].
+  exact (distances_inside c t x p P).
+Qed.
+
+Definition find_rates (motors : list nat) : finder := fun c full t b =>
+  option_map form_of_rates (rates_over c full motors t b).
+
+Lemma find_rates_correct motors :
+  finds (has_rates motors) (fun _ _ => True) (fun _ => length motors) (find_rates motors).
+Proof.
+  intros c full t b v x p F V B P E. unfold find_rates in E.
+  destruct (rates_over c full motors t b) as [l|] eqn:R; [|discriminate]. injection E as <-.
+  destruct (rates_over_correct c full motors t b v x p V B P l R) as (J & HJ & N).
+  eexists J, _. split; [exact HJ|]. split; [exact Logic.I|].
+  split; [exact (place_in_unit_box c t b x p B P)|exact N].
+Qed.
+
+Definition find_slopes : finder := fun c full t b => Some (form_at (slopes_over c full t b)).
+
+Lemma find_slopes_correct :
+  finds has_slopes (fun n => full_column_rank n n) (fun n => n) find_slopes.
+Proof.
+  intros c full t b v x p F V B P E. injection E as <-.
+  destruct (slopes_in_tube c full t b v x V B p P) as [D R].
+  exists (slopes_at c t x (fun i => nth i p 0 - axis t x i)). eexists.
+  split; [exact (conj D R)|]. split; [exact R|].
+  split; [exact (place_in_unit_box c t b x p B P)|]. intros i j I J.
+  exact (proj2 (partial_in_columns c full t b v x V B _ (distances_inside c t x p P) i j I J)).
+Qed.
+
 (** ** The checks *)
+
+(** [good F] is a reason for [holds J], where the forms F enclose the matrix J. *)
+Definition is_reason (valid : (nat -> nat -> R) -> Prop) (n d : nat)
+    (good : (nat -> nat -> form) -> bool) (holds : (nat -> nat -> R) -> Prop) : Prop :=
+  forall s F J, in_unit_box s -> valid J ->
+    (forall j k, (j < n)%nat -> (k < d)%nat -> form_encloses s (F j k) (J j k)) ->
+    good F = true -> holds J.
+
+Section Checked.
+Variables (has : matrix_at) (valid : nat -> (nat -> nat -> R) -> Prop) (width : nat -> nat).
+Variable find : finder.
+Hypothesis found : finds has valid width find.
 
 (** The tubes over the parts of w are linked as for [one_branch_in], and the property is shown over
     each tube that is over the parts of v. *)
 Definition check_over_in (halvings : nat) (good : (nat -> nat -> form) -> bool) (c : closure)
-    (w v : parts) (motors : list nat) (m : method) (g : tubes) : bool :=
+    (w v : parts) (m : method) (g : tubes) : bool :=
   let full := second_order m in
   match enclose_values (start c), enclose_values (map fst (near c)),
         enclose_values (map snd (near c)), enclose_ranges (ranges (places c)) with
@@ -828,15 +905,13 @@ Definition check_over_in (halvings : nat) (good : (nat -> nat -> form) -> bool) 
       let around := around_start c middles radii (length b) in
       let h := refined c full (deepest m) g in
       check_branch_in c full around (tight_start c full b around) w h
-      && holds_in (shown c full motors good halvings) v h root
+      && holds_in (shown c full (find c full) good halvings) v h root
   | _, _, _, _ => false
   end.
 
-Lemma check_over_in_correct halvings good (holds : (nat -> nat -> R) -> Prop) c w v motors m g :
-  (forall s F J, in_unit_box s ->
-    (forall j k, (j < unknowns c)%nat -> (k < length motors)%nat ->
-       form_encloses s (F j k) (J j k)) -> good F = true -> holds J) ->
-  check_over_in halvings good c w v motors m g = true -> over_branch_in w v holds c motors.
+Lemma check_over_in_correct halvings good (holds : (nat -> nat -> R) -> Prop) c w v m g :
+  is_reason (valid (unknowns c)) (unknowns c) (width (unknowns c)) good holds ->
+  check_over_in halvings good c w v m g = true -> over_branch_in w v has holds c.
 Proof.
   intros G. unfold check_over_in. destruct (enclose_values (start c)) as [b|]; [|discriminate].
   destruct (enclose_values (map fst (near c))) as [middles|]; [|discriminate].
@@ -850,7 +925,8 @@ Proof.
   intros x X _ W. assert (B : in_box root x) by (eapply enclose_ranges_correct; [exact R|apply X]).
   destruct (held_in_part c full _ h v root x Ct H2 B X W)
     as (_ & t & b' & u & _ & B' & V & E & Sh).
-  rewrite E. refine (shown_correct c full motors good holds G halvings x _ _ t b' Sh B' _).
+  rewrite E. refine (shown_correct c full (find c full) (has c) _ _ (found c full) good holds G
+    halvings x _ _ t b' Sh B' _).
   - exact (tube_solution_solves c full t b' u x V B').
   - exact (solution_in_tube c full t b' u x V B').
 Qed.
@@ -864,12 +940,12 @@ Definition holds_along (f : closure -> tube -> box -> bool) (vs : list parts) (l
 
 Definition check_over_along_in (halvings : nat) (good : (nat -> nat -> form) -> bool)
     (c : list expression -> closure) (pieces : list (list expression)) (ws vs : list parts)
-    (motors : list nat) (m : method) (gs : list tubes) : bool :=
+    (m : method) (gs : list tubes) : bool :=
   let full := second_order m in
   match stretches full (deepest m) (map c pieces) ws gs with
   | Some l =>
       check_stretches full l
-      && holds_along (fun c => shown c full motors good halvings) vs l
+      && holds_along (fun c => shown c full (find c full) good halvings) vs l
   | None => false
   end.
 
@@ -883,113 +959,147 @@ Proof.
 Qed.
 
 Lemma check_over_along_in_correct halvings good (holds : (nat -> nat -> R) -> Prop) c pieces ws vs
-    motors m gs :
-  (forall s F J, in_unit_box s ->
-    (forall j k, (j < unknowns_along c pieces)%nat -> (k < length motors)%nat ->
-       form_encloses s (F j k) (J j k)) -> good F = true -> holds J) ->
-  check_over_along_in halvings good c pieces ws vs motors m gs = true ->
-  over_branch_along_in ws vs holds c pieces motors.
+    m gs :
+  let n := unknowns_along c pieces in
+  is_reason (valid n) n (width n) good holds ->
+  check_over_along_in halvings good c pieces ws vs m gs = true ->
+  over_branch_along_in ws vs has holds c pieces.
 Proof.
-  intros G. unfold check_over_along_in. set (full := second_order m).
+  intros n G. unfold check_over_along_in. set (full := second_order m).
   destruct (stretches full (deepest m) (map c pieces) ws gs) as [l|] eqn:L; [|discriminate].
   apply stretches_correct in L as (M & Kw & E). intros H. apply andb_prop in H as [H1 H2].
-  apply (check_stretches_correct _ _ E) in H1 as (W & S & B & others & n & K & Li).
+  apply (check_stretches_correct _ _ E) in H1 as (W & S & B & others & size & K & Li).
   assert (U : forall s, In s l -> unknowns (mechanism s) = unknowns_along c pieces).
   { unfold unknowns_along. rewrite <- M. intros s I.
-    rewrite (has_unknowns _ _ _ s (are_pieces full l others n E K s I)).
+    rewrite (has_unknowns _ _ _ s (are_pieces full l others size E K s I)).
     destruct l as [|s0 l0]; [destruct I|]. simpl. symmetry.
-    exact (has_unknowns _ _ _ s0 (are_pieces full _ others n E K s0 (or_introl eq_refl))). }
+    exact (has_unknowns _ _ _ s0 (are_pieces full _ others size E K s0 (or_introl eq_refl))). }
   unfold over_branch_along_in. rewrite <- M, <- Kw. split; [exact W|]. split; [exact S|].
   exists (along full 0 l). split; [exact B|]. intros x k d D Dv.
   apply piece_of in D as (s & N & <- & In_s & Ks).
-  destruct (along_in_part full l others n E K Li _ _ x k s N In_s Ks
+  destruct (along_in_part full l others size E K Li _ _ x k s N In_s Ks
               (holds_along_correct _ vs l k s H2 N) Dv)
     as (t & b & v & _ & Bx & _ & V & -> & Sh).
-  rewrite <- (U s (nth_error_In _ _ N)) in G.
-  refine (shown_correct (mechanism s) full motors good holds G halvings _ _ _ t b Sh Bx _).
+  unfold n in G. rewrite <- (U s (nth_error_In _ _ N)) in G.
+  refine (shown_correct (mechanism s) full (find (mechanism s) full) (has (mechanism s)) _ _
+    (found (mechanism s) full) good holds G halvings _ _ _ t b Sh Bx _).
   - exact (tube_solution_solves (mechanism s) full t b v _ V Bx).
   - exact (solution_in_tube (mechanism s) full t b v _ V Bx).
 Qed.
 
 (** The whole set is kept. *)
-Definition check_over halvings good c : list nat -> method -> tubes -> bool :=
-  check_over_in halvings good c Kept Kept.
-
-Lemma over_whole_branch holds c motors : over_branch_in Kept Kept holds c motors ->
-  over_branch holds c motors.
+Lemma over_whole_branch holds c : over_branch_in Kept Kept has holds c -> over_branch has holds c.
 Proof.
   intros (G & _ & p & B & H). split; [exact G|]. exists p. split.
   - revert B. apply is_branch_among_fewer. intros x X. exact (conj X Logic.I).
   - intros x X. exact (H x X Logic.I Logic.I).
 Qed.
 
-Definition check_over_along halvings good c pieces : list nat -> method -> list tubes -> bool :=
-  check_over_along_in halvings good c pieces (all_kept pieces) (all_kept pieces).
-
-Lemma over_whole_way holds c pieces motors :
-  over_branch_along_in (all_kept pieces) (all_kept pieces) holds c pieces motors ->
-  over_branch_along holds c pieces motors.
+Lemma over_whole_way holds c pieces :
+  over_branch_along_in (all_kept pieces) (all_kept pieces) has holds c pieces ->
+  over_branch_along has holds c pieces.
 Proof.
   intros (W & _ & p & B & H). split; [exact W|]. exists p.
   split; [exact (branch_of_all_kept c pieces p B)|]. intros x k d O.
   apply (on_all_kept c pieces) in O. exact (H x k d O (proj2 O)).
 Qed.
+End Checked.
 
 Definition most_halvings : nat := 12.
 
-(** The components of J that a quantity uses. *)
-Definition part_of {A} (F : nat -> nat -> A) (q : measured) (k : nat) : A :=
-  match q with Force i => F k i | Motion i => F i k end.
+(** What w is multiplied by in the measure. *)
+Definition part_of (d : nat) (F : nat -> nat -> form) (q : measured) (k : nat) : form :=
+  match q with
+  | Force i => F k i
+  | Motion i => F i k
+  | Deflection i c =>
+      let stiffness := bounds_of_limits c in
+      form_sum d (fun l => scale_form (divide one (nth l stiffness I.nai))
+        (multiply_forms (F i l) (F k l)))
+  end.
 
 Definition is_fitting (n d : nat) (q : measured) (s : vectors) : bool :=
   match q with
   | Force k => Nat.ltb k d && Nat.eqb (length (components s)) n
   | Motion i => Nat.ltb i n && Nat.eqb (length (components s)) d
+  | Deflection i c => Nat.ltb i n && Nat.eqb (length (components s)) n && Nat.eqb (length c) d
+      && forallb (fun e => is_positive (range_or_none (evaluate [] e))) c
   end.
+
+Lemma positive_value e : is_positive (range_or_none (evaluate [] e)) = true ->
+  defined [] e /\ 0 < value [] e.
+Proof.
+  intros P. destruct (evaluate [] e) as [v|] eqn:V; [|discriminate].
+  destruct (Threshold.threshold_known _ _ V) as [D E].
+  exact (conj D (is_positive_correct _ _ P E)).
+Qed.
 
 Lemma is_fitting_correct n d q s : is_fitting n d q s = true -> fits n d q s.
 Proof.
-  destruct q; simpl; intros H; apply andb_prop in H as [H1 H2];
-    (split; [apply Nat.ltb_lt, H1|apply Nat.eqb_eq, H2]).
+  destruct q; simpl; intros H.
+  1, 2: apply andb_prop in H as [H1 H2]; split; [apply Nat.ltb_lt, H1|apply Nat.eqb_eq, H2].
+  apply andb_prop in H as [H P]. apply andb_prop in H as [H L]. apply andb_prop in H as [H M].
+  split; [apply Nat.ltb_lt, H|]. split; [apply Nat.eqb_eq, M|]. split; [apply Nat.eqb_eq, L|].
+  apply Forall_forall. intros e E. rewrite forallb_forall in P. apply positive_value, P, E.
 Qed.
 
 Lemma measured_encloses t n d q s F J w : in_unit_box t -> are_vectors_known s = true ->
-  fits n d q s ->
+  is_fitting n d q s = true ->
   (forall j k, (j < n)%nat -> (k < d)%nat -> form_encloses t (F j k) (J j k)) ->
-  in_vectors s w -> encloses (range_over s (part_of F q)) (measure n d J q w).
+  in_vectors s w -> encloses (range_over s (part_of d F q)) (measure n d J q w).
 Proof.
-  intros T K Q E W. destruct q as [i|i]; destruct Q as [I L]; simpl; rewrite <- L;
+  intros T K Q E W. pose proof (is_fitting_correct _ _ _ _ Q) as Fit.
+  destruct q as [i|i|i c]; simpl in Fit.
+  1, 2: destruct Fit as [I L]; simpl; rewrite <- L;
     refine (range_over_correct t s _ _ w T K _ W); intros k Hk; apply E; lia.
+  destruct Fit as (I & L & M & P). simpl in Q. apply andb_prop in Q as [_ Q].
+  rewrite forallb_forall in Q. simpl.
+  replace (sum d (fun k => J i k * (sum n (fun j => J j k * w j) / value_of [] c k)))
+    with (sum (length (components s)) (fun j =>
+      sum d (fun k => 1 / value_of [] c k * (J i k * J j k)) * w j)).
+  - refine (range_over_correct t s _ _ w T K _ W). intros j Hj. apply form_sum_encloses.
+    intros k Hk. apply scale_form_encloses.
+    + apply divide_encloses; [|exact (integer_encloses 1)|].
+      * rewrite Forall_forall in P. unfold value_of.
+        destruct (P (nth k c no_entry)) as [_ N]; [apply nth_In; lia|lra].
+      * apply bound_of_limit; [lia|]. apply Forall_forall. intros e He. specialize (Q e He).
+        destruct (evaluate [] e); [reflexivity|discriminate].
+    + apply multiply_forms_enclose; [exact T| |]; apply E; lia.
+  - rewrite L. rewrite (sum_ext n _ (fun j =>
+      sum d (fun k => J i k * (J j k * w j / value_of [] c k)))).
+    2: { intros j _. rewrite Rmult_comm, <- sum_scale. apply sum_ext. intros k _.
+         unfold Rdiv. ring. }
+    rewrite sum_swap. apply sum_ext. intros k _. rewrite sum_scale. f_equal.
+    unfold Rdiv at 2. rewrite (Rmult_comm (sum n _)), <- sum_scale. apply sum_ext. intros j _.
+    unfold Rdiv. ring.
 Qed.
 
-Inductive side := Within | Below | Above.
+Inductive side := Within | Below | Above | Beyond.
 
 Definition obeys (s : side) (i limit : interval) : bool :=
   match s with
   | Within => is_negative (subtract (I.abs i) limit)
   | Below => is_negative (subtract i limit)
   | Above => is_positive (subtract i limit)
+  | Beyond => is_positive (subtract (I.abs i) limit)
   end.
 
 (** [tests good] shows [over holds], if good F is a reason for holds J where F encloses J. *)
 Definition shows (tests : ((nat -> nat -> form) -> bool) -> bool)
-    (over : ((nat -> nat -> R) -> Prop) -> Prop) (n d : nat) : Prop :=
-  forall good (holds : (nat -> nat -> R) -> Prop),
-    (forall s F J, in_unit_box s ->
-      (forall j k, (j < n)%nat -> (k < d)%nat -> form_encloses s (F j k) (J j k)) ->
-      good F = true -> holds J) ->
-    tests good = true -> over holds.
+    (over : ((nat -> nat -> R) -> Prop) -> Prop) (valid : (nat -> nat -> R) -> Prop) (n d : nat) :
+    Prop :=
+  forall good holds, is_reason valid n d good holds -> tests good = true -> over holds.
 
 Definition check_measure_over (which : side) (tests : ((nat -> nat -> form) -> bool) -> bool)
     (n d : nat) (q : measured) (s : vectors) (limit : expression) : bool :=
   is_fitting n d q s && are_vectors_known s && is_known (evaluate [] limit)
   && tests (fun F =>
-       obeys which (range_over s (part_of F q)) (range_or_none (evaluate [] limit))).
+       obeys which (range_over s (part_of d F q)) (range_or_none (evaluate [] limit))).
 
 Section Measures.
   Variables (tests : ((nat -> nat -> form) -> bool) -> bool)
     (over : ((nat -> nat -> R) -> Prop) -> Prop) (n d : nat).
-  Hypothesis shown_over : shows tests over n d.
+  Hypothesis shown_over : shows tests over (fun _ => True) n d.
 
   Lemma check_measure_over_correct which (bound : R -> Prop) q s limit :
     (forall i y, obeys which i (range_or_none (evaluate [] limit)) = true -> encloses i y ->
@@ -999,9 +1109,10 @@ Section Measures.
   Proof.
     intros O H. unfold check_measure_over in H.
     apply andb_prop in H as [H C]. apply andb_prop in H as [H L]. apply andb_prop in H as [Q K].
-    apply is_fitting_correct in Q. split; [exact (closed_value _ L)|].
-    split; [exact Q|]. split; [apply are_vectors_known_correct, K|].
-    refine (shown_over _ _ _ C). intros t F J T E G w W.
+    split; [exact (closed_value _ L)|].
+    split; [exact (is_fitting_correct _ _ _ _ Q)|].
+    split; [apply are_vectors_known_correct, K|].
+    refine (shown_over _ _ _ C). intros t F J T _ E G w W.
     apply (O _ _ G); [exact (measured_encloses t _ _ q s F J w T K Q E W)|].
     destruct (evaluate [] limit) as [v|] eqn:V; [|discriminate].
     exact (proj2 (Threshold.threshold_known _ _ V)).
@@ -1036,12 +1147,13 @@ Definition check_limits_over (tests : ((nat -> nat -> form) -> bool) -> bool) (n
   && Nat.eqb (length limits) d && are_vectors_known load
   && forallb (fun l => is_known (evaluate [] (fst l)) && is_known (evaluate [] (snd l))) limits
   && tests (fun F => forallb (fun k =>
-       let i := range_over load (part_of F (Force k)) in
+       let i := range_over load (part_of d F (Force k)) in
        is_not_negative (subtract i (nth k (bounds_of_limits (map fst limits)) I.nai))
        && is_not_positive (subtract i (nth k (bounds_of_limits (map snd limits)) I.nai)))
        (seq 0 d)).
 
-Lemma check_limits_over_correct tests over n d load limits : shows tests over n d ->
+Lemma check_limits_over_correct tests over n d load limits :
+  shows tests over (fun _ => True) n d ->
   check_limits_over tests n d load limits = true -> keeps_limits_over over n d load limits.
 Proof.
   unfold check_limits_over. intros S H.
@@ -1050,10 +1162,12 @@ Proof.
   split; [exact A|]. split; [exact D|]. split; [apply are_vectors_known_correct, K|]. split.
   { apply Forall_forall. intros l In_l. specialize (L l In_l). apply andb_prop in L as [L1 L2].
     split; apply closed_value; assumption. }
-  refine (S _ _ _ C). intros t F J T E G w W k Hk.
+  refine (S _ _ _ C). intros t F J T _ E G w W k Hk.
   rewrite forallb_forall in G. specialize (G k ltac:(apply in_seq; lia)). cbv zeta in G.
   apply andb_prop in G as [G1 G2].
-  pose proof (measured_encloses t _ _ (Force k) load F J w T K (conj Hk A) E W) as R.
+  assert (Q : is_fitting n d (Force k) load = true).
+  { simpl. rewrite A, Nat.eqb_refl. apply Nat.ltb_lt in Hk. rewrite Hk. reflexivity. }
+  pose proof (measured_encloses t _ _ (Force k) load F J w T K Q E W) as R.
   assert (N : forall f : expression * expression -> expression,
              (forall l, In l limits -> is_known (evaluate [] (f l)) = true) ->
              encloses (nth k (bounds_of_limits (map f limits)) I.nai)
@@ -1068,100 +1182,130 @@ Proof.
     apply N. intros l In_l. specialize (L l In_l). apply andb_prop in L as [_ L2]. exact L2.
 Qed.
 
-(** Over the ranges of one mechanism. *)
+(** How a matrix is tested over the ranges of one mechanism, along the pieces of a way, and in the
+    parts of a paving. *)
+Definition over_ranges find c m g good : bool :=
+  check_over_in find most_halvings good c Kept Kept m g.
+Definition over_way find c pieces m gs good : bool :=
+  check_over_along_in find most_halvings good c pieces (all_kept pieces) (all_kept pieces) m gs.
+Definition over_parts find c w v m g good : bool :=
+  check_over_in find most_halvings good c w v m g.
+Definition over_parts_of_way find c pieces ws vs m gs good : bool :=
+  check_over_along_in find most_halvings good c pieces ws vs m gs.
+
+Section Shown.
+  Variables (has : matrix_at) (valid : nat -> (nat -> nat -> R) -> Prop) (width : nat -> nat).
+  Variable find : finder.
+  Hypothesis found : finds has valid width find.
+
+  Lemma shown_over_ranges c m g : shows (over_ranges find c m g) (fun P => over_branch has P c)
+    (valid (unknowns c)) (unknowns c) (width (unknowns c)).
+  Proof.
+    intros good holds G H. apply over_whole_branch.
+    exact (check_over_in_correct has valid width find found _ _ _ c Kept Kept m g G H).
+  Qed.
+
+  Lemma shown_over_way c pieces m gs : let n := unknowns_along c pieces in
+    shows (over_way find c pieces m gs) (fun P => over_branch_along has P c pieces) (valid n) n
+      (width n).
+  Proof.
+    intros n good holds G H. apply over_whole_way.
+    exact (check_over_along_in_correct has valid width find found _ _ _ c pieces _ _ m gs G H).
+  Qed.
+
+  Lemma shown_over_parts c w v m g :
+    shows (over_parts find c w v m g) (fun P => over_branch_in w v has P c)
+      (valid (unknowns c)) (unknowns c) (width (unknowns c)).
+  Proof.
+    intros good holds G H.
+    exact (check_over_in_correct has valid width find found _ _ _ c w v m g G H).
+  Qed.
+
+  Lemma shown_over_parts_of_way c pieces ws vs m gs : let n := unknowns_along c pieces in
+    shows (over_parts_of_way find c pieces ws vs m gs)
+      (fun P => over_branch_along_in ws vs has P c pieces) (valid n) n (width n).
+  Proof.
+    intros n good holds G H.
+    exact (check_over_along_in_correct has valid width find found _ _ _ c pieces ws vs m gs G H).
+  Qed.
+End Shown.
+
 Definition check_measure (which : side) c motors q s limit m g : bool :=
-  check_measure_over which (fun good => check_over most_halvings good c motors m g) (unknowns c)
-    (length motors) q s limit.
+  check_measure_over which (over_ranges (find_rates motors) c m g) (unknowns c) (length motors) q s
+    limit.
 Definition check_branch_within_limits c motors load limits m g : bool :=
-  check_limits_over (fun good => check_over most_halvings good c motors m g) (unknowns c)
-    (length motors) load limits.
+  check_limits_over (over_ranges (find_rates motors) c m g) (unknowns c) (length motors) load
+    limits.
 
 Section Ranges.
   Variables (c : closure) (motors : list nat).
-  Let tests (m : method) (g : tubes) good := check_over most_halvings good c motors m g.
-  Let over P := over_branch P c motors.
-  Let shown_over m g : shows (tests m g) over (unknowns c) (length motors).
-  Proof.
-    intros good holds G H. apply over_whole_branch.
-    exact (check_over_in_correct _ _ _ c Kept Kept motors m g G H).
-  Qed.
+  Let shown_over m g := shown_over_ranges _ _ _ _ (find_rates_correct motors) c m g.
 
   Theorem check_branch_within_correct q s limit m g :
     check_measure Within c motors q s limit m g = true -> branch_within c motors q s limit.
-  Proof. apply check_within_over, shown_over. Qed.
+  Proof. exact (check_within_over _ _ _ _ (shown_over m g) q s limit). Qed.
   Theorem check_branch_below_correct q s limit m g :
     check_measure Below c motors q s limit m g = true -> branch_below c motors q s limit.
-  Proof. apply check_below_over, shown_over. Qed.
+  Proof. exact (check_below_over _ _ _ _ (shown_over m g) q s limit). Qed.
   Theorem check_branch_above_correct q s limit m g :
     check_measure Above c motors q s limit m g = true -> branch_above c motors q s limit.
-  Proof. apply check_above_over, shown_over. Qed.
+  Proof. exact (check_above_over _ _ _ _ (shown_over m g) q s limit). Qed.
   Theorem check_branch_within_limits_correct load limits m g :
     check_branch_within_limits c motors load limits m g = true ->
     branch_within_limits c motors load limits.
-  Proof. apply check_limits_over_correct, shown_over. Qed.
+  Proof. exact (check_limits_over_correct _ _ _ _ load limits (shown_over m g)). Qed.
 End Ranges.
 
-(** Along the pieces of a way. *)
 Definition check_measure_along (which : side) c pieces motors q s limit m gs : bool :=
-  check_measure_over which
-    (fun good => check_over_along most_halvings good c pieces motors m gs)
-    (unknowns_along c pieces) (length motors) q s limit.
+  check_measure_over which (over_way (find_rates motors) c pieces m gs) (unknowns_along c pieces)
+    (length motors) q s limit.
 Definition check_limits_along c pieces motors load limits m gs : bool :=
-  check_limits_over (fun good => check_over_along most_halvings good c pieces motors m gs)
-    (unknowns_along c pieces) (length motors) load limits.
+  check_limits_over (over_way (find_rates motors) c pieces m gs) (unknowns_along c pieces)
+    (length motors) load limits.
 
 Section Way.
   Variables (c : list expression -> closure) (pieces : list (list expression)).
   Variable motors : list nat.
-  Let tests (m : method) (gs : list tubes) good :=
-    check_over_along most_halvings good c pieces motors m gs.
-  Let over P := over_branch_along P c pieces motors.
-  Let n := unknowns_along c pieces.
-  Let shown_over m gs : shows (tests m gs) over n (length motors).
-  Proof.
-    intros good holds G H. apply over_whole_way.
-    exact (check_over_along_in_correct _ _ _ c pieces _ _ motors m gs G H).
-  Qed.
+  Let shown_over m gs := shown_over_way _ _ _ _ (find_rates_correct motors) c pieces m gs.
 
   Theorem check_branch_within_along_correct q s limit m gs :
     check_measure_along Within c pieces motors q s limit m gs = true ->
     branch_within_along c pieces motors q s limit.
-  Proof. apply check_within_over, shown_over. Qed.
+  Proof. exact (check_within_over _ _ _ _ (shown_over m gs) q s limit). Qed.
   Theorem check_branch_below_along_correct q s limit m gs :
     check_measure_along Below c pieces motors q s limit m gs = true ->
     branch_below_along c pieces motors q s limit.
-  Proof. apply check_below_over, shown_over. Qed.
+  Proof. exact (check_below_over _ _ _ _ (shown_over m gs) q s limit). Qed.
   Theorem check_branch_above_along_correct q s limit m gs :
     check_measure_along Above c pieces motors q s limit m gs = true ->
     branch_above_along c pieces motors q s limit.
-  Proof. apply check_above_over, shown_over. Qed.
+  Proof. exact (check_above_over _ _ _ _ (shown_over m gs) q s limit). Qed.
   Theorem check_branch_within_limits_along_correct load limits m gs :
     check_limits_along c pieces motors load limits m gs = true ->
     branch_within_limits_along c pieces motors load limits.
-  Proof. apply check_limits_over_correct, shown_over. Qed.
+  Proof. exact (check_limits_over_correct _ _ _ _ load limits (shown_over m gs)). Qed.
 End Way.
 
 (** Pavings. *)
 Definition check_branch_within_limits_in c w v motors load limits m g : bool :=
-  check_limits_over (fun good => check_over_in most_halvings good c w v motors m g) (unknowns c)
-    (length motors) load limits.
+  check_limits_over (over_parts (find_rates motors) c w v m g) (unknowns c) (length motors) load
+    limits.
 Definition check_branch_within_limits_along_in c pieces ws vs motors load limits m gs : bool :=
-  check_limits_over
-    (fun good => check_over_along_in most_halvings good c pieces ws vs motors m gs)
+  check_limits_over (over_parts_of_way (find_rates motors) c pieces ws vs m gs)
     (unknowns_along c pieces) (length motors) load limits.
 
 Theorem check_branch_within_limits_in_correct c w v motors load limits m g :
   check_branch_within_limits_in c w v motors load limits m g = true ->
   branch_within_limits_in c w v motors load limits.
 Proof.
-  apply check_limits_over_correct. intros good holds G.
-  exact (check_over_in_correct _ _ _ c w v motors m g G).
+  exact (check_limits_over_correct _ _ _ _ load limits
+    (shown_over_parts _ _ _ _ (find_rates_correct motors) c w v m g)).
 Qed.
 
 Theorem check_branch_within_limits_along_in_correct c pieces ws vs motors load limits m gs :
   check_branch_within_limits_along_in c pieces ws vs motors load limits m gs = true ->
   branch_within_limits_along_in c pieces ws vs motors load limits.
 Proof.
-  apply check_limits_over_correct. intros good holds G.
-  exact (check_over_along_in_correct _ _ _ c pieces ws vs motors m gs G).
+  exact (check_limits_over_correct _ _ _ _ load limits
+    (shown_over_parts_of_way _ _ _ _ (find_rates_correct motors) c pieces ws vs m gs)).
 Qed.

@@ -44,15 +44,19 @@ Definition determinant_at (q : question) (b : box) : interval :=
   let a := map (map (fun e => range_of (evaluate names e))) (matrix q) in
   determinant_range (columns q) (fun i j => nth j (nth i a []) I.nai).
 
-Definition in_set_and_defined (q : question) (b : box) : bool :=
+(** Each row has an entry for each column. *)
+Definition in_set_and_known (q : question) (b : box) : bool :=
   let names := evaluate_definitions (variables 99 b) (definitions q) in
   let a := map (map (evaluate names)) (matrix q) in
   Nat.eqb (length b) (length (ranges q)) &&
   forallb (fun u => is_in_range (fst u) (snd u)) (combine b (ranges q)) &&
   forallb (is_satisfied names) (constraints q) &&
   forallb is_known names && forallb (fun e => is_known (evaluate names e)) (also_defined q) &&
-  forallb (forallb is_known) a && Nat.eqb (rows q) (columns q) &&
+  forallb (forallb is_known) a &&
   forallb (fun r => Nat.eqb (length r) (columns q)) (matrix q).
+
+Definition in_set_and_defined (q : question) (b : box) : bool :=
+  in_set_and_known q b && Nat.eqb (rows q) (columns q).
 
 Definition check_segment (q : question) (a b : coordinates) : bool :=
   Nat.eqb (length a) (length b) && in_set_and_defined q (hull a b) &&
@@ -165,10 +169,10 @@ Proof.
     intros k. exact (B (S k)).
 Qed.
 
-Lemma in_set_and_defined_correct q b x : in_box b x -> in_set_and_defined q b = true ->
+Lemma in_set_and_known_correct q b x : in_box b x -> in_set_and_known q b = true ->
   in_set q x /\ model_defined q x.
 Proof.
-  unfold in_set_and_defined. intros B H.
+  unfold in_set_and_known. intros B H.
   repeat match goal with H : _ && _ = true |- _ => apply andb_prop in H as [H ?] end.
   split.
   - split; [eapply in_ranges; eauto; apply Nat.eqb_eq; assumption|].
@@ -181,6 +185,17 @@ Proof.
     apply (evaluate_correct _ _ _ _ v T
       (known_definitions _ _ _ _ T (variables_known 99 b x B)) V).
   - apply (everything_defined q method_of_segment b x B); assumption.
+Qed.
+
+Lemma in_set_and_defined_correct q b x : in_box b x -> in_set_and_defined q b = true ->
+  in_set q x /\ model_defined q x.
+Proof. intros B H. apply andb_prop in H as [H _]. exact (in_set_and_known_correct q b x B H). Qed.
+
+Lemma has_square_matrix q b : in_set_and_defined q b = true -> rows q = columns q /\
+  forallb (fun r => Nat.eqb (length r) (columns q)) (matrix q) = true.
+Proof.
+  intros H. apply andb_prop in H as [H S]. apply andb_prop in H as [_ L].
+  split; [apply Nat.eqb_eq, S|exact L].
 Qed.
 
 Lemma along_continuous a b s : continuous_names (along a b) s.
@@ -226,9 +241,7 @@ Proof.
   { intros s S. eapply in_set_and_defined_correct; [|exact H]. apply hull_contains, S. }
   assert (E : rows q = columns q /\
               forallb (fun r => Nat.eqb (length r) (columns q)) (matrix q) = true).
-  { unfold in_set_and_defined in H.
-    repeat match goal with H : _ && _ = true |- _ => apply andb_prop in H as [H ?] end.
-    split; [apply Nat.eqb_eq|]; assumption. }
+  { exact (has_square_matrix q _ H). }
   destruct E as [E1 E2]. destruct (along_ends a b L) as [P Q].
   assert (F0 : f 0 < 0).
   { unfold f. rewrite P. eapply is_negative_correct; [exact C|].

@@ -342,9 +342,7 @@ Proof.
   destruct (threshold_known _ _ E) as [D G]. split; [exact D|].
   assert (Q : rows q = columns q /\
               forallb (fun r => Nat.eqb (length r) (columns q)) (matrix q) = true).
-  { unfold in_set_and_defined in H.
-    repeat match goal with H : _ && _ = true |- _ => apply andb_prop in H as [H ?] end.
-    split; [apply Nat.eqb_eq|]; assumption. }
+  { exact (has_square_matrix q b H). }
   destruct Q as [Q C]. split; [exact Q|].
   assert (B : in_box b (along a a 0)) by (apply hull_contains; lra).
   exists (along a a 0). destruct (in_set_and_defined_correct q b _ B H) as [X M].

@@ -2,7 +2,6 @@
 #include "runtime/formal/arm_view.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 
 #include "runtime/formal/coq_real.hpp"
@@ -81,8 +80,9 @@ class ViewSearch {
     if (!best_)
       throw Unfinished(
           "the matrix of the certificate is no part of the Jacobian of the arm as seen from a "
-          "link, "
-          "nor has it its determinant");
+          "link" +
+          std::string(needs_zeros_ ? ", with zeros in the other rows," : ",") +
+          " nor has it its determinant");
     return *best_;
   }
 
@@ -130,27 +130,45 @@ class ViewSearch {
       std::vector<std::size_t> rows;
       for (std::size_t row = 0; row < kTwist; ++row)
         if (chosen[row]) rows.push_back(row);
+      if (needs_zeros_ && !are_others_zero(jacobians, rows)) continue;
       if (const auto ratio = ratio_of(jacobians, rows)) return ArmView{0, {}, rows, ratio->text()};
     } while (std::prev_permutation(chosen.begin(), chosen.end()));
     return std::nullopt;
   }
 
+  /// The columns depend on each other if those of the chosen rows do.
+  [[nodiscard]] bool are_others_zero(const std::vector<std::vector<Ball>>& jacobians,
+                                     const std::vector<std::size_t>& rows) const {
+    for (std::size_t row = 0; row < kTwist; ++row)
+      for (std::size_t j = 0; j < joints_ && std::ranges::find(rows, row) == rows.end(); ++j)
+        for (const std::vector<Ball>& jacobian : jacobians)
+          if (!is_zero(jacobian[row * joints_ + j])) return false;
+    return true;
+  }
+
   [[nodiscard]] std::optional<ArmView> fit_rows(
       const std::vector<std::vector<Ball>>& jacobians) const {
     const bool is_wide = q_.rows == joints_ && q_.columns == kTwist;
-    if (!is_wide && (q_.columns != joints_ || q_.rows != kTwist)) return std::nullopt;
-    for (std::size_t number = 0; number < jacobians.size(); ++number)
-      for (std::size_t row = 0; row < kTwist; ++row)
-        for (std::size_t j = 0; j < joints_; ++j) {
-          const std::size_t stated = is_wide ? j * kTwist + row : row * joints_ + j;
-          if (arb_overlaps(jacobians[number][row * joints_ + j].get(),
-                           of_certificate_[number][stated].get()) == 0)
-            return std::nullopt;
-        }
+    if (!is_wide && (q_.columns != joints_ || q_.rows > kTwist)) return std::nullopt;
     ArmView view;
-    view.rows.resize(kTwist);
-    std::iota(view.rows.begin(), view.rows.end(), std::size_t{0});
-    return view;
+    for (std::size_t row = 0; row < kTwist && view.rows.size() < count_of_rows(is_wide); ++row)
+      if (is_row(jacobians, row, view.rows.size(), is_wide)) view.rows.push_back(row);
+    return view.rows.size() == count_of_rows(is_wide) ? std::optional(view) : std::nullopt;
+  }
+
+  [[nodiscard]] std::size_t count_of_rows(bool is_wide) const { return is_wide ? kTwist : q_.rows; }
+
+  /// The row of the Jacobian is a row of the certificate's matrix, or a column of it.
+  [[nodiscard]] bool is_row(const std::vector<std::vector<Ball>>& jacobians, std::size_t row,
+                            std::size_t stated_row, bool is_wide) const {
+    for (std::size_t number = 0; number < jacobians.size(); ++number)
+      for (std::size_t j = 0; j < joints_; ++j) {
+        const std::size_t stated = is_wide ? j * kTwist + stated_row : stated_row * joints_ + j;
+        if (arb_overlaps(jacobians[number][row * joints_ + j].get(),
+                         of_certificate_[number][stated].get()) == 0)
+          return false;
+      }
+    return true;
   }
 
   /// The same at all points, and not 0.
@@ -180,6 +198,7 @@ class ViewSearch {
   const std::size_t joints_;
   ChainView view_;
   std::vector<std::vector<Ball>> points_, of_certificate_;
+  const bool needs_zeros_ = q_.singular && !q_.has_threshold;
   std::optional<ArmView> best_;
   std::pair<std::size_t, std::size_t> least_;
 };

@@ -11,6 +11,8 @@
 namespace regulus::verifier {
 namespace {
 
+constexpr std::string_view kNamesOfAxes = "xyz";
+
 class PartReader : FileKeys {
  public:
   PartReader(const WrittenValues& values, const CoqTextAt& text_at, std::set<std::string>& read)
@@ -26,10 +28,11 @@ class PartReader : FileKeys {
       read_.insert(std::string("serial.") + key);
     for (std::size_t i = 0; has_below("serial.joints" + index(i)); ++i) {
       place_ = "serial.joints" + index(i) + '.';
+      number_ = '_' + std::to_string(i + 1);
       read_joint();
     }
     if (has_below("serial.tool.")) {
-      place_ = "serial.tool.";
+      place_ = "serial.tool.", number_ = "";
       read_origin();
     }
     return std::move(parts_);
@@ -39,14 +42,19 @@ class PartReader : FileKeys {
   [[nodiscard]] bool has_key(const std::string& key) const {
     return has(place_ + key) || has_below(place_ + key + '[') || has_below(place_ + key + '.');
   }
-  [[nodiscard]] std::string length(const std::string& key) const {
-    return has_key(key) ? text_at_(place_ + key, false) : "0";
+  /// The tool has no tolerance.
+  [[nodiscard]] std::string quantity(const std::string& key, const std::string& name,
+                                     bool is_angle) const {
+    return text_at_(place_ + key, number_.empty() ? "" : name + number_, is_angle);
   }
-  /// An angle in radians.
-  [[nodiscard]] std::string angle(const std::string& key) const {
+  [[nodiscard]] std::string length(const std::string& key, const std::string& name) const {
+    return has_key(key) ? quantity(key, name, false) : "0";
+  }
+  /// An angle in radians; that of the tool is a number of degrees in the file.
+  [[nodiscard]] std::string angle(const std::string& key, const std::string& name) const {
     if (!has_key(key)) return "0";
-    const std::string written = text_at_(place_ + key, in_degrees_);
-    return in_degrees_ ? coq_argument(written) + "*deg" : written;
+    const std::string written = quantity(key, name, true);
+    return in_degrees_ && number_.empty() ? coq_argument(written) + "*deg" : written;
   }
   void add(const std::string& word, const std::string& a, const std::string& b) {
     parts_.push_back({word + ' ' + coq_argument(a) + ' ' + coq_argument(b), {}});
@@ -70,10 +78,10 @@ class PartReader : FileKeys {
   // Denavit and Hartenberg.
 
   void across() {
-    if (has_key("a") || has_key("alpha")) add("along_x", length("a"), angle("alpha"));
+    if (has_key("a") || has_key("alpha")) add("along_x", length("a", "a"), angle("alpha", "alpha"));
   }
   void along() {
-    if (has_key("d") || has_key("theta")) add("along_z", length("d"), angle("theta"));
+    if (has_key("d") || has_key("theta")) add("along_z", length("d", "d"), angle("theta", "theta"));
   }
 
   // Origins.
@@ -83,13 +91,16 @@ class PartReader : FileKeys {
       if (has_key(key)) refuse_model("the key " + place_ + key);
     if (has_key("xyz")) {
       std::vector<std::string> coordinates;
-      for (std::size_t i = 0; i < 3; ++i) coordinates.push_back(length("xyz" + index(i)));
+      for (std::size_t i = 0; i < 3; ++i)
+        coordinates.push_back(length("xyz" + index(i), std::string(1, kNamesOfAxes[i])));
       parts_.push_back({"shift_by (" + text_of(coordinates, ", ") + ')', {}});
     }
     // Roll, pitch and yaw: about the axes of the frame before, first about x.
-    constexpr std::array<const char*, 3> kAxes = {"x_axis", "y_axis", "z_axis"};
+    constexpr std::array<const char*, 3> kAxes = {"x_axis", "y_axis", "z_axis"},
+                                         kAngles = {"roll", "pitch", "yaw"};
     for (std::size_t i = 3; has_key("rpy") && i-- > 0;)
-      if (const std::string turn = angle("rpy" + index(i)); turn != "0" && turn != "0*deg")
+      if (const std::string turn = angle("rpy" + index(i), kAngles.at(i));
+          turn != "0" && turn != "0*deg")
         add("turn_by", kAxes.at(i), turn);
   }
 
@@ -97,7 +108,7 @@ class PartReader : FileKeys {
     if (!has_key("axis")) return "z_axis";
     std::vector<std::string> written;
     for (std::size_t i = 0; i < 3; ++i)
-      written.push_back(text_at_(place_ + "axis" + index(i), false));
+      written.push_back(text_at_(place_ + "axis" + index(i), "", false));
     const std::string all = text_of(written, " ");
     const auto is_axis = [&](const char* one) {
       return all == one || all == std::string(one) + ".0";
@@ -129,8 +140,8 @@ class PartReader : FileKeys {
                  number};
     part.is_in_degrees = in_degrees_ && !slides;
     part.follows = follows || has_key("multiplier");
-    if (has_key("multiplier")) part.multiplier = text_at_(place_ + "multiplier", false);
-    if (has_key("offset")) part.offset = text_at_(place_ + "offset", part.is_in_degrees);
+    if (has_key("multiplier")) part.multiplier = text_at_(place_ + "multiplier", "", false);
+    if (has_key("offset")) part.offset = text_at_(place_ + "offset", "", !slides);
     parts_.push_back(part);
   }
 
@@ -139,7 +150,8 @@ class PartReader : FileKeys {
   const std::vector<ChainName> names_;
   const bool in_degrees_;
   const std::string convention_;
-  std::string place_;  ///< of the joint, with a dot behind it
+  std::string place_;   ///< of the joint, with a dot behind it
+  std::string number_;  ///< of the joint, behind the name of a quantity; empty: the tool
   std::vector<CoqPart> parts_;
 };
 

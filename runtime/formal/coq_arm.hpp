@@ -23,8 +23,11 @@ struct CoqPart {
   bool follows = false;  ///< another joint, `multiplier` times as fast
 };
 
-/// Reads the value at a place of the file as a real number of Coq, without names of the motion.
-using CoqTextAt = std::function<std::string(const std::string& place, bool in_degrees)>;
+/// Reads the value at a place of the file as a real number of Coq, without names of the motion. `name`: of
+/// the quantity if the value may have a tolerance; its angle is in radians. Empty: a number as it is in the
+/// file.
+using CoqTextAt =
+    std::function<std::string(const std::string& place, const std::string& name, bool is_angle)>;
 
 /// Returns the parts from the base to the tool, and adds to `read` the places that have a meaning.
 /// Throws Unfinished for what Arms.v has no word for.

@@ -21,8 +21,8 @@ constexpr std::string_view kLibrary =
 /// of its solutions; of forces within limits; and the file more of a paving.
 constexpr std::string_view kClosureImport =
     "From Regulus Require Import Expressions Questions Search Closures Tubes Branches";
-constexpr auto kMoreOfClosures =
-    std::to_array<std::string_view>({"", " Ways", " Rates", " Distances", " Solutions", " Poses"});
+constexpr auto kMoreOfClosures = std::to_array<std::string_view>(
+    {"", " Ways", " Rates", " Rates Slopes", " Distances", " Solutions", " Poses"});
 constexpr std::string_view kMoreOfLimits = " Limits", kMoreOfPavings = " Parts";
 
 /// The definitions of a file, but for those of its names.
@@ -36,6 +36,7 @@ constexpr auto kDefinitions =
                                      "negative : coordinates",
                                      "positive : coordinates",
                                      "the_point : coordinates",
+                                     "the_direction : coordinates",
                                      "the_scales : list expression",
                                      "the_threshold : expression",
                                      "the_closure : closure",
@@ -54,6 +55,8 @@ constexpr auto kDefinitions =
                                      "the_errors : list nat",
                                      "the_unknown : nat",
                                      "the_measure : measured",
+                                     "the_factors : list expression",
+                                     "the_side : side",
                                      "the_vectors : vectors",
                                      "the_parts : parts",
                                      "the_parts : list parts",
@@ -62,12 +65,12 @@ constexpr auto kDefinitions =
 
 /// The words of their bodies. Each has one meaning, that of the imports: no definition has its name.
 constexpr auto kWords = std::to_array<std::string_view>(
-    {"Kept",   "LeftOut", "Parted",   "NoTube",   "Vectors",  "Force",       "Motion",
-     "nat",    "Closure", "Tube",     "Excluded", "Held",     "Cut",         "Question",
-     "Method", "Name",    "All_of",   "Some_of",  "Leaf",     "Split",       "within",
-     "nth",    "piece",   "no_entry", "segments", "deg",      "pi",          "sqrt",
-     "sin",    "cos",     "tan",      "asin",     "acos",     "atan",        "atan2",
-     "exp",    "log",     "abs",      "float",    "infinity", "neg_infinity"});
+    {"Within", "Below",   "Above",    "Beyond", "Deflection", "Kept",        "LeftOut", "Parted",
+     "NoTube", "Vectors", "Force",    "Motion", "nat",        "Closure",     "Tube",    "Excluded",
+     "Held",   "Cut",     "Question", "Method", "Name",       "All_of",      "Some_of", "Leaf",
+     "Split",  "within",  "nth",      "piece",  "no_entry",   "segments",    "deg",     "pi",
+     "sqrt",   "sin",     "cos",      "tan",    "asin",       "acos",        "atan",    "atan2",
+     "exp",    "log",     "abs",      "float",  "infinity",   "neg_infinity"});
 
 constexpr std::string_view kSymbols = "()[];,+-*/^%";
 
@@ -83,6 +86,7 @@ constexpr auto kClaims = std::to_array<Claim>(
      {"force_within", " the_row the_load the_limit"},
      {"force_below", " the_row the_load the_limit"},
      {"forces_within_limits", " the_scales the_load the_limits", "Limits"},
+     {"no_forces_within_limits", " the_scales the_load the_limits", "Limits"},
      {"forces_within_limits_in", " the_parts the_scales the_load the_limits", "Limits"}});
 
 /// The claims about a closure.
@@ -99,6 +103,13 @@ constexpr auto kBranchClaims = std::to_array<Claim>(
      {"branch_above_along", " pieces the_motors the_measure the_vectors the_limit", "Rates"},
      {"branch_within_limits_along", " pieces the_motors the_vectors the_limits", "Rates"},
      {"finite_error_within_along", " pieces the_errors the_unknown the_limit", "Distances"},
+     {"branch_determinant", " the_side the_limit", "Slopes"},
+     {"branch_determinant_along", " pieces the_side the_limit", "Slopes"},
+     {"branch_determinant_in", " the_parts the_feasible_parts the_side the_limit", "Slopes"},
+     {"branch_determinant_along_in", " pieces the_parts the_feasible_parts the_side the_limit",
+      "Slopes"},
+     {"branch_condition", " the_factors the_limit", "Slopes"},
+     {"branch_condition_along", " pieces the_factors the_limit", "Slopes"},
      {"one_branch_in", " the_parts", "Branches"},
      {"one_branch_along_in", " pieces the_parts", "Ways"},
      {"branch_within_limits_in", " the_parts the_feasible_parts the_motors the_vectors the_limits",

@@ -30,33 +30,38 @@ class BranchWriter {
       : q_(question), claimed_(*question.quantity), lines_(lines) {
     if (q_.singular)
       throw Unfinished("there is no theorem yet that a value is attained on a branch");
-    write_question();
-    write_motors();
+    const bool has_motors = !is_about_slopes_of_branch(question);
+    write_question(has_motors);
+    if (has_motors) write_motors();
     if (claimed_.kind == format::kForceLimits)
       write_limits();
-    else
+    else if (has_motors)
       write_bound();
+    else
+      write_bound_of_slopes();
   }
 
   BranchQuantityText take() { return std::move(text_); }
 
  private:
-  /// Each line `pose` has an error after this.
-  void write_question() {
+  /// Each line `pose` has an error after this, if it is a motor.
+  void write_question(bool has_motors) {
     const std::size_t before = q_.variables.size() - count(VariableKind::kError);
     for (std::size_t k = 0; k < before; ++k) text_.places.push_back(k);
     format::ClaimedSet set = q_.claimed_set();
+    set.has_threshold = false;
     std::string text;
     for (const std::string& line : lines_) {
       if (line.starts_with("quantity ")) break;
       text += line.starts_with("claim ")     ? "claim "
               : line.starts_with("verdict ") ? "verdict NO SINGULARITY"
+              : line.starts_with("alpha ")   ? "alpha 0"
                                              : line;
       if (line.starts_with("pose ")) {
         const bool has_error = line.find(" +- ") != std::string::npos;
         if (has_error) text_.places.push_back(before + motors_.size());
-        if (!has_error) text += " +- 0", ++set.uncertain;
-        motors_.push_back(before + motors_.size());
+        if (!has_error && has_motors) text += " +- 0", ++set.uncertain;
+        if (has_error || has_motors) motors_.push_back(before + motors_.size());
       }
       if (line.starts_with("claim ")) after_claim_ = text.size();
       text += '\n';
@@ -81,22 +86,57 @@ class BranchWriter {
            "the_motors : list nat", coq_numbers(motors_));
   }
 
+  /// The number of the claim; a threshold has no line `bound`.
+  void write_limit() {
+    const bool is_bound = !rests_of(lines_, "bound").empty();
+    define("", "the_limit : expression",
+           coq_expression(rests_of(lines_, is_bound ? "bound" : "alpha").front(), {}));
+  }
+
+  [[nodiscard]] std::string measure() const {
+    const std::string unknown =
+        claimed_.columns.empty() ? "" : std::to_string(claimed_.columns.front());
+    if (claimed_.kind == format::kForce) return "Force " + std::to_string(claimed_.row);
+    if (claimed_.kind != format::kDeflection) return "Motion " + unknown;
+    return "Deflection " + unknown + "\n  " + expressions_of("stiffness");
+  }
+
   void write_bound() {
-    const bool is_force = claimed_.kind == format::kForce;
-    if (!is_force && claimed_.kind != format::kError && claimed_.kind != format::kSpeed)
+    const bool is_motion = claimed_.kind == format::kError || claimed_.kind == format::kSpeed;
+    if (!is_motion && claimed_.kind != format::kForce && claimed_.kind != format::kDeflection)
       throw Unfinished("there is no theorem about the quantity '" + claimed_.kind +
                        "' over a branch yet");
     define(
         "What is measured, the first motor or unknown being 0; over which vectors; and the limit.",
-        "the_measure : measured",
-        is_force ? "Force " + std::to_string(claimed_.row)
-                 : "Motion " + std::to_string(claimed_.columns.front()));
-    define("", "the_vectors : vectors", is_force ? load() : motions());
-    define("", "the_limit : expression", coq_expression(rests_of(lines_, "bound").front(), {}));
+        "the_measure : measured", measure());
+    define("", "the_vectors : vectors", is_motion ? motions() : load());
+    write_limit();
     text_.claim = claimed_.side == format::kAbsolute  ? "branch_within"
                   : claimed_.side == format::kLargest ? "branch_below"
                                                       : "branch_above";
     text_.arguments = " the_motors the_measure the_vectors the_limit";
+  }
+
+  /// Of the derivatives of the equations by the unknowns.
+  void write_bound_of_slopes() {
+    if (claimed_.kind == format::kCondition) {
+      define(
+          "The factors of the columns of the derivatives, and the limit of their condition "
+          "number.",
+          "the_factors : list expression", expressions_of("factor"));
+      text_.claim = "branch_condition", text_.arguments = " the_factors the_limit";
+    } else {
+      define(
+          "On which side of the limit the determinant, or with Within and Beyond its magnitude, "
+          "is.",
+          "the_side : side",
+          claimed_.kind == format::kDeterminant ? "Beyond"
+          : claimed_.side == format::kAbsolute  ? "Within"
+          : claimed_.side == format::kLargest   ? "Below"
+                                                : "Above");
+      text_.claim = "branch_determinant", text_.arguments = " the_side the_limit";
+    }
+    write_limit();
   }
 
   void write_limits() {
@@ -108,6 +148,13 @@ class BranchWriter {
     define("", "the_limits : list (expression * expression)", coq_list(limits, "   "));
     text_.claim = "branch_within_limits";
     text_.arguments = " the_motors the_vectors the_limits";
+  }
+
+  [[nodiscard]] std::string expressions_of(std::string_view key) const {
+    std::vector<CoqItem> items;
+    for (const std::string& rest : rests_of(lines_, key))
+      items.push_back({"", coq_expression(rest, {})});
+    return coq_list(items, "   ");
   }
 
   [[nodiscard]] std::string load() const {
@@ -139,11 +186,17 @@ class BranchWriter {
   const QuantityLines& claimed_;
   const std::vector<std::string>& lines_;
   std::size_t after_claim_ = 0;
-  std::vector<std::size_t> motors_;  ///< by line `pose`: the number of its error
+  std::vector<std::size_t> motors_;  ///< by line `pose` with an error: its number
   BranchQuantityText text_;
 };
 
 }  // namespace
+
+bool is_about_slopes_of_branch(const Question& question) {
+  const auto is = [&](const char* kind) { return question.quantity->kind == kind; };
+  return question.closure && question.quantity &&
+         (is(format::kCondition) || is(format::kDeterminant) || is(format::kDeterminantMax));
+}
 
 BranchQuantityText split_branch(const Question& question, const std::vector<std::string>& lines) {
   return BranchWriter(question, lines).take();

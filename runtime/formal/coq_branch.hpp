@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The certificate of a quantity over the branch of a closure: Rates.v has its proof. The motors are the
-// pose parameters; each becomes a variable by its error, which is 0 if the certificate states none.
+// The certificate of a quantity over the branch of a closure: Rates.v has its proof, or Slopes.v. The
+// motors are the pose parameters; each becomes a variable by its error, which is 0 if the certificate states none.
 #pragma once
 
 #include <string>
@@ -16,6 +16,9 @@ struct BranchQuantityText {
   std::string definitions;          ///< of Coq: the motors, the quantity, the vectors, the limits
   std::string claim, arguments;     ///< `branch_within`, ` the_motors …`
 };
+
+/// Returns true for a claim about the derivatives of the equations by the unknowns: it has no motors.
+[[nodiscard]] bool is_about_slopes_of_branch(const Question& question);
 
 /// Takes the quantity out of the lines of a certificate, which are those of `question`. Throws
 /// Unfinished if there is no theorem about it; Rejection if a spread or a radius is negative.

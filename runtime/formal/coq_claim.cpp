@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/formal/coq_claim.hpp"
 
+#include "runtime/formal/coq_branch.hpp"
 #include "runtime/formal/coq_expression.hpp"
 #include "runtime/verifier/branch_quantity.hpp"
 
@@ -14,11 +15,12 @@ std::string imports(const Question& q) {
     return "Expressions Questions Search Closures Tubes Branches Poses";
   if (q.closure)
     return std::string("Expressions Questions Search Closures Tubes Branches") +
-           (is_finite_error(q) ? " Distances"
-            : q.quantity       ? " Rates"
-            : q.solutions      ? " Solutions"
-            : q.is_piecewise   ? " Ways"
-                               : "") +
+           (is_finite_error(q)             ? " Distances"
+            : is_about_slopes_of_branch(q) ? " Rates Slopes"
+            : q.quantity                   ? " Rates"
+            : q.solutions                  ? " Solutions"
+            : q.is_piecewise               ? " Ways"
+                                           : "") +
            parts;
   return std::string("Expressions Questions Search Singularity Threshold Forces") +
          (q.load ? " Limits" : "") + parts;

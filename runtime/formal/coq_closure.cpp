@@ -37,7 +37,7 @@ PartsOfBranch parts_of_branch(const Question& paved, const TreesOfTubes& trees, 
       " the_parts"};
   if (!paved.quantity) return parts;
   parts.text += coq_parts_definition(
-      "Those of them in which the forces are within the limits.", "the_feasible_parts", trees,
+      "Those of them in which what is bounded is within its limits.", "the_feasible_parts", trees,
       has_pieces, [](std::string_view word) { return word == format::kFeasibleLeaf; });
   parts.arguments += " the_feasible_parts";
   return parts;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "runtime/formal/arm_view.hpp"
+#include "runtime/formal/coq_arm_theorem.hpp"
 #include "runtime/formal/coq_expression.hpp"
 #include "runtime/formal/coq_matrix.hpp"
 #include "runtime/formal/coq_real.hpp"
@@ -44,8 +44,8 @@ class GeometryWriter {
         may_differ_(model.may_differ),
         values_(model.values),
         robot_(read_robot(question, model)) {
-    if (robot_.kind == RobotKind::kArm && claim_ != RobotClaim::kRegular)
-      throw Unfinished("there is no theorem about the determinant of an arm yet");
+    if (robot_.kind == RobotKind::kArm)
+      arm_.emplace(question, values_, robot_, values_of_certificate());
     if (robot_.kind == RobotKind::kMatrix)
       matrix_.emplace(question, lines, robot_, write_matrix(question, values_, robot_));
     if (robot_.kind == RobotKind::kLegs)
@@ -63,12 +63,11 @@ class GeometryWriter {
   }
 
  private:
-  [[nodiscard]] bool is_arm() const { return robot_.kind == RobotKind::kArm; }
   [[nodiscard]] std::string library() const {
-    return matrix_ ? matrix_->written().library : is_arm() ? "Arms" : "Geometry";
+    return matrix_ ? matrix_->written().library : arm_ ? "Arms" : "Geometry";
   }
   [[nodiscard]] std::string parts_text() const {
-    return matrix_ ? matrix_->written().definition : is_arm() ? arm_text() : legs_text();
+    return matrix_ ? matrix_->written().definition : arm_ ? arm_->definition() : legs_text();
   }
 
   [[nodiscard]] std::string names_of(bool are_points, const char* between) const {
@@ -145,71 +144,6 @@ class GeometryWriter {
     return values;
   }
 
-  // Arms.
-
-  [[nodiscard]] std::vector<std::string> joint_names() const {
-    std::vector<std::string> names;
-    for (const SectionPose& pose : read_section(values_)->pose())
-      names.push_back(coq_identifier(pose.name));
-    return names;
-  }
-  /// The parts, with these words for the values of the joints.
-  [[nodiscard]] std::string parts(const std::vector<std::string>& joints,
-                                  const std::string& margin) const {
-    std::vector<CoqItem> items;
-    for (const CoqPart& part : robot_.parts) items.push_back({"", coq_part(part, joints)});
-    return coq_list(items, margin);
-  }
-  [[nodiscard]] std::string arm_text() const {
-    if (!robot_.is_geometry_certain) return "";
-    const std::vector<std::string> joints = joint_names();
-    return "(** The parts of the arm of the model file, from the base to the tool, with the values "
-           "of "
-           "its\n    joints. *)\nDefinition arm (" +
-           text_of(joints, " ") + " : R) : list part :=\n  " + parts(joints, "   ") + ".\n\n";
-  }
-  [[nodiscard]] std::string jacobian() const {
-    std::vector<std::string> joints;
-    for (const std::string& joint : robot_.pose) joints.push_back(coq_argument(joint));
-    return "(jacobian " +
-           (robot_.is_geometry_certain ? "(arm " + text_of(joints, " ") + ')'
-                                       : "\n    " + parts(robot_.pose, "     ")) +
-           ')';
-  }
-  [[nodiscard]] std::string rank_of_arm() const {
-    const std::size_t joints = robot_.pose.size();
-    return (joints > 6 ? "full_row_rank 6 " : "full_column_rank 6 ") + std::to_string(joints) +
-           "\n    " + jacobian();
-  }
-  /// The values of joints that are definitions of the certificate, and no numbers.
-  [[nodiscard]] std::string words_of_joints() const {
-    const std::vector<SectionPose> poses = read_section(values_)->pose();
-    std::vector<std::string> words;
-    for (std::size_t i = 0; i < poses.size(); ++i)
-      if (std::ranges::find(q_.variables, poses[i].name, &Variable::name) == q_.variables.end() &&
-          robot_.pose[i].find('_') != std::string::npos)
-        words.push_back(robot_.pose[i]);
-    return words.empty() ? "no_quantities" : '[' + text_of(words, "; ") + ']';
-  }
-  /// How many parts are before a link.
-  [[nodiscard]] std::size_t parts_before(std::size_t link) const {
-    std::size_t count = 0;
-    for (std::size_t joints = 0; joints < link; ++count)
-      joints += robot_.parts.at(count).joint.has_value();
-    return count;
-  }
-  [[nodiscard]] std::string proof_of_arm() const {
-    std::vector<std::string> names, rows;
-    for (const std::string& value : values_of_certificate()) names.push_back(coq_argument(value));
-    const ArmView view = find_arm_view(q_, values_, names);
-    for (const std::size_t row : view.rows) rows.push_back(std::to_string(row));
-    return std::string(view.ratio.empty() ? "by_rows_of_arm" : "by_arm") + " the_claim\n    " +
-           point_of_certificate() + ' ' + words_of_joints() + "\n    " +
-           std::to_string(parts_before(view.link)) + " (" + text_of(view.point, ", ") + ") [" +
-           text_of(rows, "; ") + ']' + (view.ratio.empty() ? "" : ' ' + coq_argument(view.ratio)) +
-           " S";
-  }
-
   // Legs.
 
   [[nodiscard]] std::string legs_text() const {
@@ -231,6 +165,7 @@ class GeometryWriter {
   }
   [[nodiscard]] std::string determinant() const {
     if (matrix_) return "determinant " + matrix_->size() + ' ' + matrix_->written().matrix;
+    if (arm_) return arm_->determinant();
     return "determinant 6 (" + matrix(q_.has_threshold ? "inverse_jacobian" : "gough") + ')';
   }
   [[nodiscard]] std::string size_of_determinant() const { return "Rabs (" + determinant() + ')'; }
@@ -239,9 +174,9 @@ class GeometryWriter {
     if (claim_ == RobotClaim::kAbove)
       return coq_argument(robot_.threshold) + " < " + size_of_determinant();
     if (matrix_) return "full_column_rank " + matrix_->shape() + ' ' + matrix_->written().matrix;
-    return is_arm() ? rank_of_arm()
-                    : "full_column_rank " + std::to_string(robot_.legs.size()) + " 6 (" +
-                          matrix("gough") + ')';
+    return arm_ ? arm_->rank()
+                : "full_column_rank " + std::to_string(robot_.legs.size()) + " 6 (" +
+                      matrix("gough") + ')';
   }
   [[nodiscard]] std::string regular_proof() const {
     const bool is_above = claim_ == RobotClaim::kAbove;
@@ -249,7 +184,7 @@ class GeometryWriter {
       return "at_point the_claim\n    " + point_of_certificate() + " S.\n" +
              matrix_->written().naming + "  by_" + (is_above ? "large_" : "") +
              "matrix the_claim\n    " + matrix_->hints() + " S";
-    if (is_arm()) return proof_of_arm();
+    if (arm_) return arm_->regular_proof();
     return std::string(is_above ? "by_threshold" : "by_geometry") + " the_claim\n    " +
            point_of_certificate() + (is_above ? "" : ' ' + factor()) + " S";
   }
@@ -264,7 +199,8 @@ class GeometryWriter {
     const bool is_small = claim_ == RobotClaim::kSmall;
     const std::string conclusion =
         is_small ? size_of_determinant() + " <= " + coq_argument(robot_.threshold)
-                 : determinant() + " = 0";
+        : arm_ && arm_->is_about_columns() ? arm_->rank()
+                                           : determinant() + " = 0";
     const std::string question =
         is_small ? "the_question the_scales the_threshold" : "the_question";
     return "Theorem the_robot :" + (robot_.quantities.empty() ? "" : " exists " + binders() + ',') +
@@ -275,8 +211,11 @@ class GeometryWriter {
   }
   [[nodiscard]] std::string singular_proof(const std::string& question, bool is_small) const {
     return std::string("  destruct (") + (is_small ? "small_of_claim " : "singular_of_claim ") +
-           question + " the_claim) as [v S].\n" + exists(&CoqQuantity::of_pose) +
-           (is_small ? "  by_small_determinant" : "  by_singularity") + " S.\n";
+           question + " the_claim) as [v S].\n" + exists(&CoqQuantity::of_pose) + "  " +
+           (arm_       ? arm_->singular_proof()
+            : is_small ? "by_small_determinant S"
+                       : "by_singularity S") +
+           ".\n";
   }
   [[nodiscard]] std::string singular_matrix_proof(const std::string& question,
                                                   bool is_small) const {
@@ -324,6 +263,7 @@ class GeometryWriter {
   const WrittenValues& values_;
   RobotOfModel robot_;
   std::optional<MatrixWriter> matrix_;
+  std::optional<ArmWriter> arm_;
 };
 
 }  // namespace

@@ -2,6 +2,8 @@
 #include "runtime/formal/coq_load.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include "runtime/formal/coq_question.hpp"
@@ -46,18 +48,18 @@ class LoadWriter {
     const std::string name =
         free_name(coq_free("load_" + set_.name + '_' + std::to_string(k + 1)), lines_);
     if (has_spread && around.empty()) {
-      vary(name, middles_[k], spreads_[k]);
+      vary(name, middles_[k], spreads_[k], {k, std::nullopt, true});
       load_.components.push_back(name);
     } else if (!has_spread && around.size() == 1) {
-      vary(name, middles_[k], radii_[around.front()]);
+      vary(name, middles_[k], radii_[around.front()], {k, around.front(), true});
       balls[around.front()] += ' ' + name;
       load_.components.push_back(name);
     } else {
       std::string sum = '(' + middles_[k] + ')';
-      if (has_spread) vary(name, "0", spreads_[k]), sum += " + " + name;
+      if (has_spread) vary(name, "0", spreads_[k], {k, std::nullopt}), sum += " + " + name;
       for (const std::size_t b : around) {
         const std::string part = free_name(name + "_ball_" + std::to_string(b + 1), lines_);
-        vary(part, "0", radii_[b]);
+        vary(part, "0", radii_[b], {k, b});
         balls[b] += ' ' + part;
         sum += " + " + part;
       }
@@ -71,8 +73,9 @@ class LoadWriter {
     return name;
   }
 
-  void vary(const std::string& name, const std::string& middle, const std::string& spread) {
-    ++load_.count;
+  void vary(const std::string& name, const std::string& middle, const std::string& spread,
+            const LoadVariable& variable) {
+    load_.variables.push_back(variable);
     load_.lines += "uncertain " + name + " = " + middle + " +- " + spread + '\n';
   }
 
@@ -118,7 +121,7 @@ std::string question_with(const LoadVariables& load, const Question& question,
                           const std::vector<std::string>& lines, std::string_view end,
                           const std::string& before_matrix) {
   format::ClaimedSet set = question.claimed_set();
-  set.uncertain += load.count;
+  set.uncertain += load.variables.size();
   std::string uncertain = load.lines, text;
   for (const std::string& line : lines) {
     if (line.starts_with(end)) break;
@@ -134,16 +137,47 @@ std::string question_with(const LoadVariables& load, const Question& question,
   return text + "proof\n";
 }
 
+std::vector<std::string> farthest_load(const Question& question,
+                                       const std::vector<LoadVariable>& variables,
+                                       const std::vector<double>& direction) {
+  constexpr double kInside = 1.0 - 0x1p-20;  // of a ball, whatever is rounded
+  constexpr long kBitsOfLoad = 128;
+  const LoadLines& load = *question.load;
+  const auto number = [&](NodeId node) {
+    const auto value = evaluate(question.graph, {node}, {}, kBitsOfLoad);
+    return value ? mid((*value)[0].enclosure()) : 0.0;
+  };
+  std::vector<std::string> coordinates;
+  for (const LoadVariable& variable : variables) {
+    const double along = direction.at(variable.column);
+    if (!variable.ball) {
+      coordinates.emplace_back(along < 0 ? "lower" : "upper");
+      continue;
+    }
+    const WrenchBall& ball = load.balls[*variable.ball];
+    double squares = 0.0;
+    for (const std::size_t k : ball.members) squares += direction.at(k) * direction.at(k);
+    const double length = std::sqrt(squares);
+    const double step =
+        length > 0.0 ? kInside * number(ball.radius) * std::abs(along) / length : 0.0;
+    char text[40];
+    std::snprintf(text, sizeof text, "%a",
+                  (variable.has_middle ? number(load.middle[variable.column]) : 0.0) +
+                      (along < 0 ? -step : step));
+    coordinates.emplace_back(text);
+  }
+  return coordinates;
+}
+
 LimitsQuestion split_limits(const Question& question, const std::vector<std::string>& lines) {
-  if (question.load->verdict == format::kInfeasible)
-    throw Unfinished("there is no theorem yet about a load that no forces within limits hold");
   static_cast<void>(enclose_load(question));  // the limits are in their order
   const LoadVariables load = load_variables(question, *question.load, lines);
-  LimitsQuestion split{question_with(load, question, lines, "load ", ""), {}, {}};
-  split.variables.count = question.variables.size() + load.count;
+  LimitsQuestion split{question_with(load, question, lines, "load ", ""), {}, {}, load.variables};
+  const std::size_t more = load.variables.size();
+  split.variables.count = question.variables.size() + more;
   for (std::size_t k = 0; k < question.variables.size(); ++k) {
     const bool is_error = question.variables[k].kind == VariableKind::kError;
-    split.variables.places.push_back(is_error ? k + load.count : k);
+    split.variables.places.push_back(is_error ? k + more : k);
   }
   if (rests_of(lines, "scale").empty()) split.more.assign(question.rows, "scale 1");
   for (const std::string& component : load.components) split.more.push_back("load " + component);

@@ -3,6 +3,7 @@
 // varies. And the question of a certificate about forces within limits: Limits.v has its proof.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,9 +24,16 @@ namespace regulus::verifier {
 /// vector would be true.
 void require_vectors(const Question& question, const std::vector<NodeId>& sizes);
 
+/// A variable of a load: a component, within its spread, or a coordinate of a ball.
+struct LoadVariable {
+  std::size_t column = 0;
+  std::optional<std::size_t> ball;
+  bool has_middle = false;  ///< it is about the middle of the component, not about 0
+};
+
 struct LoadVariables {
   std::string lines;                    ///< `uncertain` and `ball`
-  std::size_t count = 0;                ///< of the uncertain quantities
+  std::vector<LoadVariable> variables;  ///< the uncertain quantities
   std::vector<std::string> components;  ///< by column: an expression in their names
 };
 
@@ -47,10 +55,17 @@ struct LimitsQuestion {
   std::string question;           ///< about the matrix
   std::vector<std::string> more;  ///< lines for coq_question: `scale`, `load` and `limits`
   VariablesOfCoq variables;
+  std::vector<LoadVariable> of_load;  ///< those that are not of the certificate, in their order
 };
 
+/// Returns coordinates of a vector of the load that is farthest along a direction, or nearly so, in the
+/// order of `variables`: hexadecimal doubles, or `upper` and `lower` for the ends of a range.
+[[nodiscard]] std::vector<std::string> farthest_load(const Question& question,
+                                                     const std::vector<LoadVariable>& variables,
+                                                     const std::vector<double>& direction);
+
 /// Takes the load and the limits out of the lines of a certificate, which are those of `question`.
-/// Throws Unfinished if the verdict is INFEASIBLE; Rejection if the load or the limits are empty.
+/// Throws Rejection if the load or the limits are empty.
 [[nodiscard]] LimitsQuestion split_limits(const Question& question,
                                           const std::vector<std::string>& lines);
 

@@ -33,7 +33,7 @@ std::string method(const CoqQuestion& question) {
          " " + std::to_string(kDeepest) + ".\n";
 }
 
-/// A coordinate of a certificate. The ends of a range become numbers beyond it, which Coq moves.
+/// A number of a certificate. The ends of a range become numbers beyond it, which Coq moves.
 std::string coq_coordinate(std::string_view word) {
   if (word == "lower" || word == "upper") return word == "lower" ? "neg_infinity" : "infinity";
   if (word.find(':') != std::string_view::npos)
@@ -44,16 +44,27 @@ std::string coq_coordinate(std::string_view word) {
   return text;
 }
 
+/// Reads the line `KEY …` with this many numbers behind it.
+std::vector<std::string> numbers_of_line(Lines& lines, std::string_view key, std::size_t count) {
+  if (!lines.next()) throw Rejection("the file ends before the line 'end'");
+  std::string_view rest = lines.text();
+  if (!rest.starts_with(key) || words_of(rest.substr(key.size())).size() != count)
+    throw Rejection("expected '" + std::string(key) + "' and " + std::to_string(count) +
+                    " numbers");
+  std::vector<std::string> numbers;
+  for (const std::string_view word : words_of(rest.substr(key.size()))) numbers.emplace_back(word);
+  return numbers;
+}
+
+std::string coq_coordinates(const std::vector<std::string>& numbers) {
+  std::vector<CoqItem> coordinates;
+  for (const std::string& number : numbers) coordinates.push_back({"", coq_coordinate(number)});
+  return coq_list(coordinates, "   ") + "%float";
+}
+
 /// Reads the line `point SIGN …`.
 std::string coq_point(Lines& lines, std::string_view sign, std::size_t variables) {
-  if (!lines.next()) throw Rejection("the file ends before the line 'end'");
-  const auto words = words_of(lines.text());
-  if (words.size() != variables + 2 || words[0] != "point" || words[1] != sign)
-    throw Rejection("expected 'point " + std::string(sign) + "' and a number for each variable");
-  std::vector<CoqItem> coordinates;
-  for (const std::string_view word : std::span(words).subspan(2))
-    coordinates.push_back({"", coq_coordinate(word)});
-  return coq_list(coordinates, "   ") + "%float";
+  return coq_coordinates(numbers_of_line(lines, "point " + std::string(sign) + ' ', variables));
 }
 
 /// Coq searches two points on the line through those of the certificate.
@@ -167,6 +178,30 @@ std::string feasible_parts(Lines& lines, const Question& paved, const VariablesO
       "the_parts", trees, false, is_kept);
 }
 
+/// The theorem about a load that no forces within limits hold, at the point of the certificate.
+std::string shortage(Lines& lines, const Question& question, const LimitsQuestion& limits) {
+  if (!lines.next() || lines.text() != "reason shortage")
+    throw Rejection("expected 'reason shortage'");
+  const std::vector<std::string> own =
+      numbers_of_line(lines, "point 0 ", question.variables.size());
+  const std::vector<std::string> along = numbers_of_line(lines, "direction ", question.columns);
+  std::vector<double> direction;
+  for (const std::string& number : along) direction.push_back(read_double(number));
+  std::vector<std::string> load = farthest_load(question, limits.of_load, direction);
+  std::vector<std::string> point(limits.variables.count);
+  for (std::size_t k = 0; k < own.size(); ++k) point[limits.variables.places[k]] = own[k];
+  auto next = load.begin();
+  for (std::string& coordinate : point)
+    if (coordinate.empty()) coordinate = *next++;
+  return "\n(** A point, and a direction along which the load needs more than the forces can give. "
+         "*)\nDefinition the_point : coordinates :=\n  " +
+         coq_coordinates(point) + ".\nDefinition the_direction : coordinates :=\n  " +
+         coq_coordinates(along) + ".\n" +
+         coq_claim("no_forces_within_limits the_question the_scales the_load the_limits",
+                   "check_no_forces_correct the_question the_scales the_load the_limits the_point "
+                   "the_direction");
+}
+
 /// The theorem about forces within limits. `feasible`: the question of the certificate, or that of its
 /// first piece.
 std::string limits(Lines& proof, const Question& feasible, const std::vector<std::string>& lines,
@@ -181,6 +216,10 @@ std::string limits(Lines& proof, const Question& feasible, const std::vector<std
   const CoqQuestion coq = coq_question(with_load, question, pieces.names);
   const std::string of_pieces = pieces_text(pieces, question.graph);
   const std::string arguments = " the_scales the_load the_limits";
+  if (feasible.load->verdict == format::kInfeasible) {
+    if (!of_pieces.empty()) throw Rejection("a load that is not held is on one piece");
+    return coq_heading(feasible) + coq.text + shortage(proof, feasible, limits);
+  }
   if (!feasible.paves)
     return coq_heading(feasible) + coq.text + of_pieces + method(coq) +
            theorem_of_pieces("forces_within_limits", "check_limits", arguments, !of_pieces.empty());

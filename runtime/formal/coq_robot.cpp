@@ -14,6 +14,7 @@
 #include "runtime/formal/known_robot.hpp"
 #include "runtime/formal/quantity_reader.hpp"
 #include "runtime/verifier/evaluation.hpp"
+#include "runtime/verifier/model/joint_chain.hpp"
 #include "runtime/verifier/model/orientation_reading.hpp"
 #include "runtime/verifier/model/section_reading.hpp"
 #include "runtime/verifier/model/section_values.hpp"
@@ -178,8 +179,41 @@ class RobotReader : QuantityReader {
   void read_parts() {
     robot_.parts = read_coq_parts(
         values_,
-        [this](const std::string& place, bool in_degrees) { return text_at(place, in_degrees); },
+        [this](const std::string& place, const std::string& name, bool is_angle) {
+          const bool in_degrees = is_angle && is_arm_in_degrees(values_);
+          return name.empty() ? text_at(place, in_degrees)
+                              : read_part(place, name, is_angle, in_degrees);
+        },
         read_);
+  }
+
+  /// A length, or an angle in radians: a quantity of the theorem if it has a tolerance.
+  std::string read_part(const std::string& place, const std::string& name, bool is_angle,
+                        bool in_degrees) {
+    const std::string key = is_angle ? "serial.angle_tolerance" : "serial.length_tolerance";
+    const char* unit = in_degrees ? "*deg" : "";
+    std::string value = text_at(place, in_degrees);
+    if (in_degrees) value = coq_argument(value) + unit;
+    if (!has(key)) return value;
+    const bool is_stated = may_differ_ && (q_.stated.contains("spread " + name) ||
+                                           q_.stated.contains("spread " + name + "_error"));
+    const std::string tolerance = tolerance_at(key, name);
+    const std::string own = tolerance == "0" ? value : coq_identifier(name);
+    robot_.of_certificate[name] = own;
+    robot_.of_certificate[name + "_error"] =
+        tolerance == "0" ? "0" : own + " - " + coq_argument(value);
+    if (tolerance == "0") return value;
+    robot_.is_geometry_certain = false;
+    robot_.conditions.push_back("near " + coq_argument(is_stated ? tolerance : tolerance + unit) +
+                                ' ' + coq_argument(value) + ' ' + own);
+    static_cast<void>(variable(own, node_of_part(place, in_degrees), of_pose(name)));
+    return own;
+  }
+
+  NodeId node_of_part(const std::string& place, bool in_degrees) {
+    const NodeId node = node_at(place, in_degrees);
+    Graph& graph = own_.graph;
+    return in_degrees ? graph.add(Op::kMultiply, node, parse("pi/180", {}, graph)) : node;
   }
 
   // Legs.

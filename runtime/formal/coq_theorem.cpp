@@ -46,11 +46,12 @@ std::string theorem_anew(const std::string& name, const std::string& type) {
 
 /// A file that states all theorems of the audited one, and lists their axioms.
 std::string statements_anew(const PlainTheorem& theorem) {
-  std::string text =
-      std::string(
-          "Require Coq.Lists.List Regulus.Questions Regulus.Closures Regulus.Limits "
-          "Regulus.Branches Regulus.Ways Regulus.Rates Regulus.Distances Regulus.Poses ") +
-      kAuditedFolder + '.' + kAuditedFile + ".\n" + theorem_anew("the_claim", theorem.type);
+  std::string text = std::string(
+                         "Require Coq.Lists.List Regulus.Questions Regulus.Closures Regulus.Limits "
+                         "Regulus.Branches Regulus.Ways Regulus.Rates Regulus.Slopes "
+                         "Regulus.Distances Regulus.Poses ") +
+                     kAuditedFolder + '.' + kAuditedFile + ".\n" +
+                     theorem_anew("the_claim", theorem.type);
   std::string names = "audited_the_claim";
   if (!theorem.geometry.empty()) text += theorem.geometry_import + theorem.definitions;
   for (const PlainGeometry& robot : theorem.geometry) {

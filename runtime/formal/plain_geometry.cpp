@@ -212,7 +212,9 @@ class GeometryReader {
     constexpr auto kOfAll =
         std::to_array<std::string_view>({"full_column_rank", "determinant", "<", "="});
     constexpr auto kOfGough = std::to_array<std::string_view>({"gough", "inverse_jacobian"});
-    constexpr auto kOfArms = std::to_array<std::string_view>({"full_row_rank", "jacobian"});
+    constexpr auto kOfArms = std::to_array<std::string_view>(
+        {"full_row_rank", "jacobian", "jacobian_seen", "rows_of", "v_x", "v_y", "v_z", "w_x", "w_y",
+         "w_z", "columns_depend"});
     if (is_one_of(word, kOfAll) || (!robot_.empty() && word == robot_)) return true;
     if (library_ == Library::kGeometry) return is_one_of(word, kOfGough);
     if (library_ == Library::kLegs)

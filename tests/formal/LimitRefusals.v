@@ -138,3 +138,43 @@ Definition by_trees (trees : list tree) : bool * bool :=
 Goal (by_trees [Split 1 Leaf Leaf; Leaf], by_trees [Leaf], by_trees [Leaf; Leaf; Leaf],
       by_trees []) = ((true, true), (false, false), (false, false), (false, false)).
 Proof. vm_compute. reflexivity. Qed.
+
+(** A load that no forces hold, at a point and along a direction. F_1 = w/2 and F_2 = 3/x; then
+    F_1 + F_2 = 3 + w, where each pulls. *)
+Definition unheld (c : claim) (position direction : list float) : bool :=
+  check_no_forces (robot c) (scales c) (load c) (limits c) position direction.
+Definition of_two (limits : list (expression * expression)) : claim :=
+  diagonal [1; 1] [w; 3] limits.
+Goal [unheld (of_two [(-1, 1); (1.49, 2.99)]) [1; 0]%float [0; 1]%float;
+      unheld (of_two [(-1, 1); (1.51, 9)]) [2; 0]%float [0; -1]%float;
+      unheld (of_two [(-0.49, 1); (0, 9)]) [1; -1]%float [-1; 0]%float;
+      unheld (of_two [(-0.49, 0.49); (0, 9)]) [1; infinity]%float [1; 0]%float;
+      unheld (pull (3 + w) [(0, 1.9); (0, 1.9)]) [1; 1]%float [1]%float;
+      unheld (pull (w - 3) [(0, 9); (0, 9)]) [1; 1]%float [-1]%float;
+      unheld (diagonal [2; 1/x] [w; 3*x] [(-9, 9); (0, 5.9)]) [2; 0]%float [0; 1]%float;
+      unheld (ropes [w; 0] 1 1) [1; 1]%float [1; 0]%float] = repeat true 8.
+Proof. vm_compute. reflexivity. Qed.
+Goal [unheld (of_two [(-1, 1); (1.49, 3.01)]) [1; 0]%float [0; 1]%float;
+      unheld (of_two [(-1, 1); (1.49, 2.99)]) [1; 0]%float [0; -1]%float;
+      unheld (of_two [(-1, 1); (1.49, 2.99)]) [1; 0]%float [1; 0]%float;
+      unheld (of_two [(-1, 1); (1.49, 2.99)]) [1; 0]%float [0; 0]%float;
+      unheld (of_two [(-1, 1); (1.49, 2.99)]) [1; 0]%float []%float;
+      unheld (of_two [(-1, 1); (1.49, 2.99)]) [2; 0]%float [0; 1]%float;
+      unheld (of_two [(-1, 1); (1.49, 2.99)]) []%float [0; 1]%float;
+      unheld (of_two [(-1, 1)]) [1; 0]%float [0; 1]%float;
+      unheld (of_two [(-1, 1); (0, 1/0)]) [1; 0]%float [0; 1]%float;
+      unheld (of_two [(-0.49, 0.49); (0, 9)]) [1; 0]%float [1; 0]%float;
+      unheld (of_two [(-0.51, 0.51); (0, 9)]) [1; infinity]%float [1; 0]%float;
+      unheld (pull (3 + w) [(0, 2.1); (0, 2.1)]) [1; 1]%float [1]%float;
+      unheld (pull (w - 3) [(-9, 9); (0, 9)]) [1; 1]%float [-1]%float;
+      unheld (ropes [w; 0] 1 10) [1; 1]%float [1; 0]%float;
+      (* Beyond the range, which ends at 2; and beyond a constraint. *)
+      unheld (of_two [(-1, 1); (1.4, 9)]) [4; 0]%float [0; -1]%float;
+      unheld (Claim (over [x - 3/2] 2 [[2; 0]; [0; x]]) [1; 1] [w; 3] [(-1, 1); (1.51, 9)])
+        [2; 0]%float [0; -1]%float;
+      (* Something has no value. *)
+      unheld (Claim (over [] 2 [[2; 0]; [0; x]]) [1; 1/(x - 1)] [w; 3] [(-1, 1); (1.49, 2.99)])
+        [1; 0]%float [0; 1]%float;
+      unheld (Claim (over [] 2 [[2; 0]; [0; sqrt (1 - x)]]) [1; 1] [w; 3] [(-9, 9); (0, 9)])
+        [2; 0]%float [0; 1]%float] = repeat false 18.
+Proof. vm_compute. reflexivity. Qed.

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Theorems about forces, errors and speeds over the branch of a closure: those of a five-bar linkage are
-# proved, and files that are damaged are not.
+# Theorems about forces, errors, speeds, deflections, determinants and condition numbers over the branch of
+# a closure: those of a five-bar linkage are proved, and files that are damaged are not.
 include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
 file(READ ${SOURCE_DIR}/models/five_bar_closure.toml model)
 file(WRITE ${WORK_DIR}/five_bar.toml "${model}
@@ -14,6 +14,7 @@ wrench = { value = [0, -10], radius = 2 }
 force = [-40, 40]
 speed = 1
 error = \"1/100\"
+stiffness = [100, 200]
 ")
 
 # expect_proved(CLAIM FILE VERDICT WORDS...): that of the certificate FILE of `regulus WORDS`.
@@ -24,7 +25,7 @@ function(expect_proved claim file verdict command)
     message(FATAL_ERROR "${ARGN}: ${answer}${why}, expected ${verdict}")
   endif()
   expect_answer(PROVED 0 ${WORK_DIR} --theorem ${file} --model five_bar.toml)
-  if(NOT why MATCHES "theorem    ${claim} the_closure the_motors [a-z_ ]*\n")
+  if(NOT why MATCHES "theorem    ${claim} the_closure [a-z_ ]*\n")
     message(FATAL_ERROR "${ARGN}: expected ${claim}\n${why}")
   endif()
   expect_answer(PROVED 0 ${WORK_DIR} --audit ${file}.v)
@@ -37,8 +38,14 @@ expect_proved(branch_below signed.theta1.safe WITHIN bound force --load pull --l
 expect_proved(branch_within error.x.safe WITHIN bound error --limit 1/35 --certificate error)
 expect_proved(branch_within speed.y.safe WITHIN bound speed --limit 3 --certificate speed)
 expect_proved(branch_within_limits limits.txt FEASIBLE check --load pull --certificate limits.txt)
+expect_proved(branch_within deflection.y.safe WITHIN bound deflection --load pull --freedom y --limit 1/4 --certificate
+              deflection)
+expect_proved(branch_determinant det.safe WITHIN bound determinant --limit 4 --certificate det)
+expect_proved(branch_determinant det_max.safe WITHIN bound determinant-max --limit 8 --certificate det_max)
+expect_proved(branch_condition condition.safe WITHIN bound condition --limit 4 --certificate condition)
 
-# `regulus bound` finds a force of 12.369 and a speed of 2.368.
+# `regulus bound` finds a force of 12.369, a speed of 2.368, a deflection of 0.2158, a determinant between
+# 4.545 and 6.25, and a condition number of 3.318.
 expect_no_theorem(force.theta1.safe "wrench 0 +- 1" "wrench 0 +- 5")
 expect_no_theorem(force.theta1.safe "wrench -10 +- 0" "wrench -20 +- 0")
 expect_no_theorem(ball.theta2.safe "wrench-ball 2 in 1 2" "wrench-ball 20 in 1 2")
@@ -51,12 +58,26 @@ expect_no_theorem(force.theta1.safe "wrench 0 +- 1" "wrench 0 +- -1") # no load 
 expect_no_theorem(limits.txt "wrench 0 +- 1" "wrench 0 +- -1")
 
 # A bound that is exceeded; the words of the claim have its number, too.
-file(READ ${WORK_DIR}/force.theta1.safe text)
-string(REPLACE "< 14 " "< 12.3 " other "${text}")
-file(WRITE ${WORK_DIR}/smaller.txt "${other}")
-expect_no_theorem(smaller.txt "\nbound 14\n" "\nbound 12.3\n")
+# expect_no_other_bound(FILE NUMBER OTHER)
+function(expect_no_other_bound file number other)
+  file(READ ${WORK_DIR}/${file} text)
+  string(REGEX REPLACE "([<>]) ${number} " "\\1 ${other} " changed "${text}")
+  file(WRITE ${WORK_DIR}/other_bound.txt "${changed}")
+  expect_no_theorem(other_bound.txt "\nbound ${number}\n" "\nbound ${other}\n")
+endfunction()
+expect_no_other_bound(force.theta1.safe 14 12.3)
+expect_no_other_bound(deflection.y.safe 1/4 1/5)
+expect_no_other_bound(det.safe 4 5)
+expect_no_other_bound(det_max.safe 8 6)
+expect_no_other_bound(condition.safe 4 3)
+expect_no_theorem(deflection.y.safe "stiffness 200" "stiffness 100")
+expect_no_theorem(deflection.y.safe "stiffness 200" "stiffness -200")
+expect_no_theorem(deflection.y.safe "wrench -10 +- 0" "wrench -20 +- 0")
+expect_no_theorem(condition.safe "factor 1\nfactor 1\n" "factor 1\nfactor 9\n")
+expect_no_theorem(det.safe "coupler_1 = 5/4" "coupler_1 = 11/10")
 
 # A part of the set has no tube.
+file(READ ${WORK_DIR}/force.theta1.safe text)
 string(REGEX MATCH "\nl [0-9]+ tube [^\n]*" tube "${text}")
 expect_no_theorem(force.theta1.safe "${tube}" "")
 string(REGEX REPLACE " tube .*" " outside" outside "${tube}")
@@ -67,6 +88,12 @@ expect_no_theorem(force.theta1.safe "wrench 0 +- 1" "wrench 0 +- 1/2" --model fi
 expect_no_theorem(limits.txt "limits -40 : 40" "limits -50 : 50" --model five_bar.toml)
 
 # The audit takes no other statement, nor other words.
+file(READ ${WORK_DIR}/det.safe.v text)
+foreach(changed IN ITEMS "side := Below" "side := Within" "side := true" "side := Beyond.\nDefinition Beyond : side := Above")
+  string(REPLACE "side := Beyond" "${changed}" other "${text}")
+  file(WRITE ${WORK_DIR}/other.v "${other}")
+  expect_answer(REJECTED 1 ${WORK_DIR} --audit other.v)
+endforeach()
 file(READ ${WORK_DIR}/force.theta1.safe.v text)
 string(REPLACE "branch_within the_closure" "branch_below the_closure" other "${text}")
 file(WRITE ${WORK_DIR}/other.v "${other}")

@@ -72,6 +72,11 @@ expect_proved(branch_below_along signed.theta1.safe WITHIN bound five_bar work f
 expect_proved(branch_within_along error.x.safe WITHIN bound five_bar work five_bar error --limit 1/35 --certificate
               error)
 expect_proved(branch_within_along speed.y.safe WITHIN bound five_bar work five_bar speed --limit 3 --certificate speed)
+expect_proved(branch_determinant_along det.safe WITHIN bound five_bar work five_bar determinant --limit 4 --certificate
+              det)
+expect_proved(branch_condition_along condition.safe WITHIN bound five_bar work five_bar condition --limit 4 --certificate
+              condition)
+expect_no_theorem(condition.safe "factor 1\nfactor 1\n" "factor 1\nfactor 9\n")
 expect_proved(branch_within_limits_along limits.txt FEASIBLE check five_bar work five_bar --load pull --certificate
               limits.txt)
 
