@@ -27,10 +27,6 @@ PlaceBelow place_below(const PiecesOfBranch& pieces, std::size_t piece, const Br
   return {piece, std::move(place), std::move(at.unknowns), at.determinant};
 }
 
-bool is_all(const std::vector<BranchPaving>& paved, bool BranchPaving::*is_so) {
-  return std::ranges::all_of(paved, [&](const BranchPaving& piece) { return piece.*is_so; });
-}
-
 }  // namespace
 
 BranchValue value_at_threshold(const Model& model) {
@@ -88,7 +84,8 @@ ThresholdFinding pave_threshold(const PiecesOfBranch& pieces, double resolution,
   if (found.below)
     found.verdict = Verdict::kSingularity;
   else if (std::ranges::all_of(pieces.results, &ClosureResult::is_proved) &&
-           found.paved.size() == pieces.count() && is_all(found.paved, &BranchPaving::is_feasible))
+           found.paved.size() == pieces.count() &&
+           std::ranges::all_of(found.paved, &BranchPaving::is_feasible))
     found.verdict = Verdict::kNoSingularity;
   else
     found.reason = describe(found.stopped_by.value_or(Reason::kWidth));

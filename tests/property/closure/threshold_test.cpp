@@ -128,12 +128,14 @@ TEST(AThresholdOfABranch, IsExceededAsTheClosedFormSays) {
   }
 }
 
+/// Returns the line of the threshold of a certificate.
+std::string alpha_of(const std::string& text) {
+  const std::size_t at = text.find("\nalpha ");
+  return text.substr(at, text.find('\n', at + 1) - at);
+}
+
 /// Each claim is false with the other threshold, so no proof of it is one.
 TEST(AProofOfAThreshold, ShowsNoFalseClaim) {
-  const auto alpha_of = [](const std::string& text) {
-    const std::size_t at = text.find("\nalpha ");
-    return text.substr(at, text.find('\n', at + 1) - at);
-  };
   for (const RegularMotion& motion : regular_motions(12, trials(4, 30), false)) {
     const std::string safe =
         certified_closure(check_closure_text(motion.model(0.98 * motion.least), usual_options()));
@@ -245,6 +247,12 @@ TEST(AThresholdAlongWayPoints, IsExceededAsTheClosedFormSays) {
       SearchOptions two = usual_options();
       two.threads = 2;
       EXPECT_EQ(certificate, certified_way(check_way_text(model, file.path(), two)));
+      // With the other threshold the claim is false, although the model has it, too.
+      const std::string other = motion.model((2 - part) * motion.least);
+      const std::string forged =
+          replaced(certificate, alpha_of(certificate),
+                   alpha_of(certified_way(check_way_text(other, file.path()))));
+      EXPECT_NE(verified_way(forged, other, file.path()).outcome, Outcome::kVerified);
     }
   }
 }
