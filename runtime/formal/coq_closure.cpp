@@ -89,10 +89,6 @@ std::string coq_closure(Lines& lines, const Question& question,
   if (question.is_index)
     throw Unfinished(
         "the theorem about a closure has the tubes of one file; write the proof without shards");
-  if (has_threshold_of_branch(question))
-    throw Unfinished(
-        "there is no theorem about a threshold over a branch yet: Coq has no determinant of the "
-        "equations' derivatives; regulus-verify proves it");
   if (question.quantity) return theorem_of_quantity(lines, question, kept, pieces);
   if (question.singular)
     throw Unfinished("there is no theorem about a singular configuration of a closure yet");

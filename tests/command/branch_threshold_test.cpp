@@ -187,16 +187,24 @@ TEST_F(ThresholdOfAFourBar, ContinuesAndGoesInShards) {
   }
 }
 
-/// Coq has no determinant over a branch: it must not prove the branch alone in the place of this claim.
-TEST_F(ThresholdOfAFourBar, IsNoTheorem) {
-  for (const char* alpha : {"0.06", "0.08"}) {
+/// The theorem is about the determinant, and not about the branch alone; one that is at most the threshold
+/// has none.
+TEST_F(ThresholdOfAFourBar, IsATheoremAboutTheDeterminant) {
+  const auto written = [&](const char* alpha) {
     static_cast<void>(ask("check", {"--alpha", alpha, "--certificate", path("proof")}));
-    const CommandResult theorem = run_command(
+    return run_command(
         {REGULUS_BINARY_DIR "/bin/regulus-verify", "--coq", path("proof.v"), path("proof")});
-    EXPECT_NE(theorem.exit_code, 0);
-    EXPECT_THAT(theorem.errors, HasSubstr("no theorem about a threshold over a branch"));
-    EXPECT_FALSE(std::filesystem::exists(path("proof.v")));
-  }
+  };
+  const CommandResult above = written("0.06");
+  EXPECT_EQ(above.exit_code, 0) << above.errors;
+  const std::string text = text_of(path("proof.v"));
+  EXPECT_THAT(text, HasSubstr("Definition the_side : side := Beyond."));
+  EXPECT_THAT(text, HasSubstr("branch_determinant the_closure the_side the_limit"));
+  std::filesystem::remove(path("proof.v"));
+  const CommandResult below = written("0.08");
+  EXPECT_NE(below.exit_code, 0);
+  EXPECT_THAT(below.errors, HasSubstr("no theorem yet"));
+  EXPECT_FALSE(std::filesystem::exists(path("proof.v")));
 }
 
 TEST_F(ThresholdOfAFourBar, HasAPage) {

@@ -41,6 +41,7 @@ expect_proved(branch_within_limits limits.txt FEASIBLE check --load pull --certi
 expect_proved(branch_within deflection.y.safe WITHIN bound deflection --load pull --freedom y --limit 1/4 --certificate
               deflection)
 expect_proved(branch_determinant det.safe WITHIN bound determinant --limit 4 --certificate det)
+expect_proved(branch_determinant alpha "NO SINGULARITY" check --alpha 4 --certificate alpha)
 expect_proved(branch_determinant det_max.safe WITHIN bound determinant-max --limit 8 --certificate det_max)
 expect_proved(branch_condition condition.safe WITHIN bound condition --limit 4 --certificate condition)
 
@@ -70,6 +71,7 @@ expect_no_other_bound(deflection.y.safe 1/4 1/5)
 expect_no_other_bound(det.safe 4 5)
 expect_no_other_bound(det_max.safe 8 6)
 expect_no_other_bound(condition.safe 4 3)
+expect_no_theorem(alpha "\nalpha 4\n" "\nalpha 5\n")
 expect_no_theorem(deflection.y.safe "stiffness 200" "stiffness 100")
 expect_no_theorem(deflection.y.safe "stiffness 200" "stiffness -200")
 expect_no_theorem(deflection.y.safe "wrench -10 +- 0" "wrench -20 +- 0")
