@@ -54,7 +54,7 @@ def test_a_certificate_is_about_the_changed_question(circle, tmp_path):
 def test_limits_are_those_of_the_call(robot_1, prepared_robot_1):
     cramped = prepared_robot_1.check(range={"x": (-40, 40)}, max_boxes=2)
     assert cramped.boxes <= 8 and cramped.verdict != "no-singularity"
-    assert cramped.json["question"]["options"]["max_boxes"] == 2
+    assert cramped.json["options"]["max_boxes"] == 2
     slow = robot_1.prepare("wide_15", method="reg")
     begun = time.monotonic()
     assert slow.check(time_limit=0.2).reason == "the time limit was reached"

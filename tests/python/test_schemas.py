@@ -143,8 +143,8 @@ def test_reports_are_accepted_and_state_the_question(arguments):
     assert has_type(report, reports.CheckReport)
     assert list(report)[: len(HEAD)] == HEAD
     question = report["question"]
-    assert question["ranges"] and question["options"]["threads"] == report["threads"]
-    assert question["options"]["max_boxes"] == (8 if "--max-boxes" in arguments else None)
+    assert question["ranges"] and report["options"]["threads"] == report["threads"]
+    assert report["options"]["max_boxes"] == (8 if "--max-boxes" in arguments else None)
 
 
 WAY = "t,x,y,phi\n0,0,14,0\n1,1,15,0.01\n2,2,16,0\n"
