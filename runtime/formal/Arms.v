@@ -4,6 +4,7 @@
     Jacobian. *)
 From Coq Require Import QArith Qreals Lra Lia.
 From Regulus Require Export Geometry.
+From Regulus Require Import Sizes.
 From Regulus Require Import Expressions Questions Regularity Determinants Forces.
 
 (** ** Parts of an arm *)
@@ -615,7 +616,7 @@ Definition view_by_joints (n : nat) (l : list (nat * twist)) : list (list R) :=
 
 Lemma nth_map_seq {A} (f : nat -> A) n j d : (j < n)%nat -> nth j (map f (seq 0 n)) d = f j.
 Proof.
-  intros L. rewrite (nth_indep _ d (f 0%nat)) by (rewrite map_length, seq_length; exact L).
+  intros L. rewrite (nth_indep _ d (f 0%nat)) by (rewrite map_size, seq_size; exact L).
   rewrite map_nth, seq_nth by exact L. reflexivity.
 Qed.
 
@@ -628,7 +629,7 @@ Proof.
   rewrite H, coordinate_none in C. rewrite C. apply sum_ext. intros j J.
   unfold matrix_of, view.
   rewrite (nth_indep _ [] (map (fun j => row_of_column 0 (S j) (seen Q l after)) (seq 0 n)))
-    by (rewrite map_length; exact I).
+    by (rewrite map_size; exact I).
   rewrite (map_nth (fun i => map (fun j => row_of_column i (S j) (seen Q l after)) (seq 0 n))
     rows 0%nat i).
   rewrite nth_map_seq by exact J. reflexivity.
@@ -1135,7 +1136,7 @@ Lemma entry_of_view rows n t i j : (i < length rows)%nat -> (j < n)%nat ->
 Proof.
   intros I J. unfold matrix_of, view.
   rewrite (nth_indep _ [] (map (fun j => row_of_column 0 (S j) t) (seq 0 n)))
-    by (rewrite map_length; exact I).
+    by (rewrite map_size; exact I).
   rewrite (map_nth (fun i => map (fun j => row_of_column i (S j) t) (seq 0 n)) rows 0%nat i).
   apply (nth_map_seq (fun j => row_of_column (nth i rows 0%nat) (S j) t)), J.
 Qed.
@@ -1198,7 +1199,7 @@ Proof.
   - destruct (In_nth rows i 0%nat A) as (p & P & <-). apply K. rewrite <- L. exact P.
   - destruct (In_nth others i 0%nat A) as (p & P & <-). apply sum_zero. intros k N.
     rewrite <- (entry_of_view others n) by assumption. rewrite Z. unfold matrix_of.
-    rewrite (nth_indep _ [] (map (fun _ => 0) (seq 0 n))) by (rewrite map_length; exact P).
+    rewrite (nth_indep _ [] (map (fun _ => 0) (seq 0 n))) by (rewrite map_size; exact P).
     rewrite (map_nth (fun _ => map (fun _ => 0) (seq 0 n)) others 0%nat p).
     rewrite (nth_map_seq (fun _ => 0)) by exact N. ring.
 Qed.
@@ -1581,8 +1582,8 @@ Ltac by_rows_of_arm claim x words k Q rows S :=
   clear M V A; arm_computed; repeat apply same_head;
   first [apply same_end | same_jacobian | other_jacobian].
 
-(** [D] is about the determinant of a certificate at a point of its set; [W] has the values of joints
-    there. *)
+(** [D] is about the determinant of a certificate at a point of its set; [W] has the values of
+    joints there. *)
 Ltac at_pose_of_arm D W k Q rows c close :=
   repeat match goal with r : _ <= _ <= _ |- _ => clear r end;
   cbv [quantity nth] in W; cbv [quantity nth];

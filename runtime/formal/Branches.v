@@ -6,6 +6,7 @@ From Coquelicot Require Import Coquelicot.
 From Coq Require Import Reals QArith Qreals Lra Lia List PArith Bool Classical.
 From Coq Require PrimFloat.
 From Interval Require Import Real.Xreal Interval.Interval.
+From Regulus Require Import Sizes.
 From Regulus Require Import Expressions Intervals Forms Evaluation Boxes Hints Regularity.
 From Regulus Require Import Continuity Existence Derivatives LinearAlgebra Questions Search
   Closures Tubes Parts.
@@ -53,7 +54,8 @@ Module Fit.
     Tube (foot t) (axis_at t) (tilt t) (map (fun r => mul r f) (reach t)).
 
   Definition equations_on_axis (c : closure) (full : nat) (b : box) (t : tube) : list form :=
-    let names := tube_names c t (variables full b) (length b) (fun _ => constant_form Intervals.zero)
+    let names :=
+      tube_names c t (variables full b) (length b) (fun _ => constant_form Intervals.zero)
       in
     map (fun e => form_of (evaluate names e)) (equations c).
 
@@ -74,7 +76,8 @@ Module Fit.
       (reach t).
 
   (** The axis turns about the foot such that the equations hardly change along it. *)
-  Definition turned (c : closure) (full : nat) (k : list (list F.type)) (b : box) (t : tube) : tube :=
+  Definition turned (c : closure) (full : nat) (k : list (list F.type)) (b : box)
+    (t : tube) : tube :=
     let f := equations_on_axis c full b t in
     let slope j (e : form) := fold_left (fun s u => match fst u with
       | [v] => if Pos.eqb v (Pos.of_succ_nat j) then add s (I.midpoint (snd u)) else s
@@ -131,7 +134,7 @@ Section Check.
 
   Definition leads (b : box) (s t : tube) : bool := leads_to b b s t.
 
-  (** Over b, or over each of its parts, one tube leads to the other, or a narrow one leads to both. *)
+  (** Over b, or over each of its parts, one tube leads to the other, or a narrow one to both. *)
   Fixpoint agree (fuel : nat) (b : box) (s t : tube) : bool :=
     if leads b s t then true else if leads b t s then true
     else if existsb (fun u => leads b u s && leads b u t) (Fit.narrow c full b s) then true
@@ -198,12 +201,12 @@ Section Check.
 
   Lemma meet_boxes_correct a b x : in_box a x -> in_box b x -> in_box (meet_boxes a b) x.
   Proof.
-    intros [L A] [_ B]. split; [unfold meet_boxes; rewrite map_length, seq_length; exact L|].
+    intros [L A] [_ B]. split; [unfold meet_boxes; rewrite map_size, seq_size; exact L|].
     intros k. unfold meet_boxes. destruct (Nat.lt_ge_cases k (length a)) as [K|K].
     - match goal with |- encloses (nth _ (map ?g _) _) _ => rewrite (nth_indep _ I.nai (g 0%nat))
-        by (rewrite map_length, seq_length; exact K); rewrite (map_nth g), seq_nth by exact K end.
+        by (rewrite map_size, seq_size; exact K); rewrite (map_nth g), seq_nth by exact K end.
       apply meet_encloses; [apply A|apply B].
-    - rewrite nth_overflow by (rewrite map_length, seq_length; exact K). apply unknown_encloses.
+    - rewrite nth_overflow by (rewrite map_size, seq_size; exact K). apply unknown_encloses.
   Qed.
 
   Lemma leads_to_correct a b s t x y p : leads_to a b s t = true -> in_box a x -> in_box b y ->
@@ -553,7 +556,7 @@ Section Leaf.
           -- apply (continuity_pt_ext (fun _ => 0)); [|apply continuous_constant].
              intros r. rewrite nth_overflow; [reflexivity|rewrite beside_length; exact K].
         * intros r. rewrite extend_length, L. reflexivity.
-      + intros r. rewrite !app_length, !extend_length, !beside_length, !L. reflexivity.
+      + intros r. rewrite !app_size, !extend_length, !beside_length, !L. reflexivity.
       + exact D2.
     - rewrite Forall_forall in D3. apply D3, nth_In.
       destruct (everything_known c full t b v tested) as (_ & _ & _ & _ & _ & E & _).
@@ -1018,7 +1021,8 @@ From Coq Require Import PrimFloat.
 
 (** The tube, as wide as it holds, or a narrower one that fits better. *)
 Definition widest (c : closure) (full : nat) (t : tube) (b : box) : option tube :=
-  let first_that_holds s factors := find (fun u => is_tested c full u b) (map (Fit.widened s) factors)
+  let first_that_holds s factors :=
+    find (fun u => is_tested c full u b) (map (Fit.widened s) factors)
     in
   match first_that_holds t [8; 3; 1.5; 1]%float with
   | Some s => Some s

@@ -128,8 +128,8 @@ Definition some_solutions (c : closure) (lines : list line) : Prop :=
 (** What is listed at a place: all configurations, or some of them. *)
 Inductive listed := All_of (lines : list line) | Some_of (lines : list line).
 
-(** Along way-points: at each place what [all_solutions] or [some_solutions] says of the mechanism with
-    the numbers of this place. Nothing is said of the way between them. *)
+(** Along way-points: at each place what [all_solutions] or [some_solutions] says of the mechanism
+    with the numbers of this place. Nothing is said of the way between them. *)
 Definition solutions_at (c : list expression -> closure)
     (places : list (list expression * listed)) : Prop :=
   Forall (fun place =>
@@ -140,8 +140,8 @@ Definition solutions_at (c : list expression -> closure)
 
 (** ** Ways *)
 
-(** The numbers of the pieces of a straight way: for each number a at a way-point that is b at the next
-    one, a and b - a. *)
+(** The numbers of the pieces of a straight way: for each number a at a way-point that is b at the
+    next one, a and b - a. *)
 Fixpoint segment (a b : list expression) : list expression :=
   match a, b with
   | x :: a', y :: b' => x :: Subtract y x :: segment a' b'
@@ -154,10 +154,10 @@ Fixpoint segments (way_points : list (list expression)) : list (list expression)
   | _ => []
   end.
 
-(** A way is a list of pieces. The first variable goes from 0 to 1 on each, and where a piece ends, the
-    next one begins. A place x of the way has the variables of a piece but for the first number, which
-    is between 0 and the number of pieces; on piece k, the first one being piece 0, it is k more than
-    the first variable of the piece. *)
+(** A way is a list of pieces. The first variable goes from 0 to 1 on each, and where a piece ends,
+    the next one begins. A place x of the way has the variables of a piece but for the first number,
+    which is between 0 and the number of pieces; on piece k, the first one being piece 0, it is k
+    more than the first variable of the piece. *)
 Definition on_piece (k : nat) (x : list R) : list R :=
   match x with [] => [] | u :: y => u - INR k :: y end.
 

@@ -2,6 +2,7 @@
 (** Expressions are continuous where they are defined, and so are determinants. *)
 From Coq Require Import Reals QArith Lra Lia List.
 From Coquelicot Require Import Coquelicot.
+From Regulus Require Import Sizes.
 From Regulus Require Import Expressions LinearAlgebra.
 Import ListNotations.
 Open Scope R_scope.
@@ -63,8 +64,8 @@ Proof.
       * intros t. rewrite app_nth2, L, H, Nat.sub_diag; [reflexivity|]. rewrite L, H. lia.
       * apply value_continuous; assumption.
     + apply (continuity_pt_ext (fun _ => 0)); [|apply continuous_constant].
-      intros t. rewrite nth_overflow; [reflexivity|]. rewrite app_length, L. simpl. lia.
-  - intros t. rewrite !app_length, L. reflexivity.
+      intros t. rewrite nth_overflow; [reflexivity|]. rewrite app_size, L. simpl. lia.
+  - intros t. rewrite !app_size, L. reflexivity.
   - exact D2.
 Qed.
 

@@ -3,6 +3,7 @@
     k is the name N + k. A name that does not move has none. *)
 From Coq Require Import Reals QArith Qreals Lra Lia List Bool.
 From Coquelicot Require Import Coquelicot.
+From Regulus Require Import Sizes.
 From Regulus Require Import Expressions.
 Import ListNotations.
 Open Scope R_scope.
@@ -240,7 +241,7 @@ Qed.
 
 Lemma extend_length ds : forall names, length (extend names ds) = (length names + length ds)%nat.
 Proof.
-  induction ds as [|d ds IH]; intros names; simpl; [lia|]. rewrite IH, app_length. simpl. lia.
+  induction ds as [|d ds IH]; intros names; simpl; [lia|]. rewrite IH, app_size. simpl. lia.
 Qed.
 
 Lemma extend_constants qs : forall names,
@@ -286,7 +287,7 @@ Proof.
   destruct (Nat.ltb_spec k (length l)); [apply app_nth1; assumption|].
   destruct (Nat.eqb_spec k (length l)) as [->|].
   - rewrite app_nth2, Nat.sub_diag by lia. reflexivity.
-  - apply nth_overflow. rewrite app_length. simpl. lia.
+  - apply nth_overflow. rewrite app_size. simpl. lia.
 Qed.
 
 (** L begins with the names at s. *)
@@ -311,8 +312,8 @@ Proof.
   destruct (IH (fun t => names t ++ [value (names t) d]) s (moving ++ [moves_with sl]) (w ++ [v]) L
     rest) as [w' [E' C']].
   - split.
-    + intros t. rewrite !app_length. simpl. rewrite (same_length _ _ _ _ C). reflexivity.
-    + rewrite !app_length. simpl. rewrite (moving_length _ _ _ _ C). reflexivity.
+    + intros t. rewrite !app_size. simpl. rewrite (same_length _ _ _ _ C). reflexivity.
+    + rewrite !app_size. simpl. rewrite (moving_length _ _ _ _ C). reflexivity.
     + intros k. rewrite !nth_append, (moving_length _ _ _ _ C).
       destruct (Nat.ltb_spec k (length w)) as [K|K].
       * intros M. apply (is_derive_ext (fun t => nth k (names t) 0)); [|apply C, M].

@@ -4,6 +4,7 @@
 From Coquelicot Require Import Coquelicot.
 From Coq Require Import Reals QArith Qreals Lra Lia List PArith Bool.
 From Coq Require PrimFloat.
+From Regulus Require Import Sizes.
 From Regulus Require Import Expressions Intervals Forms Evaluation Boxes Hints Regularity.
 From Regulus Require Import Continuity Existence Derivatives LinearAlgebra Questions Search.
 From Regulus Require Import Limits Closures Tubes Parts Branches Ways Rates.
@@ -110,7 +111,7 @@ Proof.
   induction e; simpl; intros D; try tauto;
     try (destruct (IHe ltac:(tauto)) as [-> D1]; tauto);
     try (destruct (IHe1 ltac:(tauto)) as [-> D1], (IHe2 ltac:(tauto)) as [-> D2]; tauto).
-  rewrite app_nth1 by exact D. rewrite app_length. split; [reflexivity|lia].
+  rewrite app_nth1 by exact D. rewrite app_size. split; [reflexivity|lia].
 Qed.
 
 Lemma follows_more r names others l : follows r names others ->
@@ -134,24 +135,24 @@ Proof.
   induction ds as [|d ds IH]; intros names others F N A; simpl; [split; [exact F|tauto]|].
   destruct (renamed_correct r names others F d) as [V D].
   assert (F' : follows r (names ++ [value names d]) (others ++ [value others (renamed r d)])).
-  { split; intros k K; rewrite app_length in K; simpl in K.
+  { split; intros k K; rewrite app_size in K; simpl in K.
     - destruct (Nat.eq_dec k (length names)) as [->|Q].
       + specialize (N O ltac:(simpl; lia)). rewrite !Nat.add_0_r in N. rewrite N. simpl.
-        rewrite app_length, !nth_middle, V. simpl. split; [lia|reflexivity].
+        rewrite app_size, !nth_middle, V. simpl. split; [lia|reflexivity].
       + destruct (values_follow _ _ _ F k ltac:(lia)) as [D' E].
         destruct (value_before others [value others (renamed r d)] (r k) D') as [-> D''].
         rewrite app_nth1 by lia. auto.
-    - rewrite app_length. simpl.
+    - rewrite app_size. simpl.
       destruct (Nat.lt_ge_cases k (length names + S (length ds))) as [Q|Q].
       + exists (length others + (k - length names))%nat. split; [|lia].
         rewrite <- N by (simpl; lia). f_equal. lia.
       + destruct (A k ltac:(simpl; lia)) as (j & E & J). exists j. split; [exact E|].
         simpl in J. lia. }
   destruct (IH _ _ F') as [IH1 IH2].
-  - intros i I. rewrite !app_length. simpl. specialize (N (S i) ltac:(simpl; lia)).
+  - intros i I. rewrite !app_size. simpl. specialize (N (S i) ltac:(simpl; lia)).
     replace (length names + 1 + i)%nat with (length names + S i)%nat by lia. rewrite N.
     f_equal. lia.
-  - intros k K. rewrite app_length in K |- *. simpl in K |- *.
+  - intros k K. rewrite app_size in K |- *. simpl in K |- *.
     destruct (A k ltac:(simpl; lia)) as (j & E & J). exists j. split; [exact E|]. simpl in J. lia.
   - split; [exact IH1|]. tauto.
 Qed.
@@ -289,7 +290,7 @@ Section Doubled.
     Let all_places := extend x (definitions (places doubled)).
 
     Lemma size0 : length x0 = m.
-    Proof. unfold x0, without_errors. rewrite map_length, seq_length. exact size. Qed.
+    Proof. unfold x0, without_errors. rewrite map_size, seq_size. exact size. Qed.
 
     Lemma nth0 k : (k < m)%nat -> nth k x0 0 =
       if is_member k errors then value [] (middle_of_range c k) else nth k x 0.
@@ -297,7 +298,7 @@ Section Doubled.
       intros K. set (g := fun k => if is_member k errors then value [] (middle_of_range c k)
                                    else nth k x 0).
       unfold x0, without_errors. fold g.
-      rewrite (nth_indep _ 0 (g O)) by (rewrite map_length, seq_length, size; exact K).
+      rewrite (nth_indep _ 0 (g O)) by (rewrite map_size, seq_size, size; exact K).
       rewrite map_nth, seq_nth by (rewrite size; exact K). reflexivity.
     Qed.
 
@@ -312,8 +313,8 @@ Section Doubled.
     Lemma all_places_begin : exists l, length l = d /\ all_places = base ++ l.
     Proof.
       rewrite all_places_are. destruct (extend_prefix copies base) as [l L]. exists l.
-      split; [|exact L]. apply (f_equal (@length R)) in L. rewrite extend_length, app_length in L.
-      unfold copies in L. rewrite map_length in L. fold d in L. lia.
+      split; [|exact L]. apply (f_equal (@length R)) in L. rewrite extend_length, app_size in L.
+      unfold copies in L. rewrite map_size in L. fold d in L. lia.
     Qed.
 
     Lemma middle_known k : (k < m)%nat -> defined [] (middle_of_range c k).
@@ -327,9 +328,9 @@ Section Doubled.
     Proof.
       destruct all_places_begin as (l & Ll & ->). pose proof size_base as Sb.
       split; intros k K; rewrite Sb in K; unfold original, no_name.
-      - destruct (Nat.ltb_spec k (m + d)); [|lia]. simpl. rewrite app_length, app_nth1 by lia.
+      - destruct (Nat.ltb_spec k (m + d)); [|lia]. simpl. rewrite app_size, app_nth1 by lia.
         split; [lia|reflexivity].
-      - rewrite app_length, Sb, Ll. destruct (Nat.ltb_spec k (m + d)); [lia|].
+      - rewrite app_size, Sb, Ll. destruct (Nat.ltb_spec k (m + d)); [lia|].
         destruct (Nat.ltb_spec k (m + d + 0)); [lia|].
         destruct (Nat.ltb_spec k (m + d + 0 + 0)); [lia|]. eexists. split; [reflexivity|]. lia.
     Qed.
@@ -372,7 +373,7 @@ Section Doubled.
 
       Lemma size_all_places : length all_places = (m + d + d)%nat.
       Proof.
-        destruct all_places_begin as (l & Ll & ->). rewrite app_length, size_base, Ll. reflexivity.
+        destruct all_places_begin as (l & Ll & ->). rewrite app_size, size_base, Ll. reflexivity.
       Qed.
 
       Lemma all_are : all = extend middle seconds.
@@ -381,7 +382,7 @@ Section Doubled.
       Lemma size_middle : length middle = (m + d + d + n + n + f)%nat.
       Proof.
         unfold middle, firsts, start_of_further.
-        rewrite extend_length, map_length, !app_length, size_all_places, size_p, size_p0. fold f.
+        rewrite extend_length, map_size, !app_size, size_all_places, size_p, size_p0. fold f.
         lia.
       Qed.
 
@@ -392,34 +393,34 @@ Section Doubled.
         assert (F : follows (original n f) (base ++ p) start_of_further).
         { destruct all_places_begin as (l & Ll & E). pose proof size_base as Sb.
           unfold start_of_further. rewrite E.
-          split; intros k K; rewrite app_length, Sb, size_p in K; unfold original, no_name.
+          split; intros k K; rewrite app_size, Sb, size_p in K; unfold original, no_name.
           - destruct (Nat.ltb_spec k (m + d)).
-            + simpl. rewrite !app_length, <- !app_assoc, !app_nth1 by lia. split; [lia|reflexivity].
+            + simpl. rewrite !app_size, <- !app_assoc, !app_nth1 by lia. split; [lia|reflexivity].
             + destruct (Nat.ltb_spec k (m + d + n)); [|lia]. simpl.
-              rewrite !app_length. split; [lia|]. rewrite <- app_assoc.
+              rewrite !app_size. split; [lia|]. rewrite <- app_assoc.
               rewrite (app_nth2 base p) by lia. rewrite (app_nth2 base) by lia.
               rewrite (app_nth2 l) by lia. rewrite app_nth1 by lia. f_equal. lia.
-          - rewrite !app_length, Sb, Ll, size_p, size_p0.
+          - rewrite !app_size, Sb, Ll, size_p, size_p0.
             destruct (Nat.ltb_spec k (m + d)); [lia|].
             destruct (Nat.ltb_spec k (m + d + n)); [lia|].
             destruct (Nat.ltb_spec k (m + d + n + f)); eexists; (split; [reflexivity|]); lia. }
         pose proof size_all_places as Sa. pose proof size_base as Sb.
         destruct (follows_definitions (original n f) (further c) _ _ F) as [F1 D1].
         - intros i I. fold f in I. unfold start_of_further.
-          rewrite !app_length, Sa, Sb, size_p, size_p0. unfold original.
+          rewrite !app_size, Sa, Sb, size_p, size_p0. unfold original.
           destruct (Nat.ltb_spec (m + d + n + i) (m + d)); [lia|].
           destruct (Nat.ltb_spec (m + d + n + i) (m + d + n)); [lia|].
           destruct (Nat.ltb_spec (m + d + n + i) (m + d + n + f)); [|lia]. f_equal. lia.
         - intros k K. fold f in K |- *. unfold start_of_further.
-          rewrite !app_length in *. rewrite Sa, size_p, size_p0. rewrite Sb, size_p in K.
+          rewrite !app_size in *. rewrite Sa, size_p, size_p0. rewrite Sb, size_p in K.
           unfold original, no_name. destruct (Nat.ltb_spec k (m + d)); [lia|].
           destruct (Nat.ltb_spec k (m + d + n)); [lia|].
           destruct (Nat.ltb_spec k (m + d + n + f)); [lia|]. eexists. split; [reflexivity|]. lia.
         - split; [|exact D1]. rewrite all_are. destruct (extend_prefix seconds middle) as [l L].
           rewrite L. apply follows_more; [exact F1|].
           intros k K. rewrite <- L, extend_length, size_middle. unfold seconds.
-          rewrite map_length. fold f. unfold names, names_at in K.
-          rewrite extend_length, app_length in K. fold base f in K. rewrite Sb, size_p in K.
+          rewrite map_size. fold f. unfold names, names_at in K.
+          rewrite extend_length, app_size in K. fold base f in K. rewrite Sb, size_p in K.
           unfold original, no_name. destruct (Nat.ltb_spec k (m + d)); [lia|].
           destruct (Nat.ltb_spec k (m + d + n)); [lia|].
           destruct (Nat.ltb_spec k (m + d + n + f)); [lia|]. eexists. split; [reflexivity|]. lia.
@@ -433,10 +434,10 @@ Section Doubled.
         assert (begins : exists l, length l = f /\ middle = all_places ++ p ++ p0 ++ l).
         { unfold middle. destruct (extend_prefix firsts start_of_further) as [l L]. exists l.
           rewrite L. unfold start_of_further. rewrite <- !app_assoc. split; [|reflexivity].
-          apply (f_equal (@length R)) in L. fold middle in L. rewrite Sm, app_length in L.
-          unfold start_of_further in L. rewrite !app_length, Sa, size_p, size_p0 in L. lia. }
+          apply (f_equal (@length R)) in L. fold middle in L. rewrite Sm, app_size in L.
+          unfold start_of_further in L. rewrite !app_size, Sa, size_p, size_p0 in L. lia. }
         rewrite all_are. apply follows_definitions.
-        - split; intros k K; rewrite app_length, Sb, size_p0 in K.
+        - split; intros k K; rewrite app_size, Sb, size_p0 in K.
           + destruct (Nat.lt_ge_cases k (m + d)) as [Q|Q].
             * replace (copied n f k) with (copied 0 0 k).
               2: { unfold copied. destruct (Nat.ltb_spec k m); [reflexivity|].
@@ -455,12 +456,12 @@ Section Doubled.
             destruct (Nat.ltb_spec k (m + d)); [lia|].
             destruct (Nat.ltb_spec k (m + d + n)); [lia|].
             destruct (Nat.ltb_spec k (m + d + n + f)); eexists; (split; [reflexivity|]); lia.
-        - intros i I. fold f in I. rewrite app_length, Sb, size_p0, Sm. unfold copied.
+        - intros i I. fold f in I. rewrite app_size, Sb, size_p0, Sm. unfold copied.
           destruct (Nat.ltb_spec (m + d + n + i) m); [lia|].
           destruct (Nat.ltb_spec (m + d + n + i) (m + d)); [lia|].
           destruct (Nat.ltb_spec (m + d + n + i) (m + d + n)); [lia|].
           destruct (Nat.ltb_spec (m + d + n + i) (m + d + n + f)); [|lia]. f_equal. lia.
-        - intros k K. fold f in K |- *. rewrite app_length, Sb, size_p0 in K. rewrite Sm.
+        - intros k K. fold f in K |- *. rewrite app_size, Sb, size_p0 in K. rewrite Sm.
           unfold copied, no_name. destruct (Nat.ltb_spec k m); [lia|].
           destruct (Nat.ltb_spec k (m + d)); [lia|]. destruct (Nat.ltb_spec k (m + d + n)); [lia|].
           destruct (Nat.ltb_spec k (m + d + n + f)); [lia|]. eexists. split; [reflexivity|]. lia.
@@ -471,13 +472,13 @@ Section Doubled.
         equation_at doubled x (p ++ p0) (n + i) = equation_at c x0 p0 i.
       Proof.
         intros I. unfold equation_at. fold all names names0. simpl. unfold both.
-        rewrite app_nth1 by (rewrite map_length, has_all; exact I).
-        rewrite app_nth2 by (rewrite map_length, has_all; lia). rewrite map_length, has_all.
+        rewrite app_nth1 by (rewrite map_size, has_all; exact I).
+        rewrite app_nth2 by (rewrite map_size, has_all; lia). rewrite map_size, has_all.
         replace (n + i - n)%nat with i by lia.
         assert (N : forall r, nth i (map (renamed r) (equations c)) no_entry
                               = renamed r (nth i (equations c) no_entry)).
         { intros r. rewrite <- (map_nth (renamed r)). apply nth_indep.
-          rewrite map_length, has_all. exact I. }
+          rewrite map_size, has_all. exact I. }
         rewrite !N. split.
         - exact (proj1 (renamed_correct _ _ _ (proj1 original_follows) _)).
         - exact (proj1 (renamed_correct _ _ _ (proj1 copied_follows) _)).
@@ -485,7 +486,7 @@ Section Doubled.
 
       Lemma solves_both : solves doubled x (p ++ p0) <-> solves c x p /\ solves c x0 p0.
       Proof.
-        unfold solves. simpl. fold n. rewrite app_length, size_p, size_p0. split.
+        unfold solves. simpl. fold n. rewrite app_size, size_p, size_p0. split.
         - intros [_ S]. split; (split; [reflexivity|]); intros i I.
           + rewrite <- (proj1 (equations_both i I)). apply S. lia.
           + rewrite <- (proj2 (equations_both i I)). apply S. lia.
@@ -593,7 +594,7 @@ Section Doubled.
       solves c x (firstn n q) /\ solves c x0 (skipn n q).
     Proof.
       intros S. assert (L : length q = (n + n)%nat) by apply S.
-      assert (L1 : length (firstn n q) = n) by (rewrite firstn_length; lia).
+      assert (L1 : length (firstn n q) = n) by (rewrite firstn_size; lia).
       assert (L2 : length (skipn n q) = n) by (rewrite skipn_length; lia).
       pose proof (firstn_skipn n q) as E. split; [exact L1|]. split; [exact L2|].
       split; [exact E|]. rewrite <- E in S. exact (proj1 (solves_both _ _ L1 L2) S).
@@ -634,7 +635,7 @@ Section Doubled.
     intros L H. destruct (proj2 (H q) eq_refl) as [S N].
     destruct (parts_solve _ L q S) as (L1 & L2 & E & S1 & S2).
     assert (Ln : length (near c) = n).
-    { apply pairs_length in N. simpl in N. rewrite app_length, <- E, app_length in N. lia. }
+    { apply pairs_length in N. simpl in N. rewrite app_size, <- E, app_size in N. lia. }
     rewrite <- E in N. apply near_both in N as [N1 N2]; [|lia].
     split; intros r; (split; [intros [Sr Nr]|intros ->; auto]);
       assert (Lr : length r = n) by apply Sr.
@@ -887,7 +888,7 @@ Lemma given_of_both errors c :
   ends_defined (places c) /\ length (equations c) = unknowns c.
 Proof.
   intros [E L]. split; [exact E|]. simpl in L. unfold both in L.
-  rewrite app_length, !map_length in L. lia.
+  rewrite app_size, !map_size in L. lia.
 Qed.
 
 Lemma start_of_both errors c : start_defined (doubled errors c) -> start_defined c.

@@ -2,6 +2,7 @@
 (** Expressions over a box: an interval and a form that enclose them, if they are defined. *)
 From Coq Require Import Reals QArith Qreals Lra Lia List PArith Bool.
 From Coq Require PrimFloat.
+From Regulus Require Import Sizes.
 From Regulus Require Import Expressions Intervals Taylor Forms.
 Import ListNotations.
 Open Scope R_scope.
@@ -345,11 +346,11 @@ Definition is_known (v : option enclosure) : bool :=
 Lemma known_append t vs names v x : known t vs names ->
   (forall w, v = Some w -> represents t w x) -> known t (vs ++ [v]) (names ++ [x]).
 Proof.
-  intros [L H] X. split; [rewrite !app_length, L; reflexivity|]. intros k w E.
+  intros [L H] X. split; [rewrite !app_size, L; reflexivity|]. intros k w E.
   destruct (Nat.lt_trichotomy k (length vs)) as [K|[->|K]].
   - rewrite app_nth1 in E by exact K. rewrite app_nth1 by (rewrite <- L; exact K). auto.
   - rewrite app_nth2, Nat.sub_diag in E by lia. rewrite L, app_nth2, Nat.sub_diag by lia. auto.
-  - rewrite nth_overflow in E by (rewrite app_length; simpl; lia). discriminate.
+  - rewrite nth_overflow in E by (rewrite app_size; simpl; lia). discriminate.
 Qed.
 
 Lemma known_definitions t ds : forall vs names, in_unit_box t -> known t vs names ->

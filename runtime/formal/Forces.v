@@ -3,6 +3,7 @@
     Row p of M is replaced by m_p - r v. Where this matrix is regular for each r in a range, no
     force F of row p has r F = 1 with r in the range. *)
 From Coq Require Import Reals QArith Lra Lia List Arith Bool.
+From Regulus Require Import Sizes.
 From Regulus Require Import Expressions Questions LinearAlgebra Determinants Intervals Evaluation.
 From Regulus Require Import Boxes Regularity Search Singularity Threshold.
 Import ListNotations.
@@ -216,13 +217,13 @@ Section Bordered.
   Qed.
 
   Lemma length_before : length (map (map shift) (firstn p (matrix q))) = p.
-  Proof. rewrite map_length, firstn_length. unfold rows in Square. lia. Qed.
+  Proof. rewrite map_size, firstn_size. unfold rows in Square. lia. Qed.
 
   Lemma bordered_square : rows b = columns b.
   Proof.
     change (length (bordered_rows p load (matrix q)) = columns q). rewrite <- Square.
     unfold rows. rewrite split_matrix at 2. unfold bordered_rows.
-    rewrite !app_length. simpl. rewrite !map_length. reflexivity.
+    rewrite !app_size. simpl. rewrite !map_size. reflexivity.
   Qed.
 
   Lemma bordered_row i : nth i (bordered_rows p load (matrix q)) [] =
@@ -234,13 +235,13 @@ Section Bordered.
       rewrite (proj2 (Nat.eqb_neq i p)) by lia.
       change (@nil expression) with (map shift []) at 1. rewrite map_nth. f_equal.
       rewrite split_matrix at 2. rewrite app_nth1; [reflexivity|].
-      rewrite <- (map_length (map shift)), length_before. exact C.
+      rewrite <- (map_size (map shift)), length_before. exact C.
     - rewrite app_nth2 by (rewrite length_before; lia).
       rewrite length_before, Nat.sub_diag, Nat.eqb_refl. reflexivity.
     - rewrite app_nth2 by (rewrite length_before; lia). rewrite length_before.
       rewrite (proj2 (Nat.eqb_neq i p)) by lia. destruct (i - p)%nat as [|k] eqn:K; [lia|].
       simpl. change (@nil expression) with (map shift []) at 1. rewrite map_nth. f_equal.
-      rewrite split_matrix at 2. rewrite app_nth2; rewrite firstn_length; unfold rows in Square;
+      rewrite split_matrix at 2. rewrite app_nth2; rewrite firstn_size; unfold rows in Square;
         [|lia].
       replace (i - Nat.min p (length (matrix q)))%nat with (S k) by lia. reflexivity.
   Qed.

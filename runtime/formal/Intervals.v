@@ -70,7 +70,7 @@ Qed.
 Lemma rational_encloses q : encloses (rational q) (Q2R q).
 Proof.
   assert (D : encloses (divide (integer (Qnum q)) (integer (Zpos (Qden q)))) (Q2R q)).
-  { apply divide_encloses; try apply integer_encloses. apply IZR_neq. discriminate. }
+  { apply divide_encloses; try apply integer_encloses. apply not_0_IZR. discriminate. }
   unfold rational. destruct q as [n [d|d|]]; try exact D.
   unfold Q2R. simpl. rewrite Rinv_1, Rmult_1_r. apply integer_encloses.
 Qed.

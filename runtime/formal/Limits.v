@@ -3,6 +3,7 @@
     at every point of it. The matrix may have more rows than columns. *)
 From Coq Require Import Reals QArith Lra Lia List PArith Bool.
 From Coq Require PrimFloat.
+From Regulus Require Import Sizes.
 From Regulus Require Import Expressions Questions LinearAlgebra Intervals Forms Evaluation Boxes.
 From Regulus Require Import Parts Hints Regularity Search Singularity Threshold Forces.
 Import ListNotations.
@@ -147,7 +148,7 @@ Definition list_of {A} (n : nat) (f : nat -> A) : list A := map f (seq 0 n).
 
 Lemma list_of_nth {A} n (f : nat -> A) k d : (k < n)%nat -> nth k (list_of n f) d = f k.
 Proof.
-  intros K. unfold list_of. rewrite (nth_indep _ d (f O)) by (rewrite map_length, seq_length;
+  intros K. unfold list_of. rewrite (nth_indep _ d (f O)) by (rewrite map_size, seq_size;
     exact K). rewrite map_nth, seq_nth by exact K. reflexivity.
 Qed.
 
@@ -365,7 +366,7 @@ Section Balanced.
     { intros j J. unfold sizes, r, rest, list_of. rewrite map_map.
       rewrite (nth_indep _ I.nai ((fun x => I.abs (form_range (subtract_forms (form_of_list w x)
         (form_sum m (fun i => scale_form (point (nth i g F.nan)) (form_at a i x)))))) O))
-        by (rewrite map_length, seq_length; exact J).
+        by (rewrite map_size, seq_size; exact J).
       rewrite (map_nth (fun x => I.abs (form_range (subtract_forms (form_of_list w x)
         (form_sum m (fun i => scale_form (point (nth i g F.nan)) (form_at a i x))))))), seq_nth
         by exact J.
@@ -532,7 +533,7 @@ Lemma bound_of_limit l k : (k < length l)%nat ->
 Proof.
   intros K H. unfold bounds_of_limits, value_of.
   rewrite (nth_indep _ I.nai (range_or_none (evaluate [] no_entry)))
-    by (rewrite map_length; exact K).
+    by (rewrite map_size; exact K).
   rewrite (map_nth (fun e => range_or_none (evaluate [] e))). rewrite Forall_forall in H.
   specialize (H (nth k l no_entry) (nth_In _ _ K)).
   destruct (evaluate [] (nth k l no_entry)) as [v|] eqn:E; [|discriminate].
@@ -609,19 +610,19 @@ Proof.
     (map form_of w) (entry q names) (value_of names load) T
     (fun i j => entries_enclosed q m b x B i j D3 D4)) with (2 := G) as (R & Bal & En).
   { intros j J. unfold form_of_list.
-    rewrite (nth_indep _ _ (form_of None)) by (unfold w; rewrite !map_length, Lw; exact J).
+    rewrite (nth_indep _ _ (form_of None)) by (unfold w; rewrite !map_size, Lw; exact J).
     rewrite map_nth. destruct (Vw j) as (v & V & Rv); [rewrite Lw; exact J|].
     unfold w. rewrite V. apply Rv. }
   assert (N : forall i, (i < rows q)%nat -> value_of names scales i <> 0).
   { intros i I. destruct (Vs i) as (v & V & Rv); [rewrite Ls; exact I|].
     rewrite forallb_forall in D7. specialize (D7 (nth i s None)). unfold is_nonzero in D7.
     fold s in V. rewrite V in D7. apply (is_not_zero_correct (range v)); [|apply Rv].
-    apply D7. rewrite <- V. apply nth_In. unfold s. rewrite map_length, Ls. exact I. }
+    apply D7. rewrite <- V. apply nth_In. unfold s. rewrite map_size, Ls. exact I. }
   exists (fun i => 1 / value_of names scales i * R i). split.
   - intros j J. rewrite <- (Bal j J). apply sum_ext. intros i I. field. exact (N i I).
   - intros i I. rewrite forallb_forall in L. specialize (L i ltac:(apply in_seq; lia)).
     refine (is_between_correct (coordinate b x) _ _ _ _ _ _ T L _ _ _);
-      try (apply bound_of_limit; [rewrite map_length, Ll; exact I|assumption]).
+      try (apply bound_of_limit; [rewrite map_size, Ll; exact I|assumption]).
     unfold f, row_forces, form_of_list at 1. rewrite list_of_nth by exact I.
     apply multiply_forms_enclose; [exact T| |exact (En i I)].
     destruct (Vs i) as (v & V & Rv); [rewrite Ls; exact I|]. fold s in V. rewrite V.
@@ -664,7 +665,7 @@ Proof.
   destruct (In_nth _ _ [] I) as (k & Hk & E).
   assert (J : In (b, nth k ts Leaf) (combine (kept_boxes w root) ts)).
   { rewrite <- E, <- combine_nth by exact N. apply nth_In.
-    rewrite combine_length, <- N, Nat.min_id. exact Hk. }
+    rewrite combine_size, <- N, Nat.min_id. exact Hk. }
   exact (check_parts_correct _ (are_within_at q scales load limits)
     (test_limits_correct q scales load limits m K) _ b x B (H _ J)).
 Qed.
@@ -779,7 +780,8 @@ Proof.
     (sum (columns q) (fun j => value_of names l j * y j))).
   { intros l. apply interval_sum_encloses. intros j J. apply multiply_encloses;
       [|apply point_encloses]. exact (value_enclosed _ vs names _ T K). }
-  set (lower := value_of [] (map fst limits)) in *. set (upper := value_of [] (map snd limits)) in *.
+  set (lower := value_of [] (map fst limits)) in *.
+  set (upper := value_of [] (map snd limits)) in *.
   set (gift := fun i => c i * (lower i + upper i) + Rabs (c i) * (upper i - lower i)).
   assert (P : 0 < sum (columns q) (fun j => value_of names load j * y j)
                 + sum (columns q) (fun j => value_of names load j * y j)
@@ -794,9 +796,9 @@ Proof.
     { apply multiply_encloses; [exact (value_enclosed _ vs names _ T K)|].
       exact (N (nth i (matrix q) [])). }
     assert (Li : encloses (nth i (bounds_of_limits (map fst limits)) I.nai) (lower i)).
-    { apply bound_of_limit; [rewrite map_length; lia|exact G5]. }
+    { apply bound_of_limit; [rewrite map_size; lia|exact G5]. }
     assert (Ui : encloses (nth i (bounds_of_limits (map snd limits)) I.nai) (upper i)).
-    { apply bound_of_limit; [rewrite map_length; lia|exact G6]. }
+    { apply bound_of_limit; [rewrite map_size; lia|exact G6]. }
     apply add_encloses; apply multiply_encloses.
     - exact Ci.
     - apply add_encloses; assumption.

@@ -3,6 +3,7 @@
     from one about the question of a certificate. The definitions are those to read. *)
 From Coq Require Import QArith Qreals Lra Lia.
 From Regulus Require Export Geometry.
+From Regulus Require Import Sizes.
 From Regulus Require Import Expressions Questions Regularity Determinants.
 
 (** The rows of a matrix, each multiplied by its scale. *)
@@ -39,7 +40,7 @@ Proof.
   injection E as D E. rewrite (value_of_first _ _ _ U) in D. subst w.
   change (names ++ value names d :: values) with (names ++ [value names d] ++ values) in *.
   rewrite app_assoc in *. apply IH; [|exact E].
-  rewrite app_length, Nat.add_comm. exact W.
+  rewrite app_size, Nat.add_comm. exact W.
 Qed.
 
 Lemma product_of_ones n : forall s, (forall i, s i = 1) -> product_of n s = 1.

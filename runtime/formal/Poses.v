@@ -5,6 +5,7 @@
 From Coquelicot Require Import Coquelicot.
 From Coq Require Import Reals QArith Qreals Lra Lia List PArith Bool.
 From Coq Require Import PrimFloat.
+From Regulus Require Import Sizes.
 From Regulus Require Import Expressions Intervals Forms Evaluation Boxes Hints Regularity.
 From Regulus Require Import Derivatives LinearAlgebra Existence Questions Search Closures Tubes.
 From Regulus Require Import Branches Solutions.
@@ -680,14 +681,14 @@ Proof.
       change (nth j (map g legs) (RtoC 0) = (RtoC s * (RtoC s * (dot complexes w w
         + (1 + 1) * dot complexes a y + RtoC s * ((1 + 1) * dot complexes w y)
         + RtoC s * RtoC s * dot complexes y y)))%C).
-      rewrite (nth_indep _ _ (g l0)) by (rewrite map_length; exact J). rewrite map_nth. fold l.
+      rewrite (nth_indep _ _ (g l0)) by (rewrite map_size; exact J). rewrite map_nth. fold l.
       unfold g. rewrite along_displaced. fold a w y. rewrite (dot_displaced a w y _ C4).
       change (less complexes) with Cminus in *.
       transitivity ((dot complexes a a - square complexes l)
         + (RtoC s * (RtoC s * (dot complexes w w + (1 + 1) * dot complexes a y
         + RtoC s * ((1 + 1) * dot complexes w y) + RtoC s * RtoC s * dot complexes y y))))%C;
         [complex_ring|]. rewrite P4. complex_ring.
-    + exists 0. intros s _. rewrite nth_overflow by (rewrite map_length; exact J).
+    + exists 0. intros s _. rewrite nth_overflow by (rewrite map_size; exact J).
       rewrite Cmod_0. lra.
 Qed.
 
@@ -772,8 +773,8 @@ Section At_place.
     change (names_at (real_mechanism q legs) x p) with (names ++ p).
     rewrite (nth_indep _ 0 (value (names ++ p) no_entry)).
     - rewrite map_nth. reflexivity.
-    - rewrite map_length. unfold real_mechanism, mechanism. cbn [equations errors pose_with].
-      cbn [length]. rewrite map_length, six. exact I.
+    - rewrite map_size. unfold real_mechanism, mechanism. cbn [equations errors pose_with].
+      cbn [length]. rewrite map_size, six. exact I.
   Qed.
 
   Lemma complex_equation p j : (j < 9)%nat ->
@@ -786,18 +787,18 @@ Section At_place.
     unfold complex_mechanism, mechanism. cbn [equations].
     match goal with |- context [map (pair_value _) ?l] => set (es := l) end.
     assert (Le : length es = 9%nat).
-    { unfold es. cbn [errors pose_with length]. rewrite map_length, map_length, six. reflexivity. }
+    { unfold es. cbn [errors pose_with length]. rewrite map_size, map_size, six. reflexivity. }
     assert (Je : (j < length es)%nat) by (rewrite Le; exact J).
     destruct (nth_of_pairs es no_entry j) as [E1 E2].
     { exact Je. }
     rewrite E1, E2.
     rewrite (nth_indep _ (RtoC 0) (pair_value (names ++ p) (no_entry, no_entry)))
-      by (rewrite map_length; exact Je).
+      by (rewrite map_size; exact Je).
     rewrite map_nth. split; reflexivity.
   Qed.
 
   Lemma errors_length k (l : list (leg k)) z : length (errors k l z) = (3 + length l)%nat.
-  Proof. destruct z as [[a u] v]. simpl. rewrite map_length. reflexivity. Qed.
+  Proof. destruct z as [[a u] v]. simpl. rewrite map_size. reflexivity. Qed.
 
   Lemma all_are_nought {A} (l : list A) (d : A) : (forall i, (i < length l)%nat -> nth i l d = d) ->
     Forall (fun e => e = d) l.
@@ -814,7 +815,7 @@ Section At_place.
   Lemma solves_real p : length p = 9%nat ->
     (solves (real_mechanism q legs) x p <-> is_pose reals L (pose_of p)).
   Proof.
-    intros Lp. assert (LL : length L = 6%nat) by (unfold L, legs_at; rewrite map_length; exact six).
+    intros Lp. assert (LL : length L = 6%nat) by (unfold L, legs_at; rewrite map_size; exact six).
     split.
     - intros [_ H]. apply all_are_nought. rewrite errors_length, LL. intros i I.
       change (nought reals) with 0. rewrite <- real_equation by exact I. exact (H i I).
@@ -825,8 +826,8 @@ Section At_place.
   Lemma solves_complex p : solves (complex_mechanism q legs) x p ->
     is_pose complexes (map complex_leg L) (complex_of p).
   Proof.
-    assert (LL : length L = 6%nat) by (unfold L, legs_at; rewrite map_length; exact six).
-    intros [_ H]. apply all_are_nought. rewrite errors_length, map_length, LL. intros j J.
+    assert (LL : length L = 6%nat) by (unfold L, legs_at; rewrite map_size; exact six).
+    intros [_ H]. apply all_are_nought. rewrite errors_length, map_size, LL. intros j J.
     destruct (complex_equation p j J) as [E1 E2].
     change (nought complexes) with (RtoC 0).
     apply injective_projections; [rewrite <- E1|rewrite <- E2]; apply H; simpl unknowns; lia.
@@ -1095,10 +1096,10 @@ Section Lists.
               (nth i (tube_solution cm t v x) 0)).
     destruct (Nat.lt_ge_cases i 18) as [I|I].
     - rewrite (nth_indep _ I.nai (solution_range cm full b t v 0))
-        by (rewrite map_length, seq_length; exact I).
+        by (rewrite map_size, seq_size; exact I).
       rewrite (map_nth (solution_range cm full b t v)), seq_nth by exact I.
       exact (solution_range_encloses cm full b x B t v i T I).
-    - rewrite (nth_overflow _ I.nai) by (rewrite map_length, seq_length; exact I).
+    - rewrite (nth_overflow _ I.nai) by (rewrite map_size, seq_size; exact I).
       apply unknown_encloses.
   Qed.
 
@@ -1133,19 +1134,19 @@ Section Lists.
   Lemma conjugate_in_box f r : in_box f r -> in_box (conjugate_box f) (conjugate r).
   Proof.
     intros [Lf F]. split.
-    { unfold conjugate, conjugate_box. rewrite !map_length, !seq_length. exact Lf. }
+    { unfold conjugate, conjugate_box. rewrite !map_size, !seq_size. exact Lf. }
     intros i. unfold conjugate, conjugate_box. destruct (Nat.lt_ge_cases i (length r)) as [I|I].
     - match goal with |- encloses (nth i (map ?g _) _) (nth i (map ?h _) _) =>
-        rewrite (nth_indep _ I.nai (g 0%nat)) by (rewrite map_length, seq_length; lia);
-        rewrite (nth_indep _ 0 (h 0%nat)) by (rewrite map_length, seq_length; lia);
+        rewrite (nth_indep _ I.nai (g 0%nat)) by (rewrite map_size, seq_size; lia);
+        rewrite (nth_indep _ 0 (h 0%nat)) by (rewrite map_size, seq_size; lia);
         rewrite (map_nth g), (map_nth h), !seq_nth by lia end.
       simpl. destruct (Nat.odd i); [apply negate_encloses|]; apply F.
-    - rewrite (nth_overflow _ I.nai) by (rewrite map_length, seq_length; lia).
+    - rewrite (nth_overflow _ I.nai) by (rewrite map_size, seq_size; lia).
       apply unknown_encloses.
   Qed.
 
   Lemma conjugate_length r : length (conjugate r) = length r.
-  Proof. unfold conjugate. rewrite map_length, seq_length. reflexivity. Qed.
+  Proof. unfold conjugate. rewrite map_size, seq_size. reflexivity. Qed.
 
   Definition conjugate_pose : pose complexes -> pose complexes :=
     map_pose complexes complexes Cconj.
@@ -1251,7 +1252,7 @@ Section Lists.
       intros J. apply in_map_iff in J as (s & E & J). apply I.
       rewrite <- (complex_of_injective s r); [exact J| | |exact E]; apply Long'; [right; exact J|].
       left. reflexivity.
-    - unfold zs. rewrite map_length, app_length, map_length.
+    - unfold zs. rewrite map_size, app_size, map_size.
       assert (length fs = length rs) by (eapply same_length; exact F). lia.
     - apply Forall_forall. intros z Z. apply in_map_iff in Z as (r & <- & I).
       apply in_app_or in I as [I|I]; [exact (P r I)|]. apply in_map_iff in I as (s & <- & I).
@@ -1365,9 +1366,9 @@ Proof.
   intros z. split; [|intros I; apply In_zs, I]. intros P.
   assert (C : In (complex_pose z) (map complex_pose zs ++ cs)).
   { apply (all L).
-    - unfold L, legs_at. rewrite map_length. exact S.
+    - unfold L, legs_at. rewrite map_size. exact S.
     - apply Fam.
-    - rewrite app_length, map_length. lia.
+    - rewrite app_size, map_size. lia.
     - apply NoDup_app_of; [| exact N' |].
       + clear - N. induction N as [|y l I N IH]; simpl; [constructor|]. constructor; [|exact IH].
         intros J. apply in_map_iff in J as (s & E & J). apply complex_pose_injective in E.

@@ -4,6 +4,7 @@
 From Coquelicot Require Import Coquelicot.
 From Coq Require Import Reals QArith Qreals Lra Lia List PArith Bool.
 From Coq Require PrimFloat.
+From Regulus Require Import Sizes.
 From Regulus Require Import Expressions Intervals Forms Evaluation Boxes Hints Regularity.
 From Regulus Require Import Continuity Existence Derivatives LinearAlgebra Questions Search Forces.
 From Regulus Require Import Limits Closures Tubes Parts Branches Ways.
@@ -215,7 +216,7 @@ Section Motor_derivative.
     intros I D De.
     assert (Lb : length base = before c m) by (unfold base; rewrite extend_length; reflexivity).
     assert (Ln : length names = all_names c m).
-    { unfold names, names_at. rewrite extend_length, app_length, size. fold base.
+    { unfold names, names_at. rewrite extend_length, app_size, size. fold base.
       rewrite Lb. reflexivity. }
     set (s0 := nth k x 0).
     assert (X0 : put k s0 x = x).
@@ -224,19 +225,19 @@ Section Motor_derivative.
       destruct (Nat.ltb_spec k (length x)); [reflexivity|lia]. }
     set (w := map Q2R (variable_slopes m k)).
     assert (Lw : length w = m).
-    { unfold w, variable_slopes. rewrite !map_length, seq_length. reflexivity. }
+    { unfold w, variable_slopes. rewrite !map_size, seq_size. reflexivity. }
     assert (moving_at : forall l, nth l (variable_moves m k) false = true -> l = k).
     { intros l H. unfold variable_moves in H.
       destruct (Nat.lt_ge_cases l m) as [L|L].
       - rewrite (nth_indep _ false (Nat.eqb k 0)) in H
-          by (rewrite map_length, seq_length; exact L).
+          by (rewrite map_size, seq_size; exact L).
         rewrite (map_nth (Nat.eqb k)), seq_nth in H by exact L. simpl in H.
         apply Nat.eqb_eq in H. congruence.
-      - rewrite nth_overflow in H by (rewrite map_length, seq_length; exact L). discriminate. }
+      - rewrite nth_overflow in H by (rewrite map_size, seq_size; exact L). discriminate. }
     assert (C0 : on_curve (fun s => put k s x) s0 (variable_moves m k) w).
     { split.
       - intros s. rewrite put_length, Lw. reflexivity.
-      - unfold variable_moves. rewrite map_length, seq_length, Lw. reflexivity.
+      - unfold variable_moves. rewrite map_size, seq_size, Lw. reflexivity.
       - intros l H. apply moving_at in H. subst l.
         apply (is_derive_ext (fun s => s)).
         { intros s. rewrite put_nth, Nat.eqb_refl.
@@ -244,13 +245,13 @@ Section Motor_derivative.
         replace (nth k w 0) with 1; [apply @is_derive_id|].
         unfold w, variable_slopes. rewrite map_map.
         rewrite (nth_indep _ 0 (Q2R (if Nat.eqb k 0 then 1 # 1 else 0 # 1)))
-          by (rewrite map_length, seq_length; exact K).
+          by (rewrite map_size, seq_size; exact K).
         rewrite (map_nth (fun i => Q2R (if Nat.eqb k i then 1 # 1 else 0 # 1))), seq_nth by exact K.
         simpl. rewrite Nat.eqb_refl. unfold Q2R. simpl. field.
       - intros l H s. rewrite !put_nth. destruct (Nat.eqb_spec l k) as [->|]; [|reflexivity].
         unfold variable_moves in H.
         rewrite (nth_indep _ false (Nat.eqb k 0)) in H
-          by (rewrite map_length, seq_length; exact K).
+          by (rewrite map_size, seq_size; exact K).
         rewrite (map_nth (Nat.eqb k)), seq_nth in H by exact K. simpl in H.
         rewrite Nat.eqb_refl in H. discriminate. }
     unfold motor_definitions in D, De.
@@ -270,15 +271,15 @@ Section Motor_derivative.
     set (curve := fun s => extend (put k s x) (definitions (places c)) ++ p).
     assert (C2 : on_curve curve s0 (moving_before c m k) (w1 ++ zeros)).
     { assert (Lz : length zeros = n).
-      { unfold zeros. rewrite map_length, repeat_length. reflexivity. }
+      { unfold zeros. rewrite map_size, repeat_length. reflexivity. }
       assert (L1 : forall s, length (extend (put k s x) (definitions (places c))) = length w1)
         by apply (same_length _ _ _ _ C1).
       assert (M1 : length (moving_names (all_names c m) (variable_moves m k)
                 (definitions (places c))) = length w1).
       { rewrite <- Ln. apply (moving_length _ _ _ _ C1). }
       unfold curve, moving_before. fold n. split.
-      - intros s. rewrite !app_length, L1, Lz, size. reflexivity.
-      - rewrite !app_length, M1, repeat_length, Lz. reflexivity.
+      - intros s. rewrite !app_size, L1, Lz, size. reflexivity.
+      - rewrite !app_size, M1, repeat_length, Lz. reflexivity.
       - intros l H. destruct (Nat.lt_ge_cases l (length w1)) as [L|L].
         + rewrite app_nth1 in H by lia. rewrite app_nth1 by lia.
           apply (is_derive_ext (fun s => nth l (extend (put k s x) (definitions (places c))) 0)).
@@ -308,7 +309,7 @@ Section Motor_derivative.
     assert (Ei : nth i (map (fun e => slope_or_zero (slope (length names) mv e)) (equations c))
       no_entry = slope_or_zero (slope (length names) mv eq)).
     { rewrite (nth_indep _ no_entry (slope_or_zero (slope (length names) mv no_entry)))
-        by (rewrite map_length, has_all; exact I).
+        by (rewrite map_size, has_all; exact I).
       rewrite (map_nth (fun e => slope_or_zero (slope (length names) mv e))). reflexivity. }
     rewrite Ei in De |- *. rewrite slope_or_zero_value. apply slope_or_zero_defined in De.
     change (is_derive (fun s => value (extend (curve s) (further c)) eq) s0
@@ -418,7 +419,7 @@ Section Solved.
     assert (SE : forall j, (j < n)%nat -> encloses (nth j sizes I.nai) (Rabs (Z j))).
     { intros j J. unfold sizes, z, list_of. rewrite map_map.
       rewrite (nth_indep _ I.nai ((fun x => I.abs (form_range (zf x))) O))
-        by (rewrite map_length, seq_length; exact J).
+        by (rewrite map_size, seq_size; exact J).
       rewrite (map_nth (fun x => I.abs (form_range (zf x)))), seq_nth by exact J.
       apply absolute_encloses, (form_range_encloses t); [exact T|exact (ZE j J)]. }
     pose proof (correction_bound n (fun j i => E' i j) Z (fun j => real_of (nth j y F.nan)) c) as D.
@@ -542,12 +543,12 @@ Proof.
   apply add_encloses.
   - apply (form_range_encloses t); [exact T|]. apply form_sum_encloses. intros k H.
     apply scale_form_encloses; [|apply G, H].
-    apply bound_of_limit; [rewrite map_length; exact H|exact K1].
+    apply bound_of_limit; [rewrite map_size; exact H|exact K1].
   - apply (spread_encloses _ x).
     + apply add_encloses.
       * apply interval_sum_encloses. intros k H. apply multiply_encloses.
         { apply absolute_encloses, (form_range_encloses t); [exact T|apply G, H]. }
-        apply bound_of_limit; [rewrite map_length; exact H|exact K2].
+        apply bound_of_limit; [rewrite map_size; exact H|exact K2].
       * apply interval_sum_encloses. intros l H. apply multiply_encloses.
         { apply sqrt_encloses, interval_sum_encloses. intros k Hk. unfold part.
           destruct is_member.
@@ -556,10 +557,10 @@ Proof.
           - rewrite Rmult_0_l. exact (integer_encloses 0). }
         apply absolute_encloses. unfold radius_range.
         replace (radius l) with (value_of [] (map fst (balls s)) l).
-        { apply bound_of_limit; [rewrite map_length; exact H|exact K3]. }
+        { apply bound_of_limit; [rewrite map_size; exact H|exact K3]. }
         unfold value_of, radius.
         rewrite (nth_indep _ no_entry (fst (no_entry, @nil nat)))
-          by (rewrite map_length; exact H).
+          by (rewrite map_size; exact H).
         rewrite (map_nth fst). reflexivity.
     + eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat.
       * eapply Rle_trans; [apply sum_abs|]. apply sum_le. intros k H. rewrite Rabs_mult.
@@ -712,7 +713,7 @@ Section Over_tube.
       apply Nat.eqb_eq in H2. unfold column_by in *.
       set (names := evaluate_definitions (names_over t b) (motor_definitions c (length b) k)) in *.
       destruct (forallb is_known names) eqn:N; [|simpl in H2; lia].
-      rewrite map_length in H2.
+      rewrite map_size in H2.
       assert (S : length b = length x) by apply B.
       pose proof (known_definitions s (motor_definitions c (length b) k) _ _ T names_over_known)
         as KN. fold names in KN.
@@ -727,7 +728,7 @@ Section Over_tube.
         + apply (everything_known c full t b v tested).
         + rewrite <- S. eapply definitions_are_defined; [exact T|exact names_over_known|exact N].
         + rewrite <- S. exact (known_defined s names _ e T KN Ke).
-      - rewrite (nth_indep _ None (evaluate names no_entry)) by (rewrite map_length, H2; exact I).
+      - rewrite (nth_indep _ None (evaluate names no_entry)) by (rewrite map_size, H2; exact I).
         rewrite (map_nth (evaluate names)). fold e. unfold by_motor. rewrite <- S. fold e.
         apply form_of_value; [exact T|exact KN].
     Qed.
@@ -761,11 +762,11 @@ Section Over_tube.
         intros i k I K w. destruct (Col k K) as [C3 C4].
         exact (proj1 (column_encloses _ C4 C3 i I)).
       - intros j k Hj K. destruct (all_some_nth _ l [] H) as [_ N].
-        rewrite !map_length in N. specialize (N k K).
+        rewrite !map_size in N. specialize (N k K).
         rewrite map_map in N.
         rewrite (nth_indep _ None ((fun v => solved n k0 a
           (map (fun e => negate_form (form_of e)) (column_by t b v))) O)) in N
-          by (rewrite map_length; exact K).
+          by (rewrite map_size; exact K).
         rewrite (map_nth (fun v => solved n k0 a
           (map (fun e => negate_form (form_of e)) (column_by t b v)))) in N.
         destruct (Col k K) as [C3 C4].
@@ -773,7 +774,7 @@ Section Over_tube.
           (nth k l []) (fun j => J j k) N _ j Hj).
         + intros i I. unfold form_of_list.
           rewrite (nth_indep _ _ (negate_form (form_of None))).
-          2: { rewrite map_length. apply andb_prop in C3 as [_ C3]. apply Nat.eqb_eq in C3. lia. }
+          2: { rewrite map_size. apply andb_prop in C3 as [_ C3]. apply Nat.eqb_eq in C3. lia. }
           rewrite (map_nth (fun e => negate_form (form_of e))).
           apply negate_form_encloses. exact (proj2 (column_encloses _ C4 C3 i I)).
         + intros i I. exact (HJ i k I K).
@@ -955,7 +956,7 @@ Proof.
   unfold holds_along. intros H N. apply andb_prop in H as [L H]. apply Nat.eqb_eq in L.
   rewrite forallb_forall in H. apply (H (nth k vs LeftOut, s)).
   rewrite <- (nth_error_nth l k s N), <- combine_nth by exact L. apply nth_In.
-  rewrite combine_length, L, Nat.min_id. apply nth_error_Some. congruence.
+  rewrite combine_size, L, Nat.min_id. apply nth_error_Some. congruence.
 Qed.
 
 Lemma check_over_along_in_correct halvings good (holds : (nat -> nat -> R) -> Prop) c pieces ws vs
@@ -1172,7 +1173,7 @@ Proof.
              (forall l, In l limits -> is_known (evaluate [] (f l)) = true) ->
              encloses (nth k (bounds_of_limits (map f limits)) I.nai)
                (value_of [] (map f limits) k)).
-  { intros f Hf. apply bound_of_limit; [rewrite map_length, D; exact Hk|].
+  { intros f Hf. apply bound_of_limit; [rewrite map_size, D; exact Hk|].
     apply Forall_forall. intros e In_e. apply in_map_iff in In_e as (l & <- & In_l).
     exact (Hf l In_l). }
   split.

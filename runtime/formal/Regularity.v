@@ -3,6 +3,7 @@
     (I - L)KA = I + E' with E' = E - L - LE. If |E'| v < v, then A has full column rank. *)
 From Coq Require Import Reals Lra Lia List PArith Bool.
 From Coq Require PrimFloat.
+From Regulus Require Import Sizes.
 From Regulus Require Import LinearAlgebra Intervals Forms Hints.
 Import ListNotations.
 Open Scope R_scope.
@@ -15,9 +16,9 @@ Lemma tabulate_nth {A} m n (f : nat -> nat -> A) i j d d' : (i < m)%nat -> (j < 
   nth j (nth i (tabulate m n f) d) d' = f i j.
 Proof.
   intros P Q. unfold tabulate.
-  rewrite (nth_indep _ d (map (f O) (seq 0 n))) by (rewrite map_length, seq_length; exact P).
+  rewrite (nth_indep _ d (map (f O) (seq 0 n))) by (rewrite map_size, seq_size; exact P).
   rewrite (map_nth (fun i => map (f i) (seq 0 n)) (seq 0 m) O i), seq_nth by exact P.
-  rewrite (nth_indep _ d' (f (0 + i)%nat O)) by (rewrite map_length, seq_length; exact Q).
+  rewrite (nth_indep _ d' (f (0 + i)%nat O)) by (rewrite map_size, seq_size; exact Q).
   rewrite (map_nth (f (0 + i)%nat) (seq 0 n) O j), seq_nth by exact Q. reflexivity.
 Qed.
 

@@ -3,6 +3,7 @@
     says that there is no singularity if the check of a question answers true. *)
 From Coq Require Import Reals Lra Lia List PArith Bool.
 From Coq Require PrimFloat.
+From Regulus Require Import Sizes.
 From Regulus Require Import Expressions Questions LinearAlgebra Intervals Forms Evaluation Boxes.
 From Regulus Require Import Hints Regularity.
 Import ListNotations.
@@ -228,11 +229,11 @@ Section Test.
     set (r := nth i (matrix q) []).
     assert (In_r : In (map (evaluate vs) r) a) by (apply in_map, nth_In, P).
     specialize (D _ In_r). specialize (S _ In_r). apply Nat.eqb_eq in S.
-    rewrite map_length in S.
-    rewrite (nth_indep _ [] (map form_of (map (evaluate vs) []))) by (rewrite map_length; exact P).
+    rewrite map_size in S.
+    rewrite (nth_indep _ [] (map form_of (map (evaluate vs) []))) by (rewrite map_size; exact P).
     rewrite (map_nth (fun r => map form_of (map (evaluate vs) r))). fold r. rewrite map_map.
     rewrite (nth_indep _ _ (form_of (evaluate vs no_entry)))
-      by (rewrite map_length, S; exact Q).
+      by (rewrite map_size, S; exact Q).
     rewrite (map_nth (fun e => form_of (evaluate vs e))).
     set (e := nth j r no_entry).
     assert (In_e : In (evaluate vs e) (map (evaluate vs) r)).

@@ -2,6 +2,7 @@
 (** SINGULARITY: a segment in the set, at whose ends the determinant has opposite signs. *)
 From Coq Require Import Reals Ranalysis5 Lra Lia List PArith Bool.
 From Coq Require PrimFloat.
+From Regulus Require Import Sizes.
 From Regulus Require Import Expressions Questions LinearAlgebra Intervals Forms Evaluation Boxes.
 From Regulus Require Import Hints Regularity Search Continuity.
 Import ListNotations.
@@ -91,7 +92,7 @@ Definition check_singularity (q : question) (a b : coordinates) : bool :=
 
 Lemma hull_contains a b s : 0 <= s <= 1 -> in_box (hull a b) (along a b s).
 Proof.
-  intros H. split; [unfold hull, along; rewrite !map_length; reflexivity|].
+  intros H. split; [unfold hull, along; rewrite !map_size; reflexivity|].
   intros k. unfold hull, along. revert k.
   induction (combine a b) as [|[x y] l IH]; intros [|k]; simpl; try apply unknown_encloses;
     [|apply IH].
@@ -132,9 +133,9 @@ Proof.
   set (r := nth i (matrix q) []).
   assert (L : length r = columns q) by (apply Nat.eqb_eq, S, nth_In, P).
   rewrite (nth_indep _ [] (map (fun e => range_of (evaluate vs e)) []))
-    by (rewrite map_length; exact P).
+    by (rewrite map_size; exact P).
   rewrite (map_nth (map (fun e => range_of (evaluate vs e)))). fold r.
-  rewrite (nth_indep _ _ (range_of (evaluate vs no_entry))) by (rewrite map_length, L; exact Q).
+  rewrite (nth_indep _ _ (range_of (evaluate vs no_entry))) by (rewrite map_size, L; exact Q).
   rewrite (map_nth (fun e => range_of (evaluate vs e))).
   destruct (evaluate vs (nth j r no_entry)) as [v|] eqn:V; [|apply unknown_encloses].
   pose proof (coordinate_in_unit_box b x B) as T.
@@ -209,7 +210,7 @@ Proof.
 Qed.
 
 Lemma along_length a b s t : length (along a b s) = length (along a b t).
-Proof. unfold along. rewrite !map_length. reflexivity. Qed.
+Proof. unfold along. rewrite !map_size. reflexivity. Qed.
 
 Lemma entry_defined q names i j : Forall (Forall (defined names)) (matrix q) ->
   defined names (nth j (nth i (matrix q) []) no_entry).

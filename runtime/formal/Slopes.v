@@ -2,6 +2,7 @@
 (** The derivatives of the equations by the unknowns over the branch of a closure: bounds of their
     determinant, and of the condition number of their matrix. *)
 From Coq Require Import Reals QArith Lra Lia List Arith Bool.
+From Regulus Require Import Sizes.
 From Regulus Require Import Expressions Intervals Forms Evaluation Boxes Hints Regularity.
 From Regulus Require Import LinearAlgebra Determinants Questions Search Threshold Limits.
 From Regulus Require Import Closures Tubes Parts Branches Ways Rates.
@@ -121,11 +122,11 @@ Proof.
   intros T E F H. unfold inverse_forms in H.
   destruct (columns_exist n A (fun i k => identity i k) n F) as [B HB].
   exists B. split; [exact HB|]. intros j k Hj Hk.
-  destruct (all_some_nth _ l [] H) as [_ N]. rewrite map_length, seq_length in N.
+  destruct (all_some_nth _ l [] H) as [_ N]. rewrite map_size, seq_size in N.
   specialize (N k Hk).
   set (g := fun j => solved n (left_inverse n n (midpoints a)) a
     (list_of n (fun i => constant_form (if Nat.eqb i j then one else zero)))) in *.
-  rewrite (nth_indep _ None (g O)) in N by (rewrite map_length, seq_length; exact Hk).
+  rewrite (nth_indep _ None (g O)) in N by (rewrite map_size, seq_size; exact Hk).
   rewrite (map_nth g), seq_nth in N by exact Hk. simpl in N.
   refine (solved_correct t n a _ A (fun i => identity i k) T E _ _ _ (fun j => B j k) N _ j Hj).
   - intros i Hi. unfold form_of_list. rewrite list_of_nth by exact Hi.
@@ -185,7 +186,8 @@ Proof.
   destruct inverse_forms as [l|] eqn:V; [|discriminate].
   destruct (inverse_forms_enclose t n a J l T A R V) as (B & HB & EB).
   exists (fun j k => B j k / f j). split.
-  { intros i k Hi Hk. rewrite <- (HB i k Hi Hk). apply sum_ext. intros j Hj. unfold with_factors. fold f. cbv beta.
+  { intros i k Hi Hk. rewrite <- (HB i k Hi Hk). apply sum_ext. intros j Hj. unfold with_factors.
+    fold f. cbv beta.
     field. specialize (Fpos j Hj). lra. }
   intros i k Hi Hk. fold f. rewrite forallb_forall in G.
   match type of G with forall r, In r (map ?g _) -> _ =>

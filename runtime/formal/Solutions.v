@@ -5,6 +5,7 @@
 From Coquelicot Require Import Coquelicot.
 From Coq Require Import Reals QArith Lra Lia List PArith Bool.
 From Coq Require Import PrimFloat.
+From Regulus Require Import Sizes.
 From Regulus Require Import Expressions Intervals Forms Evaluation Boxes Hints Regularity.
 From Regulus Require Import LinearAlgebra Questions Search Closures Tubes Branches.
 Import ListNotations.
@@ -395,7 +396,7 @@ Section Correct.
 
     Lemma in_both : in_box (b ++ pb) (x ++ p).
     Proof.
-      split; [rewrite !app_length; f_equal; [apply B|apply P]|].
+      split; [rewrite !app_size; f_equal; [apply B|apply P]|].
       pose proof size_of_x as S. unfold m in S. intros k.
       destruct (Nat.lt_ge_cases k (length b)) as [K|K].
       - rewrite !app_nth1 by lia. apply B.
@@ -415,14 +416,14 @@ Section Correct.
     Proof.
       unfold names_over, names_at. apply known_definitions; [exact T|].
       assert (E : map (fun i => nth i p 0) (seq 0 (unknowns c)) = p).
-      { destruct So as [L _]. apply list_equal; rewrite map_length, seq_length; [auto|].
+      { destruct So as [L _]. apply list_equal; rewrite map_size, seq_size; [auto|].
         intros i I. rewrite (nth_indep _ 0 (nth 0 p 0))
-          by (rewrite map_length, seq_length; exact I).
+          by (rewrite map_size, seq_size; exact I).
         rewrite (map_nth (fun i => nth i p 0)), seq_nth by exact I. reflexivity. }
       rewrite <- E. apply (known_map s _ (unknown_form b vs)); [exact T| |].
       - apply known_definitions; [exact T|].
         apply (known_left s _ (skipn (length b) vs) x p).
-        + pose proof size_of_x as S. rewrite firstn_length, (proj1 K), app_length. unfold m in S.
+        + pose proof size_of_x as S. rewrite firstn_size, (proj1 K), app_size. unfold m in S.
           lia.
         + rewrite firstn_skipn. exact K.
       - intros i I. apply unknown_form_encloses.
@@ -451,11 +452,11 @@ Section Correct.
     Proof.
       unfold es. rewrite map_map. destruct (Nat.lt_ge_cases i (length (equations c))) as [I|I].
       - rewrite (nth_indep _ _ (form_of (evaluate (names_over c b vs) no_entry)))
-          by (rewrite map_length; exact I).
+          by (rewrite map_size; exact I).
         rewrite (map_nth (fun e => form_of (evaluate (names_over c b vs) e))).
         rewrite <- (equation_value (nth i (equations c) no_entry)) by (apply nth_In, I).
         apply form_of_value; [exact T|apply names_over_known].
-      - rewrite nth_overflow by (rewrite map_length; exact I).
+      - rewrite nth_overflow by (rewrite map_size; exact I).
         apply constant_form_encloses, unknown_encloses.
     Qed.
 
@@ -536,11 +537,11 @@ Proof.
       split; [exact S1|]. rewrite Forall_forall in *. intros u U.
       split; [apply M1|apply D1]; apply in_map, U.
     + apply Forall_forall. intros u U. destruct (In_nth _ _ u U) as (i & I & E).
-      rewrite forallb_forall in Q3. destruct D2 as [Ld D2]. rewrite !map_length in Ld.
+      rewrite forallb_forall in Q3. destruct D2 as [Ld D2]. rewrite !map_size in Ld.
       specialize (Q3 (nth i radii I.nai) ltac:(apply nth_In; lia)).
       pose proof (is_positive_correct _ _ Q3 (D2 i)) as Z.
       rewrite map_map in Z.
-      rewrite (nth_indep _ 0 (value [] (snd u))) in Z by (rewrite map_length; exact I).
+      rewrite (nth_indep _ 0 (value [] (snd u))) in Z by (rewrite map_size; exact I).
       rewrite (map_nth (fun u => value [] (snd u))), E in Z. exact Z.
     + clear - L. revert fs L. induction lines as [|l lines IH]; intros fs L; [constructor|].
       simpl in L. destruct (check_line c full b root middles radii l) as [f|] eqn:F;

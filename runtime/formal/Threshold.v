@@ -2,6 +2,7 @@
 (** |det A| beyond a threshold: the determinant of a box as a polynomial, by elimination. *)
 From Coq Require Import Reals Lra Lia List PArith Bool.
 From Coq Require PrimFloat.
+From Regulus Require Import Sizes.
 From Regulus Require Import Expressions Questions LinearAlgebra Determinants Intervals Forms.
 From Regulus Require Import Evaluation Boxes Hints Regularity Search Singularity.
 Import ListNotations.
@@ -137,7 +138,7 @@ Proof.
   apply subtract_forms_enclose; [apply H; lia|].
   apply multiply_forms_enclose; [exact T| |apply H; lia].
   rewrite (nth_indep _ _ (multiply_forms (form_at a 0 (skip p O)) g))
-    by (rewrite map_length, seq_length; exact K).
+    by (rewrite map_size, seq_size; exact K).
   rewrite (map_nth (fun k => multiply_forms (form_at a 0 (skip p k)) g)), seq_nth by exact K.
   replace (A O (skip p k) / A O p) with (A O (skip p k) * (1 / A O p)) by (unfold Rdiv; ring).
   apply multiply_forms_enclose; [exact T|apply H; lia|exact G].

@@ -5,6 +5,7 @@
 From Coquelicot Require Import Coquelicot.
 From Coq Require Import Reals QArith Qreals Lra Lia List PArith Bool.
 From Coq Require PrimFloat.
+From Regulus Require Import Sizes.
 From Regulus Require Import Expressions Intervals Forms Evaluation Boxes Hints Regularity.
 From Regulus Require Import Continuity Existence Derivatives LinearAlgebra Questions Search
   Closures.
@@ -267,12 +268,12 @@ Proof. destruct o; simpl; tauto. Qed.
 Lemma beside_nth n t x u i : (i < n)%nat -> nth i (beside n t x u) 0 = axis t x i + u i.
 Proof.
   intros I. unfold beside. rewrite (nth_indep _ 0 (axis t x 0 + u 0%nat))
-    by (rewrite map_length, seq_length; exact I).
+    by (rewrite map_size, seq_size; exact I).
   rewrite (map_nth (fun i => axis t x i + u i)), seq_nth by exact I. reflexivity.
 Qed.
 
 Lemma beside_length n t x u : length (beside n t x u) = n.
-Proof. unfold beside. rewrite map_length, seq_length. reflexivity. Qed.
+Proof. unfold beside. rewrite map_size, seq_size. reflexivity. Qed.
 
 Lemma beside_ext n t x u w : (forall i, (i < n)%nat -> u i = w i) -> beside n t x u = beside n t x
   w.
@@ -309,7 +310,7 @@ Section Partial_derivative.
     intros I J D De.
     assert (Lb : length base = before c m) by (unfold base; rewrite extend_length; reflexivity).
     assert (Ln : length names = all_names c m).
-    { unfold names, names_at. rewrite extend_length, app_length, beside_length. fold base.
+    { unfold names, names_at. rewrite extend_length, app_size, beside_length. fold base.
       rewrite Lb. reflexivity. }
     set (curve := fun s => base ++ beside n t x (update u j s)).
     assert (U : beside n t x (update u j (u j)) = beside n t x u).
@@ -317,22 +318,22 @@ Section Partial_derivative.
       reflexivity. }
     set (w := map Q2R (first_slopes c m j)).
     assert (Lw : length w = (before c m + n)%nat).
-    { unfold w, first_slopes. rewrite map_length, app_length, repeat_length, map_length, seq_length.
+    { unfold w, first_slopes. rewrite map_size, app_size, repeat_length, map_size, seq_size.
       reflexivity. }
     assert (moving_at : forall k, nth k (first_moving c m j) false
                         = (Nat.leb (before c m) k && Nat.eqb j (k - before c m))%bool).
     { intros k. unfold first_moving. destruct (Nat.leb_spec (before c m) k) as [K|K].
       - rewrite app_nth2; rewrite repeat_length; [|exact K]. simpl.
         destruct (Nat.lt_ge_cases (k - before c m) n) as [Q|Q].
-        + rewrite (nth_indep _ false (Nat.eqb j 0)) by (rewrite map_length, seq_length; exact Q).
+        + rewrite (nth_indep _ false (Nat.eqb j 0)) by (rewrite map_size, seq_size; exact Q).
           rewrite (map_nth (Nat.eqb j)), seq_nth by exact Q. reflexivity.
-        + rewrite nth_overflow by (rewrite map_length, seq_length; exact Q).
+        + rewrite nth_overflow by (rewrite map_size, seq_size; exact Q).
           symmetry. apply Nat.eqb_neq. lia.
       - rewrite app_nth1 by (rewrite repeat_length; exact K). apply nth_repeat. }
     assert (C : on_curve curve (u j) (first_moving c m j) w).
     { split.
-      - intros s. unfold curve. rewrite app_length, beside_length, Lw, Lb. reflexivity.
-      - unfold first_moving. rewrite Lw, app_length, repeat_length, map_length, seq_length.
+      - intros s. unfold curve. rewrite app_size, beside_length, Lw, Lb. reflexivity.
+      - unfold first_moving. rewrite Lw, app_size, repeat_length, map_size, seq_size.
         reflexivity.
       - intros k K. rewrite moving_at in K. apply andb_prop in K as [K1 K2].
         apply Nat.leb_le in K1. apply Nat.eqb_eq in K2.
@@ -343,11 +344,11 @@ Section Partial_derivative.
           rewrite beside_nth by exact J. unfold update. rewrite Nat.eqb_refl. reflexivity. }
         replace (nth (before c m + j) w 0) with 1.
         { auto_derive; [exact Logic.I|ring]. }
-        unfold w, first_slopes. rewrite map_app, app_nth2; rewrite map_length, repeat_length;
+        unfold w, first_slopes. rewrite map_app, app_nth2; rewrite map_size, repeat_length;
           [|lia].
         replace (before c m + j - before c m)%nat with j by lia. rewrite map_map.
         rewrite (nth_indep _ 0 (Q2R (if Nat.eqb j 0 then 1 # 1 else 0 # 1)))
-          by (rewrite map_length, seq_length; exact J).
+          by (rewrite map_size, seq_size; exact J).
         rewrite (map_nth (fun i => Q2R (if Nat.eqb j i then 1 # 1 else 0 # 1))), seq_nth by exact J.
         simpl. rewrite Nat.eqb_refl. unfold Q2R. simpl. field.
       - intros k K s. rewrite moving_at in K. unfold curve.
@@ -379,7 +380,7 @@ Section Partial_derivative.
       no_entry
                  = slope_or_zero (slope (length names) mv eq)).
     { rewrite (nth_indep _ no_entry (slope_or_zero (slope (length names) mv no_entry)))
-        by (rewrite map_length, has_all; exact I).
+        by (rewrite map_size, has_all; exact I).
       rewrite (map_nth (fun e => slope_or_zero (slope (length names) mv e))). reflexivity. }
     rewrite Ei in De |- *. rewrite slope_or_zero_value. apply slope_or_zero_defined in De.
     change (is_derive (fun s => value (extend (curve s) (further c)) eq) (u j)
@@ -420,18 +421,18 @@ Section At_place.
     in_box (tube_box c t b) (x ++ map u (seq 0 n)).
   Proof.
     intros U. unfold tube_box. split.
-    - rewrite !app_length, !map_length, !seq_length. f_equal. apply B.
+    - rewrite !app_size, !map_size, !seq_size. f_equal. apply B.
     - intros k. pose proof size_of_place as S. unfold m in S.
       destruct (Nat.lt_ge_cases k (length b)) as [K|K].
       + rewrite !app_nth1 by lia. apply B.
       + rewrite !app_nth2 by lia. rewrite S. fold n. set (i := (k - length b)%nat).
         destruct (Nat.lt_ge_cases i n) as [I|I].
         * rewrite (nth_indep _ I.nai (around (number (reach t) 0)))
-            by (rewrite map_length, seq_length; exact I).
+            by (rewrite map_size, seq_size; exact I).
           rewrite (map_nth (fun i => around (number (reach t) i))), seq_nth by exact I.
-          rewrite (nth_indep _ 0 (u 0%nat)) by (rewrite map_length, seq_length; exact I).
+          rewrite (nth_indep _ 0 (u 0%nat)) by (rewrite map_size, seq_size; exact I).
           rewrite (map_nth u), seq_nth by exact I. apply around_encloses, U, I.
-        * rewrite (nth_overflow _ I.nai) by (rewrite map_length, seq_length; exact I).
+        * rewrite (nth_overflow _ I.nai) by (rewrite map_size, seq_size; exact I).
           apply unknown_encloses.
   Qed.
 
@@ -501,8 +502,8 @@ Section At_place.
     Proof.
       pose proof (variables_known full _ _ (in_tube_box u U)) as K. fold vs xu s in K.
       apply (known_left s places_only (skipn m vs) x (map u (seq 0 n))).
-      - unfold places_only. rewrite firstn_length, (proj1 K). unfold xu.
-        rewrite app_length, size_of_place. lia.
+      - unfold places_only. rewrite firstn_size, (proj1 K). unfold xu.
+        rewrite app_size, size_of_place. lia.
       - unfold places_only. rewrite firstn_skipn. exact K.
     Qed.
 
@@ -512,7 +513,7 @@ Section At_place.
       intros i I. pose proof (variables_known full _ _ (in_tube_box u U)) as K. fold vs xu s in K.
       replace (u i) with (nth (length x + i) xu 0); [apply form_of_encloses, K|].
       unfold xu. rewrite app_nth2 by lia. replace (length x + i - length x)%nat with i by lia.
-      rewrite (nth_indep _ 0 (u 0%nat)) by (rewrite map_length, seq_length; exact I).
+      rewrite (nth_indep _ 0 (u 0%nat)) by (rewrite map_size, seq_size; exact I).
       rewrite (map_nth u), seq_nth by exact I. reflexivity.
     Qed.
 
@@ -539,7 +540,7 @@ Section At_place.
           replace (u i) with (nth (m + i) xu 0); [apply form_of_encloses, K|].
           unfold xu. rewrite <- size_of_place, app_nth2 by lia.
           replace (length x + i - length x)%nat with i by lia.
-          rewrite (nth_indep _ 0 (u 0%nat)) by (rewrite map_length, seq_length; exact I).
+          rewrite (nth_indep _ 0 (u 0%nat)) by (rewrite map_size, seq_size; exact I).
           rewrite (map_nth u), seq_nth by exact I. reflexivity.
       - exact (known_all_defined s names _ _ T names_known K3).
       - exact (known_all_defined s names _ _ T names_known K4).
@@ -557,10 +558,10 @@ Section At_place.
                   then map (evaluate names') (partial_expressions c m j) else []).
       { unfold columns, entries. fold n.
         match goal with |- nth j (map ?g _) _ = _ => rewrite (nth_indep _ [] (g 0%nat))
-          by (rewrite map_length, seq_length; exact J); rewrite (map_nth g), seq_nth by exact J end.
+          by (rewrite map_size, seq_size; exact J); rewrite (map_nth g), seq_nth by exact J end.
         reflexivity. }
       assert (In_j : In (nth j columns []) columns).
-      { apply nth_In. unfold columns, entries. rewrite map_length, seq_length. exact J. }
+      { apply nth_In. unfold columns, entries. rewrite map_size, seq_size. exact J. }
       specialize (K5 _ In_j). apply andb_prop in K5 as [K5 L]. apply Nat.eqb_eq in L.
       rewrite E in K5, L. destruct (forallb is_known names') eqn:N; [auto|].
       simpl in L. lia.
@@ -580,14 +581,14 @@ Section At_place.
       destruct everything_known as (_ & _ & _ & _ & _ & L & _).
       set (names' := evaluate_definitions names (slope_definitions c m j)) in *.
       assert (Le : length (partial_expressions c m j) = n).
-      { unfold partial_expressions. rewrite map_length. exact L. }
+      { unfold partial_expressions. rewrite map_size. exact L. }
       set (e := nth i (partial_expressions c m j) no_entry).
       assert (Ie : In e (partial_expressions c m j)) by (apply nth_In; rewrite Le; exact I).
       assert (Ke : is_known (evaluate names' e) = true).
       { rewrite forallb_forall in K. apply K, in_map, Ie. }
       split; [exact (known_defined s names' _ e T (slope_names_known j) Ke)|].
       unfold a. rewrite tabulate_at by assumption. rewrite E.
-      rewrite (nth_indep _ None (evaluate names' no_entry)) by (rewrite map_length, Le; exact I).
+      rewrite (nth_indep _ None (evaluate names' no_entry)) by (rewrite map_size, Le; exact I).
       rewrite (map_nth (evaluate names')). fold e. unfold slopes_at, partial_at.
       rewrite size_of_place. fold e. apply form_of_value; [exact T|apply slope_names_known].
     Qed.
@@ -625,7 +626,7 @@ Section At_place.
     destruct everything_known as (_ & _ & _ & _ & _ & L & E).
     unfold image, inverse_of_middle. rewrite E. cbn [offsets inverse].
     match goal with |- encloses (nth i (map ?g _) _) _ => rewrite (nth_indep _ I.nai (g 0%nat))
-      by (rewrite map_length, seq_length; exact I); rewrite (map_nth g), seq_nth by exact I end.
+      by (rewrite map_size, seq_size; exact I); rewrite (map_nth g), seq_nth by exact I end.
     pose proof (coordinate_in_unit_box b x B) as T. simpl.
     apply absolute_encloses, (form_range_encloses (coordinate b x)); [exact T|].
     apply form_sum_encloses. intros l Ll. apply scale_form_encloses; [apply point_encloses|].
@@ -634,7 +635,7 @@ Section At_place.
       - apply variables_known, B.
       - intros. apply constant_form_encloses, (integer_encloses 0). }
     rewrite (nth_indep _ _ (form_of (evaluate middle no_entry)))
-      by (rewrite map_length, L; exact Ll).
+      by (rewrite map_size, L; exact Ll).
     rewrite (map_nth (fun e => form_of (evaluate middle e))). apply form_of_value; assumption.
   Qed.
 
@@ -768,11 +769,11 @@ Section At_place.
       unfold residuals. change (tube_names c t (variables full b) (length b) _) with middle.
       destruct everything_known as (_ & _ & _ & _ & _ & L & _).
       rewrite (nth_indep _ _ (form_of (evaluate middle no_entry)))
-        by (rewrite map_length, L; exact Ll).
+        by (rewrite map_size, L; exact Ll).
       rewrite (map_nth (fun e => form_of (evaluate middle e))). apply form_of_value; assumption.
     - apply interval_sum_encloses. intros j J. apply multiply_encloses; [apply point_encloses|].
       unfold departures. rewrite (nth_indep _ _ (departure n t v 0))
-        by (rewrite map_length, seq_length; exact J).
+        by (rewrite map_size, seq_size; exact J).
       rewrite (map_nth (departure n t v)), seq_nth by exact J. apply departure_encloses.
     - assert (Z : image n error_at inverse_of_middle u i = 0).
       { unfold image. apply sum_zero. intros l Ll.

@@ -1,9 +1,10 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(** Tubes along a way of several pieces. Where a piece ends, the next one begins: the check shows that
-    both have the same equations there, and that their tubes hold the same configuration. *)
+(** Tubes along a way of several pieces. Where a piece ends, the next one begins: the check shows
+    that both have the same equations there, and that their tubes hold the same configuration. *)
 From Coquelicot Require Import Coquelicot.
 From Coq Require Import Reals QArith Qreals Lra Lia List PArith Bool FunctionalExtensionality.
 From Coq Require PrimFloat.
+From Regulus Require Import Sizes.
 From Regulus Require Import Expressions Intervals Forms Evaluation Boxes Hints Regularity.
 From Regulus Require Import Continuity Existence Derivatives LinearAlgebra Questions Search
   Closures Tubes Parts Branches.
@@ -83,7 +84,8 @@ Qed.
 Lemma scale_number_value q a : number_value (scale_number q a) = Q2R q * number_value a.
 Proof.
   induction a as [|x a IH]; cbn [number_value scale_number map]; [ring|].
-  change (map (fun x => Qred (q * x)) a) with (scale_number q a). rewrite IH, reduced, Q2R_mult. ring.
+  change (map (fun x => Qred (q * x)) a) with (scale_number q a). rewrite IH, reduced, Q2R_mult.
+  ring.
 Qed.
 
 Lemma multiply_numbers_value a b :
@@ -181,13 +183,13 @@ Qed.
 Lemma agree_append same x y b v w : agree same x y -> (b = true -> v = w) ->
   agree (same ++ [b]) (x ++ [v]) (y ++ [w]).
 Proof.
-  intros (L & M & A) E. split; [|split]; [rewrite !app_length, L; reflexivity|
-    rewrite !app_length, M; reflexivity|].
+  intros (L & M & A) E. split; [|split]; [rewrite !app_size, L; reflexivity|
+    rewrite !app_size, M; reflexivity|].
   intros k H. destruct (Nat.lt_trichotomy k (length same)) as [K|[K|K]].
   - rewrite app_nth1 in H by exact K. rewrite !app_nth1 by lia. apply A, H.
   - subst k. rewrite app_nth2, Nat.sub_diag in H by lia.
     rewrite (app_nth2 x), (app_nth2 y), L, M, Nat.sub_diag by lia. exact (E H).
-  - rewrite nth_overflow in H; [discriminate|]. rewrite app_length. simpl. lia.
+  - rewrite nth_overflow in H; [discriminate|]. rewrite app_size. simpl. lia.
 Qed.
 
 Definition is_same (same : list bool) (l r : list (option (list Q))) (d e : expression) : bool :=
@@ -211,7 +213,7 @@ Proof.
   - rewrite app_nth1 in H by exact I. rewrite app_nth1 by lia. exact (K k a H).
   - subst k. rewrite app_nth2, Nat.sub_diag in H by lia. rewrite app_nth2, L, Nat.sub_diag by lia.
     exact (exact_correct names x K e a H).
-  - rewrite nth_overflow in H; [discriminate|]. rewrite app_length. simpl. lia.
+  - rewrite nth_overflow in H; [discriminate|]. rewrite app_size. simpl. lia.
 Qed.
 
 Lemma same_after_correct ds : forall es same l r x y after,
@@ -229,8 +231,8 @@ Proof.
         destruct (exact r e) as [b|] eqn:E; [|discriminate].
         rewrite (exact_correct l x K d a D), (exact_correct r y J e b E).
         apply are_equal_correct, S.
-    + rewrite !app_length, L. reflexivity.
-    + rewrite !app_length, M. reflexivity.
+    + rewrite !app_size, L. reflexivity.
+    + rewrite !app_size, M. reflexivity.
     + apply known_exactly_append; assumption.
     + apply known_exactly_append; assumption.
 Qed.
@@ -268,7 +270,7 @@ Proof. intros L. unfold agree. rewrite repeat_length. auto. Qed.
 Lemma agree_app s t x y u v : agree s x y -> agree t u v -> agree (s ++ t) (x ++ u) (y ++ v).
 Proof.
   intros (L & M & A) (L' & M' & A').
-  split; [rewrite !app_length; congruence|]. split; [rewrite !app_length; congruence|].
+  split; [rewrite !app_size; congruence|]. split; [rewrite !app_size; congruence|].
   intros k H. destruct (Nat.lt_ge_cases k (length s)) as [K|K].
   - rewrite app_nth1 in H by exact K. rewrite !app_nth1 by lia. apply A, H.
   - rewrite app_nth2 in H by exact K. rewrite !app_nth2 by lia. rewrite L, M. apply A', H.
@@ -292,7 +294,7 @@ Proof.
   assert (A : agree (false :: others) (1 :: y) (0 :: y)).
   { split; [simpl; lia|]. split; [simpl; lia|]. intros [|k] K; [discriminate|reflexivity]. }
   apply (same_after_correct _ _ _ _ _ (1 :: y) (0 :: y)) in B; [|exact A|..].
-  2, 3: simpl; unfold nothing_exact; rewrite map_length; lia.
+  2, 3: simpl; unfold nothing_exact; rewrite map_size; lia.
   2, 3: apply known_exactly_cons; [simpl; unfold Q2R; simpl; field|apply nothing_known_exactly].
   set (all := base ++ repeat true (unknowns c)) in *.
   destruct (same_after all _ _ (further c) (further d)) as [names|] eqn:F; [|discriminate].
@@ -302,7 +304,7 @@ Proof.
     apply (same_after_correct _ _ _ _ _
       (extend (1 :: y) (definitions (places c)) ++ p)
       (extend (0 :: y) (definitions (places d)) ++ p)) in F; [|exact A2|..].
-    2, 3: unfold nothing_exact; rewrite map_length; symmetry; apply A2.
+    2, 3: unfold nothing_exact; rewrite map_size; symmetry; apply A2.
     2, 3: apply nothing_known_exactly.
     unfold equation_at, names_at. rewrite <- E. apply (uses_only_correct names _ _ F).
     destruct (nth_in_or_default i (equations c) no_entry) as [I| ->]; [|reflexivity].
@@ -324,7 +326,8 @@ Definition linked_at_joint (c d : closure) (full : nat) (x y : leaf) : bool :=
         let e := joint_box one (snd x) (snd y) in
         let b := joint_box zero (snd x) (snd y) in
         if leads_to c full e b s t then true else if leads_to d full b e t s then true
-        else existsb (fun u => leads c full e u s && leads_to c full e b u t) (Fit.narrow c full e s)
+        else existsb (fun u => leads c full e u s
+          && leads_to c full e b u t) (Fit.narrow c full e s)
   | _, _ => true
   end.
 
@@ -646,7 +649,8 @@ Section Pieces.
         + exists i, t. split; [exact T|]. split; [exact V|].
           pose proof (are_pieces t (nth_error_In _ _ T)) as Pt.
           exact (configuration_held _ full (tree t) (root t) _ (are_tubes t Pt) (R i t T V) X).
-      - apply next. destruct j as [|j]; [|eauto]. rewrite Nat.add_0_r in Q. subst i. contradiction. }
+      - apply next. destruct j as [|j]; [|eauto]. rewrite Nat.add_0_r in Q. subst i.
+        contradiction. }
     apply (find l O (fun j t H => H) k E). reflexivity.
   Qed.
 
