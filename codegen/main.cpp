@@ -15,6 +15,7 @@
 namespace {
 
 using namespace regulus;
+using namespace regulus::detail;
 
 /// Ignores SIGXFSZ, so that a file size limit is reported as an error and does not end the process.
 void report_file_limits() { std::signal(SIGXFSZ, SIG_IGN); }

@@ -24,6 +24,7 @@ bool write(const std::filesystem::path& path, const std::string& text) {
 
 int main(int argc, char** argv) {
   using namespace regulus;
+  using namespace regulus::detail;
   const std::string_view word = argc == 2 ? argv[1] : "";
   if (word == "--what-works") {
     std::cout << what_works();

@@ -19,6 +19,7 @@ bool write(const char* path, const std::string& text) {
 
 int main(int argc, char** argv) {
   using namespace regulus;
+  using namespace regulus::detail;
   if (argc != 4) {
     std::cerr << "usage: regulus_write_schema SCHEMA TYPESCRIPT PYTHON\n";
     return 64;

@@ -10,7 +10,7 @@
 #include "codegen/support/errors.hpp"
 #include "codegen/support/exit_code.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// What an answer says, for a program that knows no more.
 enum class Word {
@@ -79,4 +79,4 @@ class Answer {
   [[nodiscard]] virtual Rest wait_for_rest(const std::atomic<bool>& /*interrupted*/) { return {}; }
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "codegen/model/request.hpp"
 #include "codegen/question/margin/margin_question.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// A pipe gives the text of the model only once, and several steps of a question read it.
@@ -56,4 +56,4 @@ std::unique_ptr<Answer> ask_and_show(const Asked& given, const Services& service
   return answer;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

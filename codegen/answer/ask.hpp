@@ -9,7 +9,7 @@
 #include "codegen/answer/kinds.hpp"
 #include "codegen/answer/services.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Answers a question. Files of earlier runs that the services would write are first renamed to
 /// FILE.old; those that are written are complete when it returns.
@@ -36,4 +36,4 @@ namespace regulus {
 /// Returns null, and writes no file, for a process that is not the first of Services::places.
 [[nodiscard]] std::unique_ptr<SolveAnswer> ask(const AskSolve& asked, const Services& services);
 
-}  // namespace regulus
+}  // namespace regulus::detail

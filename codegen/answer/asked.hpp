@@ -11,7 +11,7 @@
 #include "codegen/question/margin/growing_size.hpp"
 #include "codegen/question/quantity/quantity_options.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Has the motion a singular pose?
 struct AskCheck {
@@ -87,4 +87,4 @@ struct AskSolve {
 using Asked = std::variant<AskCheck, AskPaving, AskMargin, AskBound, AskLoad, AskLoadPaving,
                            AskDatasheet, AskSolve>;
 
-}  // namespace regulus
+}  // namespace regulus::detail

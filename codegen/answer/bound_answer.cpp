@@ -16,7 +16,7 @@
 #include "codegen/question/way/trajectory_report.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -212,4 +212,4 @@ std::unique_ptr<DatasheetAnswer> ask(const AskDatasheet& asked, const Services& 
   return std::make_unique<Sheet>(asked, services);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "runtime/problem/observer.hpp"
 #include "runtime/search/leaf_claims.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Passes the boxes of a paving to Services::on_box, and ends the search when that throws, when a
 /// line cannot be written, or when the run is interrupted.
@@ -50,4 +50,4 @@ class BoxListener final : public Observer {
   std::exception_ptr thrown_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "codegen/question/margin/margin_report.hpp"
 #include "codegen/question/margin/margin_run.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 std::vector<ProofOfEnd> proofs_of_ends(const EndProofs& ends, const std::string& component) {
   std::vector<ProofOfEnd> proofs;
@@ -44,4 +44,4 @@ void settle_files(HeldFiles& held, const std::vector<EndProofs*>& ends, Answer& 
   }
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "codegen/answer/kinds.hpp"
 #include "codegen/answer/services.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 struct Margin;
 struct MarginQuestion;
 struct MarginStep;
@@ -30,4 +30,4 @@ void set_ends(MarginAnswer& answer, const Margin& margin);
 /// Puts the files of a run in their places. What is missing is noted in `ends` and in the answer.
 void settle_files(HeldFiles& held, const std::vector<EndProofs*>& ends, Answer& answer);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -22,7 +22,7 @@
 #include "codegen/support/stopwatch.hpp"
 #include "runtime/problem/observers.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// True if the compiler's work is kept for a later run and no end was requested.
@@ -65,7 +65,7 @@ class VarietyCheck final : public CheckAnswer {
       variables.push_back(variable.name);
   }
 
-  [[nodiscard]] std::string claim() const override { return regulus::claim(prepared_, result); }
+  [[nodiscard]] std::string claim() const override { return detail::claim(prepared_, result); }
   void tell(Facts& facts) const override {
     tell_report(prepared_, search_, result, nearest_, facts);
     proof.tell(facts);
@@ -156,4 +156,4 @@ std::unique_ptr<CheckAnswer> ask(const AskCheck& asked, const Services& services
   return std::make_unique<WayCheck>(std::move(*along), watch.lap(), asked, services);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

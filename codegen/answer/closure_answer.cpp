@@ -18,7 +18,7 @@
 #include "codegen/question/closure/paving_certificate.hpp"
 #include "runtime/problem/observers.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -159,4 +159,4 @@ std::unique_ptr<PavingAnswer> answer_closure(Request request, double model_secon
   return std::make_unique<ClosurePaving>(std::move(request), model_seconds, asked, services);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

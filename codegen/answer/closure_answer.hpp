@@ -8,7 +8,7 @@
 #include "codegen/answer/kinds.hpp"
 #include "codegen/answer/services.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct MarginQuestion;
 struct Request;
@@ -47,4 +47,4 @@ struct Request;
                                                                    const AskLoadPaving& asked,
                                                                    const Services& services);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -18,7 +18,7 @@
 #include "codegen/question/load/way_force_paving.hpp"
 #include "runtime/problem/observers.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -209,4 +209,4 @@ std::unique_ptr<LoadPavingAnswer> answer_closure_way(Request request, double mod
   return std::make_unique<ClosureWayLoadPaving>(std::move(request), model_seconds, asked, services);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -14,7 +14,7 @@
 #include "codegen/question/way/margin_checkpoint.hpp"
 #include "codegen/question/way/path_attempts.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// `Checked`: over ranges or along way-points.
@@ -89,4 +89,4 @@ std::unique_ptr<MarginAnswer> answer_closure(const MarginQuestion& question, Req
                                                         services);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

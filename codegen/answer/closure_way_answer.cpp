@@ -18,7 +18,7 @@
 #include "codegen/question/closure/paving_certificate.hpp"
 #include "codegen/question/way/margin_checkpoint.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -99,11 +99,11 @@ class ClosureWayPaving final : public PavingAnswer {
     for (const PathStretch& stretch : stretches_)
       stretches.push_back({stretch.claim, stretch.begin.piece + 1, stretch.end.piece + 1,
                            stretch.begin.s, stretch.end.s,
-                           report_text(json_stretch_of(trajectory, stretch, name))});
+                           report_text(json_stretch_of(trajectory, stretch, regulus::name))});
     write_beside([this] { write(); });
     write_beside([&] {
       pictures.draw({fmt::format("{}, {}", request_asked.model.name, request_asked.motion.name),
-                     trajectory, stretches_, name});
+                     trajectory, stretches_, regulus::name});
     });
     write_beside([&] { finish(checkpoint, found_); });
     checkpoint_line_ = checkpoint.line();
@@ -145,4 +145,4 @@ std::unique_ptr<PavingAnswer> answer_closure_way(Request request, double model_s
   return std::make_unique<ClosureWayPaving>(std::move(request), model_seconds, asked, services);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include "codegen/answer/keys.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -102,4 +102,4 @@ Json Facts::report() const {
   return report;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// What is read of a fact: by programs a key and its value, by people a label and a sentence. Of a key
 /// the table in keys.hpp says which kind of value it has, its unit and how exact it is.
@@ -86,4 +86,4 @@ template <class Tell>
   return facts.report();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 
 #include "codegen/answer/keys.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 inline constexpr Key kEndProofs[] = {
     {"certificates?", "end_files", "the file of each end, or null"},
@@ -37,4 +37,4 @@ inline constexpr Key kSolve[] = {
     {"stopped_by", "text?", "the limit that ended the search"},
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A key of an object.
 struct Key {
@@ -42,4 +42,4 @@ struct ObjectKind {
 /// The reason in `proof` when none was wanted.
 inline constexpr const char* kNoProofAsked = "no certificate was asked for";
 
-}  // namespace regulus
+}  // namespace regulus::detail

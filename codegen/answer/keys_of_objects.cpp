@@ -4,7 +4,7 @@
 
 #include "codegen/answer/key_groups.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr Key kQuestion[] = {
@@ -328,4 +328,4 @@ const std::vector<ObjectKind>& object_kinds() {
   return kinds;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 
 #include "codegen/answer/key_groups.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr Key kHead[] = {
@@ -250,4 +250,4 @@ const std::vector<ObjectKind>& report_kinds() {
   return kinds;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace regulus {
+namespace regulus::detail {
 
 Word word_of(Verdict verdict) noexcept {
   return verdict == Verdict::kNoSingularity ? Word::kProved
@@ -36,4 +36,4 @@ std::string PavingAnswer::headline() const { return name(result.verdict); }
 Word LoadAnswer::word() const { return word_of(verdict); }
 std::string LoadAnswer::headline() const { return name(verdict); }
 
-}  // namespace regulus
+}  // namespace regulus::detail

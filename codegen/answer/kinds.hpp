@@ -14,7 +14,7 @@
 #include "runtime/problem/result.hpp"
 #include "runtime/search/paving.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A proof of an end of a bracket: the file, or the reason why there is none.
 struct ProofOfEnd {
@@ -37,7 +37,7 @@ class CheckAnswer : public Answer {
   [[nodiscard]] virtual std::string claim() const = 0;
   [[nodiscard]] Word word() const override;
   [[nodiscard]] std::string headline() const override;
-  [[nodiscard]] std::string missing_proof() const override { return regulus::missing_proof(proof); }
+  [[nodiscard]] std::string missing_proof() const override { return detail::missing_proof(proof); }
 };
 
 /// A part of a motion along way-points, as PathStretch, with its JSON line.
@@ -67,7 +67,7 @@ class PavingAnswer : public Answer {
   [[nodiscard]] virtual nlohmann::ordered_json header() const = 0;
   [[nodiscard]] Word word() const override;
   [[nodiscard]] std::string headline() const override;
-  [[nodiscard]] std::string missing_proof() const override { return regulus::missing_proof(proof); }
+  [[nodiscard]] std::string missing_proof() const override { return detail::missing_proof(proof); }
 };
 
 /// How far can a tolerance, the threshold or a size grow?
@@ -79,9 +79,7 @@ class MarginAnswer : public Answer {
   bool closed = false;                 ///< as narrow as wanted
   std::vector<ProofOfEnd> proofs;
 
-  [[nodiscard]] std::string missing_proof() const override {
-    return regulus::missing_proof(proofs);
-  }
+  [[nodiscard]] std::string missing_proof() const override { return detail::missing_proof(proofs); }
 };
 
 /// What is the largest or least value of a quantity?
@@ -96,9 +94,7 @@ class BoundAnswer : public Answer {
   std::string unit;
   std::vector<ProofOfEnd> proofs;
 
-  [[nodiscard]] std::string missing_proof() const override {
-    return regulus::missing_proof(proofs);
-  }
+  [[nodiscard]] std::string missing_proof() const override { return detail::missing_proof(proofs); }
 };
 
 /// Do forces within the limits hold a load?
@@ -112,7 +108,7 @@ class LoadAnswer : public Answer {
 
   [[nodiscard]] Word word() const override;
   [[nodiscard]] std::string headline() const override;
-  [[nodiscard]] std::string missing_proof() const override { return regulus::missing_proof(proof); }
+  [[nodiscard]] std::string missing_proof() const override { return detail::missing_proof(proof); }
   [[nodiscard]] std::string about_files() const override { return proof.line(); }
 };
 
@@ -135,7 +131,7 @@ class SolveAnswer : public Answer {
 
   [[nodiscard]] Word word() const override;
   [[nodiscard]] std::string headline() const override;
-  [[nodiscard]] std::string missing_proof() const override { return regulus::missing_proof(proof); }
+  [[nodiscard]] std::string missing_proof() const override { return detail::missing_proof(proof); }
 
  protected:
   bool has_places_ = false;
@@ -145,13 +141,11 @@ class DatasheetAnswer : public Answer {
  public:
   std::vector<ProofOfEnd> proofs;  ///< of all quantities, in order
 
-  [[nodiscard]] std::string missing_proof() const override {
-    return regulus::missing_proof(proofs);
-  }
+  [[nodiscard]] std::string missing_proof() const override { return detail::missing_proof(proofs); }
 };
 
 /// Returns the word of a verdict.
 [[nodiscard]] Word word_of(Verdict verdict) noexcept;
 [[nodiscard]] Word word_of(FeasibilityVerdict verdict) noexcept;
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 template <class Step>
@@ -29,4 +29,4 @@ void LinesFile::finish() {
   if (is_wanted() && !stream().flush()) throw FileError("cannot write " + name());
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

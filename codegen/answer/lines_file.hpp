@@ -8,7 +8,7 @@
 #include "codegen/answer/services.hpp"
 #include "runtime/files/atomic_stream.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The output of the JSON lines of a paving: a file, which appears when it is complete, a stream, or
 /// nothing.
@@ -31,4 +31,4 @@ class LinesFile {
   std::optional<AtomicStream> file_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -24,7 +24,7 @@
 #include "codegen/support/stopwatch.hpp"
 #include "runtime/problem/observers.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -281,4 +281,4 @@ std::unique_ptr<LoadPavingAnswer> ask(const AskLoadPaving& asked, const Services
   return std::make_unique<WayLoadPaving>(std::move(*along), watch.lap(), asked, services);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

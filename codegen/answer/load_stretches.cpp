@@ -8,7 +8,7 @@
 #include "codegen/question/load/feasibility_report.hpp"
 #include "codegen/question/way/trajectory_paving.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 std::vector<StretchOfLoad> stretches_of_load(const Trajectory& trajectory,
                                              const std::vector<PathStretch>& stretches) {
@@ -30,4 +30,4 @@ void write_stretches(const std::vector<StretchOfLoad>& stretches,
   lines.finish();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "codegen/answer/kinds.hpp"
 #include "codegen/answer/lines_file.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct PathStretch;
 struct Trajectory;
@@ -23,4 +23,4 @@ struct Trajectory;
 void write_stretches(const std::vector<StretchOfLoad>& stretches,
                      const nlohmann::ordered_json& summary, LinesFile& lines);
 
-}  // namespace regulus
+}  // namespace regulus::detail

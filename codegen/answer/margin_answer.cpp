@@ -20,7 +20,7 @@
 #include "codegen/question/way/trajectory_margin.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -228,4 +228,4 @@ std::unique_ptr<MarginAnswer> ask(const AskMargin& asked, const Services& servic
   return std::make_unique<WayMargin>(question, std::move(request), asked, services);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

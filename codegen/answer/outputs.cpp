@@ -8,7 +8,7 @@
 #include "codegen/answer/report/progress.hpp"
 #include "runtime/proof/format.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Returns the files that a question reads: the model, way-points, filters.
@@ -59,4 +59,4 @@ FormingWatch watch_of(const Services& services, const SearchOptions& search) {
   return watch;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -14,7 +14,7 @@
 #include "codegen/support/work_meter.hpp"
 #include "runtime/problem/observers.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Renames the files of earlier runs: the certificate, the checkpoint, the lines and the pictures of
 /// `services`. Throws as set_earlier_outputs_aside.
@@ -41,4 +41,4 @@ template <class Read>
   return std::nullopt;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -20,7 +20,7 @@
 #include "codegen/support/write_file.hpp"
 #include "runtime/proof/format.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -260,4 +260,4 @@ std::unique_ptr<Answer> ask_for_page(const Asked& asked, const Services& service
   return answer;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -13,7 +13,7 @@
 #include "codegen/answer/page/page_template.hpp"
 #include "codegen/answer/services.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A proof or a paving beyond this size stays out of a page.
 inline constexpr std::size_t kLongestProof = std::size_t{4} << 20;
@@ -78,4 +78,4 @@ class PageOfAnswers {
 [[nodiscard]] std::unique_ptr<Answer> ask_for_page(const Asked& asked, const Services& services,
                                                    PageOfAnswers& page);
 
-}  // namespace regulus
+}  // namespace regulus::detail

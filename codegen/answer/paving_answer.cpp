@@ -34,7 +34,7 @@
 #include "runtime/problem/observers.hpp"
 #include "runtime/search/workspace.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -176,7 +176,7 @@ class WayPaving final : public PavingAnswer {
     const Request& asked_about = paving_.check.request;
     write_beside([&] {
       pictures.draw({fmt::format("{}, {}", asked_about.model.name, asked_about.motion.name),
-                     *asked_about.motion.trajectory, paving_.stretches, name});
+                     *asked_about.motion.trajectory, paving_.stretches, regulus::name});
     });
     write_beside([&] { checkpoint.finish(paving_.check.can_continue); });
     checkpoint_line_ = checkpoint.line();
@@ -223,4 +223,4 @@ std::unique_ptr<PavingAnswer> ask(const AskPaving& asked, const Services& servic
   return std::make_unique<WayPaving>(std::move(*along), watch.lap(), asked, services);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -31,7 +31,7 @@
 #include "codegen/support/errors.hpp"
 #include "runtime/search/box_judges.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -368,7 +368,7 @@ class FormedQuestion final : public RankQuestion {
 
   void decide_for_another(const cluster::SearchDescription& search, const Decide& decide) override {
     if (!formed_.judges)
-      return regulus::decide_for_another(
+      return detail::decide_for_another(
           formed_.prepared, options_, search,
           [&](const Problem& problem, const Settings& settings) { decide(problem, settings, {}); });
     const Problem problem = problem_of_another(
@@ -394,4 +394,4 @@ std::unique_ptr<RankQuestion> prepare_for_rank(const Asked& asked, const Service
       std::move(*formed), std::visit([](const auto& one) { return one.search; }, asked));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 #include "codegen/answer/services.hpp"
 #include "runtime/cluster/search_description.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// This process forms what the next searches of another one are about.
 class RankQuestion {
@@ -42,4 +42,4 @@ class RankQuestion {
                                                              const Services& services,
                                                              std::optional<std::string_view> topic);
 
-}  // namespace regulus
+}  // namespace regulus::detail

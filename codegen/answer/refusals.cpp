@@ -13,7 +13,7 @@
 #include "codegen/question/way/read_trajectory.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::string_view kNoBoxes = "a picture is of the boxes of a paving; ask where, by locate";
@@ -300,4 +300,4 @@ std::string what_works() {
   return page;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

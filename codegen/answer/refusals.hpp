@@ -11,7 +11,7 @@
 #include "codegen/answer/asked.hpp"
 #include "codegen/answer/services.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct Request;
 
@@ -107,4 +107,4 @@ void refuse_changed_options(std::span<const OptionRefusal> refused, const ModelO
 /// Returns the page "What works with what" of the manual, in Markdown.
 [[nodiscard]] std::string what_works();
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/model/exact/certain_sign.hpp"
 #include "codegen/model/request.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Refuses what no picture over these ranges can have: names and ranges of the search are enough.
@@ -45,4 +45,4 @@ void refuse_paving(const std::string& resolution, const ModelOptions& model,
     require_pictures(pictures, *request);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "codegen/model/model_options.hpp"
 #include "codegen/question/engine/options.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Call it before an earlier file is touched. Reads the model only if pictures are wanted.
 ///
@@ -16,4 +16,4 @@ namespace regulus {
 void refuse_paving(const std::string& resolution, const ModelOptions& model,
                    const SearchOptions& search, const Services& services);
 
-}  // namespace regulus
+}  // namespace regulus::detail

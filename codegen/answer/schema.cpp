@@ -5,7 +5,7 @@
 
 #include "codegen/answer/keys.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -245,4 +245,4 @@ std::string python_types() {
   return text + "Report = Union[" + names + "]\n";
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

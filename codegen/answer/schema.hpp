@@ -5,7 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the JSON schema of the reports and of errors: `$defs` has one for each kind.
 [[nodiscard]] nlohmann::ordered_json json_schema();
@@ -16,4 +16,4 @@ namespace regulus {
 /// Returns the types of the reports for Python: a module of TypedDicts.
 [[nodiscard]] std::string python_types();
 
-}  // namespace regulus
+}  // namespace regulus::detail

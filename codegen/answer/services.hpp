@@ -17,7 +17,7 @@
 #include "runtime/interval/interval.hpp"
 #include "runtime/search/paving.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The JSON lines of a paving.
 struct LinesRequest {
@@ -72,4 +72,4 @@ struct Services {
   }
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

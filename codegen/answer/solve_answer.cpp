@@ -23,7 +23,7 @@
 #include "codegen/question/solve/solve_run.hpp"
 #include "runtime/files/sha256.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using KeepRoots = decltype(SolveRun::keep);
@@ -385,4 +385,4 @@ std::unique_ptr<SolveAnswer> ask(const AskSolve& asked, const Services& services
   return std::make_unique<FoundSolutions>(asked, services);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include "codegen/model/request.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Applies the ranges, the tolerances and the threshold of the options to a model and its motion.
 /// Throws UsageError.
@@ -13,4 +13,4 @@ void apply_changes(Request& request, const ModelOptions& options);
 /// Throws InputError.
 void stay_within_limits(Request& request, const ModelOptions& options);
 
-}  // namespace regulus
+}  // namespace regulus::detail

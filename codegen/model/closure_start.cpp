@@ -10,7 +10,7 @@
 #include "codegen/model/way/trajectory.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -102,4 +102,4 @@ void require_way_from_start(const Model& model, const Motion& motion) {
         "them");
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include "codegen/model/model.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the values of the motion's parameters at the start of the model's closure, by parameter.
 ///
@@ -26,4 +26,4 @@ void require_start(const Model& model, const Motion& motion);
 /// Throws    InputError, with the motion's name, if it does not.
 void require_way_from_start(const Model& model, const Motion& motion);
 
-}  // namespace regulus
+}  // namespace regulus::detail

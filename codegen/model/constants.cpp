@@ -12,7 +12,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -80,4 +80,4 @@ std::vector<ex> distinct(const std::vector<ex>& all) {
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

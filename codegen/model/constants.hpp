@@ -5,7 +5,7 @@
 #include "codegen/model/exact/expression_parser.hpp"
 #include "codegen/model/model.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the range lo ≤ hi; the order is proved. Throws InputError for a reversed range, and for
 /// a range whose ends certified evaluation cannot put in order (sqrt(2)*sqrt(3) to sqrt(6)).
@@ -26,4 +26,4 @@ void append(std::vector<GiNaC::ex>& all, const std::vector<GiNaC::ex>& more);
 /// Returns the expressions without repetitions, in the order of first occurrence.
 [[nodiscard]] std::vector<GiNaC::ex> distinct(const std::vector<GiNaC::ex>& all);
 
-}  // namespace regulus
+}  // namespace regulus::detail

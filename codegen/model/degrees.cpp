@@ -13,7 +13,7 @@
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/model/exact/sign.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 bool is_plain(const GiNaC::ex& e) { return e.info(GiNaC::info_flags::rational); }
@@ -72,4 +72,4 @@ void warn_about_angle(std::vector<std::string>& warnings, const Range& range, st
                   lo, hi, lo, hi));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

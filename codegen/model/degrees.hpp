@@ -12,7 +12,7 @@
 
 #include "codegen/model/model.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct Place;
 
@@ -40,4 +40,4 @@ constexpr double kOneTurn = 6.2832;
 void warn_about_angle(std::vector<std::string>& warnings, const Range& range, std::string_view unit,
                       const Place& place, bool is_of_joint = false);
 
-}  // namespace regulus
+}  // namespace regulus::detail

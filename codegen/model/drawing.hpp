@@ -9,7 +9,7 @@
 
 #include "codegen/model/exact/exact_algebra.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct Drawing {
   enum class Kind {
@@ -59,4 +59,4 @@ struct Drawing {
   return "";
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

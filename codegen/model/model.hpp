@@ -85,7 +85,9 @@ struct MotionParameter {
   Range range;
 };
 
+namespace detail {
 struct Trajectory;
+}  // namespace detail
 
 /// The file of a motion along way-points.
 struct WaypointSource {
@@ -129,7 +131,8 @@ struct Motion {
   [[nodiscard]] bool has_no_pose() const { return !legs.empty() || !tool.empty(); }
   /// If it is set, `pose` only has the values of pose parameters that the file does not give.
   std::optional<WaypointSource> waypoints{};
-  std::shared_ptr<const Trajectory> trajectory{};  ///< the pieces of the file, once it is read
+  /// The pieces of the file, once it is read.
+  std::shared_ptr<const detail::Trajectory> trajectory{};
   std::vector<std::string> warnings{};  ///< what may have been meant otherwise, with the line
 };
 
@@ -171,8 +174,10 @@ struct AskedExpression {
   std::vector<GiNaC::ex> must_be_defined;
 };
 
+namespace detail {
 struct Drawing;
 struct Serial;
+}  // namespace detail
 
 struct Model {
   std::string name;
@@ -197,10 +202,10 @@ struct Model {
   Actuators actuators;
   /// An angle times this length is compared with a length; nullopt: the model does not say.
   std::optional<GiNaC::ex> characteristic_length;
-  std::vector<ExtensibleLeg> legs{};         ///< all legs, if each is such; else empty
-  std::shared_ptr<const Serial> arm{};       ///< null: it is no serial arm
-  std::optional<AskedExpression> asked;      ///< by an option of the command line
-  std::shared_ptr<const Drawing> drawing{};  ///< null: the model gives no points to draw
+  std::vector<ExtensibleLeg> legs{};                 ///< all legs, if each is such; else empty
+  std::shared_ptr<const detail::Serial> arm{};       ///< null: it is no serial arm
+  std::optional<AskedExpression> asked;              ///< by an option of the command line
+  std::shared_ptr<const detail::Drawing> drawing{};  ///< null: the model gives no points to draw
   std::vector<Motion> motions;
   /// Of the joints, in the order of `pose`; empty: the file gives none. Questions stay within them.
   std::vector<Range> limits{};

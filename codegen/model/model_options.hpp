@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The options of every command that reads a model: the motion, and changes to it.
 struct ModelOptions {
@@ -32,4 +32,4 @@ struct ModelOptions {
   std::function<void(const std::string&)> warn{};
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

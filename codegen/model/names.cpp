@@ -7,7 +7,7 @@
 #include "codegen/model/exact/real_functions.hpp"
 #include "codegen/support/visible_text.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::size_t kLongestName = 64;
@@ -106,4 +106,4 @@ bool is_label(std::string_view text) noexcept {
          visible(text) == text;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

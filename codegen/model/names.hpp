@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// True if the text matches [A-Za-z][A-Za-z0-9_]* (ASCII) and has at most 64 characters. Keywords
 /// of C++ are allowed, because names are mangled in generated code.
@@ -45,4 +45,4 @@ namespace regulus {
 /// most 200 bytes of printable ASCII or UTF-8 beyond it, no control character, no backslash.
 [[nodiscard]] bool is_label(std::string_view text) noexcept;
 
-}  // namespace regulus
+}  // namespace regulus::detail

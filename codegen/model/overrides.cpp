@@ -8,7 +8,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -210,4 +210,4 @@ std::vector<std::string> tolerance_groups(const Model& model) {
   return groups;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 
 #include "codegen/model/model.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the motion of that name; for an empty name, the only motion. Throws InputError that
 /// lists the names.
@@ -44,4 +44,4 @@ void set_tolerance(Model& model, std::string_view groups, const GiNaC::ex& toler
 /// The groups of the model, each once, in the order of the geometry.
 [[nodiscard]] std::vector<std::string> tolerance_groups(const Model& model);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/model/overrides.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::array<const char*, 6> kTool = {"x", "y", "z", "roll", "pitch", "yaw"};
@@ -235,4 +235,4 @@ std::vector<PlacedNumber> place_of(const Model& model, const Motion& motion) {
   return place;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 
 #include "codegen/model/request.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct PlaceName {
   std::string name, unit;
@@ -71,4 +71,4 @@ struct PlacedNumber {
 /// Requires  the parameters of the motion have values.
 [[nodiscard]] std::vector<PlacedNumber> place_of(const Model& model, const Motion& motion);
 
-}  // namespace regulus
+}  // namespace regulus::detail

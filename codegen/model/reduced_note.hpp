@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The beginning of that note, among Model::matrix_notes.
 inline constexpr std::string_view kReduced = "reduced: ";
@@ -18,4 +18,4 @@ inline constexpr std::string_view kReduced = "reduced: ";
   return std::ranges::any_of(matrix_notes, is_reason) ? "reduced" : "full";
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

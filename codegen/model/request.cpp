@@ -12,7 +12,7 @@
 #include "codegen/model/place.hpp"
 #include "codegen/model/way/trajectory.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 Assignment split_assignment(const std::string& text, const char* option) {
   const std::size_t equals = text.find('=');
@@ -160,4 +160,4 @@ Request request_of(Model model, const ModelOptions& options, std::span<const Giv
   return request;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 #include "codegen/support/errors.hpp"
 #include "codegen/support/work_meter.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A model and the motion in question, with the changes of the command line applied.
 struct Request {
@@ -49,4 +49,4 @@ void from_option(const char* option, Change change) {
   }
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 
 #include "codegen/model/degrees.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 enum class UnitKind { kLength, kAngle };
@@ -49,4 +49,4 @@ std::optional<GiNaC::ex> unit_factor(std::string_view from, std::string_view to)
   return size_of(*a) / size_of(*b);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the exact factor that turns a number in `from` into one in `to`: units of length, of an
 /// angle, or one label twice. nullopt if the units are of different kinds, or not known.
@@ -15,4 +15,4 @@ namespace regulus {
 /// True for the name of a unit that is known.
 [[nodiscard]] bool is_unit(std::string_view name) noexcept;
 
-}  // namespace regulus
+}  // namespace regulus::detail

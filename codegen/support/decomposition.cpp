@@ -5,7 +5,7 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
-namespace regulus {
+namespace regulus::detail {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -31,4 +31,4 @@ PivotedColumns pivot(const MatrixXd& A) {
   return {{order.begin(), order.end()}, qr.matrixR().diagonal()};
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A = u·diag(sigma)·vᵀ, with square u and v; the largest singular value first.
 struct SingularValueDecomposition {
@@ -34,4 +34,4 @@ struct PivotedColumns {
 
 [[nodiscard]] PivotedColumns pivot(const Eigen::MatrixXd& A);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "runtime/files/atomic_file.hpp"
 #include "runtime/files/temporary.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 namespace fs = std::filesystem;
@@ -143,4 +143,4 @@ void set_earlier_outputs_aside(const std::vector<std::string>& inputs,
     if (!output.continues) set_aside(output);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A file that an option names, to be written by the end of a command.
 struct OutputFile {
@@ -33,4 +33,4 @@ struct OutputFile {
 void set_earlier_outputs_aside(const std::vector<std::string>& inputs,
                                const std::vector<OutputFile>& outputs);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 
 #include <system_error>
 
-namespace regulus {
+namespace regulus::detail {
 
 namespace fs = std::filesystem;
 
@@ -17,4 +17,4 @@ fs::path folder_of_executable() {
   return error ? fs::path() : executable.parent_path();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The exit codes of the process. Verdicts come first; the others follow sysexits.h.
 enum ExitCode : int {
@@ -14,4 +14,4 @@ enum ExitCode : int {
   kFileError = 74,
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Owns a file descriptor; closed by the destructor.
 class FileDescriptor {
@@ -30,4 +30,4 @@ class FileDescriptor {
   int fd_ = -1;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Complete files that wait under temporary names for the end of a run. A run that is killed leaves
 /// none of them, and none of an end that a later search would have moved.
@@ -49,4 +49,4 @@ inline void hold_or_put(HeldFiles* held, const std::string& path, HeldFiles::Ste
     put_in_place();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 
 #include <csignal>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Threads that are created during its lifetime receive no signals: other threads handle them.
 class NoSignals {
@@ -23,4 +23,4 @@ class NoSignals {
   sigset_t previous_{};
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 ScratchFolder::ScratchFolder() try {
   folder_.emplace(std::filesystem::temp_directory_path() / "regulus", 0700);
@@ -13,4 +13,4 @@ ScratchFolder::ScratchFolder() try {
   throw FileError("cannot make a folder for temporary files: " + error.code().message());
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

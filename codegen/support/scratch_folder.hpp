@@ -6,7 +6,7 @@
 
 #include "runtime/files/temporary.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A folder of this object alone in the folder for temporary files; it is removed at the end. Those
 /// of processes that were killed are removed by the next one.
@@ -21,4 +21,4 @@ class ScratchFolder {
   std::optional<TemporaryFolder> folder_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstring>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 #if defined(__x86_64__)
@@ -55,4 +55,4 @@ std::optional<std::string> find_fault_in_shared_object(std::string_view bytes) {
   return std::nullopt;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the reason why a file cannot be loaded as a shared object for this processor; nullopt if
 /// its headers show none.
@@ -14,4 +14,4 @@ namespace regulus {
 ///           that is cut off, and reading it ends the process with SIGBUS.
 [[nodiscard]] std::optional<std::string> find_fault_in_shared_object(std::string_view bytes);
 
-}  // namespace regulus
+}  // namespace regulus::detail

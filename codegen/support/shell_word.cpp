@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 bool is_plain(char c) {
@@ -44,4 +44,4 @@ std::vector<std::string> words_of_command(std::string_view command) {
   return words;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the word as a POSIX shell reads it: in single quotes, unless every character is plain.
 [[nodiscard]] std::string shell_word(std::string_view word);
@@ -18,4 +18,4 @@ namespace regulus {
 /// Returns the words of a command line that shell_command made.
 [[nodiscard]] std::vector<std::string> words_of_command(std::string_view command);
 
-}  // namespace regulus
+}  // namespace regulus::detail

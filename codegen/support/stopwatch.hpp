@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Measures the time since its construction or the last lap.
 class Stopwatch {
@@ -19,4 +19,4 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

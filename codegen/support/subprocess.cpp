@@ -9,7 +9,7 @@
 #include <system_error>
 #include <utility>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 class Redirections {
@@ -60,4 +60,4 @@ int Subprocess::wait() noexcept {
   return exit_code_;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

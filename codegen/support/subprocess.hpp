@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// File descriptors for a process's standard streams; -1: the stream of this process.
 struct StandardStreams {
@@ -31,4 +31,4 @@ class Subprocess {
   int exit_code_ = -1;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

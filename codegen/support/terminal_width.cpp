@@ -3,7 +3,7 @@
 
 #include <sys/ioctl.h>
 
-namespace regulus {
+namespace regulus::detail {
 
 std::size_t columns_of_terminal(int file) noexcept {
   constexpr std::size_t kUsual = 80;
@@ -12,4 +12,4 @@ std::size_t columns_of_terminal(int file) noexcept {
   return is_known ? size.ws_col : kUsual;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,9 +3,9 @@
 
 #include <cstddef>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the columns of a terminal; of one that does not say, and of another file, 80.
 [[nodiscard]] std::size_t columns_of_terminal(int file) noexcept;
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The time of a task, and of all the work that the task belongs to. A search ends with its task.
 /// Forming a matrix may take all of the time, because without it nothing is known.
@@ -47,4 +47,4 @@ class TimeBudget {
   double task_, all_;  ///< seconds since then
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

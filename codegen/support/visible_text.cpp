@@ -3,7 +3,7 @@
 
 #include <bit>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Returns the number of bytes of the character in UTF-8 at the start; 0: it has none.
@@ -64,4 +64,4 @@ std::string visible(std::string_view text, bool lines) {
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns a text that a terminal shows as it is: control characters, those that change the
 /// direction of writing, and bytes that are not UTF-8 are written as \xNN.
@@ -12,4 +12,4 @@ namespace regulus {
 /// `lines`: line breaks stay.
 [[nodiscard]] std::string visible(std::string_view text, bool lines = false);
 
-}  // namespace regulus
+}  // namespace regulus::detail

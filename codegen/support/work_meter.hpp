@@ -8,7 +8,7 @@
 #include <functional>
 #include <limits>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Forming took more terms than were allowed.
 struct OverBudget {};
@@ -78,4 +78,4 @@ inline void spend(WorkMeter* meter, std::uint64_t work) {
   if (meter != nullptr) meter->spend(work);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include "codegen/support/errors.hpp"
 #include "runtime/files/atomic_file.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 void write_file(const std::string& path, const std::string& text) try {
   AtomicFile file(path);
@@ -16,4 +16,4 @@ void write_file(const std::string& path, const std::string& text) try {
   throw FileError(path + " cannot " + error.what());
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

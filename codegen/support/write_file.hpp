@@ -3,9 +3,9 @@
 
 #include <string>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Writes a file whole or not at all. Throws FileError.
 void write_file(const std::string& path, const std::string& text);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,6 +5,9 @@
 #include "runtime/files/sha256.hpp"
 
 namespace regulus {
+
+using namespace detail;
+
 namespace {
 
 void put(std::string& text, double x) {

@@ -15,7 +15,7 @@
 
 #include "runtime/interval/interval.hpp"
 
-namespace regulus::cluster {
+namespace regulus::detail::cluster {
 
 /// A message does not have the form that its sender should have given it.
 class MalformedMessage : public std::runtime_error {
@@ -126,4 +126,4 @@ class ByteReader {
   std::string_view rest_;
 };
 
-}  // namespace regulus::cluster
+}  // namespace regulus::detail::cluster

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/cluster/messages.hpp"
 
-namespace regulus::cluster {
+namespace regulus::detail::cluster {
 
 std::string write_grant(const Grant& grant) {
   ByteWriter bytes;
@@ -43,4 +43,4 @@ Answer read_answer(std::string_view text) {
   return answer;
 }
 
-}  // namespace regulus::cluster
+}  // namespace regulus::detail::cluster

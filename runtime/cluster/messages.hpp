@@ -9,7 +9,7 @@
 
 #include "runtime/cluster/unit.hpp"
 
-namespace regulus::cluster {
+namespace regulus::detail::cluster {
 
 /// Supervisor to worker: decide these units and, while fewer boxes than the budget were evaluated,
 /// the groups that they leave.
@@ -40,4 +40,4 @@ struct Answer {
 [[nodiscard]] Grant read_grant(std::string_view bytes);
 [[nodiscard]] Answer read_answer(std::string_view bytes);
 
-}  // namespace regulus::cluster
+}  // namespace regulus::detail::cluster

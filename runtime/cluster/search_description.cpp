@@ -3,7 +3,7 @@
 
 #include "runtime/cluster/bytes.hpp"
 
-namespace regulus::cluster {
+namespace regulus::detail::cluster {
 namespace {
 
 void put(ByteWriter& to, const Problem& problem) {
@@ -107,4 +107,4 @@ SearchDescription read_search(std::string_view text) {
   return search;
 }
 
-}  // namespace regulus::cluster
+}  // namespace regulus::detail::cluster

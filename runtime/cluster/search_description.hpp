@@ -6,7 +6,7 @@
 
 #include "runtime/cluster/workers.hpp"
 
-namespace regulus::cluster {
+namespace regulus::detail::cluster {
 
 /// Everything on which the outcomes of units depend, besides the kernel, for a process of the same
 /// build that has the same kernel.
@@ -23,4 +23,4 @@ struct SearchDescription {
 /// Accepts any bytes. Throws MalformedMessage.
 [[nodiscard]] SearchDescription read_search(std::string_view bytes);
 
-}  // namespace regulus::cluster
+}  // namespace regulus::detail::cluster

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace regulus::cluster {
+namespace regulus::detail::cluster {
 namespace {
 
 /// Grants that a worker has at once: while it decides one, the next one is on its way.
@@ -214,4 +214,4 @@ std::vector<Supervisor::Outgoing> Supervisor::grant_work(double now) {
   return grants;
 }
 
-}  // namespace regulus::cluster
+}  // namespace regulus::detail::cluster

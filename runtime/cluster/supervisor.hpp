@@ -13,7 +13,7 @@
 #include "runtime/cluster/messages.hpp"
 #include "runtime/cluster/waiting_units.hpp"
 
-namespace regulus::cluster {
+namespace regulus::detail::cluster {
 
 /// Two workers gave different outcomes for one unit, so at least one of them computes wrongly.
 class Disagreement : public std::runtime_error {
@@ -113,4 +113,4 @@ class Supervisor {
   double longest_ = 0;  ///< time for an answer
 };
 
-}  // namespace regulus::cluster
+}  // namespace regulus::detail::cluster

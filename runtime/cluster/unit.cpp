@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/cluster/unit.hpp"
 
-namespace regulus::cluster {
+namespace regulus::detail::cluster {
 namespace {
 
 std::vector<Unit> take_groups(ByteReader& from) {
@@ -66,4 +66,4 @@ Outcome read_outcome(std::string_view bytes) {
   return outcome;
 }
 
-}  // namespace regulus::cluster
+}  // namespace regulus::detail::cluster

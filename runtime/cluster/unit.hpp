@@ -16,7 +16,7 @@
 #include "runtime/cluster/bytes.hpp"
 #include "runtime/interval/interval.hpp"
 
-namespace regulus::cluster {
+namespace regulus::detail::cluster {
 
 struct Unit {
   std::vector<std::uint32_t> depths;  ///< of each box: the splits above it
@@ -75,4 +75,4 @@ class UnitDecider {
   [[nodiscard]] virtual std::optional<std::string> decide(const Unit& unit) = 0;
 };
 
-}  // namespace regulus::cluster
+}  // namespace regulus::detail::cluster

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace regulus::cluster {
+namespace regulus::detail::cluster {
 
 void WaitingUnits::insert(const Place& place, const Unit& unit) {
   const double width = approx_width(unit);
@@ -38,4 +38,4 @@ double approx_width(const Unit& unit) noexcept {
   return width;
 }
 
-}  // namespace regulus::cluster
+}  // namespace regulus::detail::cluster

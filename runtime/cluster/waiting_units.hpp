@@ -9,7 +9,7 @@
 
 #include "runtime/cluster/unit.hpp"
 
-namespace regulus::cluster {
+namespace regulus::detail::cluster {
 
 /// The place of a unit in the tree: the number of the first ancestor, then one byte for each group.
 /// The order of these texts is the order of the units.
@@ -37,4 +37,4 @@ class WaitingUnits {
 /// Returns the part of the whole box that a unit has, roughly.
 [[nodiscard]] double approx_width(const Unit& unit) noexcept;
 
-}  // namespace regulus::cluster
+}  // namespace regulus::detail::cluster

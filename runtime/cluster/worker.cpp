@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace regulus::cluster {
+namespace regulus::detail::cluster {
 
 Worker::Progress Worker::begin(Grant grant) {
   Progress progress;
@@ -51,4 +51,4 @@ std::optional<std::string> Worker::tick(double now) {
   return write_answer({});
 }
 
-}  // namespace regulus::cluster
+}  // namespace regulus::detail::cluster

@@ -9,7 +9,7 @@
 
 #include "runtime/cluster/messages.hpp"
 
-namespace regulus::cluster {
+namespace regulus::detail::cluster {
 
 /// Decides the units that it is granted, one at a time. It knows neither threads nor processes: a
 /// transport brings the messages and the time.
@@ -52,4 +52,4 @@ class Worker {
   double reminded_ = 0;
 };
 
-}  // namespace regulus::cluster
+}  // namespace regulus::detail::cluster

@@ -11,7 +11,7 @@
 #include "runtime/cluster/unit.hpp"
 #include "runtime/problem/observer.hpp"
 
-namespace regulus::cluster {
+namespace regulus::detail::cluster {
 
 /// The knowledge of a search before its first unit. All units start from this.
 struct Learned {
@@ -71,4 +71,4 @@ class Workers {
   [[nodiscard]] virtual std::string describe() const { return {}; }
 };
 
-}  // namespace regulus::cluster
+}  // namespace regulus::detail::cluster

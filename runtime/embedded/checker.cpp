@@ -5,6 +5,8 @@
 
 namespace regulus {
 
+using namespace detail;
+
 Checker::Checker(const regulus_kernel& kernel, std::span<const Interval> ranges, unsigned max_boxes,
                  double alpha)
     : search_(std::make_unique<PieceSearch>(kernel, ranges, max_boxes, alpha)) {}

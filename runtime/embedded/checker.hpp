@@ -21,7 +21,9 @@ struct Check {
   std::span<const Interval> places;
 };
 
+namespace detail {
 class PieceSearch;
+}  // namespace detail
 
 /// Decides pieces of one variety, one after the other.
 class Checker {
@@ -51,7 +53,7 @@ class Checker {
   [[nodiscard]] const regulus_kernel& kernel() const noexcept;
 
  private:
-  std::unique_ptr<PieceSearch> search_;
+  std::unique_ptr<detail::PieceSearch> search_;
 };
 
 }  // namespace regulus

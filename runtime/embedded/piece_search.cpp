@@ -7,7 +7,7 @@
 
 #include "runtime/kernel/rounding_scope.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// The number of boxes after which a piece is searched for a witness by other means than midpoints.
@@ -258,4 +258,4 @@ void PieceSearch::stop_at(Reason reason, std::span<const Interval> box) noexcept
   stopped_ = true;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

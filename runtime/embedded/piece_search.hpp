@@ -12,7 +12,7 @@
 #include "runtime/search/frontier.hpp"
 #include "runtime/witness/witness_search.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Implements Checker; checker.hpp has the contracts.
 class PieceSearch {
@@ -72,4 +72,4 @@ class PieceSearch {
   bool certified_ = false;  ///< some box that the constraints do not exclude passed a test
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

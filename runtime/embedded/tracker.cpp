@@ -11,6 +11,9 @@
 #include "runtime/solutions/pose_narrowing.hpp"
 
 namespace regulus {
+
+using namespace detail;
+
 namespace {
 
 constexpr std::size_t kSize = LegsNearPose::kUnknowns;
@@ -281,6 +284,7 @@ regulus_track_verdict regulus_track(const regulus_platform* robot, const regulus
                                     const double* lengths, const double* length_errors,
                                     regulus_track_report* report) {
   using namespace regulus;
+  using namespace regulus::detail;
   const FloatingPointScope nearest(FloatingPointRounding::kNearest);
   regulus_track_report result = {};
   result.verdict = REGULUS_TRACK_BAD_INPUT;

@@ -3,7 +3,7 @@
 
 #include "runtime/regularity/determinant.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Returns the common part of two enclosures of the same numbers.
@@ -95,4 +95,4 @@ void Batch::forget_root() noexcept {
   lanes_.fix_none();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -12,7 +12,7 @@
 #include "runtime/evaluation/pose_evaluator.hpp"
 #include "runtime/regularity/row_structure.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class Batch {
  public:
@@ -156,4 +156,4 @@ class Batch {
   AlignedBuffer vector_, candidate_vector_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

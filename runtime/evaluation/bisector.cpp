@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace regulus {
+namespace regulus::detail {
 
 Bisector::Bisector(const Problem& problem, const Settings& settings)
     : bisection_(settings.bisection),
@@ -71,4 +71,4 @@ double Bisector::approx_relative_width(std::span<const Interval> box) const noex
   return width;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "runtime/evaluation/batch.hpp"
 #include "runtime/problem/problem.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class Bisector {
  public:
@@ -40,4 +40,4 @@ class Bisector {
   std::vector<double> least_width_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace regulus {
+namespace regulus::detail {
 
 BoxLanes::BoxLanes(const Problem& problem)
     : kernel_(copied(*problem.kernel)),
@@ -84,4 +84,4 @@ LaneMask BoxLanes::call(regulus_function function, ConstIntervalVector boxes, co
   return kAllLanes & ~outside_contract_ & ~undefined;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

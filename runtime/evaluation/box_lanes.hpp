@@ -13,7 +13,7 @@
 #include "runtime/regularity/aligned_buffer.hpp"
 #include "runtime/regularity/views.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A computation that is done once for each batch, when its result is first needed.
 class Once {
@@ -95,4 +95,4 @@ class BoxLanes {
   AlignedBuffer boxes_, thin_, midpoint_, radius_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 Interval entry(const AlignedBuffer& x, std::size_t e, std::size_t lane) noexcept {
@@ -131,4 +131,4 @@ void ClosedFormEvaluator::approx_impact(PointVector impact) noexcept {
     });
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 #include "runtime/evaluation/box_lanes.hpp"
 #include "runtime/evaluation/evaluation_plan.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Encloses the determinant in closed form: one entry, [−∞, ∞] in lanes without an enclosure.
 class ClosedFormEvaluator {
@@ -35,4 +35,4 @@ class ClosedFormEvaluator {
   LaneMask slopes_defined_ = 0;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

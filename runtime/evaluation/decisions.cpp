@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/evaluation/decisions.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 MidpointDeterminants approx_midpoint_determinants(Batch& batch, LaneMask lanes,
                                                   bool scaled) noexcept {
@@ -19,4 +19,4 @@ MidpointDeterminants approx_midpoint_determinants(Batch& batch, LaneMask lanes,
   return midpoint_determinants;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -14,7 +14,7 @@
 #include "runtime/problem/adaptive_threshold.hpp"
 #include "runtime/problem/observer.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Tests for boxes that are probably decided by less than the usual tests (regularity_tests.hpp).
 inline constexpr std::size_t kMaxEasyTests = 2;
@@ -161,4 +161,4 @@ class Decisions {
   const double* vector_of_[kLanes] = {};
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -13,7 +13,7 @@
 
 #include "runtime/regularity/lanes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 EntrySharpener::EntrySharpener(const BoxLanes& lanes, MidpointEvaluator& midpoint,
                                DerivativeEvaluator& derivatives, MatrixEvaluator& matrix)
@@ -141,4 +141,4 @@ void EntrySharpener::fill_up() noexcept {
   }
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include "runtime/evaluation/matrix_evaluator.hpp"
 #include "runtime/regularity/lanes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Narrows the entries of the method's matrix by their derivatives over the box: by the mean value
 /// theorem, and by evaluating them on the faces where they are least and greatest. Faces are
@@ -57,4 +57,4 @@ class EntrySharpener {
   Trend trend_[kLanes][kMaxColumns * kMaxColumns];
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/evaluation/evaluation_plan.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Left products have their own derivatives; those of the others follow from those of A.
@@ -30,4 +30,4 @@ EvaluationPlan make_plan(const Problem& problem, const Settings& settings) noexc
   return plan;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 
 #include "runtime/problem/problem.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct EvaluationPlan {
   ProductForm form;           ///< of the matrix that the method uses
@@ -18,4 +18,4 @@ struct EvaluationPlan {
 
 [[nodiscard]] EvaluationPlan make_plan(const Problem& problem, const Settings& settings) noexcept;
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 std::vector<DerivativePlace> places(const regulus_derivatives& derivatives) {
@@ -170,4 +170,4 @@ void ExpansionEvaluator::approx_impact(PerronVectors vectors, PointVector impact
   if (unknown != 0) add_impact_at_center(unknown & midpoint_.preconditioned(), impact);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

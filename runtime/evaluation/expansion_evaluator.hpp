@@ -6,7 +6,7 @@
 #include "runtime/evaluation/product_evaluator.hpp"
 #include "runtime/regularity/second_order.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Bounds K·A by its expansion to second order (runtime/regularity/second_order.hpp).
 class ExpansionEvaluator {
@@ -72,4 +72,4 @@ class ExpansionEvaluator {
   OrthantCell orthant_hint_{};
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

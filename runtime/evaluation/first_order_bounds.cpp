@@ -3,7 +3,7 @@
 
 #include "runtime/regularity/h_matrix.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 FirstOrderBounds::FirstOrderBounds(const BoxLanes& lanes, MidpointEvaluator& midpoint,
                                    ProductEvaluator& product, DerivativeEvaluator& derivatives,
@@ -52,4 +52,4 @@ ConstPointMatrix FirstOrderBounds::mean_value() noexcept {
   return bounds;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include "runtime/evaluation/product_evaluator.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Bounds |KA − I| over the boxes by a matrix P.
 class FirstOrderBounds {
@@ -32,4 +32,4 @@ class FirstOrderBounds {
   Once natural_, mean_value_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

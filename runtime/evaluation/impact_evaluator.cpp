@@ -9,7 +9,7 @@
 
 #include "runtime/regularity/h_matrix.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 ImpactEvaluator::ImpactEvaluator(const Sources& sources, const EvaluationPlan& plan,
                                  std::size_t order)
@@ -173,4 +173,4 @@ ConstPointVector ImpactEvaluator::approx_impact() noexcept {
   return impact();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "runtime/evaluation/expansion_evaluator.hpp"
 #include "runtime/evaluation/first_order_bounds.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Estimates how much each variable contributes to the failure of a method's test. These are
 /// heuristics: they choose where to split and decide nothing.
@@ -57,4 +57,4 @@ class ImpactEvaluator {
   LaneNumbers approx_spectral_radius_{};
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

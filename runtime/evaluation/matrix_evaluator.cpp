@@ -5,7 +5,7 @@
 
 #include "runtime/regularity/lanes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Side = ProductForm::Side;
@@ -147,4 +147,4 @@ LaneMask DerivativeEvaluator::evaluate() noexcept {
   return defined & midpoint_.preconditioned();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

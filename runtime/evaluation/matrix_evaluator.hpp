@@ -4,7 +4,7 @@
 #include "runtime/evaluation/evaluation_plan.hpp"
 #include "runtime/evaluation/midpoint_evaluator.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the kernel's function for a product with K; null for A, for numeric products, and if the
 /// kernel has none.
@@ -67,4 +67,4 @@ class DerivativeEvaluator {
   LaneMask defined_ = 0;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

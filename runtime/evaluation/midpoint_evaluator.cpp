@@ -7,7 +7,7 @@
 #include "runtime/regularity/determinant.hpp"
 #include "runtime/regularity/midpoint_inverse.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 MidpointEvaluator::MidpointEvaluator(const BoxLanes& lanes)
     : lanes_(lanes),
@@ -71,4 +71,4 @@ Interval MidpointEvaluator::preconditioner_determinant(std::size_t lane) noexcep
   return enclose_determinant_by_elimination(matrix_of_lane(preconditioner(), lane));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

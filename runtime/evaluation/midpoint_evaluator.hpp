@@ -3,7 +3,7 @@
 
 #include "runtime/evaluation/box_lanes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Evaluates A at the midpoints of the boxes and inverts it: this is the preconditioner K.
 class MidpointEvaluator {
@@ -36,4 +36,4 @@ class MidpointEvaluator {
   LaneMask defined_ = 0, preconditioned_ = 0;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

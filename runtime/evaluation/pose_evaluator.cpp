@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace regulus {
+namespace regulus::detail {
 
 PoseEvaluator::PoseEvaluator(const BoxLanes& lanes)
     : lanes_(lanes),
@@ -86,4 +86,4 @@ double PoseEvaluator::approx_row_scale(std::size_t lane) noexcept {
   return approx_scale_[lane];
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include "runtime/evaluation/box_lanes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Finds which boxes and midpoints satisfy the constraints, where the pose is defined, and how the
 /// rows are scaled there.
@@ -56,4 +56,4 @@ class PoseEvaluator {
   double approx_scale_[kLanes] = {};
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/evaluation/product_evaluator.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Side = ProductForm::Side;
@@ -68,4 +68,4 @@ ConstIntervalMatrix ProductEvaluator::product(ProductForm form, LaneMask& lanes)
   return entries;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 
 #include "runtime/evaluation/entry_sharpener.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Encloses A and its products with K over the boxes.
 class ProductEvaluator {
@@ -40,4 +40,4 @@ class ProductEvaluator {
   Enclosure plain_, left_, right_, left_numeric_, right_numeric_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include "runtime/regularity/minors.hpp"
 #include "runtime/regularity/rohn.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Side = ProductForm::Side;
@@ -318,4 +318,4 @@ TestSequence make_tests(const Problem& problem, const Settings& settings,
   return tests;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

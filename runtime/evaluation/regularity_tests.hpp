@@ -9,7 +9,7 @@
 #include "runtime/problem/adaptive_threshold.hpp"
 #include "runtime/problem/result.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class RegularityTest {
  public:
@@ -46,4 +46,4 @@ using TestSequence = std::vector<std::unique_ptr<RegularityTest>>;
 [[nodiscard]] bool tests_learn(const Problem& problem, const Settings& settings,
                                const RowStructure& structure) noexcept;
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr int kSteps = 3;           ///< of g ← Pg + c
@@ -132,4 +132,4 @@ Interval BranchRates::determinant() const {
   return factor / of_inverse;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -18,7 +18,7 @@
 
 #include "runtime/existence/branch_tube.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class BranchRates {
  public:
@@ -56,4 +56,4 @@ class BranchRates {
   const std::size_t n_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include "runtime/interval/floating_point_scope.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 namespace {
 
@@ -260,4 +260,4 @@ std::optional<std::vector<double>> approx_inverse_of(std::span<const double> mat
   return inverse;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -22,7 +22,7 @@
 
 #include "runtime/interval/interval.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct BranchTube {
   std::vector<double> at;      ///< x₀, by variable
@@ -88,4 +88,4 @@ struct TubeImage {
 [[nodiscard]] std::optional<std::vector<double>> approx_inverse_of(std::span<const double> matrix,
                                                                    std::size_t n);
 
-}  // namespace regulus
+}  // namespace regulus::detail

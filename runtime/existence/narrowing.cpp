@@ -3,7 +3,7 @@
 
 #include <optional>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Returns the hull of the t in `within` with a·t = s for some a ∈ A, s ∈ S; nullopt: there are none.
@@ -36,4 +36,4 @@ bool narrow_by_rows(std::span<const Interval> A, std::span<const Interval> b,
   return true;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include "runtime/interval/interval.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Narrows x to the hull of the parts of it that b + A(x − c) = 0 leaves, one row and one unknown
 /// after another: x_j − c_j ∈ −(b_i + Σ_{k≠j} A_ik(x_k − c_k))/A_ij, also where A_ij contains 0.
@@ -18,4 +18,4 @@ namespace regulus {
 [[nodiscard]] bool narrow_by_rows(std::span<const Interval> A, std::span<const Interval> b,
                                   std::span<const double> c, std::span<Interval> x) noexcept;
 
-}  // namespace regulus
+}  // namespace regulus::detail

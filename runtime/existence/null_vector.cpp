@@ -7,7 +7,7 @@
 
 #include "runtime/existence/branch_tube.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr int kMostSteps = 24;
@@ -135,4 +135,4 @@ std::optional<NullVectorBox> enclose_null_vector(const MatrixFunction& matrix,
   return std::nullopt;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -14,7 +14,7 @@
 
 #include "runtime/interval/interval.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A over a box of t.
 struct MatrixOverBox {
@@ -43,4 +43,4 @@ struct NullVectorBox {
                                                                std::vector<double> v,
                                                                std::span<const Interval> ranges);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -12,7 +12,7 @@
 
 #include "runtime/files/temporary.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 namespace fs = std::filesystem;
@@ -139,4 +139,4 @@ void AtomicFile::put_in_place_durably() {
   if (!temporary_.empty()) sync_folder_of(name_, folder_);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// True for a name that is written to and not replaced: of a device, a pipe, a socket, or of an open
 /// file of this process, such as /dev/stdout.
@@ -48,4 +48,4 @@ class AtomicFile {
   bool in_place_ = false;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include <system_error>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::size_t kPart = std::size_t{1} << 16;
@@ -40,4 +40,4 @@ void AtomicStream::put_in_place() {
   buffer_.file.put_in_place_durably();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 
 #include "runtime/files/atomic_file.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A stream into an AtomicFile.
 class AtomicStream : public std::ostream {
@@ -38,4 +38,4 @@ class AtomicStream : public std::ostream {
   Buffer buffer_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

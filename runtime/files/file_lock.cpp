@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <string_view>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Before the number of the process.
@@ -109,4 +109,4 @@ FileLock::~FileLock() {
   ::close(descriptor_);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

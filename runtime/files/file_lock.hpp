@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Holds `path`.lock. The kernel releases the lock when the process ends in any way. So the file
 /// that a killed process leaves behind locks nothing.
@@ -29,4 +29,4 @@ class FileLock {
   int descriptor_ = -1;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include "runtime/files/sha256_blocks.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using sha256_blocks::kBlockBytes;
@@ -59,4 +59,4 @@ std::string sha256(std::string_view bytes) {
   return digest.text();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The SHA-256 digest of the bytes.
 ///
@@ -30,4 +30,4 @@ class Sha256 {
   std::uint64_t total_ = 0;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include <immintrin.h>
 #endif
 
-namespace regulus::sha256_blocks {
+namespace regulus::detail::sha256_blocks {
 namespace {
 
 // Fractional parts of the cube roots of the first 64 primes (FIPS 180-4, §4.2.2).
@@ -143,4 +143,4 @@ void compress_by_instructions(State& hash, std::string_view blocks) {
 
 #endif
 
-}  // namespace regulus::sha256_blocks
+}  // namespace regulus::detail::sha256_blocks

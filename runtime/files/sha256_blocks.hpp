@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace regulus::sha256_blocks {
+namespace regulus::detail::sha256_blocks {
 
 inline constexpr std::size_t kBlockBytes = 64;
 
@@ -23,4 +23,4 @@ void compress_portably(State& hash, std::string_view blocks);
 /// Requires  has_instructions().
 void compress_by_instructions(State& hash, std::string_view blocks);
 
-}  // namespace regulus::sha256_blocks
+}  // namespace regulus::detail::sha256_blocks

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::string_view kEnding = ".regulus";
@@ -158,4 +158,4 @@ void TemporaryFolder::put_in_place_durably(const std::string& name) {
   sync_folder_of(name);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A file of an earlier run is renamed to NAME.old.
 inline constexpr const char* kEarlierEnding = ".old";
@@ -57,4 +57,4 @@ class TemporaryFolder {
 /// Waits until the names in the folder of a file are on the disk.
 void sync_folder_of(const std::string& name, int folder = AT_FDCWD) noexcept;
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -139,7 +139,7 @@ Coqc::Coqc(std::string library, double time_limit)
 
 Coqc::Answer Coqc::compile(const std::string& name, const std::string& text) {
   const std::string folder = fs::absolute(folder_.path()).string();
-  AtomicFile file(folder + '/' + name + ".v");
+  detail::AtomicFile file(folder + '/' + name + ".v");
   file.write(text);
   file.put_in_place();
   const std::string output = name + ".out";

@@ -36,7 +36,7 @@ class Coqc {
  private:
   const std::string library_;
   const double end_;  ///< on the steady clock; 0: none
-  TemporaryFolder folder_;
+  detail::TemporaryFolder folder_;
 };
 
 }  // namespace regulus::verifier

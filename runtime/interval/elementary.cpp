@@ -7,6 +7,9 @@
 #include "runtime/interval/elementary/trigonometric.hpp"
 
 namespace regulus {
+
+using namespace detail;
+
 namespace {
 
 elementary::Bounds<double> bounds(Interval x) noexcept { return {x.lo, x.hi}; }

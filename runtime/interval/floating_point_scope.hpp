@@ -12,7 +12,7 @@
 #include <cfenv>
 #endif
 
-namespace regulus {
+namespace regulus::detail {
 
 enum class FloatingPointRounding { kNearest, kUpward };
 
@@ -73,4 +73,4 @@ class FloatingPointScope {
 
 #endif
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 #include "runtime/interval/floating_point_scope.hpp"
 #include "runtime/interval/x8_backend.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 const X8Backend& x8_backend(Isa isa) noexcept {
 #if defined(__x86_64__)
@@ -24,39 +24,39 @@ unsigned call(X8Backend::Function X8Backend::*function, const double* in, double
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail
 
-using regulus::X8Backend;
+using regulus::detail::X8Backend;
 
 unsigned regulus_x8_sin(const double* in, double* out) {
-  return regulus::call(&X8Backend::sin, in, out);
+  return regulus::detail::call(&X8Backend::sin, in, out);
 }
 unsigned regulus_x8_cos(const double* in, double* out) {
-  return regulus::call(&X8Backend::cos, in, out);
+  return regulus::detail::call(&X8Backend::cos, in, out);
 }
 unsigned regulus_x8_sincos(const double* in, double* out) {
-  return regulus::call(&X8Backend::sincos, in, out);
+  return regulus::detail::call(&X8Backend::sincos, in, out);
 }
 unsigned regulus_x8_tan(const double* in, double* out) {
-  return regulus::call(&X8Backend::tan, in, out);
+  return regulus::detail::call(&X8Backend::tan, in, out);
 }
 unsigned regulus_x8_asin(const double* in, double* out) {
-  return regulus::call(&X8Backend::asin, in, out);
+  return regulus::detail::call(&X8Backend::asin, in, out);
 }
 unsigned regulus_x8_acos(const double* in, double* out) {
-  return regulus::call(&X8Backend::acos, in, out);
+  return regulus::detail::call(&X8Backend::acos, in, out);
 }
 unsigned regulus_x8_atan(const double* in, double* out) {
-  return regulus::call(&X8Backend::atan, in, out);
+  return regulus::detail::call(&X8Backend::atan, in, out);
 }
 unsigned regulus_x8_atan2(const double* in, double* out) {
-  return regulus::call(&X8Backend::atan2, in, out);
+  return regulus::detail::call(&X8Backend::atan2, in, out);
 }
 unsigned regulus_x8_exp(const double* in, double* out) {
-  return regulus::call(&X8Backend::exp, in, out);
+  return regulus::detail::call(&X8Backend::exp, in, out);
 }
 unsigned regulus_x8_log(const double* in, double* out) {
-  return regulus::call(&X8Backend::log, in, out);
+  return regulus::detail::call(&X8Backend::log, in, out);
 }
 
 regulus_x8_function_table regulus_x8_functions() {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/interval/x8_lanes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 const X8Backend kX8Avx2 = elementary::kBackend;
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 
 #include "runtime/interval/isa.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Each requires MXCSR at nearest; everything else is as in runtime/interval/x8.hpp.
 struct X8Backend {
@@ -21,4 +21,4 @@ extern const X8Backend kX8Avx2;
 extern const X8Backend kX8Avx512;
 #endif
 
-}  // namespace regulus
+}  // namespace regulus::detail

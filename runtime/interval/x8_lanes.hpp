@@ -12,7 +12,7 @@
 #include "runtime/interval/lanes.hpp"
 #include "runtime/interval/x8_backend.hpp"
 
-namespace regulus::elementary {
+namespace regulus::detail::elementary {
 inline namespace REGULUS_LANES_ISA {
 
 /// Doubles in memory, seen as a vector.
@@ -110,4 +110,4 @@ inline constexpr X8Backend kBackend{apply_total<sin_bounds>,
                                     apply<log_bounds<Vector>>};
 
 }  // namespace REGULUS_LANES_ISA
-}  // namespace regulus::elementary
+}  // namespace regulus::detail::elementary

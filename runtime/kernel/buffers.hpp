@@ -8,7 +8,7 @@
 #include "runtime/interval/lanes.hpp"
 #include "runtime/interval/type.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct alignas(64) LaneRow {
   double lane[kLanes] = {};
@@ -59,4 +59,4 @@ class PointRows {
 using BoxBatch = IntervalRows;     ///< one interval per variable
 using OutputBatch = IntervalRows;  ///< one interval per output
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 
 #include "runtime/kernel/rounding_scope.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 // Pairs of lanes: every 64-bit processor compares two doubles in one instruction.
@@ -174,4 +174,4 @@ void CheckedKernel::forget(regulus_function function, LaneMask lanes, double* ou
     }
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

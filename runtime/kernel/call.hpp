@@ -7,7 +7,7 @@
 #include "runtime/interval/lanes.hpp"
 #include "runtime/kernel/abi.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 static_assert(kLanes == REGULUS_LANES);
 
@@ -68,4 +68,4 @@ class CheckedKernel {
   const regulus_kernel* kernel_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -26,14 +26,16 @@ file(WRITE ${OUTPUT} "// SPDX-License-Identifier: Apache-2.0
 
 #include \"runtime/kernel/self_test.hpp\"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 constexpr KernelHeader kHeaders[] = {
 ${entries}};
 }  // namespace
 
 std::span<const KernelHeader> kernel_headers() noexcept { return kHeaders; }
+}  // namespace regulus::detail
 
+namespace regulus {
 const char* const kSelfTestSource = ${program};
 }  // namespace regulus
 ")

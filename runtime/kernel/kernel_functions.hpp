@@ -9,7 +9,7 @@
 
 #include "runtime/kernel/abi.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// In the order of the table's rows.
 enum class KernelFunction : unsigned char {
@@ -66,4 +66,4 @@ inline constexpr std::array<KernelFunctionRow, 15> kKernelFunctions = {{
   return std::nullopt;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

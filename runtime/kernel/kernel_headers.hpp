@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-namespace regulus {
+namespace regulus::detail {
 
 struct KernelHeader {
   std::string_view path;  ///< as in an include: "runtime/kernel/pack.hpp"
@@ -16,4 +16,4 @@ struct KernelHeader {
 ///           directly or not, for any instruction set.
 [[nodiscard]] std::span<const KernelHeader> kernel_headers() noexcept;
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 #include "runtime/interval/floating_point_scope.hpp"
 #include "runtime/kernel/abi.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// During its life, the floating-point environment is the one that a kernel of the given
 /// REGULUS_ROUND_… needs; then it is the caller's again. The rule of FloatingPointScope holds: call
@@ -19,4 +19,4 @@ class RoundingScope {
   FloatingPointScope scope_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -18,6 +18,9 @@ unsigned regulus_self_test_avx2(const double*, const double*, double*, const voi
 }
 
 namespace regulus {
+
+using namespace detail;
+
 namespace {
 
 /// The exact result, or the doubles next to it, on each side. `0.1` below is the double.

@@ -10,7 +10,7 @@
 #include "runtime/kernel/abi.hpp"
 #include "runtime/machine/step.hpp"
 
-namespace regulus::machine {
+namespace regulus::detail::machine {
 
 /// The most slots of a frame on the stack: 1 MiB.
 inline constexpr std::size_t kMaxStackSlots = 8192;
@@ -41,4 +41,4 @@ unsigned with_slots(std::size_t count, const Run& run) noexcept {
   return run_on_heap(count, run);
 }
 
-}  // namespace regulus::machine
+}  // namespace regulus::detail::machine

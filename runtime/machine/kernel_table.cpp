@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-namespace regulus::machine {
+namespace regulus::detail::machine {
 
 void require_no_fault(const PackKernel& program) {
   for (std::size_t row = 0; row < program.functions.size(); ++row) {
@@ -57,4 +57,4 @@ regulus_derivatives KernelTable::derivatives(std::size_t number, const Callers& 
           static_cast<unsigned>(d.list.size())};
 }
 
-}  // namespace regulus::machine
+}  // namespace regulus::detail::machine

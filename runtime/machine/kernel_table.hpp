@@ -12,7 +12,7 @@
 #include "runtime/kernel/isa.hpp"
 #include "runtime/machine/pack_program.hpp"
 
-namespace regulus::machine {
+namespace regulus::detail::machine {
 
 /// A function of the kernel's table for each row of kKernelFunctions.
 using Callers = std::array<regulus_function, kKernelFunctions.size()>;
@@ -76,4 +76,4 @@ class KernelOf {
   KernelTable table_;
 };
 
-}  // namespace regulus::machine
+}  // namespace regulus::detail::machine

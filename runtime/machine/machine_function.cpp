@@ -7,7 +7,7 @@
 
 #include "runtime/machine/frame_slots.hpp"
 
-namespace regulus::machine {
+namespace regulus::detail::machine {
 namespace {
 
 using Op = PackOperation;
@@ -182,4 +182,4 @@ unsigned MachineFunction::run(const double* boxes, const double* points,
   });
 }
 
-}  // namespace regulus::machine
+}  // namespace regulus::detail::machine

@@ -8,7 +8,7 @@
 #include "runtime/machine/pack_program.hpp"
 #include "runtime/machine/step.hpp"
 
-namespace regulus::machine {
+namespace regulus::detail::machine {
 
 /// The steps of a function, and the slots of its values in a frame: constants first, then variables
 /// and entries of K, then kept values, then the values of the part that runs. A value of the part
@@ -32,4 +32,4 @@ class MachineFunction {
   std::size_t slots_ = 0;
 };
 
-}  // namespace regulus::machine
+}  // namespace regulus::detail::machine

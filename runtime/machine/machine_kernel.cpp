@@ -7,7 +7,7 @@
 #include "runtime/machine/kernel_table.hpp"
 #include "runtime/machine/machine_function.hpp"
 
-namespace regulus::machine {
+namespace regulus::detail::machine {
 
 const StepTable& step_table_portable() noexcept;
 #if defined(__x86_64__)
@@ -51,4 +51,4 @@ MachineKernel::~MachineKernel() = default;
 
 const regulus_kernel* MachineKernel::get() const noexcept { return state_->kernel.get(); }
 
-}  // namespace regulus::machine
+}  // namespace regulus::detail::machine

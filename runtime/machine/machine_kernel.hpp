@@ -8,7 +8,7 @@
 #include "runtime/kernel/isa.hpp"
 #include "runtime/machine/pack_program.hpp"
 
-namespace regulus::machine {
+namespace regulus::detail::machine {
 
 /// A pack program as a kernel. Each of its instructions is one call of the operation's code for an
 /// instruction set.
@@ -35,4 +35,4 @@ class MachineKernel {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace regulus::machine
+}  // namespace regulus::detail::machine

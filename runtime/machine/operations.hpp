@@ -8,7 +8,7 @@
 #include "runtime/kernel/pack.hpp"
 #include "runtime/machine/step.hpp"
 
-namespace regulus::machine {
+namespace regulus::detail::machine {
 
 const StepTable& REGULUS_MACHINE_TABLE() noexcept;
 
@@ -144,4 +144,4 @@ constexpr StepTable kTable = {
 
 const StepTable& REGULUS_MACHINE_TABLE() noexcept { return kTable; }
 
-}  // namespace regulus::machine
+}  // namespace regulus::detail::machine

@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-namespace regulus::machine {
+namespace regulus::detail::machine {
 namespace {
 
 constexpr std::string_view kMagic = "regulus pack program 1\n";
@@ -178,4 +178,4 @@ std::optional<PackKernel> read_pack_kernel(std::string_view bytes) {
   return program;
 }
 
-}  // namespace regulus::machine
+}  // namespace regulus::detail::machine

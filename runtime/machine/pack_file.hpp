@@ -8,7 +8,7 @@
 
 #include "runtime/machine/pack_program.hpp"
 
-namespace regulus::machine {
+namespace regulus::detail::machine {
 
 /// Ensures   equal programs give equal bytes; different programs give different bytes.
 [[nodiscard]] std::string to_bytes(const PackKernel& program);
@@ -16,4 +16,4 @@ namespace regulus::machine {
 /// Returns the program; nullopt unless the bytes are those of a program without a fault.
 [[nodiscard]] std::optional<PackKernel> read_pack_kernel(std::string_view bytes);
 
-}  // namespace regulus::machine
+}  // namespace regulus::detail::machine

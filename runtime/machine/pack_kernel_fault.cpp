@@ -3,7 +3,7 @@
 
 #include "runtime/machine/pack_program.hpp"
 
-namespace regulus::machine {
+namespace regulus::detail::machine {
 namespace {
 
 /// More than any robot has. Products of three such numbers fit in 64 bits.
@@ -118,4 +118,4 @@ std::string find_fault(const PackKernel& kernel) {
   return kernel.has_expansion ? fault_of_expansion(kernel) : std::string();
 }
 
-}  // namespace regulus::machine
+}  // namespace regulus::detail::machine

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-namespace regulus::machine {
+namespace regulus::detail::machine {
 namespace {
 
 using Op = PackOperation;
@@ -159,4 +159,4 @@ std::string find_fault(const PackFunction& function, std::uint32_t variables,
   return FaultFinder(function, variables, points).run();
 }
 
-}  // namespace regulus::machine
+}  // namespace regulus::detail::machine

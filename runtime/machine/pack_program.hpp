@@ -13,7 +13,7 @@
 #include "runtime/kernel/abi.hpp"
 #include "runtime/kernel/kernel_functions.hpp"
 
-namespace regulus::machine {
+namespace regulus::detail::machine {
 
 /// One operation of packs. The letters name the operands: I an interval, P exact doubles, N a
 /// count, U the mask of undefined lanes; every list has one mask.
@@ -132,4 +132,4 @@ struct PackKernel {
 /// the lists of the expansion name variables and entries that exist.
 [[nodiscard]] std::string find_fault(const PackKernel& kernel);
 
-}  // namespace regulus::machine
+}  // namespace regulus::detail::machine

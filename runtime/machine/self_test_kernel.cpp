@@ -4,7 +4,7 @@
 #include "runtime/kernel/buffers.hpp"
 #include "runtime/kernel/self_test.hpp"
 
-namespace regulus::machine {
+namespace regulus::detail::machine {
 namespace {
 
 using Op = PackOperation;
@@ -171,4 +171,4 @@ std::optional<std::string> check_self_test(const regulus_kernel& kernel, Isa isa
   return regulus::check_self_test(run, isa, &kernel);
 }
 
-}  // namespace regulus::machine
+}  // namespace regulus::detail::machine

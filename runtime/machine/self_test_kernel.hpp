@@ -10,7 +10,7 @@
 #include "runtime/kernel/isa.hpp"
 #include "runtime/machine/pack_program.hpp"
 
-namespace regulus::machine {
+namespace regulus::detail::machine {
 
 /// Ensures   find_fault reports nothing about its functions.
 [[nodiscard]] PackKernel self_test_kernel();
@@ -21,4 +21,4 @@ namespace regulus::machine {
 /// Ensures   as regulus::check_self_test.
 [[nodiscard]] std::optional<std::string> check_self_test(const regulus_kernel& kernel, Isa isa);
 
-}  // namespace regulus::machine
+}  // namespace regulus::detail::machine

@@ -10,7 +10,7 @@
 #include "runtime/kernel/isa.hpp"
 #include "runtime/machine/pack_program.hpp"
 
-namespace regulus::machine {
+namespace regulus::detail::machine {
 
 /// Memory for one value of eight lanes, an interval or exact doubles, in the form that the packs of
 /// one instruction set use. All of them need 128 bytes for an interval.
@@ -47,4 +47,4 @@ struct StepTable {
 /// Requires  the instruction set is one that this program was built for.
 [[nodiscard]] const StepTable& step_table(Isa isa) noexcept;
 
-}  // namespace regulus::machine
+}  // namespace regulus::detail::machine

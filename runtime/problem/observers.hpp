@@ -7,7 +7,7 @@
 
 #include "runtime/problem/observer.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns those that are not null.
 [[nodiscard]] inline std::vector<Observer*> present(std::initializer_list<Observer*> observers) {
@@ -53,4 +53,4 @@ class Observers final : public Observer {
   std::vector<Observer*> observers_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

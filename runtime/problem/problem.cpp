@@ -10,6 +10,9 @@
 #include "runtime/regularity/rohn.hpp"
 
 namespace regulus {
+
+using namespace detail;
+
 namespace {
 
 constexpr std::array<std::pair<Method, const char*>, 10> kMethodNames{{

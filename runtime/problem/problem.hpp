@@ -18,7 +18,7 @@
 
 namespace regulus {
 
-namespace cluster {
+namespace detail::cluster {
 class Workers;
 }
 
@@ -257,7 +257,7 @@ struct Settings {
   std::uint64_t boxes_before_units = 1U << 14;
   std::uint64_t boxes_of_unit = 1024;
   /// They decide the units of a search in the place of threads of this process.
-  cluster::Workers* workers = nullptr;
+  detail::cluster::Workers* workers = nullptr;
   /// Gives every box of the variety its verdict: a box that is not certified is split down to the
   /// minimum width, and then searched for a singularity inside it.
   bool exhaustive = false;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 std::size_t slot_of(std::vector<std::size_t>& rows, std::size_t row) {
@@ -44,4 +44,4 @@ RowStructure find_row_structure(const Problem& problem, const Settings& settings
   return structure;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 #include "runtime/problem/problem.hpp"
 #include "runtime/regularity/row_structure.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns true if the search uses the kernel's expansion. An expansion at nominal values cannot be
 /// used if uncertain quantities are bisected.
@@ -14,4 +14,4 @@ namespace regulus {
 /// expansion says. Empty if the search does not use the expansion.
 [[nodiscard]] RowStructure find_row_structure(const Problem& problem, const Settings& settings);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -18,6 +18,8 @@
 
 namespace regulus {
 
+using namespace detail;
+
 ProofFile::ProofFile(std::string path) : path_(std::move(path)) {
   sweep_temporaries(path_);
   int descriptor = -1;

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::size_t kMostBoxes = 0xffffffffU;
@@ -50,4 +50,4 @@ void ProofTree::leave(const char* words, std::uint64_t offset) {
   if (known == rules_.end()) rules_.push_back(rule);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

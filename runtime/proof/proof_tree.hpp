@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The tree of boxes of a certificate, from its lines in any order that is valid.
 class ProofTree {
@@ -40,4 +40,4 @@ class ProofTree {
   std::vector<std::string> rules_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -15,7 +15,7 @@
 #include "runtime/proof/format.hpp"
 #include "runtime/proof/proof_tree.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr const char* kBeginsTree = "tree";
@@ -267,4 +267,4 @@ std::string write_shards_of_places(const std::string& certificate, const std::st
       path, [&](const std::string& folder) { return cut_places(certificate, folder, size); });
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

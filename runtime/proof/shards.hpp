@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Cuts the tree of a complete certificate, or its trees, each in preorder, into shards of about `size`
 /// bytes in the folder `path`.shards, and returns the text of their index. The folder
@@ -24,4 +24,4 @@ namespace regulus {
 [[nodiscard]] std::string write_shards_of_places(const std::string& certificate,
                                                  const std::string& path, std::uint64_t size);
 
-}  // namespace regulus
+}  // namespace regulus::detail

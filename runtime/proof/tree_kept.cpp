@@ -3,7 +3,7 @@
 
 #include <new>
 
-namespace regulus {
+namespace regulus::detail {
 
 void TreeKept::keep(const Event& event) noexcept try {
   events_.push_back(event);
@@ -31,4 +31,4 @@ void TreeKept::write_to(ProofFile& file, LeafWord word) const {
       file.split({event.box, event.variable, event.at, 0});
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

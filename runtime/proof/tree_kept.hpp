@@ -6,7 +6,7 @@
 
 #include "runtime/proof/proof_file.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the word of FORMAT.md for the rule of a leaf.
 using LeafWord = const char* (*)(Rule) noexcept;
@@ -42,4 +42,4 @@ class TreeKept final : public Observer {
   bool is_whole_ = true;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 #include <memory>
 #include <new>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A fixed array of doubles on a 64-byte boundary, as kernels require; zero at first.
 class AlignedBuffer {
@@ -29,4 +29,4 @@ class AlignedBuffer {
   std::unique_ptr<double, Free> data_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/regularity/backend.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 const RegularityBackend& regularity_backend(Isa isa) noexcept {
 #if defined(__x86_64__)
@@ -14,4 +14,4 @@ const RegularityBackend& regularity_backend(Isa isa) noexcept {
 
 const RegularityBackend& regularity_backend() noexcept { return regularity_backend(best_isa()); }
 
-}  // namespace regulus
+}  // namespace regulus::detail

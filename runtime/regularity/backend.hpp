@@ -8,7 +8,7 @@
 #include "runtime/interval/lanes.hpp"
 #include "runtime/regularity/views.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct SecondOrderPlan;
 struct SecondOrderInput;
@@ -99,4 +99,4 @@ extern const RegularityBackend kRegularityAvx2;
 extern const RegularityBackend kRegularityAvx512;
 #endif
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "runtime/regularity/second_order_impact_lanes.hpp"
 #include "runtime/regularity/second_order_lanes.hpp"
 
-namespace regulus::regularity {
+namespace regulus::detail::regularity {
 inline namespace REGULUS_LANES_ISA {
 
 inline constexpr RegularityBackend kBackend{minors::expand,
@@ -31,4 +31,4 @@ inline constexpr RegularityBackend kBackend{minors::expand,
                                             orthants::remaining};
 
 }  // namespace REGULUS_LANES_ISA
-}  // namespace regulus::regularity
+}  // namespace regulus::detail::regularity

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/regularity/backend_lanes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 const RegularityBackend kRegularityPortable = regularity::kBackend;
 
-}  // namespace regulus
+}  // namespace regulus::detail

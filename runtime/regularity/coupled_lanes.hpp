@@ -21,7 +21,7 @@
 #include "runtime/regularity/orthants.hpp"
 #include "runtime/regularity/pack_lanes.hpp"
 
-namespace regulus::orthants {
+namespace regulus::detail::orthants {
 inline namespace REGULUS_LANES_ISA {
 
 using namespace lanes::REGULUS_LANES_ISA;
@@ -144,4 +144,4 @@ REGULUS_LANE_INLINE Pack bound_balls(const Pack* x, unsigned first, unsigned sec
 }
 
 }  // namespace REGULUS_LANES_ISA
-}  // namespace regulus::orthants
+}  // namespace regulus::detail::orthants

@@ -6,7 +6,7 @@
 
 #include "runtime/regularity/upward_elimination.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Indices = std::array<unsigned char, kMaxColumns>;
@@ -136,4 +136,4 @@ Interval enclose_determinant_by_elimination(const LaneMatrix& M) noexcept {
   return product;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

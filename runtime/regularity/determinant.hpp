@@ -8,7 +8,7 @@
 #include "runtime/regularity/lanes.hpp"
 #include "runtime/regularity/views.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The square interval matrix of one lane, row-major, n ≤ kMaxColumns.
 struct LaneMatrix {
@@ -51,4 +51,4 @@ inline constexpr std::size_t kMaxExpansion = 7;
   return x.lo > 0.0 ? 1 : x.hi < 0.0 ? -1 : 0;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

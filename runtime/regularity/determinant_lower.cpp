@@ -7,7 +7,7 @@
 
 #include "runtime/regularity/h_matrix.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr double kOneTerm = raise_factor(1);
@@ -63,4 +63,4 @@ LaneNumbers determinant_rd(ConstPointMatrix P) noexcept {
   return lower;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

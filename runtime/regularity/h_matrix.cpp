@@ -7,7 +7,7 @@
 
 #include "runtime/regularity/backend.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 void distance_to_identity_ru(ConstIntervalMatrix product, PointMatrix P) noexcept {
   regularity_backend().distance_to_identity(product, P);
 }
@@ -66,4 +66,4 @@ LaneNumbers approx_perron(ConstPointMatrix P, PerronVectors vectors) noexcept {
   return radius;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "runtime/regularity/lanes.hpp"
 #include "runtime/regularity/views.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Computes P ≥ |B − I| for every B between the bounds.
 ///
@@ -58,4 +58,4 @@ void lower_to_mean_value_ru(ConstPointMatrix center, ConstIntervalMatrix derivat
 /// bisection only.
 [[nodiscard]] LaneNumbers approx_perron(ConstPointMatrix P, PerronVectors vectors) noexcept;
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include "runtime/regularity/lanes.hpp"
 #include "runtime/regularity/pack_lanes.hpp"
 
-namespace regulus::h_matrix {
+namespace regulus::detail::h_matrix {
 inline namespace REGULUS_LANES_ISA {
 
 using namespace lanes::REGULUS_LANES_ISA;
@@ -130,4 +130,4 @@ inline void perron(ConstPointMatrix P, PerronVectors vectors, LaneNumbers& radiu
 }
 
 }  // namespace REGULUS_LANES_ISA
-}  // namespace regulus::h_matrix
+}  // namespace regulus::detail::h_matrix

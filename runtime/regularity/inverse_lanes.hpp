@@ -7,7 +7,7 @@
 #include "runtime/regularity/lanes.hpp"
 #include "runtime/regularity/pack_lanes.hpp"
 
-namespace regulus::inverse {
+namespace regulus::detail::inverse {
 inline namespace REGULUS_LANES_ISA {
 
 using namespace lanes::REGULUS_LANES_ISA;
@@ -102,4 +102,4 @@ inline void take_middles(ConstIntervalMatrix matrix, PointMatrix middles) noexce
 }
 
 }  // namespace REGULUS_LANES_ISA
-}  // namespace regulus::inverse
+}  // namespace regulus::detail::inverse

@@ -6,7 +6,7 @@
 
 #include "runtime/regularity/backend.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Columns may have different units (cm, cm²). They are scaled to length one first; otherwise AᵀA
@@ -69,4 +69,4 @@ LaneMask approx_inverse(ConstPointMatrix matrix, PointMatrix inverse,
   return regularity_backend().round_rows_to_grid(inverse);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

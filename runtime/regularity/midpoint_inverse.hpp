@@ -6,7 +6,7 @@
 #include "runtime/regularity/lanes.hpp"
 #include "runtime/regularity/views.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Inverts eight m×n matrices approximately; for m > n a left inverse, (AᵀA)⁻¹Aᵀ.
 ///
@@ -21,4 +21,4 @@ namespace regulus {
 [[nodiscard]] LaneMask approx_inverse(ConstPointMatrix matrix, PointMatrix inverse,
                                       LaneNumbers& approx_determinant) noexcept;
 
-}  // namespace regulus
+}  // namespace regulus::detail

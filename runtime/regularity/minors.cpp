@@ -16,7 +16,7 @@
 #include "runtime/regularity/backend.hpp"
 #include "runtime/regularity/minors_error.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::size_t kMaxEntries = kMaxEightMinors * kMaxEightMinors;
@@ -110,4 +110,4 @@ LaneIntervals enclose_determinants(ConstIntervalMatrix matrix) noexcept {
   return determinants;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

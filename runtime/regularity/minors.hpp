@@ -6,7 +6,7 @@
 #include "runtime/regularity/lanes.hpp"
 #include "runtime/regularity/views.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The largest order that is expanded for eight lanes; larger ones are not enclosed.
 inline constexpr std::size_t kMaxEightMinors = 8;
@@ -32,4 +32,4 @@ struct LaneIntervals {
 /// Source    Merlet, T-RO 2007, §III-A.
 [[nodiscard]] LaneIntervals enclose_determinants(ConstIntervalMatrix matrix) noexcept;
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "runtime/regularity/lanes.hpp"
 #include "runtime/regularity/views.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns mag of an interval; ∞ if a bound is NaN.
 [[nodiscard]] inline double magnitude_of(double lo, double hi) noexcept {
@@ -36,4 +36,4 @@ namespace regulus {
   return raise_ru(permanent * (static_cast<double>(roundings) * 0x1p-51) + power, raise_factor(3));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

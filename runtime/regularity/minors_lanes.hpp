@@ -8,7 +8,7 @@
 #include "runtime/regularity/backend.hpp"
 #include "runtime/regularity/pack_lanes.hpp"
 
-namespace regulus::minors {
+namespace regulus::detail::minors {
 inline namespace REGULUS_LANES_ISA {
 
 using namespace lanes::REGULUS_LANES_ISA;
@@ -231,4 +231,4 @@ inline bool vertices_share_sign(const BoundsOfOneLane& matrix, double error) noe
 }
 
 }  // namespace REGULUS_LANES_ISA
-}  // namespace regulus::minors
+}  // namespace regulus::detail::minors

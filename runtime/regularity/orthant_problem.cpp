@@ -4,7 +4,7 @@
 
 #include "runtime/regularity/orthant_terms.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr double kFactor = raise_factor(4 * kMaxOrder + 8);
@@ -123,4 +123,4 @@ LaneMask SecondOrderBounds::certain_by_orthants(const SecondOrderInput& input, C
   return certain;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr double kReachFactor = raise_factor(kMaxOrthantForms);
@@ -338,4 +338,4 @@ void OrthantTerms::bound_reach() noexcept {
     }
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 #include "runtime/regularity/orthants.hpp"
 #include "runtime/regularity/second_order.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class OrthantTerms {
  public:
@@ -96,4 +96,4 @@ class OrthantTerms {
   double M_[kMaxOrthantRows][kMaxOrthantRows], Q_[kMaxOrthantRows][kMaxColumns];
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

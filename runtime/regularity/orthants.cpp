@@ -6,7 +6,7 @@
 
 #include "runtime/regularity/backend.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr unsigned kMaxOrthantCells = kMaxOrthantRows << (kMaxOrthantRows - 1);
@@ -116,4 +116,4 @@ bool certain_orthants_empty(const OrthantProblem& problem, OrthantCell& hint,
   return true;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -53,7 +53,7 @@
 
 #include "runtime/regularity/lanes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// More rows would make too many cells, n·2^(n−1).
 inline constexpr unsigned kMaxOrthantRows = 8;
@@ -109,4 +109,4 @@ struct OrthantPart {
 [[nodiscard]] bool certain_orthants_empty(const OrthantProblem& problem, OrthantCell& hint,
                                           unsigned halvings = 0) noexcept;
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 
 #include "runtime/regularity/coupled_lanes.hpp"
 
-namespace regulus::orthants {
+namespace regulus::detail::orthants {
 inline namespace REGULUS_LANES_ISA {
 
 inline constexpr unsigned kMaxSteps = 16;
@@ -215,4 +215,4 @@ inline unsigned remaining(const OrthantProblem& problem, OrthantPart* parts) noe
 }
 
 }  // namespace REGULUS_LANES_ISA
-}  // namespace regulus::orthants
+}  // namespace regulus::detail::orthants

@@ -7,7 +7,7 @@
 #include "runtime/interval/lanes.hpp"
 #include "runtime/regularity/views.hpp"
 
-namespace regulus::lanes {
+namespace regulus::detail::lanes {
 inline namespace REGULUS_LANES_ISA {
 
 using namespace elementary::REGULUS_LANES_ISA;
@@ -266,4 +266,4 @@ REGULUS_LANE_INLINE void add_row_product(PackArray a, const Rows& b, unsigned co
 }
 
 }  // namespace REGULUS_LANES_ISA
-}  // namespace regulus::lanes
+}  // namespace regulus::detail::lanes

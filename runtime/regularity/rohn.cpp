@@ -13,7 +13,7 @@
 #include "runtime/regularity/backend.hpp"
 #include "runtime/regularity/minors_error.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::size_t kMaxEntries = kMaxRohn * kMaxRohn;
@@ -67,4 +67,4 @@ LaneMask certain_rohn(ConstIntervalMatrix matrix, LaneMask lanes) noexcept {
   return certain;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

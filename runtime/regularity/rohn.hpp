@@ -5,7 +5,7 @@
 #include "runtime/regularity/lanes.hpp"
 #include "runtime/regularity/views.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The largest order tested: 2^(2n−1) determinants are computed.
 inline constexpr std::size_t kMaxRohn = kMaxVertexOrder;
@@ -22,4 +22,4 @@ inline constexpr std::size_t kMaxRohn = kMaxVertexOrder;
 /// Source    Rex and Rohn, SIAM J. Matrix Anal. Appl. 20 (1998); Merlet, T-RO 2007, §III-B2.
 [[nodiscard]] LaneMask certain_rohn(ConstIntervalMatrix matrix, LaneMask lanes) noexcept;
 
-}  // namespace regulus
+}  // namespace regulus::detail

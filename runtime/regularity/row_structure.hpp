@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The variables that touch one row only.
 struct RowStructure {
@@ -24,4 +24,4 @@ struct RowStructure {
   }
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "runtime/interval/elementary.hpp"
 #include "runtime/regularity/h_matrix.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 SecondOrderBounds::SecondOrderBounds(const DerivativeLists& lists, const RowStructure& structure,
                                      const SecondOrderOptions& options,
@@ -74,4 +74,4 @@ LaneNumbers SecondOrderBounds::moving_determinant_ru(const SecondOrderInput& inp
   return upper;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

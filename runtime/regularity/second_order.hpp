@@ -45,7 +45,7 @@
 #include "runtime/regularity/orthants.hpp"
 #include "runtime/regularity/second_order_lists.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct SecondOrderOptions {
   static constexpr std::size_t kAllVariables = static_cast<std::size_t>(-1);
@@ -108,4 +108,4 @@ class SecondOrderBounds {
   SecondOrderWork work_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include "runtime/regularity/second_order_lanes.hpp"
 #include "runtime/regularity/second_order_plan.hpp"
 
-namespace regulus::second_order {
+namespace regulus::detail::second_order {
 inline namespace REGULUS_LANES_ISA {
 
 using namespace lanes::REGULUS_LANES_ISA;
@@ -83,4 +83,4 @@ inline void impact(const SecondOrderPlan& plan, const SecondOrderInput& input,
 }
 
 }  // namespace REGULUS_LANES_ISA
-}  // namespace regulus::second_order
+}  // namespace regulus::detail::second_order

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 unsigned narrow(std::size_t x) { return static_cast<unsigned>(x); }
@@ -231,4 +231,4 @@ SecondOrderWork SecondOrderLists::work(AlignedBuffer& numbers) const noexcept {
   return work;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "runtime/regularity/row_structure.hpp"
 #include "runtime/regularity/second_order_plan.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The derivative of an entry by `first`, and also by `second` ≥ first if its order is two.
 struct DerivativePlace {
@@ -67,4 +67,4 @@ class SecondOrderLists {
   std::vector<SecondOrderPlan::Group> groups_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

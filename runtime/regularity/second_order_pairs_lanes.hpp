@@ -6,7 +6,7 @@
 #include "runtime/regularity/second_order_plan.hpp"
 #include "runtime/regularity/second_order_terms_lanes.hpp"
 
-namespace regulus::second_order {
+namespace regulus::detail::second_order {
 inline namespace REGULUS_LANES_ISA {
 
 using namespace lanes::REGULUS_LANES_ISA;
@@ -135,4 +135,4 @@ class PairBounding {
 };
 
 }  // namespace REGULUS_LANES_ISA
-}  // namespace regulus::second_order
+}  // namespace regulus::detail::second_order

@@ -6,7 +6,7 @@
 #include "runtime/regularity/lanes.hpp"
 #include "runtime/regularity/views.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A part of an array.
 struct PlanRange {
@@ -99,4 +99,4 @@ struct SecondOrderInput {
 inline constexpr double kSecondOrderGamma = (64 + 4) * 0x1p-50;
 static_assert(2 * kMaxRows + 1 < 64);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "runtime/regularity/pack_lanes.hpp"
 #include "runtime/regularity/second_order_plan.hpp"
 
-namespace regulus::second_order {
+namespace regulus::detail::second_order {
 inline namespace REGULUS_LANES_ISA {
 
 using namespace lanes::REGULUS_LANES_ISA;
@@ -57,4 +57,4 @@ REGULUS_LANE_INLINE void take_roots(PackArray x, unsigned count) noexcept {
 }
 
 }  // namespace REGULUS_LANES_ISA
-}  // namespace regulus::second_order
+}  // namespace regulus::detail::second_order

@@ -7,7 +7,7 @@
 #include "runtime/interval/floating_point_scope.hpp"
 #include "runtime/interval/lanes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// The interval [−n, h] as (n, h). Every operation rounds both upward, in this mode of the processor.
@@ -99,4 +99,4 @@ std::optional<Interval> enclose_determinant_upward(const LaneMatrix& M) noexcept
   return determinant;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 
 #include "runtime/regularity/determinant.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Encloses the determinant; nullopt if a pivot before the last one contains 0, or if a bound is not
 /// finite.
@@ -15,4 +15,4 @@ namespace regulus {
 /// Rounding  outward, in any rounding mode, which stays as it was.
 [[nodiscard]] std::optional<Interval> enclose_determinant_upward(const LaneMatrix& M) noexcept;
 
-}  // namespace regulus
+}  // namespace regulus::detail

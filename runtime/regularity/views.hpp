@@ -10,7 +10,7 @@
 
 #include "runtime/interval/lanes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 enum class LaneLayout { kPoints, kIntervals };
 enum class LaneShape { kVector, kMatrix };
@@ -94,4 +94,4 @@ struct PointArray {
   double* x = nullptr;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

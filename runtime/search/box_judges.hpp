@@ -33,7 +33,7 @@
 #include "runtime/interval/lanes.hpp"
 #include "runtime/search/shared_boxes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Judges units for another thread or process. It may be called with any rounding.
 template <class Judge>
@@ -167,4 +167,4 @@ class BoxJudges {
   SharedBoxes shared_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

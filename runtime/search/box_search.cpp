@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Seconds between two saves: a tenth of the time so far, but at least this.
@@ -130,4 +130,4 @@ void BoxCourse::save_last(const Describe& describe) {
   is_saved_last_ = true;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -49,7 +49,7 @@
 
 #include "runtime/search/tree_proof.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct BoxSearchSettings {
   unsigned threads = 1;  ///< at least 1; only the time depends on it
@@ -329,4 +329,4 @@ class BoxSearch {
   std::vector<Finding> findings_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// The part of the remaining time that one attempt may take.
@@ -172,4 +172,4 @@ double short_decimal_above(double value) noexcept {
   return to_digits(value * (1 + 0.6e-4), kDigits);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

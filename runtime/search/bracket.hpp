@@ -10,7 +10,7 @@
 
 #include "runtime/problem/result.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 inline constexpr std::uint64_t kAnyBoxes = std::numeric_limits<std::uint64_t>::max();
 
@@ -108,4 +108,4 @@ class Bracket {
 /// Requires  value ≥ 0, finite.
 [[nodiscard]] double short_decimal_above(double value) noexcept;
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "runtime/evaluation/decisions.hpp"
 #include "runtime/search/frontier.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Takes boxes from a frontier, round by round, and puts the halves of boxes that must be split
 /// back on it.
@@ -82,4 +82,4 @@ class BranchAndPrune {
   std::vector<Interval> upper_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

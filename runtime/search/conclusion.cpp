@@ -7,7 +7,7 @@
 #include "runtime/witness/pose_search.hpp"
 #include "runtime/witness/witness_search.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 std::uint64_t leaves_of(const Statistics& statistics, Rule rule) noexcept {
@@ -117,4 +117,4 @@ void complete(Result& result, const Problem& problem, const Settings& settings) 
   look_for_place(result, problem, settings);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include "runtime/problem/problem.hpp"
 #include "runtime/problem/result.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns true if some box was certified, by a test or by a filter.
 [[nodiscard]] bool certified_somewhere(const Statistics& statistics) noexcept;
@@ -25,4 +25,4 @@ namespace regulus {
 ///           rounding to nearest.
 void complete(Result& result, const Problem& problem, const Settings& settings);
 
-}  // namespace regulus
+}  // namespace regulus::detail

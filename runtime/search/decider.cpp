@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// The splits between two checks that the uncertainty still lets the box be certified.
@@ -356,4 +356,4 @@ LaneMask Decider::left_at_centers(LaneMask centers, bool longest) noexcept {
   return centers;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

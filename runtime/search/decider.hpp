@@ -11,7 +11,7 @@
 #include "runtime/problem/row_structure.hpp"
 #include "runtime/witness/box_witness.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class Decider {
  public:
@@ -79,4 +79,4 @@ class Decider {
   Decisions* out_ = nullptr;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

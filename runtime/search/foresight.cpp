@@ -7,7 +7,7 @@
 
 #include "runtime/evaluation/regularity_tests.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Numbers below are those of boxes that may be among the first Course::kMost.
@@ -148,4 +148,4 @@ void Foresight::learn(const Decisions& batch) noexcept {
         now_->split[*place] = batch.recollection(lane);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

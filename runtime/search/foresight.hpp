@@ -19,7 +19,7 @@
 
 #include "runtime/search/decider.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Boxes in the order in which a search took them: a root, and halves of earlier ones.
 struct Course {
@@ -102,4 +102,4 @@ class Foresight {
   std::size_t used_batches_ = 0;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <new>
 
-namespace regulus {
+namespace regulus::detail {
 Frontier::Frontier(std::size_t variables, std::size_t capacity)
     : variables_(variables), slots_(capacity), boxes_(capacity * variables) {}
 
@@ -71,4 +71,4 @@ bool Frontier::push_halves(const OpenBox& first, double first_width, const OpenB
   return stored && push_top(first, first_width);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

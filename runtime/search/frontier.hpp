@@ -9,7 +9,7 @@
 #include "runtime/interval/interval.hpp"
 #include "runtime/problem/observer.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A list whose top is the narrowest box. Of the two halves of a box, the first takes its place on
 /// top. The second goes to the far end if it is wider than the box there, else just below the
@@ -69,4 +69,4 @@ class Frontier final : public OpenBoxes {
   std::vector<Interval> boxes_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

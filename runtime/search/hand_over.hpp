@@ -3,7 +3,7 @@
 
 #include <atomic>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Orders the work of several threads in the terms of the standard's memory model: what happens
 /// before give() in one thread happens before what follows take() in another, if give() came first.
@@ -18,4 +18,4 @@ class HandOver {
   std::atomic<unsigned> count_{0};
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace regulus {
+namespace regulus::detail {
 
 LeafClaims::LeafClaims(const Problem& problem, std::size_t reach)
     : problem_(problem),
@@ -25,4 +25,4 @@ Claim LeafClaims::of(std::span<const Interval> box, Rule rule) noexcept {
   return Claim::kOutside;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "runtime/evaluation/box_lanes.hpp"
 #include "runtime/search/paving.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Tells the boxes out of reach from those that another constraint excludes.
 class LeafClaims {
@@ -27,4 +27,4 @@ class LeafClaims {
   AlignedBuffer outputs_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

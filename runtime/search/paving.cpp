@@ -6,6 +6,9 @@
 #include "runtime/search/leaf_claims.hpp"
 
 namespace regulus {
+
+using namespace detail;
+
 namespace {
 
 /// A range between neighbouring doubles is a single value: it is never split.

@@ -27,7 +27,9 @@ inline constexpr std::size_t kClaims = 5;
 [[nodiscard]] Claim claim_of(Rule rule) noexcept;
 [[nodiscard]] const char* name(Claim claim) noexcept;
 
+namespace detail {
 class LeafClaims;
+}  // namespace detail
 
 /// Some boxes of a paving and the volume of their part of the variety.
 struct Share {
@@ -90,7 +92,7 @@ class Volumes final : public Observer {
  private:
   const Problem& problem_;
   std::vector<std::size_t> axes_;
-  const std::unique_ptr<LeafClaims> claims_;
+  const std::unique_ptr<detail::LeafClaims> claims_;
   std::vector<Interval> unreachable_box_;
   Interval total_;
   std::array<Share, kClaims> shares_;

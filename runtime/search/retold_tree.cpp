@@ -7,7 +7,7 @@
 #include "runtime/problem/row_structure.hpp"
 #include "runtime/search/round.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr double kReasonUnit = 64;
@@ -212,4 +212,4 @@ RetoldTree tell_again(const RestoredTree& tree, const Problem& problem, const Se
   return Retelling(tree, problem, settings, observer).run();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

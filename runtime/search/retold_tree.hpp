@@ -12,7 +12,7 @@
 #include "runtime/problem/observer.hpp"
 #include "runtime/search/saved_tree.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the bound that stands for a leaf.
 [[nodiscard]] double bound_of_leaf(Rule rule, Reason reason) noexcept;
@@ -38,4 +38,4 @@ struct RetoldTree {
 [[nodiscard]] RetoldTree tell_again(const RestoredTree& tree, const Problem& problem,
                                     const Settings& settings, Observer& observer);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -15,7 +15,7 @@
 #include "runtime/kernel/rounding_scope.hpp"
 #include "runtime/search/hand_over.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Owns the threads; the caller is the first of them.
 class Round::Threads {
@@ -127,4 +127,4 @@ bool Round::decide(Foresight& foresight) noexcept {
   return size_ == 1 && foresight.decide(batch(0), *deciders_.front());
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -14,7 +14,7 @@
 #include "runtime/search/decider.hpp"
 #include "runtime/search/foresight.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class Round {
  public:
@@ -65,4 +65,4 @@ class Round {
   std::unique_ptr<Threads> threads_;  ///< made when first needed
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr double kNoBound = std::numeric_limits<double>::infinity();
@@ -156,4 +156,4 @@ std::uint32_t RestoredTree::depth(BoxId box) const {
   return depth;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

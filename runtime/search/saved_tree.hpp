@@ -11,7 +11,7 @@
 
 #include "runtime/problem/observer.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The words of `steps` and `open` are separated by spaces; numbers are those of boxes:
 ///
@@ -107,4 +107,4 @@ class RestoredTree {
   std::vector<bool> is_closed_;  ///< by box: a word says what became of it
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -16,7 +16,7 @@
 
 #include "runtime/search/unit_phase.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// A round has one more batch for each so many boxes that were evaluated before. So a search that
@@ -202,4 +202,4 @@ void Search::settle(Decisions& batch, std::size_t lane) noexcept {
     record_.block(batch.open(lane), decision.reason, batch.proof(lane));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

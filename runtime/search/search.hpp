@@ -6,7 +6,7 @@
 #include "runtime/search/round.hpp"
 #include "runtime/search/search_record.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Algorithm 1 on up to eight boxes at a time, with the constraints of Table II. Its memory serves
 /// for one search after another of the same problem.
@@ -67,4 +67,4 @@ class Search {
   bool closed_form_made_ = false;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include "runtime/search/conclusion.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 double seconds_since(SearchRecord::Clock::time_point start) noexcept {
@@ -168,4 +168,4 @@ Result SearchRecord::conclude() {
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -14,7 +14,7 @@
 #include "runtime/search/witness_schedule.hpp"
 #include "runtime/witness/witness_search.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class SearchRecord {
  public:
@@ -87,4 +87,4 @@ class SearchRecord {
   double seconds_before_ = 0;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 
 #include "runtime/interval/lanes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Fewer boxes are judged before the messages about them have arrived.
@@ -105,4 +105,4 @@ void SharedBoxes::show_now_and_then() {
       {boxes_, std::nullopt, supervisor_->waiting(), supervisor_->standing_still()});
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

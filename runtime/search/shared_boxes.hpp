@@ -15,7 +15,7 @@
 #include "runtime/cluster/supervisor.hpp"
 #include "runtime/cluster/workers.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The workers of a search, and when they are of use.
 struct BoxSharing {
@@ -79,4 +79,4 @@ class SharedBoxes {
   const Clock::time_point start_ = Clock::now();
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,6 +9,9 @@
 #include "runtime/search/search.hpp"
 
 namespace regulus {
+
+using namespace detail;
+
 namespace {
 
 Result faulty(const Settings& settings) {

@@ -9,7 +9,9 @@
 
 namespace regulus {
 
+namespace detail {
 class Search;
+}  // namespace detail
 
 /// Decides problems, one after the other. What it needs for a problem is kept for the next search
 /// of the same problem, or of the same with other ranges, which then takes only the time of its boxes.
@@ -47,7 +49,7 @@ class Solver {
   struct Kept;
   void keep(std::unique_ptr<Kept> next) noexcept;
   void take_ranges(const Problem& problem);
-  [[nodiscard]] Search& search_for(const Problem& problem, const Settings& settings);
+  [[nodiscard]] detail::Search& search_for(const Problem& problem, const Settings& settings);
 
   std::unique_ptr<Kept> kept_;
 };

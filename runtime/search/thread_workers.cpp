@@ -7,7 +7,7 @@
 
 #include "runtime/search/unit_search.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Small enough that a user who interrupts the search loses little.
@@ -149,4 +149,4 @@ std::optional<cluster::Received> ThreadWorkers::receive(bool wait) {
   return cluster::Received{0, std::move(*answer)};
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

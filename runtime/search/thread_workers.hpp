@@ -15,7 +15,7 @@
 #include "runtime/cluster/workers.hpp"
 #include "runtime/problem/row_structure.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Threads of this process as workers. The caller's thread is worker 0: it decides units while it
 /// waits for messages.
@@ -70,4 +70,4 @@ class ThreadWorkers final : public cluster::Workers {
   std::exception_ptr failure_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

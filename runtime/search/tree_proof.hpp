@@ -8,7 +8,7 @@
 #include "runtime/search/box_judges.hpp"
 #include "runtime/search/saved_tree.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// So many boxes that the threads and workers are busy most of the time.
 inline constexpr std::size_t kJudgedAtOnce = 2048;
@@ -119,4 +119,4 @@ class TreeProof {
   std::unordered_map<BoxId, Finding> above_;  ///< about boxes that were split
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/search/unit_events.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using cluster::ByteReader;
@@ -137,4 +137,4 @@ UnitEvent take_event(ByteReader& from, const Settings& settings) {
   return event;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

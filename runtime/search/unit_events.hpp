@@ -10,7 +10,7 @@
 #include "runtime/cluster/bytes.hpp"
 #include "runtime/evaluation/decisions.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The tree of splits below the boxes of a unit, while they are decided.
 class UnitTree {
@@ -50,4 +50,4 @@ struct UnitEvent {
 /// cluster::MalformedMessage.
 [[nodiscard]] UnitEvent take_event(cluster::ByteReader& from, const Settings& settings);
 
-}  // namespace regulus
+}  // namespace regulus::detail

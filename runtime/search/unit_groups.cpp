@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Returns 2^-depth in units that keep the sum of a list of deep boxes away from 0.
@@ -43,4 +43,4 @@ std::vector<std::size_t> cut_into_groups(std::span<const std::uint32_t> depths, 
   return sizes;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

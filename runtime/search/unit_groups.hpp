@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Cuts a list of boxes into at most `most` groups of neighbours, so that the groups have about the
 /// same volume. `depths`: the splits above each box, which has 2^-depth of the whole volume.
@@ -15,4 +15,4 @@ namespace regulus {
 [[nodiscard]] std::vector<std::size_t> cut_into_groups(std::span<const std::uint32_t> depths,
                                                        std::size_t most);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 #include "runtime/search/unit_groups.hpp"
 #include "runtime/search/unit_search.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// The units at the beginning: enough for the workers of one machine. Each unit leaves up to four.
@@ -256,4 +256,4 @@ void UnitPhase::show_progress() {
                  supervisor_->standing_still()});
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "runtime/problem/row_structure.hpp"
 #include "runtime/search/search_record.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The part of a long search that is cut into units, which workers decide in any order.
 ///
@@ -69,4 +69,4 @@ class UnitPhase {
   std::vector<Left> left_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "runtime/kernel/rounding_scope.hpp"
 #include "runtime/search/unit_groups.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 std::size_t splittable_variables(const Problem& problem, const Settings& settings) noexcept {
   return settings.uncertainty == Uncertainty::kVariables ? problem.kernel->variables
@@ -173,4 +173,4 @@ void UnitSearch::add_groups(const std::vector<BoxId>& open, cluster::Outcome& ou
   }
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

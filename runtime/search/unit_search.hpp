@@ -14,7 +14,7 @@
 #include "runtime/search/unit_events.hpp"
 #include "runtime/witness/witness_search.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Decides units of a search by Algorithm 1, each up to a fixed number of boxes.
 ///
@@ -76,4 +76,4 @@ class UnitSearch final : public cluster::UnitDecider {
 [[nodiscard]] std::size_t splittable_variables(const Problem& problem,
                                                const Settings& settings) noexcept;
 
-}  // namespace regulus
+}  // namespace regulus::detail

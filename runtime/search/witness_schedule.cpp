@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// The number of witness searches that start from boxes that could not be decided. The first of
@@ -92,4 +92,4 @@ void WitnessSchedule::look_at_exact_ends(std::span<const Interval> box) noexcept
   witness_.look_at_ends(box);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "runtime/problem/observer.hpp"
 #include "runtime/witness/witness_search.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Decides when and where a search looks for a witness, so that the effort stays in proportion to
 /// that of the boxes.
@@ -46,4 +46,4 @@ class WitnessSchedule {
   bool exact_corners_seen_ = false;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "runtime/evaluation/pose_evaluator.hpp"
 #include "runtime/search/box_search.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 struct PoseQuestion {
@@ -131,4 +131,4 @@ Workspace measure_workspace(const Problem& problem, const Volumes& volumes, doub
   return goal.finish();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 
 #include "runtime/search/paving.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The most boxes that are looked at.
 constexpr std::uint64_t kMostWorkspaceBoxes = 1 << 16;
@@ -20,4 +20,4 @@ constexpr std::uint64_t kMostWorkspaceBoxes = 1 << 16;
 [[nodiscard]] Workspace measure_workspace(const Problem& problem, const Volumes& volumes,
                                           double resolution, const std::atomic<bool>& interrupt);
 
-}  // namespace regulus
+}  // namespace regulus::detail

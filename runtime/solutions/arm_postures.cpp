@@ -8,7 +8,7 @@
 #include "runtime/solutions/path_tracker.hpp"
 #include "runtime/solutions/root_list.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 namespace {
 
@@ -267,4 +267,4 @@ ArmPostures find_arm_postures(const ArmToEnd& arm) {
   return found;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

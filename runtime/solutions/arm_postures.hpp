@@ -20,7 +20,7 @@
 #include "runtime/interval/interval.hpp"
 #include "runtime/solutions/dual_quaternion.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A rigid motion p ↦ Rp + t; rotation: row-major.
 struct RigidMotion {
@@ -58,4 +58,4 @@ struct ArmPostures {
 /// Rounding  outward; MXCSR at nearest. The result is the same in every run.
 [[nodiscard]] ArmPostures find_arm_postures(const ArmToEnd& arm);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include "runtime/solutions/linear_system.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 namespace {
 
@@ -154,4 +154,4 @@ bool certain_disjoint(const RootBox& a, const RootBox& b) {
   return false;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

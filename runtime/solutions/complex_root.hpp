@@ -18,7 +18,7 @@
 
 #include "runtime/solutions/complex.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// n polynomials with real coefficients in n unknowns. If coefficients are known by enclosures only,
 /// what is certain of the system is so for all of these coefficients.
@@ -50,4 +50,4 @@ struct RootBox {
 /// True if no place is in both boxes: then their roots are two.
 [[nodiscard]] bool certain_disjoint(const RootBox& a, const RootBox& b);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace regulus::dietmaier {
+namespace regulus::detail::dietmaier {
 
 inline constexpr std::array<std::array<double, 3>, 6> kBase{{{0, 0, 0},
                                                              {1.107915, 0, 0},
@@ -106,4 +106,4 @@ inline constexpr std::array<std::array<double, 7>, 40> kPoses{{
      0.356741060814587, 0.234907382085475},
 }};
 
-}  // namespace regulus::dietmaier
+}  // namespace regulus::detail::dietmaier

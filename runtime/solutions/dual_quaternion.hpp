@@ -6,7 +6,7 @@
 #include <array>
 #include <cstddef>
 
-namespace regulus {
+namespace regulus::detail {
 
 template <class Number>
 using Quaternion = std::array<Number, 4>;  ///< w x y z
@@ -68,4 +68,4 @@ DualQuaternion<Number> turned(const Number& u, const Number& v, const DualQuater
   return {turned(u, v, q.x), turned(u, v, q.y)};
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -12,7 +12,7 @@
 #include "runtime/solutions/paired_legs.hpp"
 #include "runtime/solutions/root_list.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 namespace {
 
@@ -162,7 +162,7 @@ class PoseHomotopy final : public Homotopy {
     for (std::size_t i = 0; i < 6; ++i) {
       const Leg<Complex> leg = leg_at(i, s);
       const Quaternion<Complex> w = w_of(leg, at);
-      values[i] = regulus::evaluate<Complex>(leg, at, w, row(i));
+      values[i] = detail::evaluate<Complex>(leg, at, w, row(i));
       rates[i] = Complex(2) * dot(w, offset_of(change_[i], at.x)) - change_[i].square * at.xx;
     }
     values[6] = evaluate_study<Complex>(at, row(6));
@@ -308,4 +308,4 @@ GoughPoses find_gough_poses(const GoughLegs& given) {
   return found;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -20,7 +20,7 @@
 #include "runtime/interval/interval.hpp"
 #include "runtime/solutions/complex_root.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Enclosures of the numbers of six legs. What is certain of them is so for all numbers enclosed.
 struct GoughLegs {
@@ -69,4 +69,4 @@ struct GoughPoses {
 /// Rounding  outward; MXCSR at nearest.
 [[nodiscard]] std::array<Interval, 9> rotation_matrix(const std::array<Interval, 4>& quaternion);
 
-}  // namespace regulus
+}  // namespace regulus::detail

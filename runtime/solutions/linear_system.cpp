@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace regulus {
+namespace regulus::detail {
 
 namespace {
 
@@ -56,4 +56,4 @@ std::optional<std::vector<Complex>> approx_inverse_of(std::vector<Complex> matri
   return found ? std::optional(std::move(inverse)) : std::nullopt;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

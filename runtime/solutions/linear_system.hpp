@@ -9,7 +9,7 @@
 
 #include "runtime/solutions/complex.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Solves A X = B in place: on return `right` holds X, `matrix` is overwritten.
 ///
@@ -22,4 +22,4 @@ namespace regulus {
 [[nodiscard]] std::optional<std::vector<Complex>> approx_inverse_of(std::vector<Complex> matrix,
                                                                     std::size_t n);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 
 #include <array>
 
-namespace regulus::manocha_canny {
+namespace regulus::detail::manocha_canny {
 
 inline constexpr std::array<double, 6> kShift{0.3, 1, 0, 1.5, 0, 1.1353};      ///< a
 inline constexpr std::array<double, 6> kOffset{0.0106, 0, 0.2, 0, 0, 0.1049};  ///< d
@@ -51,4 +51,4 @@ inline constexpr std::array<std::array<double, 6>, 16> kPostures{{
      -0.674172928985892},
 }};
 
-}  // namespace regulus::manocha_canny
+}  // namespace regulus::detail::manocha_canny

@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace regulus::paired_legs {
+namespace regulus::detail::paired_legs {
 
 inline constexpr std::array<std::array<double, 3>, 6> kBase{{{0.013, 1.047, -0.008},
                                                              {0.89, -0.45, -0.024},
@@ -58,4 +58,4 @@ inline constexpr std::array<std::array<double, 7>, 16> kPoses{{
      0.0493645728146856, -0.0205728680230476, -0.00622276793628666},
 }};
 
-}  // namespace regulus::paired_legs
+}  // namespace regulus::detail::paired_legs

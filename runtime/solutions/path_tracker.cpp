@@ -7,7 +7,7 @@
 
 #include "runtime/solutions/linear_system.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 namespace {
 
@@ -146,4 +146,4 @@ std::optional<std::vector<Complex>> track(const Homotopy& homotopy, std::span<co
   return Tracker(homotopy, start, options).track();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

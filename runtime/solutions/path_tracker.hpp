@@ -10,7 +10,7 @@
 
 #include "runtime/solutions/complex.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A family F(z; s) of systems. The unknowns are in groups, and F is homogeneous in each of them: a
 /// root is a point of a product of projective spaces. There are as many equations as unknowns, less
@@ -40,4 +40,4 @@ struct TrackerOptions {
                                                         std::span<const Complex> start,
                                                         const TrackerOptions& options);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "runtime/kernel/isa.hpp"
 #include "runtime/kernel/rounding_scope.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 void evaluate_poses_portable(const PoseForms&, int, const double*, double*, bool);
 #if defined(__x86_64__)
@@ -307,4 +307,4 @@ GoughPose PoseEquations::pose_of(int chart, std::span<const Interval> values) co
   return pose;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -23,7 +23,7 @@
 #include "runtime/solutions/gough_poses.hpp"
 #include "runtime/solutions/pose_forms.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 inline constexpr int kChartsOfRotations = 4;
 
@@ -97,4 +97,4 @@ class PoseEquations {
   std::array<double, 3> base_center_{}, platform_center_{};  ///< R and t are between these points
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

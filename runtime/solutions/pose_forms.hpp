@@ -3,7 +3,7 @@
 // instruction sets must share no inline function.
 #pragma once
 
-namespace regulus {
+namespace regulus::detail {
 
 inline constexpr int kMostFreeNumbers = 3;
 inline constexpr int kMostPoseUnknowns = 3 + kMostFreeNumbers;
@@ -35,4 +35,4 @@ struct PoseRows {
   [[nodiscard]] constexpr int all() const { return rates() + unknowns * unknowns * unknowns; }
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

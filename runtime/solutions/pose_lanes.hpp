@@ -6,7 +6,7 @@
 #include "runtime/kernel/pack.hpp"
 #include "runtime/solutions/pose_forms.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Shape     boxes: the unknowns of a chart; out: PoseRows. Interval layout (runtime/interval/lanes.hpp).
 /// Ensures   enclosures over the boxes. Rates are written if `has_rates`.
@@ -259,4 +259,4 @@ void REGULUS_POSE_LANES(const PoseForms& forms, int chart, const double* boxes, 
   PoseLanes(forms, chart, boxes, has_rates).put(out, has_rates);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

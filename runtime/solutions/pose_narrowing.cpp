@@ -8,7 +8,7 @@
 #include "runtime/existence/narrowing.hpp"
 #include "runtime/solutions/dual_quaternion.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr int kRounds = 8;
@@ -203,4 +203,4 @@ NarrowedPoses narrow_poses(const GoughLegs& legs, const GoughPose& poses) {
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

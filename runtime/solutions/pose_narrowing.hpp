@@ -14,7 +14,7 @@
 
 #include "runtime/solutions/gough_poses.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The legs as a pose sees them. Rounding of its functions: outward; MXCSR at nearest.
 class LegsNearPose {
@@ -65,4 +65,4 @@ struct NarrowedPoses {
 /// Rounding  outward; MXCSR at nearest.
 [[nodiscard]] NarrowedPoses narrow_poses(const GoughLegs& legs, const GoughPose& poses);
 
-}  // namespace regulus
+}  // namespace regulus::detail

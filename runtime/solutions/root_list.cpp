@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-namespace regulus {
+namespace regulus::detail {
 
 namespace {
 
@@ -48,4 +48,4 @@ std::vector<RootBox> follow_roots(const Homotopy& homotopy,
   return roots;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

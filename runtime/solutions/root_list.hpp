@@ -9,7 +9,7 @@
 #include "runtime/solutions/complex_root.hpp"
 #include "runtime/solutions/path_tracker.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct RootQuery {
   /// Its last equations are patch·z = 1, for each group of unknowns of the homotopy.
@@ -27,4 +27,4 @@ struct RootQuery {
                                                 std::span<const std::vector<Complex>> starts,
                                                 const RootQuery& query);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -47,7 +47,7 @@ class ShardLinker {
 
   void read(const ListedShard& listed, const ShardProof& proof) {
     std::optional<ShardFile> file;
-    Sha256 digest;
+    detail::Sha256 digest;
     in_shard(listed, [&] {
       file.emplace(format::shard_file(options_.path, listed.number), listed, shards_.trees.sha256);
       if (shards_.trees.is_piecewise) static_cast<void>(file->read_piece(shards_.trees.count));

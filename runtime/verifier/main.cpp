@@ -183,7 +183,7 @@ int verify(Usage& usage) {
 
 /// Without a text, throws what would be thrown after a long proof: there is no such folder.
 void write_file(const std::string& name, const std::string* text) try {
-  regulus::AtomicFile output(name);
+  regulus::detail::AtomicFile output(name);
   if (text == nullptr) return;
   output.write(*text);
   output.put_in_place();

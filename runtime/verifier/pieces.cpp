@@ -276,7 +276,7 @@ class PieceChecker {
 
 Pieces read_pieces(Lines& lines) {
   Pieces pieces;
-  Sha256 question;
+  detail::Sha256 question;
   std::vector<std::string> before = lines.take_kept();
   for (std::size_t i = 0; i + 1 < before.size(); ++i) pieces.before += before[i] + '\n';
   for (std::size_t i = 1; i < before.size(); ++i) question.add(before[i] + '\n');

@@ -34,7 +34,7 @@ class Lines {
   /// The next call of next() returns again what the last one has returned.
   void repeat() noexcept { repeats_ = true; }
   /// From now on adds each line that is read, with its end, to a digest that must outlive this object.
-  void digest_into(Sha256& digest) noexcept { digest_ = &digest; }
+  void digest_into(detail::Sha256& digest) noexcept { digest_ = &digest; }
   /// From now on keeps the lines that are read, until take_kept.
   void keep() noexcept { keeps_ = true; }
   [[nodiscard]] std::vector<std::string> take_kept() {
@@ -51,7 +51,7 @@ class Lines {
   std::size_t number_ = 0, named_ = 0;
   bool keeps_ = false, repeats_ = false, has_line_ = false;
   std::vector<std::string> kept_;
-  Sha256* digest_ = nullptr;
+  detail::Sha256* digest_ = nullptr;
 };
 
 enum class VariableKind { kParameter, kUncertain, kError };

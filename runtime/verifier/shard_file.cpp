@@ -12,7 +12,7 @@ constexpr std::uint64_t kPartOfShard = std::uint64_t{1} << 16;
 std::string digest_of(const std::string& path) {
   InputFile bytes(path);
   std::string part(kPartOfShard, '\0');
-  Sha256 digest;
+  detail::Sha256 digest;
   for (std::streamsize count;
        (count = bytes.sgetn(part.data(), std::streamsize(kPartOfShard))) > 0;)
     digest.add(std::string_view(part).substr(0, std::size_t(count)));

@@ -104,7 +104,7 @@ class ShardsChecker {
       std::size_t tree = trees_.is_piecewise ? file.read_piece(trees_.count) : 0;
       OpenBoxes open = file.read_open(tree_at(tree).about.variety.outer);
       proof.before = state_text(tree, open);
-      Sha256 digest;
+      detail::Sha256 digest;
       if (is_branch()) file.lines().digest_into(digest);
       while (read_tree(file.lines(), tree, open, proof)) open = root_of(++tree);
       if (proof.leaves != listed.leaves)

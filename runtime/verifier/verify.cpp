@@ -48,7 +48,7 @@ void compare(Question& question, const Options& options, Verification& result, P
 
 /// Returns the SHA-256 of the lines of an index from its second line to `proof`.
 std::string digest_of(const std::vector<std::string>& head) {
-  Sha256 digest;
+  detail::Sha256 digest;
   for (std::size_t i = 1; i < head.size(); ++i) digest.add(head[i] + '\n');
   return digest.text();
 }

@@ -9,7 +9,7 @@
 
 #include "runtime/interval/lanes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A function on [0, 1] that is positive at 0 and negative at 1, and the part of [0, 1] in which it is
 /// known to change its sign.
@@ -82,4 +82,4 @@ class ApproxZero {
   std::array<Value, 2> beyond_;  ///< the next known values outside
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/witness/box_witness.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 BoxWitness::BoxWitness(const Problem& problem, const Settings& settings)
     : problem_(problem), search_(problem, settings, false), whole_{{WitnessPoint{}}} {
@@ -30,4 +30,4 @@ bool BoxWitness::somewhere_in(std::span<const Interval> box) {
   return true;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 
 #include "runtime/witness/witness_search.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class BoxWitness {
  public:
@@ -31,4 +31,4 @@ class BoxWitness {
   Reason reason_ = Reason::kSmallDeterminant;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

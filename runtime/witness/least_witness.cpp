@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Steps of the pattern search, as parts of a range. After the first step the uncertain quantities
@@ -246,4 +246,4 @@ double LeastWitness::objective(std::size_t lane) {
   return threshold_grows_ ? determinant : determinant - problem_.alpha.lo;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -13,7 +13,7 @@
 
 #include "runtime/evaluation/batch.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The ranges of the variables at a value, for points that lie at the same part of every range. The
 /// ends of the ranges are linear in the value.
@@ -118,4 +118,4 @@ class LeastWitness {
   const std::atomic<bool>* interrupt_ = nullptr;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include "runtime/kernel/rounding_scope.hpp"
 #include "runtime/witness/witness_search.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Not inlined, so that no floating-point work moves out of the rounding scope of its caller.
@@ -52,4 +52,4 @@ void close_in(const Problem& problem, const Settings& settings, Result& result) 
   result.witness = closer.witness;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "runtime/problem/problem.hpp"
 #include "runtime/problem/result.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Certifies a singularity at the first of these points, or between it and one of the others.
 ///
@@ -24,4 +24,4 @@ namespace regulus {
 /// Requires  as prove_singularity; the result is of a search of the problem.
 void close_in(const Problem& problem, const Settings& settings, Result& result);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "runtime/regularity/aligned_buffer.hpp"
 #include "runtime/regularity/lanes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// The number of boxes that are split before the search gives up.
@@ -249,4 +249,4 @@ Inhabitants find_defined_pose(const Problem& problem, const Settings& settings) 
   return found;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

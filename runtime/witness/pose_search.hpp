@@ -9,7 +9,7 @@
 #include "runtime/problem/problem.hpp"
 #include "runtime/problem/result.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// What is known about the poses that the constraints leave.
 struct Inhabitants {
@@ -27,4 +27,4 @@ struct Inhabitants {
 /// defined; kUnknown if none was found.
 [[nodiscard]] Inhabitants find_defined_pose(const Problem& problem, const Settings& settings);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Returns the distance from the middle to which points are pulled in: less than the radius by a
@@ -93,4 +93,4 @@ bool ToleranceBalls::certain_inside(std::span<const double> variables) const noe
   });
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

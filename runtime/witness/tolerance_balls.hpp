@@ -7,7 +7,7 @@
 
 #include "runtime/problem/problem.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The balls in which uncertain points of the robot lie, as far as a problem gives them for certain.
 ///
@@ -40,4 +40,4 @@ class ToleranceBalls {
   std::vector<Ball> balls_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

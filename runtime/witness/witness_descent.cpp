@@ -5,7 +5,7 @@
 
 #include "runtime/witness/witness_search.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// The corners of a box in six dimensions, in eight groups of eight: within a group any two differ in
@@ -187,4 +187,4 @@ void WitnessSearch::go_downhill(std::span<const Interval> box, double sign, doub
   }
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

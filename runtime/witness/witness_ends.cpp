@@ -7,7 +7,7 @@
 
 #include "runtime/witness/witness_search.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::size_t kMaxCornerVariables = 6;
@@ -125,4 +125,4 @@ void WitnessSearch::report_ends(WitnessPoint& into) {
   copy_pose(into.variables, into.pose);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

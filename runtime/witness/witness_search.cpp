@@ -6,7 +6,7 @@
 
 #include "runtime/regularity/determinant.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// A failed proof of opposite signs is repeated if a candidate is better by this factor.
@@ -283,4 +283,4 @@ std::optional<Interval> WitnessSearch::certify_lane(std::size_t lane,
   return scaled ? *sharper * points_.row_scale(lane) : *sharper;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -16,7 +16,7 @@
 #include "runtime/problem/result.hpp"
 #include "runtime/witness/tolerance_balls.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class ApproxZero;
 
@@ -199,4 +199,4 @@ class WitnessSearch {
   Witness witness_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "runtime/witness/approx_zero.hpp"
 #include "runtime/witness/witness_search.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// The number of tested pieces before giving up; the narrowest piece is 2^-kMaxHalvings.
@@ -296,4 +296,4 @@ const Witness& WitnessSearch::witness() {
   return witness_;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

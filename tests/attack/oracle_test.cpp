@@ -10,7 +10,7 @@
 #include "tests/attack/oracle/evaluate.hpp"
 #include "tests/attack/runner/outcome.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 
 void PrintTo(const Family& family, std::ostream* out) { *out << family.name; }
 
@@ -248,4 +248,4 @@ TEST(AJudge, TellsCrashesFromSlowModels) {
 }
 
 }  // namespace
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

@@ -12,7 +12,7 @@
 #include "tests/attack/runner/summary.hpp"
 #include "tests/attack/runner/workers.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 Attack small_model() {
@@ -184,4 +184,4 @@ TEST(ASummary, CountsAFalseVerdictWhoseProofCrashesTheVerifier) {
 }
 
 }  // namespace
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

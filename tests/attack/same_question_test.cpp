@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 const std::string kRegularity = R"(regulus-certificate 1
@@ -205,4 +205,4 @@ TEST(SameQuestion, IsNoneWithoutAMeaning) {
 }
 
 }  // namespace
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

@@ -19,7 +19,7 @@
 #include "tests/bench/search/prepared.hpp"
 #include "tests/bench/search/rows.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 namespace {
 
 struct NamedSection {
@@ -75,10 +75,10 @@ void run(const Options& options) {
 }
 
 }  // namespace
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench
 
 int main(int argc, char** argv) {
-  using namespace regulus::bench;
+  using namespace regulus::detail::bench;
   CLI::App app{"What the code costs, and what others cost for the same."};
   Options options;
   std::vector<std::string> names;

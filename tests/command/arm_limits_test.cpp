@@ -8,7 +8,7 @@
 
 #include "tests/support/cached_command.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using nlohmann::json;
@@ -143,4 +143,4 @@ TEST(Certificates, OfNumbersNamesAndExpressionsStateTheSameQuestion) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -13,7 +13,7 @@
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using nlohmann::json;
@@ -375,4 +375,4 @@ TEST_F(BoundCheckpointTest, OfAnotherQuestionOrDamagedIsRefused) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

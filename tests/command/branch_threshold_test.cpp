@@ -12,7 +12,7 @@
 #include "tests/support/interrupted_runs.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using nlohmann::json;
@@ -214,4 +214,4 @@ TEST_F(ThresholdOfAFourBar, HasAPage) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

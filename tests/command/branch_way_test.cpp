@@ -15,7 +15,7 @@
 #include "tests/support/interrupted_runs.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using nlohmann::json;
@@ -347,4 +347,4 @@ TEST_F(BarsOnWay, HavePages) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -7,7 +7,7 @@
 
 #include "tests/support/cached_command.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 struct AskedTwice {
   std::string name;
@@ -59,4 +59,4 @@ inline std::string name_of_asked(const testing::TestParamInfo<AskedTwice>& asked
   return asked.param.name;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/command/certificate_determinism.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 class ACertificateOfAnyThreads : public ACertificateFile {};
@@ -17,4 +17,4 @@ INSTANTIATE_TEST_SUITE_P(Models, ACertificateOfAnyThreads, testing::ValuesIn(kAs
                          name_of_asked);
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

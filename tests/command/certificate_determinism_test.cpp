@@ -3,7 +3,7 @@
 
 #include "tests/support/trials.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 TEST_P(ACertificateFile, HasTheSameBytesInEveryProcess) {
@@ -34,4 +34,4 @@ INSTANTIATE_TEST_SUITE_P(NightlyModels, ACertificateFile,
                          testing::ValuesIn(every_second(kAskedTwice, 1)), name_of_asked);
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -5,7 +5,7 @@
 #include "tests/support/cached_command.hpp"
 #include "tests/support/certificates.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 /// A planar robot with four legs, one more than it needs, and its motions.
@@ -88,4 +88,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& kind) { return kind.param.name; });
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -8,7 +8,7 @@
 
 #include "tests/support/cached_command.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using testing::HasSubstr;
@@ -69,4 +69,4 @@ TEST(NumbersBeyondTheBoundsOfTheVerifier, AreAnnounced) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

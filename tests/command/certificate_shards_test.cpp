@@ -10,7 +10,7 @@
 #include "tests/support/certificates.hpp"
 #include "tests/support/command.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using testing::HasSubstr;
@@ -155,4 +155,4 @@ TEST_F(InShards, TooManyBoxesAreTheSameForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -12,7 +12,7 @@
 #include "tests/support/cached_command.hpp"
 #include "tests/support/certificates.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using testing::HasSubstr;
@@ -83,4 +83,4 @@ TEST(ACertificateBeyondTheLimitOfTheFormat, IsAnnouncedAsSuch) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -6,7 +6,7 @@
 #include "tests/support/command.hpp"
 #include "tests/support/interrupted_runs.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using testing::HasSubstr;
@@ -162,4 +162,4 @@ TEST_F(CheckpointOption, SigtermSavesWhatIsDone) {
 TEST_F(CheckpointOption, KillsChangeNothing) { expect_kills_change_nothing(1, 5); }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

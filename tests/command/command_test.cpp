@@ -13,7 +13,7 @@
 #include "tests/command/emitted_text.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using nlohmann::json;
@@ -371,4 +371,4 @@ TEST(Command, WritesNoCertificateWhereNothingIsClaimed) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

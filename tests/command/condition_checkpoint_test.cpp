@@ -16,7 +16,7 @@
 #include "tests/support/trials.hpp"
 #include "tests/support/turn_model.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using nlohmann::json;
@@ -156,4 +156,4 @@ TEST_F(ConditionCheckpointTest, IfDamagedIsRefusedOrRight) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -8,7 +8,7 @@
 
 #include "tests/support/command.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// Address randomisation changes the order of GiNaC's terms; the text of a kernel must not depend on
 /// it.
@@ -22,4 +22,4 @@ inline void expect_same_text(const std::string& model, const char* motion, const
     ASSERT_EQ(regulus(words).output, first) << model << ", process " << process;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/command/emitted_text.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 TEST(EmittedText, IsTheSameInTwentyProcesses) {
@@ -12,4 +12,4 @@ TEST(EmittedText, IsTheSameInTwentyProcesses) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -8,7 +8,7 @@
 
 #include "tests/support/cached_command.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using testing::HasSubstr;
@@ -90,4 +90,4 @@ TEST_F(ExactNumbers, OfRationalExponentsAreUndefinedForNegativeBases) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

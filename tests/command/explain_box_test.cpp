@@ -9,7 +9,7 @@
 
 #include "tests/support/cached_command.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using nlohmann::json;
@@ -89,4 +89,4 @@ TEST_F(ExplainBox, PrintsTheSameForPeople) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

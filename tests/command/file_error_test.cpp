@@ -12,7 +12,7 @@
 #include "tests/support/cached_command.hpp"
 #include "tests/support/interrupted_runs.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using testing::HasSubstr;
@@ -343,4 +343,4 @@ TEST_F(FileTrouble, ACheckpointIsRefusedWhereItWouldBeIgnored) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

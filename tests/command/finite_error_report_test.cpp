@@ -5,7 +5,7 @@
 
 #include "tests/support/command.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using testing::HasSubstr;
@@ -22,4 +22,4 @@ TEST(FiniteErrorReport, NamesThePoseAndNoLegsOfLength0) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

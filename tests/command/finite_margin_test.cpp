@@ -11,7 +11,7 @@
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test::finite_margin_test {
+namespace regulus::detail::test::finite_margin_test {
 namespace {
 
 using nlohmann::json;
@@ -177,4 +177,4 @@ l = 4
 }
 
 }  // namespace
-}  // namespace regulus::test::finite_margin_test
+}  // namespace regulus::detail::test::finite_margin_test

@@ -14,7 +14,7 @@
 #include "tests/support/damage.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using nlohmann::json;
@@ -342,4 +342,4 @@ TEST_F(ForcesCommandTest, StopsAtItsLimits) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

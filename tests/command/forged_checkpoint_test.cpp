@@ -15,7 +15,7 @@
 #include "tests/support/interrupted_runs.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 /// det = (x² − 2)² + 2(y² − 3)², which is 0 at (√2, √3) alone, and has no other sign nearby. There
@@ -327,4 +327,4 @@ INSTANTIATE_TEST_SUITE_P(NightlyOf, ForgedCheckpoint, testing::ValuesIn(every_se
                          name_of);
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -13,7 +13,7 @@
 #include "runtime/checkpoint/checkpoint.hpp"
 #include "runtime/problem/result.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 using nlohmann::json;
 
@@ -168,4 +168,4 @@ inline json with_more_boxes(json saved) {
   return saved;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -12,7 +12,7 @@
 #include "tests/support/temporary_directory.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -128,4 +128,4 @@ TEST(GenerateCommand, HasAnExitCodeForEachKindOfTrouble) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -17,7 +17,7 @@
 #include "tests/support/cached_command.hpp"
 #include "tests/support/certificates.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using nlohmann::json;
@@ -293,4 +293,4 @@ TEST(ACache, IsMadeAnewWhereverItIsSpoilt) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -10,7 +10,7 @@
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using nlohmann::json;
@@ -77,4 +77,4 @@ INSTANTIATE_TEST_SUITE_P(Each, InstructionSet, testing::ValuesIn(kAllIsas),
                          [](const auto& isa) { return std::string(name(isa.param)); });
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

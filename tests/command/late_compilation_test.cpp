@@ -18,7 +18,7 @@
 #include "runtime/problem/observers.hpp"
 #include "tests/support/cached_command.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using testing::HasSubstr;
@@ -255,4 +255,4 @@ TEST(TheCommand, EndsWithItsReportWhereNothingIsKept) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -11,7 +11,7 @@
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using nlohmann::json;
@@ -164,4 +164,4 @@ x = [0.1, 1]
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -10,7 +10,7 @@
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using nlohmann::json;
@@ -149,4 +149,4 @@ TEST_F(LimitMargin, RefusesAStartBelowTheDeclaredRange) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -10,7 +10,7 @@
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using nlohmann::json;
@@ -83,4 +83,4 @@ TEST(InstalledModel, IsLoadedByItsNameInTheShell) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -7,7 +7,7 @@
 
 #include "tests/support/cached_command.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using nlohmann::json;
@@ -148,4 +148,4 @@ TEST_F(MarginCertificate, ThatCannotBeMadeIsSaidBeforeTheFirstSearch) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -15,7 +15,7 @@
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using testing::AllOf;
@@ -369,4 +369,4 @@ TEST_F(CanvasTest, CoversEveryTileOfAKindOnce) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -6,7 +6,7 @@
 
 #include "tests/support/command.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 std::string answer_of(const std::string& shown, const std::string& model, const std::string& rest) {
@@ -32,4 +32,4 @@ TEST(PipedModel, HasTheAnswerOfTheFile) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -8,7 +8,7 @@
 #include "tests/support/cached_command.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using nlohmann::json;
@@ -134,4 +134,4 @@ TEST_F(Reach, IsListed) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -15,7 +15,7 @@
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 /// Returns a robot with det = x² + y² − h², singular on a circle.
@@ -76,7 +76,7 @@ TEST(AuthorsPage, ShowsTheExampleThatIsBuilt) {
 }
 
 std::string example(const std::string& name) {
-  return regulus::test::run_command({REGULUS_BINARY_DIR "/bin/examples/" + name}).output;
+  return test::run_command({REGULUS_BINARY_DIR "/bin/examples/" + name}).output;
 }
 
 std::string shipped(const std::string& name) {
@@ -98,7 +98,7 @@ struct Verdicts {
 
 /// Returns the verdict and the number of boxes for each motion.
 std::string verdicts(const std::string& text, const Verdicts& of) {
-  const regulus::test::TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   const std::string file = (directory.path() / "model.toml").string();
   std::ofstream(file) << text;
   std::string all;
@@ -106,7 +106,7 @@ std::string verdicts(const std::string& text, const Verdicts& of) {
     std::vector<std::string> words = {kCommand, "check",   file,       motion,
                                       "--json", "--quiet", "--engine", "interpreted"};
     words.insert(words.end(), of.options.begin(), of.options.end());
-    const auto report = nlohmann::json::parse(regulus::test::run_command(words).output);
+    const auto report = nlohmann::json::parse(test::run_command(words).output);
     all +=
         motion + " " + report["verdict"].get<std::string>() + " " + report["boxes"].dump() + "\n";
   }
@@ -148,4 +148,4 @@ TEST(ExampleRobots, TheGough6UpsHasTheVerdictsOfTheGoughTable) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -12,7 +12,7 @@
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using testing::AllOf;
@@ -224,4 +224,4 @@ TEST(PictureOfARobot, HasFewNumbersAlongItsAxes) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -10,7 +10,7 @@
 
 #include "tests/support/cached_command.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using testing::AllOf;
@@ -72,4 +72,4 @@ TEST_F(RobotTheorem, IsRefusedForAReasonThatIsTrue) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

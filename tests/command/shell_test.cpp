@@ -16,7 +16,7 @@
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using testing::ElementsAre;
@@ -314,4 +314,4 @@ TEST(ShellCompletion, TypesWhatAllHaveInCommon) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

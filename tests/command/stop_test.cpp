@@ -13,7 +13,7 @@
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using testing::AnyOf;
@@ -135,4 +135,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const testing::TestParamInfo<StoppedQuestion>& question) { return question.param.name; });
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -11,7 +11,7 @@
 
 #include "tests/support/cached_command.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -324,4 +324,4 @@ TEST_F(UserFiles, ALimitOfMemoryEndsInASentence) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -13,7 +13,7 @@
 #include "codegen/question/engine/warm_start.hpp"
 #include "tests/support/cached_command.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 const char* const kFormsModel = R"toml(regulus = 1
@@ -242,4 +242,4 @@ TEST(WarmStart, FitsAQuestionAndAKernelOfItsSizesOnly) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

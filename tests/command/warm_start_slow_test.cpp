@@ -7,7 +7,7 @@
 #include "tests/support/cached_command.hpp"
 #include "tests/support/parameter_name.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 struct Question {
@@ -55,4 +55,4 @@ INSTANTIATE_TEST_SUITE_P(Models, EveryMotion, testing::ValuesIn(every_question()
                          });
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -6,7 +6,7 @@
 
 #include "tests/support/cached_command.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using nlohmann::json;
@@ -306,4 +306,4 @@ TEST_F(WarmCommand, MayRunTwiceAtOnce) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

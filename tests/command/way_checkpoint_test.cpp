@@ -15,7 +15,7 @@
 #include "tests/support/interrupted_runs.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using nlohmann::json;
@@ -364,4 +364,4 @@ TEST_F(ForgedSearch, OfAnotherRangeIsRefused) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

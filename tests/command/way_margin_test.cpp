@@ -12,7 +12,7 @@
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using nlohmann::json;
@@ -215,4 +215,4 @@ TEST_F(WayMargin, KeepsALimitOfEveryLeg) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

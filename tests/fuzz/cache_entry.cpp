@@ -10,6 +10,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace regulus;
+  using namespace regulus::detail;
   const std::string key(64, 'a');
   const std::string bytes(reinterpret_cast<const char*>(data), size);
   if (const auto object = open_cache_entry(key, bytes)) {

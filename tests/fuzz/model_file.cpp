@@ -11,7 +11,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   try {
-    static_cast<void>(regulus::parse_model(text, "fuzzed"));
+    static_cast<void>(regulus::detail::parse_model(text, "fuzzed"));
   } catch (const regulus::InputError&) {
   }
   return 0;

@@ -14,6 +14,7 @@
 namespace {
 
 using namespace regulus;
+using namespace regulus::detail;
 
 /// Larger programs are read but not run: their outputs alone would take gigabytes.
 constexpr std::uint32_t kMaxOutputsToRun = 1U << 14;

@@ -11,7 +11,7 @@
 
 namespace {
 
-using namespace regulus::machine;
+using namespace regulus::detail::machine;
 using Op = PackOperation;
 
 /// Values 0 and 1 are x and y, 2 an entry of K, 3 and 4 constants.
@@ -100,10 +100,10 @@ PackKernel pack_kernel() {
   k.functions[0] = every_operation();
   k.rows = k.functions[0].outputs;
   k.identity = "0123456789abcdef";
-  const auto function = [&k](regulus::KernelFunction f) -> PackFunction& {
+  const auto function = [&k](regulus::detail::KernelFunction f) -> PackFunction& {
     return k.functions[static_cast<std::size_t>(f)];
   };
-  using enum regulus::KernelFunction;
+  using enum regulus::detail::KernelFunction;
   function(kLeftProduct) = values(1);
   function(kNominalFirst) = values(1);
   function(kExpansionSecond) = values(2);
@@ -124,7 +124,7 @@ int main(int argc, char** argv) {
   if (argc != 2) return 64;
   const std::string folder = argv[1];
   const std::string bytes = "an object";
-  const auto header = regulus::make_cache_entry_header(std::string(64, 'a'), bytes);
+  const auto header = regulus::detail::make_cache_entry_header(std::string(64, 'a'), bytes);
   const PackKernel kernel = pack_kernel();
   if (const std::string fault = find_fault(kernel); !fault.empty()) {
     std::cerr << fault << '\n';

@@ -3,7 +3,7 @@
 
 #include "tests/manual/page.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 TEST(WhatAPageShows, AgreesToThreeDigitsAndNoFewer) {
@@ -51,4 +51,4 @@ TEST(APage, HasFilesExcerptsAndCommandsInTheirOrder) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -13,7 +13,7 @@
 #include "tests/manual/page.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -137,4 +137,4 @@ std::string name_of(const ::testing::TestParamInfo<std::string>& page) {
 INSTANTIATE_TEST_SUITE_P(Pages, Manual, ::testing::ValuesIn(pages()), name_of);
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

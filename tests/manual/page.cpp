@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 constexpr double kAgreement = 1e-3;
@@ -136,4 +136,4 @@ bool agrees(const std::vector<std::string>& shown, const std::vector<std::string
   return agrees_from(shown, 0, printed, 0);
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 struct Block {
   std::string language, attribute, value;  ///< console, file or from, its value
@@ -42,4 +42,4 @@ void write_page(const std::string& path, const Page& page);
 [[nodiscard]] bool agrees(const std::vector<std::string>& shown,
                           const std::vector<std::string>& printed);
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

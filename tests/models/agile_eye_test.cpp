@@ -3,7 +3,7 @@
 #include "tests/models/jacobian.hpp"
 #include "tests/models/paving.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 const ShippedModel& robot() {
@@ -87,4 +87,4 @@ TEST(AgileEye, MovesByItselfAlongACurve) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

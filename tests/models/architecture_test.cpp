@@ -7,7 +7,7 @@
 #include "tests/support/example_model.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 constexpr const char* kEverywhere = "the full 6×6 matrix is singular at every pose of the motion";
@@ -64,4 +64,4 @@ TEST(GriffisDuffy, IsRegularOnATurnOnceACornerIsMoved) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -3,7 +3,7 @@
 #include "tests/models/jacobian.hpp"
 #include "tests/models/paving.hpp"
 
-namespace regulus::test::cable_8 {
+namespace regulus::detail::test::cable_8 {
 namespace {
 
 const ShippedModel& robot() {
@@ -80,4 +80,4 @@ TEST(Cable8, HasFullColumnRankWhereItWorks) {
 }
 
 }  // namespace
-}  // namespace regulus::test::cable_8
+}  // namespace regulus::detail::test::cable_8

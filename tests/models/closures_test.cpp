@@ -11,7 +11,7 @@
 #include "tests/models/shipped_model.hpp"
 #include "tests/support/precise_number.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 template <class T>
@@ -338,4 +338,4 @@ TEST(Closures, AreShownOrRefusedByNameByEveryCommand) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -3,7 +3,7 @@
 #include "tests/models/jacobian.hpp"
 #include "tests/models/paving.hpp"
 
-namespace regulus::test::delta {
+namespace regulus::detail::test::delta {
 namespace {
 
 constexpr double kUpper = 524, kLower = 1244, kWidth = 131;
@@ -106,4 +106,4 @@ TEST(Delta, IsRegularWhereItWorks) {
 }
 
 }  // namespace
-}  // namespace regulus::test::delta
+}  // namespace regulus::detail::test::delta

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 struct Dual {
   double value = 0;
@@ -22,4 +22,4 @@ inline Dual sqrt(Dual a) {
   return {root, a.slope / (2 * root)};
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -3,7 +3,7 @@
 #include "tests/models/jacobian.hpp"
 #include "tests/models/paving.hpp"
 
-namespace regulus::test::hexapod_6rus {
+namespace regulus::detail::test::hexapod_6rus {
 namespace {
 
 constexpr double kCrank = 36, kRod = 125;
@@ -85,4 +85,4 @@ TEST(Hexapod6Rus, ShowsAPoseWhereItsRodsAreDependent) {
 }
 
 }  // namespace
-}  // namespace regulus::test::hexapod_6rus
+}  // namespace regulus::detail::test::hexapod_6rus

@@ -2,7 +2,7 @@
 // Legs with a hinge: the rows of motor and constraint against the screws of each joint.
 #include "tests/models/posed_leg.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 /// A leg RPS or PRS: its hinge along `g`, the rail and the rod in the plane across it.
@@ -69,4 +69,4 @@ TEST(Legs, WithAHingeAlongTheRailHoldWhatTheMotorDoesNotMove) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

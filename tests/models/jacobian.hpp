@@ -11,7 +11,7 @@
 #include "tests/models/rigid_body.hpp"
 #include "tests/models/shipped_model.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 inline Vector<double> position_of(const Point& pose) {
   return {pose.at("x"), pose.at("y"), pose.at("z")};
@@ -76,4 +76,4 @@ inline double approx_determinant(Rows m) {
   return result;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -4,7 +4,7 @@
 #include "tests/models/jacobian.hpp"
 #include "tests/models/paving.hpp"
 
-namespace regulus::test::legs_of_models {
+namespace regulus::detail::test::legs_of_models {
 namespace {
 
 Vector<double> outward(std::size_t i) { return direction(120 * double(i)); }
@@ -141,4 +141,4 @@ TEST(ActiveWrist, HasTheRatesOfItsCarriages) {
 }
 
 }  // namespace
-}  // namespace regulus::test::legs_of_models
+}  // namespace regulus::detail::test::legs_of_models

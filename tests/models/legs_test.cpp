@@ -7,7 +7,7 @@
 #include "tests/models/posed_leg.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test::legs {
+namespace regulus::detail::test::legs {
 namespace {
 
 std::string text_of(const std::string& path) {
@@ -301,4 +301,4 @@ TEST(Legs, ThatEndInAPointHaveColumnsOfVelocityAlone) {
 }
 
 }  // namespace
-}  // namespace regulus::test::legs
+}  // namespace regulus::detail::test::legs

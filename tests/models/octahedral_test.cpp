@@ -3,7 +3,7 @@
 #include "tests/models/jacobian.hpp"
 #include "tests/models/paving.hpp"
 
-namespace regulus::test::octahedral {
+namespace regulus::detail::test::octahedral {
 namespace {
 
 const ShippedModel& octahedral() {
@@ -89,4 +89,4 @@ TEST(Octahedral, HasTheDeterminantInClosedFormWhenLevel) {
 }
 
 }  // namespace
-}  // namespace regulus::test::octahedral
+}  // namespace regulus::detail::test::octahedral

@@ -8,7 +8,7 @@
 
 #include "tests/support/command.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 constexpr const char* kOrthoglide = REGULUS_SOURCE_DIR "/models/orthoglide.toml";
@@ -61,4 +61,4 @@ TEST(Orthoglide, HasTheLargestCubesThatWerePublished) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -13,7 +13,7 @@
 
 #include "tests/models/shipped_model.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 using Function = std::function<double(double, double)>;
 
@@ -128,4 +128,4 @@ class Paving {
   nlohmann::json summary_;
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

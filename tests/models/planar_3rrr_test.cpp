@@ -5,7 +5,7 @@
 #include "tests/models/jacobian.hpp"
 #include "tests/models/paving.hpp"
 
-namespace regulus::test::planar_3rrr {
+namespace regulus::detail::test::planar_3rrr {
 namespace {
 
 const ShippedModel& robot() {
@@ -104,4 +104,4 @@ TEST(Planar3Rrr, HasFunctionsOfModerateLength) {
 }
 
 }  // namespace
-}  // namespace regulus::test::planar_3rrr
+}  // namespace regulus::detail::test::planar_3rrr

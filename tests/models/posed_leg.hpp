@@ -8,7 +8,7 @@
 
 #include "tests/models/jacobian.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// The twist of the platform that one unit of a joint's speed gives, at the platform's origin X.
 inline Row turn(const Vector<double>& axis, const Vector<double>& through,
@@ -107,4 +107,4 @@ inline Frame random_frame(Poses& random) {
   return {turn_all(kX), turn_all(kY), turn_all(kZ)};
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -3,7 +3,7 @@
 #include "tests/models/jacobian.hpp"
 #include "tests/models/paving.hpp"
 
-namespace regulus::test::puma_560 {
+namespace regulus::detail::test::puma_560 {
 namespace {
 
 const ShippedModel& robot() {
@@ -104,4 +104,4 @@ TEST(Puma560, ShowsEachKindOfSingularity) {
 }
 
 }  // namespace
-}  // namespace regulus::test::puma_560
+}  // namespace regulus::detail::test::puma_560

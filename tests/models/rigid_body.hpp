@@ -8,7 +8,7 @@
 
 #include "tests/models/dual.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
@@ -94,4 +94,4 @@ class MovingBody {
   Vector<double> angles_;
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -9,7 +9,7 @@
 #include "tests/models/paving.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 Point joints(Poses& poses, const Model& model) {
@@ -178,4 +178,4 @@ TEST(SerialArms, AreCertifiedFartherThanFiveDegreesFromTheirSingularPoses) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -10,7 +10,7 @@
 #include "tests/support/command.hpp"
 #include "tests/support/evaluate.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 using Point = test::Point;
 using Row = std::vector<double>;
@@ -63,4 +63,4 @@ inline Point witness_of(const nlohmann::json& report) {
   return pose;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -3,7 +3,7 @@
 #include "tests/models/jacobian.hpp"
 #include "tests/models/paving.hpp"
 
-namespace regulus::test::tsai_3upu {
+namespace regulus::detail::test::tsai_3upu {
 namespace {
 
 const ShippedModel& robot() {
@@ -91,4 +91,4 @@ TEST(Tsai3Upu, IsSingularOnACircleOnTheCylinder) {
 }
 
 }  // namespace
-}  // namespace regulus::test::tsai_3upu
+}  // namespace regulus::detail::test::tsai_3upu

@@ -12,7 +12,7 @@
 
 #include "tests/support/command.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 /// Enough for every motion here; more would change nothing for a determinant that vanishes
@@ -74,4 +74,4 @@ TEST(Models, HaveTheirVerdictsInTheReadme) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -3,7 +3,7 @@
 #include "tests/mpi/ranks.hpp"
 #include "tests/support/bars.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 class RanksOnABranch : public testing::Test {
@@ -222,4 +222,4 @@ TEST_F(RanksOnABranch, PaveALoadAsOneThreadDoes) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

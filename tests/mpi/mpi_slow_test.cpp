@@ -3,7 +3,7 @@
 
 #include "tests/mpi/ranks.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 /// Returns the processes that a process started.
@@ -140,4 +140,4 @@ TEST(KilledJobs, GoOnToTheSameConditionNumber) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

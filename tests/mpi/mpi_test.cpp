@@ -5,7 +5,7 @@
 #include "codegen/use/mpi/agreement.hpp"
 #include "tests/mpi/ranks.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using testing::HasSubstr;
@@ -396,4 +396,4 @@ TEST(Agreement, NamesARankOfAnotherBuild) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -18,7 +18,7 @@
 #include "tests/support/trials.hpp"
 #include "tests/support/turn_model.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 inline Words joined(Words first, const Words& second) {
   first.insert(first.end(), second.begin(), second.end());
@@ -93,4 +93,4 @@ waypoints = "dip.csv"
   }
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -8,7 +8,7 @@
 
 #include "tests/mpi/ranks.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 class SolvingRanks : public testing::Test {
@@ -129,4 +129,4 @@ TEST_F(SolvingRanks, TellAMistakeOfATableOnce) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -3,7 +3,7 @@
 #include "tests/mpi/ranks.hpp"
 #include "tests/support/bars.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 /// A search of values is shared after 16 384 boxes, which both segments have. Where the second one
@@ -57,4 +57,4 @@ TEST(RanksOnAWayOfABranch, PaveALoadAsOneThreadDoes) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

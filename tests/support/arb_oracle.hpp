@@ -6,7 +6,7 @@
 
 #include "runtime/interval/type.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 inline constexpr slong kFirstPrecision = 96;
 inline constexpr slong kLastPrecision = 3072;
@@ -74,4 +74,4 @@ class ArbOracle {
   arf_t lower_, upper_;
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

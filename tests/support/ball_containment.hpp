@@ -11,7 +11,7 @@
 #include "codegen/kernel/program/rational_bounds.hpp"
 #include "runtime/interval/interval.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// Returns true if value ∈ x.
 inline bool contains_exactly(const Interval& x, const cln::cl_RA& value) {
@@ -30,4 +30,4 @@ inline bool possibly_contains(const Interval& x, const Ball& ball) {
   return !below && !above;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

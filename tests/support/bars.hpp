@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// The motion is "m", the load "L"; `tolerance` is that of two bars, `force` the limits of the motor.
 inline std::string bars(const std::string& tolerance, const std::string& force) {
@@ -37,4 +37,4 @@ theta = [-1, 1.5]
                      tolerance, force);
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -14,7 +14,7 @@
 
 #include "tests/support/shards.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 using Range = std::array<double, 2>;
 using Place = std::array<Range, 2>;  ///< x and y
@@ -127,4 +127,4 @@ class BranchLines {
   std::size_t next_ = 1;
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

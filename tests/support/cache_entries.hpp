@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// Returns the entries of a cache directory, without its other files.
 inline std::vector<std::filesystem::path> cache_entries(const std::filesystem::path& directory) {
@@ -14,4 +14,4 @@ inline std::vector<std::filesystem::path> cache_entries(const std::filesystem::p
   return entries;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

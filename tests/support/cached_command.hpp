@@ -16,7 +16,7 @@
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 inline std::string file_contents(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -108,4 +108,4 @@ inline std::string timeless(const std::string& lines) {
   return kept;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

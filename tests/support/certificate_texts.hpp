@@ -7,7 +7,7 @@
 
 #include "runtime/verifier/verify.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 inline const char* const kFullRank1 =
     "verdict NO SINGULARITY\nclaim the full 1x1 matrix of the model is defined and has full rank "
@@ -33,4 +33,4 @@ inline verifier::Verification verify_text(const std::string& text,
   return verifier::verify(stream, options);
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

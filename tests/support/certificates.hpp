@@ -16,7 +16,7 @@
 #include "tests/support/certificate_texts.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 struct Certified {
   Result result;
@@ -69,4 +69,4 @@ inline std::string joined(const std::vector<std::string>& lines) {
   return text;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

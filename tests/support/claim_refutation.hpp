@@ -9,7 +9,7 @@
 #include "runtime/verifier/proof.hpp"
 #include "tests/support/random_source.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// Evaluates corners, the middle and random points of the variety. It looks for determinants of
 /// different signs (in a variety without constraints, which is convex), for one of at most alpha,
@@ -70,4 +70,4 @@ class ClaimRefutation {
   int sign_ = 0;
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -8,7 +8,7 @@
 
 #include "tests/support/closure_certificates.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 using verifier::Outcome;
 using verifier::Verification;
@@ -44,4 +44,4 @@ inline const Made& bar() {
   return made;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -11,7 +11,7 @@
 #include "runtime/existence/branch_tube.hpp"
 #include "tests/support/certificate_texts.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// Φ and its derivatives over a box, row by row.
 struct ClosureValues {
@@ -255,4 +255,4 @@ inline ClosureCase two_sheets(double gap, int side = 1, double start_x = 0.5) {
   return c;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -17,7 +17,7 @@
 #include <thread>
 #include <vector>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 inline const std::string kCommand = REGULUS_BINARY_DIR "/bin/regulus";
 inline const std::string kVerify = REGULUS_BINARY_DIR "/bin/regulus-verify";
@@ -123,4 +123,4 @@ inline CommandResult regulus(Words words, const Words& more = {}) {
   return run_command(words);
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

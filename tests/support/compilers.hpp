@@ -9,7 +9,7 @@
 
 #include "tests/support/spawned_compiler.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// Returns those of g++ and the newest Clang that are installed.
 inline std::vector<std::string> installed_compilers() {
@@ -38,4 +38,4 @@ inline bool compiles_without_warnings(const std::string& compiler, const std::st
   return run(command) == 0;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -12,7 +12,7 @@
 
 #include "runtime/interval/type.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// Returns the double `steps` after x in the order of doubles (before it if negative); x finite.
 inline double step(double x, int steps) {
@@ -125,4 +125,4 @@ class CornerInputs {
   std::vector<double> corners_;
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 class Damage {
  public:
@@ -50,4 +50,4 @@ class Damage {
   const std::vector<std::string>& splices_;
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

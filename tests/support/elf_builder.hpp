@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 class ElfBuilder {
  public:
@@ -139,4 +139,4 @@ class ElfBuilder {
   std::string names_ = std::string(1, '\0');
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <string>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 using Point = std::map<std::string, double>;
 
@@ -52,4 +52,4 @@ inline double evaluate(const GiNaC::ex& e, const Point& point) {
   return result;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -12,7 +12,7 @@
 
 #include "runtime/interval/interval.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// A rational number.
 class Exact {
@@ -81,4 +81,4 @@ inline Exact determinant(std::span<const Exact> entries, std::size_t n) {
   return result;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// Line 1 has the format version; tests count lines from there.
 inline const std::string kExample = R"toml(regulus = 1
@@ -83,4 +83,4 @@ inline std::string changed(std::string text, const std::string& from, const std:
   return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -10,7 +10,7 @@
 #include "runtime/interval/interval.hpp"
 #include "runtime/kernel/abi.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 using Values = std::vector<Interval>;
 
@@ -53,7 +53,7 @@ class FixtureKernel {
   regulus_kernel kernel_{};
 };
 
-namespace detail {
+namespace adapters {
 
 template <typename Function>
 unsigned for_lanes(const double* boxes, double* out, const regulus_kernel& kernel,
@@ -95,7 +95,7 @@ unsigned with_points(const double* boxes, const double* points, double* out, con
   });
 }
 
-}  // namespace detail
+}  // namespace adapters
 
 inline FixtureKernel::FixtureKernel(unsigned variables, unsigned motion_variables, unsigned rows,
                                     unsigned columns) {
@@ -106,30 +106,30 @@ inline FixtureKernel::FixtureKernel(unsigned variables, unsigned motion_variable
   kernel_.rows = rows;
   kernel_.columns = columns;
   kernel_.pose_parameters = motion_variables;
-  kernel_.matrix = detail::plain<&FixtureKernel::matrix>;
-  kernel_.left_product = detail::with_points<&FixtureKernel::left_product>;
-  if (rows == columns) kernel_.right_product = detail::with_points<&FixtureKernel::right_product>;
-  kernel_.pose = detail::plain<&FixtureKernel::pose>;
+  kernel_.matrix = adapters::plain<&FixtureKernel::matrix>;
+  kernel_.left_product = adapters::with_points<&FixtureKernel::left_product>;
+  if (rows == columns) kernel_.right_product = adapters::with_points<&FixtureKernel::right_product>;
+  kernel_.pose = adapters::plain<&FixtureKernel::pose>;
   kernel_.context = this;
   kernel_.identity = "fixture";
 }
 
 inline void FixtureKernel::enable_derivatives() {
-  kernel_.matrix_derivatives = detail::plain<&FixtureKernel::matrix_derivatives>;
-  kernel_.left_derivatives = detail::with_points<&FixtureKernel::left_derivatives>;
+  kernel_.matrix_derivatives = adapters::plain<&FixtureKernel::matrix_derivatives>;
+  kernel_.left_derivatives = adapters::with_points<&FixtureKernel::left_derivatives>;
 }
 inline void FixtureKernel::enable_row_scale() {
-  kernel_.row_scale = detail::plain<&FixtureKernel::row_scale>;
+  kernel_.row_scale = adapters::plain<&FixtureKernel::row_scale>;
 }
 inline void FixtureKernel::enable_determinant() {
-  kernel_.determinant = detail::plain<&FixtureKernel::determinant>;
+  kernel_.determinant = adapters::plain<&FixtureKernel::determinant>;
 }
 inline void FixtureKernel::enable_determinant_derivatives() {
-  kernel_.determinant_derivatives = detail::plain<&FixtureKernel::determinant_derivatives>;
+  kernel_.determinant_derivatives = adapters::plain<&FixtureKernel::determinant_derivatives>;
 }
 inline void FixtureKernel::enable_constraints(unsigned count) {
   kernel_.constraints = count;
-  kernel_.constraint = detail::plain<&FixtureKernel::constraint>;
+  kernel_.constraint = adapters::plain<&FixtureKernel::constraint>;
 }
 
 inline Values FixtureKernel::left_product(const Values& x, std::span<const double> K) const {
@@ -166,4 +166,4 @@ inline Values FixtureKernel::right_product(const Values& x, std::span<const doub
   return out;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -8,7 +8,7 @@
 #include "runtime/search/solver.hpp"
 #include "tests/support/fixture_kernel.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 class FunctionKernel : public FixtureKernel {
  public:
@@ -86,4 +86,4 @@ inline FunctionKernel singular_circle() {
   return {2, 2, 2, [](const Values& x) { return Values{x[0] + 1.0, x[1], -x[1], x[0] - 1.0}; }};
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// The way between two points in mm, as places at equal steps.
 struct MachineMove {
@@ -274,4 +274,4 @@ class GcodeInterpreter {
   bool relative_ = false, absolute_ = false, over_ = false;
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

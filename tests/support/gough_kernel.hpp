@@ -7,7 +7,7 @@
 
 #include "tests/support/fixture_kernel.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 using Anchors = std::array<std::array<double, 3>, 6>;
 
@@ -224,4 +224,4 @@ inline Angle plus_minus_degrees(double degrees) {
   return {{-radians.hi, radians.hi}, {-radians.lo, radians.lo}};
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

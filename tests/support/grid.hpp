@@ -8,7 +8,7 @@
 #include "runtime/kernel/abi.hpp"
 #include "tests/support/random_source.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// Returns a row of multiples of one power of two, at most 2^largest_exponent. Half of the rows
 /// have entries near the limits of the grid.
@@ -28,4 +28,4 @@ inline std::vector<double> corner_row(RandomSource& random, std::size_t length,
   return row;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -11,7 +11,7 @@
 #include "runtime/existence/branch_tube.hpp"
 #include "tests/support/platforms.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 inline bool holds(const std::vector<GoughPose>& poses, const Pose<double>& pose, double tolerance) {
   return std::ranges::any_of(
@@ -144,4 +144,4 @@ inline void expect_no_false_list_of_poses(std::uint64_t seed, int cases) {
   EXPECT_LE(complete, cases);
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

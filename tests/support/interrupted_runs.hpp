@@ -13,7 +13,7 @@
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 inline std::string text_of(const std::filesystem::path& file) {
   std::ostringstream text;
@@ -85,4 +85,4 @@ inline void expect_kills_change_nothing(int rounds, int kills_a_round) {
   EXPECT_GT(continued, 0);
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -10,7 +10,7 @@
 #include "tests/support/exact.hpp"
 #include "tests/support/random_source.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 using Random = RandomSource;
 
@@ -70,4 +70,4 @@ inline std::vector<Interval> interval_lane_of(const std::vector<double>& x, std:
   return result;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -6,7 +6,7 @@
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/model/model.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// Returns all contents of a model except the digest of its file: later stages cannot distinguish
 /// models with equal texts.
@@ -43,4 +43,4 @@ inline std::string everything_of(const Model& model) {
   return text;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -4,7 +4,7 @@
 
 #include <mpfr.h>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// The greatest double ≤ the exact value and the least ≥ it: −∞, ±max, ∞ and subnormals included.
 struct Tightest {
@@ -43,4 +43,4 @@ Tightest tightest(MpfrNumber& result, Compute compute) {
   return {lo, mpfr_get_d(result, MPFR_RNDU)};
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -7,7 +7,7 @@
 #include <cctype>
 #include <string>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// Returns the text with only what may stand in a test's name.
 [[nodiscard]] inline std::string name_of_words(std::string text) {
@@ -21,4 +21,4 @@ inline constexpr auto parameter_name = [](const auto& info) {
   return std::to_string(info.index) + "_" + name_of_words(testing::PrintToString(info.param));
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -6,7 +6,7 @@
 
 #include "tests/support/planted_system.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// Ensures   at sampled places each tube of which the test says so has exactly one root, and the test
 ///           says so of some and not of others.
@@ -47,4 +47,4 @@ inline void expect_no_false_one(std::uint64_t seed, std::size_t cases) {
   EXPECT_GT(roots, cases / 50);
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

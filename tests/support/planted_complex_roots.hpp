@@ -7,7 +7,7 @@
 #include "runtime/solutions/complex_root.hpp"
 #include "tests/support/random_source.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// Equation i is Π_k (u_i − r_ik) = 0 with u_i = z_i + Σ_{j<i} m_ij z_j. The r_ik are dyadic, real or
 /// in conjugate pairs; some are equal, others 2^-27 apart.
@@ -128,4 +128,4 @@ inline void expect_no_false_root(std::uint64_t seed, std::size_t cases) {
   EXPECT_GT(refused, cases / 20);
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -10,7 +10,7 @@
 #include "tests/support/exact.hpp"
 #include "tests/support/random_source.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// Φ = A·f, where f_j is zero at the roots of p_j alone: known functions of x.
 class PlantedSystem {
@@ -194,4 +194,4 @@ class PlantedSystem {
   std::vector<Curve> g_, h_;
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

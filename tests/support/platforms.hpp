@@ -7,7 +7,7 @@
 #include "runtime/solutions/gough_poses.hpp"
 #include "tests/support/random_source.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 using Anchors = std::array<std::array<double, 3>, 6>;
 
@@ -88,4 +88,4 @@ inline double distance(const GoughPose& a, const Pose<double>& b) {
   return std::max(moved, std::min(same, opposite));
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

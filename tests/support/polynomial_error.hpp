@@ -10,7 +10,7 @@
 
 #include "runtime/interval/type.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// Writes the i-th coefficient of the series, every one at most 1 in magnitude.
 using SeriesTerm = std::function<void(arb_t coefficient, slong i, slong precision)>;
@@ -86,4 +86,4 @@ class PolynomialError {
   arb_t value_;
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

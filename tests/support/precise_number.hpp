@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 class Precise {
  public:
@@ -101,4 +101,4 @@ std::vector<Precise> root_near(const System& f, std::vector<Precise> x) {
   return x;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 struct MappedRange {
   std::uintptr_t begin, end;
@@ -47,4 +47,4 @@ inline bool is_mapped(const std::string& part_of_file_name) {
   return false;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -11,7 +11,7 @@
 
 #include "tests/support/random_source.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// A hexapod with its anchors in three pairs on two circles, at a random pose.
 class RandomHexapod {
@@ -144,4 +144,4 @@ class RandomHexapod {
   double pose_[6];  ///< x y z roll pitch yaw; mm and rad
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

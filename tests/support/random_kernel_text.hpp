@@ -7,7 +7,7 @@
 #include <random>
 #include <string>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 inline constexpr int kRandomVariables = 6;
 inline constexpr int kRandomPoints = 36;
@@ -150,4 +150,4 @@ using namespace regulus::pack;
   int outputs_ = 0;
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

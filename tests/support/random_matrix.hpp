@@ -7,7 +7,7 @@
 #include "tests/support/fixture_kernel.hpp"
 #include "tests/support/lane_arrays.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// Entries are c₀ + Σ cₖxₖ + Σ dₖxₖ² + e·x₀x₁ with coefficients of a few bits, so that exact
 /// arithmetic on doubles is cheap.
@@ -96,4 +96,4 @@ class RandomMatrix : public FixtureKernel {
   bool inside_ = true;
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

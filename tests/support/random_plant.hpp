@@ -14,7 +14,7 @@
 
 #include "tests/support/random_source.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// A square matrix of doubles.
 using Entries = std::vector<std::vector<double>>;
@@ -250,4 +250,4 @@ class RandomMatrixModel final : public RandomPlant {
   double values_[kUncertain];
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -14,7 +14,7 @@
 #include "codegen/kernel/program/program.hpp"
 #include "tests/support/random_source.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 struct ProgramShape {
   int inputs = 3;
@@ -181,4 +181,4 @@ Program random_program(RandomSource& random, const ProgramShape& shape) {
   return std::move(builder).finish();
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -7,7 +7,7 @@
 
 #include "runtime/interval/interval.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// SplitMix64 (Steele, Lea, Flood, OOPSLA 2014).
 class RandomSource {
@@ -89,4 +89,4 @@ inline double point_of(RandomSource& random, const Interval& x) {
   }
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

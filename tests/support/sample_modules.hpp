@@ -8,7 +8,7 @@
 
 #include "codegen/kernel/program/module.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 inline std::vector<std::string> entries_of_k(int rows, int columns) {
   std::vector<std::string> names;
@@ -146,4 +146,4 @@ inline Module hostile_module() {
   return m;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

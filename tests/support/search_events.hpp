@@ -7,7 +7,7 @@
 
 #include "runtime/problem/observer.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// Leaves out when the search reported progress, which depends on time in a search of many units.
 class SearchEvents : public Observer {
@@ -61,4 +61,4 @@ class SearchEvents : public Observer {
   }
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -12,7 +12,7 @@
 #include "runtime/proof/format.hpp"
 #include "tests/support/certificate_texts.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 struct HandmadeShard {
   std::string open;   ///< lines from `next` on
@@ -60,4 +60,4 @@ class HandmadeShards {
   std::string question_;
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -16,7 +16,7 @@
 #include "runtime/problem/row_structure.hpp"
 #include "runtime/search/unit_search.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// What a simulation may do wrong; each is a probability.
 struct Troubles {
@@ -145,4 +145,4 @@ class SimulatedWorkers final : public cluster::Workers {
   double now_ = 0, busy_ = 0;
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

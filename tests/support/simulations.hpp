@@ -8,7 +8,7 @@
 #include "tests/support/simulated_workers.hpp"
 #include "tests/support/unit_searches.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// Runs each case with so many seeds. Every search must tell its observer the same as the search
 /// by one thread.
@@ -39,4 +39,4 @@ inline void expect_simulations_change_nothing(unsigned seeds) {
   EXPECT_GT(repetitions, seeds);
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

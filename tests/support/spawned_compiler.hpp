@@ -18,7 +18,7 @@
 #include "regulus/floating_point_flags.hpp"
 #include "runtime/kernel/isa.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 class SpawnedLibrary {
  public:
@@ -81,4 +81,4 @@ inline SpawnedLibrary compile_with_spawned(const std::string& compiler, const st
   return {loaded, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// A new empty directory of mode 0700; the destructor removes it with its contents.
 class TemporaryDirectory {
@@ -27,4 +27,4 @@ class TemporaryDirectory {
   std::filesystem::path path_;
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

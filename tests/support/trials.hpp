@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <vector>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// `all` where the environment has REGULUS_ALL_TRIALS, as `make test-all` does; otherwise `few`.
 inline int trials(int few, int all) {
@@ -21,4 +21,4 @@ std::vector<T> every_second(const std::vector<T>& values, std::size_t at) {
   return half;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

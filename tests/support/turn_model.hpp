@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// A rotation with scales of its rows: κ₂ = 5 at every pose, which takes many boxes.
 inline constexpr const char* kTurn = R"toml(regulus = 1
@@ -21,4 +21,4 @@ z = [0, 1]
 constraints = ["x + y - 3/2"]
 )toml";
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

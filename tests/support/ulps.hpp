@@ -8,7 +8,7 @@
 
 #include "runtime/interval/type.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// Returns the position of x in the order of doubles; −0 and +0 have the same position.
 inline std::int64_t ordinal(double x) {
@@ -26,4 +26,4 @@ inline std::uint64_t excess_ulps(Interval wide, Interval tight) {
   return std::max(below, above);
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

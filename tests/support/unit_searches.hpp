@@ -8,7 +8,7 @@
 
 #include "tests/support/function_kernel.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 struct UnitCase {
   std::string name;
@@ -74,4 +74,4 @@ inline std::vector<UnitCase> unit_cases() {
   };
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -11,7 +11,7 @@
 #include "runtime/files/sha256.hpp"
 #include "runtime/proof/format.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Form = CanonicalNode::Form;
@@ -158,4 +158,4 @@ CanonicalTerm CanonicalReader::read_call(const ex& e) {
   return {1, shared(std::move(node))};
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 
 struct CanonicalNode;
 
@@ -60,4 +60,4 @@ class CanonicalReader {
   std::map<GiNaC::ex, CanonicalTerm, GiNaC::ex_is_less> known_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

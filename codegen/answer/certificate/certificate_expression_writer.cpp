@@ -6,7 +6,7 @@
 
 #include <sstream>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Form = CanonicalNode::Form;
@@ -145,4 +145,4 @@ std::string expression_text(const ex& e) {
   return CertificateExpressionWriter({}).write(e, lets);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -12,7 +12,7 @@
 #include "codegen/answer/certificate/canonical_term.hpp"
 #include "codegen/support/infix_text.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Writes expressions; a part that occurs several times in them becomes a `let` of its own.
 class CertificateExpressionWriter {
@@ -49,4 +49,4 @@ class CertificateExpressionWriter {
 /// Returns the text of an expression, without `let` lines.
 [[nodiscard]] std::string expression_text(const GiNaC::ex& e);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "runtime/proof/format.hpp"
 #include "runtime/verifier/verify.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 namespace {
 
@@ -60,4 +60,4 @@ void CertificateFile::finish(const Result& result) {
   status_.set_written(std::move(note));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/question/engine/pipeline.hpp"
 #include "runtime/proof/writer.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class CertificateFile {
  public:
@@ -34,4 +34,4 @@ class CertificateFile {
   std::string doubt_safe_, doubt_singular_;  ///< why the verifier may not finish, by verdict
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -15,7 +15,7 @@
 #include "runtime/verifier/rounding.hpp"
 #include "runtime/verifier/verify.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -241,4 +241,4 @@ CertifiedQuestion certified_question(const PreparedSearch& p) {
   return certified_question(p.stages->request(), uncertain_names(p.labels));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

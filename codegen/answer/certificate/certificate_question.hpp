@@ -10,7 +10,7 @@
 #include "runtime/proof/format.hpp"
 #include "runtime/proof/writer.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the constants of a robot that are variables of a search.
 [[nodiscard]] std::set<std::string> uncertain_names(const ReportLabels& subject);
@@ -63,4 +63,4 @@ struct CertifiedMotion {
 /// Returns the question that a preparation was made for.
 [[nodiscard]] CertifiedQuestion certified_question(const PreparedSearch& preparation);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 
 #include "codegen/answer/certificate/certificate_expression_writer.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -126,4 +126,4 @@ std::string CutSides::note() const {
   return "atan2 jumps at " + text + "; on its cut the matrix has either limit";
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

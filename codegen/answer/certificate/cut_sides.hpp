@@ -18,7 +18,7 @@
 
 #include "codegen/answer/certificate/certificate_question.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class CutSides {
  public:
@@ -55,4 +55,4 @@ class CutSides {
   std::vector<Sign> signs_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

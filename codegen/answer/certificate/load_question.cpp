@@ -7,7 +7,7 @@
 #include "codegen/answer/certificate/certificate_question.hpp"
 #include "codegen/answer/certificate/piece_question.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 std::string vector_lines(const VectorSet& load) {
   std::string text;
@@ -46,4 +46,4 @@ std::string certificate_obstacle(const CertifiedLoad& question) {
   return obstacle_of_head(question.head(format::kFeasible));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

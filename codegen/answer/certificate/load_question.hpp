@@ -8,7 +8,7 @@
 #include "codegen/model/request.hpp"
 #include "runtime/proof/format.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the lines `wrench` and `wrench-ball` of a load or a set of twists.
 [[nodiscard]] std::string vector_lines(const VectorSet& set);
@@ -38,4 +38,4 @@ struct CertifiedLoad {
 /// Returns why the verifier could not read such a certificate; empty if it can.
 [[nodiscard]] std::string certificate_obstacle(const CertifiedLoad& question);
 
-}  // namespace regulus
+}  // namespace regulus::detail

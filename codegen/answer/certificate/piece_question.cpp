@@ -7,7 +7,7 @@
 #include "codegen/answer/certificate/certificate_expression_writer.hpp"
 #include "codegen/answer/certificate/certificate_question.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -145,4 +145,4 @@ CertifiedQuestion trajectory_question(const Request& request,
   return question;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

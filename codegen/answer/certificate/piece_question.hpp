@@ -10,7 +10,7 @@
 #include "codegen/model/way/trajectory.hpp"
 #include "runtime/proof/writer.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the question about one piece alone: its first parameter s ranges over [0, 1], and the
 /// parameters of the motion follow. The start of a closure is where the piece begins.
@@ -37,4 +37,4 @@ struct PiecesRequest {
                                                     const std::set<std::string>& uncertain,
                                                     const CertifiedAbout& about = is_regular());
 
-}  // namespace regulus
+}  // namespace regulus::detail

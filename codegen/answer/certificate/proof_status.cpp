@@ -7,7 +7,7 @@
 
 #include "runtime/proof/format.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -181,4 +181,4 @@ void EndProofs::add_to(Json& proofs, const std::string& component) const {
   }
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

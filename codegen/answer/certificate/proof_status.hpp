@@ -14,7 +14,7 @@
 #include "codegen/support/held_files.hpp"
 #include "runtime/proof/proof_file.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 inline constexpr const char* kNothingClaimed =
     "POSSIBLE PROBLEM claims nothing that could be proved";
@@ -159,4 +159,4 @@ class EndProofs {
   const char* singular_name_ = "singular";
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

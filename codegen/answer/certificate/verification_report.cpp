@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 const char* json_name(verifier::Outcome outcome) {
@@ -42,4 +42,4 @@ nlohmann::ordered_json json_verification(const VerificationRequest& request,
   return report;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

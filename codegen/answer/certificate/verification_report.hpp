@@ -5,10 +5,10 @@
 
 #include "codegen/answer/certificate/verify_file.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the report of `regulus verify --json`. Its texts may have any bytes.
 [[nodiscard]] nlohmann::ordered_json json_verification(const VerificationRequest& request,
                                                        const verifier::Verification& v);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "codegen/support/errors.hpp"
 #include "runtime/verifier/input_file.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 std::unique_ptr<verifier::InputFile> opened(const std::string& path) try {
@@ -38,4 +38,4 @@ verifier::Verification verify_file(const VerificationRequest& request) {
   }
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include "runtime/verifier/verify.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct VerificationRequest {
   std::string path;
@@ -20,4 +20,4 @@ struct VerificationRequest {
 /// Throws    FileError if a file cannot be read, InputError for the model file.
 [[nodiscard]] verifier::Verification verify_file(const VerificationRequest& request);
 
-}  // namespace regulus
+}  // namespace regulus::detail

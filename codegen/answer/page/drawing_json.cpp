@@ -13,7 +13,7 @@
 #include "codegen/model/mechanism/serial.hpp"
 #include "codegen/question/solve/nominal.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -132,4 +132,4 @@ Json json_drawing_at_solutions(const Model& model) {
   return json;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 
 #include "codegen/model/request.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the points and parts of the robot, null if the model gives none: `unit` of lengths, `points` as expressions
 /// of the language of certificates in the names of the question and those of `lets`, `parts` with
@@ -17,4 +17,4 @@ namespace regulus {
 /// quaternion qw, qx, qy, qz.
 [[nodiscard]] nlohmann::ordered_json json_drawing_at_solutions(const Model& model);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 
 #include "codegen/support/shell_word.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::array<std::string_view, 9> kFileOptions = {
@@ -75,4 +75,4 @@ void LocalPaths::remove_from(nlohmann::ordered_json& report) const {
     for (nlohmann::ordered_json& part : report) remove_from(part);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

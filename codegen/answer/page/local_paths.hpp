@@ -9,7 +9,7 @@
 
 #include "codegen/model/model_options.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class LocalPaths {
  public:
@@ -28,4 +28,4 @@ class LocalPaths {
   std::vector<std::string> paths_;  ///< with a folder, the longest first
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "codegen/support/shell_word.hpp"
 #include "regulus/version.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -99,4 +99,4 @@ std::string json_text(const PageData& data) {
   return json.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "codegen/answer/page/local_paths.hpp"
 #include "codegen/model/model_options.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 struct Request;
 
 struct PageData {
@@ -55,4 +55,4 @@ void remove_folders(PageData& data, const LocalPaths& paths);
 /// Returns the command `verify` for the proof of an answer to a question of these options.
 [[nodiscard]] std::string command_to_verify(const ModelOptions& model);
 
-}  // namespace regulus
+}  // namespace regulus::detail

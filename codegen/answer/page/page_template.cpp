@@ -10,7 +10,7 @@
 #include "codegen/support/executable_folder.hpp"
 #include "runtime/files/sha256.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::array<const char*, 6> kPlaces = {"@REGULUS_TITLE@",  "@REGULUS_VERDICT@",
@@ -97,4 +97,4 @@ std::string PageTemplate::fill(const PageTexts& texts) const {
   return page;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

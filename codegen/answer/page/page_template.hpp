@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The texts of a page. They may be any UTF-8: fill() makes them safe in HTML.
 struct PageTexts {
@@ -45,4 +45,4 @@ class PageTemplate {
 /// Requires  JSON in ASCII.
 [[nodiscard]] std::string json_for_html(std::string_view json);
 
-}  // namespace regulus
+}  // namespace regulus::detail

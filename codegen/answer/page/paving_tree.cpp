@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-namespace regulus {
+namespace regulus::detail {
 
 void PavingTree::on_split(const OpenBox& box, const Split& split) noexcept {
   lines_ += fmt::format("s {} {} {}\n", box.id, split.variable, split.at);
@@ -22,4 +22,4 @@ void PavingTree::add_leaf(const OpenBox& box, Claim claim) {
 
 std::string PavingTree::text() const { return lines_ + fmt::format("end {}\n", leaves_); }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "runtime/problem/observer.hpp"
 #include "runtime/search/leaf_claims.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class PavingTree final : public Observer {
  public:
@@ -30,4 +30,4 @@ class PavingTree final : public Observer {
   std::size_t leaves_ = 0;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

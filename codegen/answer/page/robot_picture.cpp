@@ -12,7 +12,7 @@
 #include "codegen/answer/page/page_template.hpp"
 #include "codegen/model/drawing.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Kind = Drawing::Kind;
@@ -214,4 +214,4 @@ std::string robot_picture(const Request& request) {
   return picture.text(request.model.name);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

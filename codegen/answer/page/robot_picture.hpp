@@ -6,10 +6,10 @@
 
 #include "codegen/model/request.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the robot at the middle of the motion in SVG, some kilobytes, for people: in doubles. Empty if
 /// the model gives no points that follow from its pose, or the motion is along way-points.
 [[nodiscard]] std::string robot_picture(const Request& request);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 
 #include "codegen/kernel/formulation/variety.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 nlohmann::ordered_json json_way(const Trajectory& trajectory) {
   using Json = nlohmann::ordered_json;
@@ -21,4 +21,4 @@ nlohmann::ordered_json json_way(const Trajectory& trajectory) {
           {"pieces", pieces}};
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

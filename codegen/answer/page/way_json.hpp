@@ -5,11 +5,11 @@
 
 #include "codegen/model/way/trajectory.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the way-points for a page: `file`, `sha256`, `interpolation`, `time_unit` (null without
 /// times), and for each piece `lines`, [first, last] of the file, and `times`, [begin, end],
 /// approximate.
 [[nodiscard]] nlohmann::ordered_json json_way(const Trajectory& trajectory);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 
 #include "codegen/answer/report/number_text.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Returns the exponent of the axis: 0 where plain numbers are short.
@@ -86,4 +86,4 @@ std::string drawn_text(const VariableLabel& variable, const Interval& value) {
   return fmt::format("{} {} {}", variable.name, ends.front() == '[' ? "in" : "=", text);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 
 #include "codegen/question/engine/search_subject.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class Axis {
  public:
@@ -43,4 +43,4 @@ class Axis {
 /// Returns "phi = 25 deg", "x in [−2, 4] cm": six digits, for the text of a picture.
 [[nodiscard]] std::string drawn_text(const VariableLabel& variable, const Interval& value);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Returns a text that an XML comment can hold.
@@ -89,4 +89,4 @@ std::string BoxGrid::text() const {
          "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

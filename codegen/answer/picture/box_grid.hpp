@@ -11,7 +11,7 @@
 #include "codegen/answer/picture/picture_options.hpp"
 #include "runtime/search/leaf_claims.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class BoxGrid final : public Observer {
  public:
@@ -42,4 +42,4 @@ class BoxGrid final : public Observer {
   bool is_full_ = false;  ///< memory ran out
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

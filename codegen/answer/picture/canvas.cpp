@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// The most tiles along a range that a picture can show.
@@ -156,4 +156,4 @@ std::vector<TileRectangle> Canvas::rectangles(const TilePredicate& wanted) const
   return done;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 #include "codegen/answer/picture/picture_options.hpp"
 #include "runtime/search/leaf_claims.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A rectangle of tiles of one kind, in tiles: columns [left, right), rows [bottom, top).
 struct TileRectangle {
@@ -81,4 +81,4 @@ class Canvas final : public Observer {
   std::vector<DeterminantTile> determinants_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

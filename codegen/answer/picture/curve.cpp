@@ -5,7 +5,7 @@
 #include "codegen/answer/picture/gnuplot.hpp"
 #include "codegen/answer/picture/plot.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Returns the height of the picture: every enclosure and 0, with a margin.
@@ -67,4 +67,4 @@ std::string curve_commands(const PreparedSearch& p, const PictureOptions& option
          plot.commands();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

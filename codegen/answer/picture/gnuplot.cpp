@@ -14,7 +14,7 @@
 #include "codegen/support/errors.hpp"
 #include "codegen/support/file_descriptor.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 FileError cannot_start(const std::system_error& error) {
@@ -143,4 +143,4 @@ std::string Gnuplot::quoted(const std::string& text) {
   return result + "'";
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/support/subprocess.hpp"
 #include "runtime/files/atomic_file.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class Gnuplot {
  public:
@@ -46,4 +46,4 @@ class Gnuplot {
   std::optional<Subprocess> process_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

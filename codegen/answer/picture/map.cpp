@@ -9,7 +9,7 @@
 #include "codegen/answer/picture/plot.hpp"
 #include "codegen/answer/picture/robot_in_map.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Tenths of a tile that are free: 0 is none, 10 is all, between them is some.
@@ -112,4 +112,4 @@ std::string map_commands(const PreparedSearch& p, const PictureOptions& options,
          plot.commands();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/place_text.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// The panels of a picture.
@@ -146,4 +146,4 @@ std::string picture_commands(const std::string& file, const PreparedSearch& p,
                                  : slice_pictures(p, options, volumes, canvases, grid));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

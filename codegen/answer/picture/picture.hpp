@@ -10,7 +10,7 @@
 #include "codegen/answer/picture/canvas.hpp"
 #include "runtime/search/paving.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the commands before those of a plot of one panel. `legend`: over the legend.
 [[nodiscard]] std::string picture_head(const std::string& file, const std::string& across,
@@ -26,4 +26,4 @@ namespace regulus {
                                            const PictureOptions& options, const Volumes& volumes,
                                            const std::deque<Canvas>& canvases);
 
-}  // namespace regulus
+}  // namespace regulus::detail

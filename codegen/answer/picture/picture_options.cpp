@@ -9,7 +9,7 @@
 #include "codegen/answer/report/place_text.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Axes = std::vector<std::size_t>;
@@ -133,4 +133,4 @@ PictureOptions resolve_pictures(const PictureRequest& request, const PavingOptio
   return options;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

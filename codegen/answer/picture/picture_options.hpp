@@ -10,7 +10,7 @@
 #include "codegen/answer/report/paving_options.hpp"
 #include "runtime/search/paving.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A plane in which a motion parameter has one value.
 struct Slice {
@@ -27,7 +27,7 @@ struct PictureOptions {
   std::vector<Slice> slices;       ///< a map for each of them; empty: one map
   Shade shade = Shade::kWorst;
   bool robot = false;  ///< drawn over the map
-  WordOfClaim word = name;
+  WordOfClaim word = regulus::name;
   std::string subject{};  ///< of the question, for the title; empty: model and motion say it
 };
 
@@ -41,4 +41,4 @@ void require_picture_format(const std::string& file);
                                               const PavingOptions& paving,
                                               const SearchSubject& preparation);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The meaning of a tile's colour, about all boxes over it.
 enum class Shade : std::uint8_t {
@@ -24,4 +24,4 @@ struct PictureRequest {
   std::size_t map_columns = 0;  ///< of a map in text, of at most two ranges; 0: none
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

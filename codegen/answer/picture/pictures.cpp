@@ -8,7 +8,7 @@
 #include "codegen/answer/picture/text_map.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Does a step with a file; its error becomes one of ours.
@@ -25,7 +25,7 @@ auto with_file(const std::string& name, Step step) {
 
 Pictures::Pictures(const PictureRequest& request, const PavingOptions& paving,
                    const PreparedSearch& preparation)
-    : Pictures(request, paving, preparation, name, "") {}
+    : Pictures(request, paving, preparation, regulus::name, "") {}
 
 Pictures::Pictures(const PictureRequest& request, const PavingOptions& paving,
                    const PreparedSearch& preparation, WordOfClaim word, std::string subject)
@@ -76,4 +76,4 @@ std::string Pictures::map() const {
   return map_ ? text_map(preparation_, options_, *map_, map_columns_) : "";
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

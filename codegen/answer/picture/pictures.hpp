@@ -15,7 +15,7 @@
 #include "runtime/files/atomic_file.hpp"
 #include "runtime/search/paving.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class Pictures {
  public:
@@ -55,4 +55,4 @@ class Pictures {
   std::size_t map_columns_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "codegen/answer/picture/gnuplot.hpp"
 #include "codegen/answer/report/paving_report.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 std::string line_style(double width, double dots) {
@@ -116,4 +116,4 @@ Interval overlapping(Interval part, Interval range, std::size_t count) {
   return {part.lo, std::min(part.hi + overlap, range.hi)};
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

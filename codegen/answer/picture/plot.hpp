@@ -11,7 +11,7 @@
 #include "codegen/answer/picture/canvas.hpp"
 #include "runtime/search/paving.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A place in the units of the axes.
 struct PlacePoint {
@@ -78,4 +78,4 @@ inline constexpr std::array kDrawingOrder{Claim::kFree, Claim::kUnreachable, Cla
                                          const PictureOptions& options, const Volumes& volumes,
                                          const Canvas& canvas);
 
-}  // namespace regulus
+}  // namespace regulus::detail

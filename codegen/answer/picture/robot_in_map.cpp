@@ -10,7 +10,7 @@
 #include "codegen/model/exact/sign.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Kind = Drawing::Kind;
@@ -225,4 +225,4 @@ void RobotInMap::add_to(Plot& plot, const std::optional<Slice>& slice, bool has_
         fmt::format("the robot, seen along {}", "xyz"[3 - coordinates_[0] - coordinates_[1]]));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

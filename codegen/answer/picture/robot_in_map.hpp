@@ -12,7 +12,7 @@
 #include "codegen/answer/picture/plot.hpp"
 #include "codegen/model/request.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Throws UsageError, with what helps, unless the model has points to draw, and the two parameters
 /// along the axes are coordinates of one of them, or of the origin of the platform's frame.
@@ -43,4 +43,4 @@ class RobotInMap {
   std::array<Interval, 2> extent_{};
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 
 #include "codegen/answer/picture/axis.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::size_t kMostMapRows = 32;
@@ -117,4 +117,4 @@ std::string text_map(const SearchSubject& subject, const PictureOptions& options
   return text;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

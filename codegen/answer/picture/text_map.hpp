@@ -8,7 +8,7 @@
 
 #include "codegen/answer/picture/canvas.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the lines of a map that is at most `columns` wide: a character says of the boxes there
 /// what the colour of a tile says in a picture. The first line has the axes and the characters.
@@ -17,4 +17,4 @@ namespace regulus {
 [[nodiscard]] std::string text_map(const SearchSubject& subject, const PictureOptions& options,
                                    const Canvas& canvas, std::size_t columns);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// More rows would be too thin to see.
@@ -140,4 +140,4 @@ std::string way_picture_commands(const std::string& file, const DrawnStretches& 
          plot.commands();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -12,7 +12,7 @@
 #include "codegen/answer/picture/picture_options.hpp"
 #include "codegen/question/way/trajectory_paving.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A paving to be drawn.
 struct DrawnStretches {
@@ -46,4 +46,4 @@ class WayPictures {
 [[nodiscard]] std::string way_picture_commands(const std::string& file,
                                                const DrawnStretches& paving);
 
-}  // namespace regulus
+}  // namespace regulus::detail

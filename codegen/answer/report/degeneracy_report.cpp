@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -136,4 +136,4 @@ void tell_degeneracy(const SearchSubject& p, const std::optional<Degeneracy>& de
   tell_rows(*degeneracy, facts);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "codegen/support/errors.hpp"
 #include "runtime/files/atomic_file.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -121,4 +121,4 @@ std::string JsonCheckpoint::line() const {
   return failure_.empty() ? "" : "checkpoint " + path_ + " cannot " + failure_ + '\n';
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

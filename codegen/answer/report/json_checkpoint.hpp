@@ -12,7 +12,7 @@
 #include "runtime/files/file_lock.hpp"
 #include "runtime/search/saved_tree.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// When a search is saved: so often that little is lost, so seldom that it costs little.
 class SavePace {
@@ -107,4 +107,4 @@ class JsonCheckpoint {
   std::string failure_;  ///< of the last attempt to save
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

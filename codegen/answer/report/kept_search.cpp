@@ -10,7 +10,7 @@
 #include "codegen/support/stopwatch.hpp"
 #include "runtime/search/retold_tree.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr const char* kState = "state";
@@ -210,4 +210,4 @@ void KeptSearch::save_end(const Result& result) {
   save(state, NoBoxes());
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -17,7 +17,7 @@
 #include "codegen/question/engine/pipeline.hpp"
 #include "runtime/checkpoint/checkpoint.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class KeptSearch final : public Observer {
  public:
@@ -62,4 +62,4 @@ class KeptSearch final : public Observer {
   bool is_whole_ = true;  ///< false: memory ran out, or the tree was not told again to its end
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

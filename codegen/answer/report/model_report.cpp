@@ -12,7 +12,7 @@
 #include "codegen/model/mechanism/twist.hpp"
 #include "codegen/model/overrides.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -179,4 +179,4 @@ std::string format_model(const Model& model) {
   return text_of_facts([&](Facts& facts) { tell_contents(model, facts); });
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

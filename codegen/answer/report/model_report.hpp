@@ -8,7 +8,7 @@
 #include "codegen/answer/facts.hpp"
 #include "codegen/model/model.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Tells motions, tolerance groups, loads and twists.
 void tell_contents(const Model& model, Facts& facts);
@@ -17,4 +17,4 @@ void tell_contents(const Model& model, Facts& facts);
 
 [[nodiscard]] std::string format_model(const Model& model);
 
-}  // namespace regulus
+}  // namespace regulus::detail

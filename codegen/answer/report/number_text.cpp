@@ -6,7 +6,7 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
-namespace regulus {
+namespace regulus::detail {
 
 std::string shortest_text(double x) { return fmt::format("{}", x + 0.0); }  // −0 reads as 0
 
@@ -66,4 +66,4 @@ std::string value_text(const Interval& x) {
                               : shortest_text_in(x);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 
 #include "runtime/interval/interval.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns [lo, hi], 0 without a sign; an infinite bound becomes null, because JSON has no infinities.
 [[nodiscard]] nlohmann::ordered_json json_interval(const Interval& x);
@@ -36,4 +36,4 @@ namespace regulus {
 /// It uses the end that claims less: the lower one in "|det| > α", the upper one in "|det| ≤ α".
 [[nodiscard]] std::string threshold_text(const Interval& alpha, bool exceeded);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace regulus {
+namespace regulus::detail {
 
 struct OutputOptions {
   bool json = false;
@@ -12,4 +12,4 @@ struct OutputOptions {
   std::string page{};   ///< file of a page of the answer; empty: none
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 #include "codegen/support/errors.hpp"
 #include "runtime/search/paving.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Returns the resolution by the number of ranges, a power of 2: at most some ten thousand boxes.
@@ -59,4 +59,4 @@ void require_paving(const PavingOptions& options, Settings& settings) {
   settings.enclose_determinants = settings.split_certified = options.encloses_determinants;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 
 #include "codegen/question/engine/pipeline.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct PavingOptions {
   double resolution = 1;          ///< part of each range
@@ -30,4 +30,4 @@ struct PavingOptions {
 /// Changes the settings of a search for a paving.
 void require_paving(const PavingOptions& options, Settings& settings);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -16,7 +16,7 @@
 #include "codegen/answer/report/witness_report.hpp"
 #include "codegen/question/analysis/undefined.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -227,4 +227,4 @@ std::string percentage(const Volumes& volumes, const Share& share) {
   return fmt::format("{:.2f} %", percent);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/answer/report/paving_options.hpp"
 #include "runtime/search/paving.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the first JSON line: the question, and the claim of each kind of box.
 [[nodiscard]] nlohmann::ordered_json json_paving_header(const SearchSubject& preparation,
@@ -25,4 +25,4 @@ void tell_paving(const PreparedSearch& preparation, const Request& asked,
 /// nothing.
 [[nodiscard]] std::string percentage(const Volumes& volumes, const Share& share);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/answer/report/witness_report.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -89,4 +89,4 @@ void PavingWriter::finish(const Json& summary, const std::string& file) {
   if (failed_ && out_) throw FileError(file + " cannot be written: not enough memory");
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

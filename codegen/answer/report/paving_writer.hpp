@@ -11,7 +11,7 @@
 #include "codegen/question/analysis/undefined.hpp"
 #include "runtime/search/leaf_claims.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class PavingWriter final : public Observer {
  public:
@@ -41,4 +41,4 @@ class PavingWriter final : public Observer {
   bool failed_ = false;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

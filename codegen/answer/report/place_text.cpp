@@ -9,7 +9,7 @@
 
 #include "codegen/answer/report/number_text.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -129,4 +129,4 @@ std::string describe_short_pose(const SearchSubject& p, std::span<const Interval
   return pose_words(p, pose, short_interval);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 
 #include "codegen/question/engine/search_subject.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 [[nodiscard]] bool is_motion(const VariableLabel& variable);
 [[nodiscard]] std::size_t uncertain_count(const SearchSubject& preparation);
@@ -50,4 +50,4 @@ inline constexpr std::size_t kMostListed = 8;
 [[nodiscard]] std::string describe_short_pose(const SearchSubject& preparation,
                                               std::span<const Interval> pose);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "codegen/answer/report/place_text.hpp"
 #include "codegen/model/reduced_note.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// A matrix that leaves out constraints says less than the robot does.
@@ -125,4 +125,4 @@ void tell_meaning_of_boxes(const SearchSubject& subject, Facts& facts) {
 
 std::string nothing_proved(const std::string& reason) { return "nothing is proved: " + reason; }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/question/engine/search_subject.hpp"
 #include "runtime/problem/result.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Tells the sentence as "meaning", null if the verdict proves nothing. `subject` has the matrix, the
 /// threshold, and the quantities that are uncertain.
@@ -24,4 +24,4 @@ void tell_meaning_of_boxes(const SearchSubject& subject, Facts& facts);
 /// Returns the claim of a question that is left open.
 [[nodiscard]] std::string nothing_proved(const std::string& reason);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -12,7 +12,7 @@
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/support/terminal_width.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::chrono::milliseconds kPeriod{150};
@@ -127,4 +127,4 @@ FormingWatch forming_watch(const OutputOptions& output, const std::atomic<bool>*
   return watch;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -12,7 +12,7 @@
 #include "codegen/support/work_meter.hpp"
 #include "runtime/cluster/workers.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The progress of a search.
 struct SearchProgress {
@@ -86,4 +86,4 @@ class FormingDisplay {
 [[nodiscard]] FormingWatch forming_watch(const OutputOptions& output,
                                          const std::atomic<bool>* interrupt);
 
-}  // namespace regulus
+}  // namespace regulus::detail

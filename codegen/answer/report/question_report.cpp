@@ -15,7 +15,7 @@
 #include "codegen/question/engine/settings.hpp"
 #include "regulus/version.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -256,4 +256,4 @@ std::string describe_tolerances(const SearchSubject& p) {
                      left > 0 ? fmt::format(" and {} more", left) : "");
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

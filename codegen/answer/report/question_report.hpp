@@ -7,7 +7,7 @@
 
 #include "codegen/question/engine/pipeline.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the question: ranges and uncertain quantities as they were searched, [lower, upper]
 /// rounded outward, and the exact numbers as texts that model files and options take; the options
@@ -43,4 +43,4 @@ namespace regulus {
 /// Requires  some quantity is uncertain.
 [[nodiscard]] std::string describe_tolerances(const SearchSubject& preparation);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -15,7 +15,7 @@
 #include "codegen/answer/report/witness_report.hpp"
 #include "codegen/question/analysis/undefined.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -171,4 +171,4 @@ std::string text_report(const PreparedSearch& p, const SearchOptions& search, co
   return text_of_facts([&](Facts& facts) { tell_report(p, search, result, nearest, facts); });
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

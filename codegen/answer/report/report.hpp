@@ -11,7 +11,7 @@
 #include "codegen/question/engine/pipeline.hpp"
 #include "runtime/problem/result.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Tells the question, the method, the claim, and the place where it fails. `nearest`: the pose to look
 /// at, if nothing was proved.
@@ -37,4 +37,4 @@ void tell_boxes(const Statistics& statistics, Facts& facts);
 /// Returns the claim of the verdict about this model, in words.
 [[nodiscard]] std::string claim(const PreparedSearch& preparation, const Result& result);
 
-}  // namespace regulus
+}  // namespace regulus::detail

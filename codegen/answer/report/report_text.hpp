@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns a report as text. Bytes that are not UTF-8, such as those of a path, become U+FFFD: a
 /// name must not cost the verdict.
@@ -15,4 +15,4 @@ namespace regulus {
   return report.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 SearchCheckpoint::SearchCheckpoint(const CheckpointOptions& options,
                                    const std::function<nlohmann::ordered_json()>& question,
@@ -32,4 +32,4 @@ std::string SearchCheckpoint::line() const {
   return was_there_ ? "           continued from " + file_->path() + '\n' + text : text;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 #include "codegen/answer/report/json_checkpoint.hpp"
 #include "codegen/question/engine/options.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class SearchCheckpoint {
  public:
@@ -38,4 +38,4 @@ class SearchCheckpoint {
   bool was_there_ = false, is_kept_ = false;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

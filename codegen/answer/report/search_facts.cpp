@@ -15,7 +15,7 @@
 #include "codegen/question/engine/choices.hpp"
 #include "codegen/question/engine/settings.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -210,4 +210,4 @@ void tell_occupancy(const Result& result, Facts& facts) {
               "no pose was found that satisfies the constraints: the claim may be about no pose");
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

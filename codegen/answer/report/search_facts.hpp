@@ -9,7 +9,7 @@
 #include "codegen/question/engine/pipeline.hpp"
 #include "runtime/problem/result.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Tells the model, its file and its hash, and the motion.
 void tell_model(const SearchSubject& preparation, Facts& facts);
@@ -46,4 +46,4 @@ void tell_occupancy(const Result& result, Facts& facts);
 /// Returns true, false or null: whether the constraints leave any pose.
 [[nodiscard]] nlohmann::ordered_json json_occupancy(const Result& result);
 
-}  // namespace regulus
+}  // namespace regulus::detail

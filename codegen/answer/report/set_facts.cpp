@@ -15,7 +15,7 @@
 #include "codegen/answer/report/question_report.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Longer constraints are counted for people, not shown.
@@ -148,4 +148,4 @@ std::string fixed_text(const PoseParameter& parameter, const GiNaC::ex& value) {
                      unit_suffix(parameter.unit), degrees_text(parameter.unit, x, x));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

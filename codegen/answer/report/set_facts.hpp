@@ -7,7 +7,7 @@
 #include "codegen/answer/facts.hpp"
 #include "codegen/question/engine/search_subject.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The set of a request, before any search.
 struct AskedSet {
@@ -35,4 +35,4 @@ void say_set(const Request& request, Facts& facts);
 /// Returns "z = 475 mm": of a pose parameter at one value; `value`: a constant of the model.
 [[nodiscard]] std::string fixed_text(const PoseParameter& parameter, const GiNaC::ex& value);
 
-}  // namespace regulus
+}  // namespace regulus::detail

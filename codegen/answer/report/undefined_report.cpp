@@ -8,7 +8,7 @@
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/place_text.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 nlohmann::ordered_json json_undefined(const SearchSubject& p, const Undefined& undefined) {
   auto expressions = nlohmann::ordered_json::array();
@@ -39,4 +39,4 @@ void tell_undefined(const SearchSubject& p, const Undefined& undefined, Facts& f
   facts.say("", describe_pose_of(p, undefined.pose));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,11 +7,11 @@
 #include "codegen/answer/facts.hpp"
 #include "codegen/question/analysis/undefined.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 [[nodiscard]] nlohmann::ordered_json json_undefined(const SearchSubject& preparation,
                                                     const Undefined& undefined);
 /// Tells it under the key `undefined`.
 void tell_undefined(const SearchSubject& preparation, const Undefined& undefined, Facts& facts);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 
 #include "codegen/answer/report/number_text.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 std::string vector_text(const std::vector<double>& values, const std::vector<std::string>& units) {
   const auto unit = [&](std::size_t i) { return i < units.size() ? units[i] : std::string("1"); };
@@ -18,4 +18,4 @@ std::string vector_text(const std::vector<double>& values, const std::vector<std
   return text + ")" + (values.empty() ? "" : unit_suffix(unit(values.size() - 1)));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

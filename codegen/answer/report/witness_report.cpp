@@ -11,7 +11,7 @@
 #include "codegen/answer/report/place_text.hpp"
 #include "codegen/question/analysis/lost_twist.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -201,4 +201,4 @@ void tell_nearest(const SearchSubject& p, const LeastSingular& nearest, Facts& f
   facts.tell_part("nearest_singular", std::move(told));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "codegen/question/engine/pipeline.hpp"
 #include "runtime/problem/result.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 [[nodiscard]] nlohmann::ordered_json json_point(const SearchSubject& preparation,
                                                 const WitnessPoint& point);
@@ -22,4 +22,4 @@ void tell_witness(const PreparedSearch& preparation, const Result& result, Facts
 /// be proved or if it is almost singular there.
 void tell_nearest(const SearchSubject& preparation, const LeastSingular& nearest, Facts& facts);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "runtime/regularity/h_matrix.hpp"
 #include "runtime/regularity/midpoint_inverse.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 double approx_value(const GiNaC::ex& e) {
@@ -352,4 +352,4 @@ void ApproxBounds::split(SampleBoxes& boxes, const std::vector<double>& radii) c
   }
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -14,7 +14,7 @@
 #include "codegen/kernel/symbolic/variable.hpp"
 #include "runtime/regularity/second_order.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The kind of bounds, and the boxes for them.
 struct BoundsSetting {
@@ -96,4 +96,4 @@ class ApproxBounds {
   std::vector<LaneValues> K_rows_;  // n×m
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 
 #include "codegen/kernel/symbolic/lowering.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -193,4 +193,4 @@ ApproxRange NestedRange::over(std::size_t form, const ApproxRanges& atoms,
   return sum;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

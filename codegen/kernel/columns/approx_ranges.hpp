@@ -14,7 +14,7 @@
 #include "runtime/interval/interval.hpp"
 #include "runtime/regularity/lanes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// One value for each of eight boxes.
 using LaneValues = std::array<double, kLanes>;
@@ -88,4 +88,4 @@ class NestedRange {
   std::vector<Form> forms_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

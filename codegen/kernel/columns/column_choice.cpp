@@ -10,7 +10,7 @@
 
 #include "codegen/kernel/symbolic/measure.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Pairs of terms compared: of the order of ten milliseconds.
@@ -114,4 +114,4 @@ ColumnDecision choose_columns(const PolynomialMatrix& A, Rewriter& rewriter,
   return ColumnChoice(A, rewriter, setting).run();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "codegen/kernel/columns/column_operations.hpp"
 #include "codegen/kernel/columns/column_trials.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct ColumnDecision {
   std::vector<ColumnOperation> kept;
@@ -22,4 +22,4 @@ struct ColumnDecision {
 [[nodiscard]] ColumnDecision choose_columns(const PolynomialMatrix& A, Rewriter& rewriter,
                                             const BoundsSetting& setting);
 
-}  // namespace regulus
+}  // namespace regulus::detail

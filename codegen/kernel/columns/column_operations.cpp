@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 std::size_t terms_in(const PolynomialMatrix& A, int column) {
@@ -147,4 +147,4 @@ std::vector<ColumnOperation> scaled(std::vector<ColumnOperation> operations,
   return operations;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

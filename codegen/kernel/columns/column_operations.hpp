@@ -17,7 +17,7 @@
 
 #include "codegen/kernel/symbolic/polynomial.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct ColumnOperation {
   int target = 0;
@@ -63,4 +63,4 @@ struct ShorteningOperations {
 [[nodiscard]] std::vector<ColumnOperation> scaled(std::vector<ColumnOperation> operations,
                                                   const cln::cl_RA& part);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include "codegen/kernel/symbolic/expression.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Column `target` += multiplier · column `source`; counted from 0.
 struct AppliedOperation {
@@ -28,4 +28,4 @@ struct ColumnTrials {
   bool complete = true;       ///< false: A has too many terms to look at all operations
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

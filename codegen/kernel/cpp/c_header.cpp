@@ -4,7 +4,7 @@
 #include "codegen/kernel/cpp/comment.hpp"
 #include "codegen/kernel/cpp/headers.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 std::string fields(const KernelSubject& subject) {
@@ -61,4 +61,4 @@ std::string c_header(const KernelSubject& subject) {
   return text + "#ifdef __cplusplus\n}\n#endif\n\n#endif\n";
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

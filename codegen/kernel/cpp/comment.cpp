@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::size_t kColumns = 100;
@@ -115,4 +115,4 @@ std::string labelled_comment(std::string_view label, std::string_view text) {
   return wrap(start, "//" + std::string(start.size() - 2, ' '), comment_text(text));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

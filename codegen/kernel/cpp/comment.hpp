@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the text in a form that is safe after "//" on one line. Control characters, backslashes
 /// (which would continue the line), invalid UTF-8 and characters that reorder or hide text become
@@ -19,4 +19,4 @@ namespace regulus {
 /// Returns a line "// Label text", wrapped under the text's first column.
 [[nodiscard]] std::string labelled_comment(std::string_view label, std::string_view text);
 
-}  // namespace regulus
+}  // namespace regulus::detail

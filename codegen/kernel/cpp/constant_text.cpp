@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::size_t kLongest = 40;
@@ -65,4 +65,4 @@ std::string constant_text(const Program& program, NodeId id) {
   return text.size() > kLongest ? std::string() : text;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

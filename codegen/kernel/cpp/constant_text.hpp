@@ -5,9 +5,9 @@
 
 #include "codegen/kernel/program/program.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns a constant expression for readers, "1/180*pi"; empty if it would be long.
 [[nodiscard]] std::string constant_text(const Program& program, NodeId id);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 #include "codegen/kernel/cpp/headers.hpp"
 #include "codegen/kernel/cpp/literal.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr const char* kChecker =
@@ -66,4 +66,4 @@ std::string cpp_header(const KernelSubject& subject) {
   return text + fmt::format("\n}}  // namespace {}\n", subject.name_space);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

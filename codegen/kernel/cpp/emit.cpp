@@ -13,7 +13,7 @@
 #include "codegen/kernel/program/print.hpp"
 #include "runtime/kernel/kernel_functions.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 std::string header(const Module& module, const EmitOptions& options, const std::string& identity) {
@@ -148,4 +148,4 @@ EmittedKernel emit(const Module& module, const EmitOptions& options, const Formi
   return kernel;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

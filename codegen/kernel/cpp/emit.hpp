@@ -7,7 +7,7 @@
 #include "codegen/kernel/program/module.hpp"
 #include "codegen/support/work_meter.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the C++ text of a module's kernel, the same for ahead-of-time compilation and for the
 /// compiler in process. It needs runtime/kernel/abi.hpp and runtime/kernel/pack.hpp, and one of the
@@ -22,4 +22,4 @@ namespace regulus {
 [[nodiscard]] EmittedKernel emit(const Module& module, const EmitOptions& options = {},
                                  const FormingWatch* watch = nullptr);
 
-}  // namespace regulus
+}  // namespace regulus::detail

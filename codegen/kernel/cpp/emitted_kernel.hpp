@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace regulus {
+namespace regulus::detail {
 
 struct EmitOptions {
   std::string prefix = "generated";   ///< the kernel is the symbol <prefix>_kernel; not "regulus"
@@ -21,4 +21,4 @@ struct EmittedKernel {
   std::string manifest;  ///< JSON: inputs and outputs of the kernel; empty unless requested
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Returns the right operand of a binary operator. It puts a sign in parentheses for readability.
@@ -45,4 +45,4 @@ ExpressionText product(const ExpressionText& a, const ExpressionText& b) {
   return binary(a, " * ", b, Precedence::kProduct);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 
 #include "codegen/support/infix_text.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 using ExpressionText = InfixText;
 
@@ -21,4 +21,4 @@ using ExpressionText = InfixText;
 [[nodiscard]] ExpressionText difference(const ExpressionText& a, const ExpressionText& b);
 [[nodiscard]] ExpressionText product(const ExpressionText& a, const ExpressionText& b);
 
-}  // namespace regulus
+}  // namespace regulus::detail

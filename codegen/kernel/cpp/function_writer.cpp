@@ -7,7 +7,7 @@
 #include "codegen/kernel/cpp/part_printer.hpp"
 #include "codegen/kernel/cpp/value_names.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Returns an unnamed parameter if nothing reads it, to avoid compiler warnings.
@@ -68,4 +68,4 @@ std::string write_function(const Module& module, const Function& function,
   return text + caller(function, selected);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,11 +8,11 @@
 #include "codegen/kernel/program/module.hpp"
 #include "codegen/support/work_meter.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the C++ text of one function of the kernel: its parts, and the function of the ABI that
 /// calls them in turn. `meter` counts the operations that are written.
 [[nodiscard]] std::string write_function(const Module& module, const Function& function,
                                          const SelectedFunction& selected, WorkMeter& meter);
 
-}  // namespace regulus
+}  // namespace regulus::detail

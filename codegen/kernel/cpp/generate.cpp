@@ -8,7 +8,7 @@
 #include "codegen/kernel/cpp/words.hpp"
 #include "codegen/kernel/formulation/functions_needed.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 std::string default_kernel_name(const Request& request) {
   const std::string model = request.model.path.empty()
@@ -38,4 +38,4 @@ std::vector<GeneratedFile> generate(const Request& request, const GenerateOption
   return files;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

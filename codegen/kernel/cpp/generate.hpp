@@ -8,7 +8,7 @@
 #include "codegen/model/request.hpp"
 #include "runtime/kernel/isa.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct GenerateOptions {
   std::string name;        ///< of the files and of the symbols in them: a C identifier
@@ -36,4 +36,4 @@ struct GeneratedFile {
 [[nodiscard]] std::vector<GeneratedFile> generate(const Request& request,
                                                   const GenerateOptions& options);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include "codegen/kernel/cpp/kernel_subject.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// NAME.h: C99 and C++.
 [[nodiscard]] std::string c_header(const KernelSubject& subject);
@@ -21,4 +21,4 @@ namespace regulus {
 /// NAME_<isa>.cpp.
 [[nodiscard]] std::string isa_source(const KernelSubject& subject, Isa isa);
 
-}  // namespace regulus
+}  // namespace regulus::detail

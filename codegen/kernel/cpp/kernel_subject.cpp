@@ -11,7 +11,7 @@
 #include "codegen/kernel/cpp/words.hpp"
 #include "codegen/kernel/formulation/variety.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 std::vector<Isa> fastest_first(std::vector<Isa> isas) {
@@ -125,4 +125,4 @@ std::string bound_list(const std::vector<SubjectQuantity>& quantities, double In
   return text;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/kernel/formulation/formulation.hpp"
 #include "runtime/interval/interval.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A motion parameter or an uncertain quantity.
 struct SubjectQuantity {
@@ -52,4 +52,4 @@ struct KernelSubject {
 [[nodiscard]] std::string bound_list(const std::vector<SubjectQuantity>& quantities,
                                      double Interval::*bound);
 
-}  // namespace regulus
+}  // namespace regulus::detail

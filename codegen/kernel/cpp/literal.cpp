@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 // Prints from the bits, because the decimal point of printf depends on the locale.
@@ -39,4 +39,4 @@ std::string constant_literal(const Interval& x) {
   return "constant(" + literal(x.lo) + ", " + literal(x.hi) + ")";
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 
 #include "runtime/interval/interval.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns a C++ literal that reads back as x, whatever the rounding of the compiler: a short
 /// integer in decimals, infinity as the builtin, any other number as a hexadecimal float.
@@ -16,4 +16,4 @@ namespace regulus {
 /// Returns "constant(lo, hi)".
 [[nodiscard]] std::string constant_literal(const Interval& x);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 
 #include "runtime/kernel/abi.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -48,4 +48,4 @@ std::string write_manifest(const Module& module, const EmitOptions& options,
   return manifest.dump(kIndent, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "codegen/kernel/pack/select.hpp"
 #include "codegen/kernel/program/module.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the description of a kernel as JSON for other programs: the model, the shapes of its
 /// functions and their cost. `selected` is in the order of module.functions.
@@ -16,4 +16,4 @@ namespace regulus {
                                          const EmittedKernel& kernel,
                                          const std::vector<SelectedFunction>& selected);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 bool is_letter_or_digit(char c) {
@@ -36,4 +36,4 @@ std::string NameTable::take(const std::string& wanted) {
   return name;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the text as a part of an identifier: letters, digits and single underscores; any other
 /// character becomes "_". Not injective: NameTable makes results distinct.
@@ -28,4 +28,4 @@ class NameTable {
   std::set<std::string> taken_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/kernel/cpp/operation_text.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 using Pack = machine::PackOperation;
 
@@ -108,4 +108,4 @@ bool is_sign_or_product(Pack operation) noexcept {
          operation == Pack::kNegate_P;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

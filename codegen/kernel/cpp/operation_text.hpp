@@ -7,7 +7,7 @@
 #include "codegen/kernel/cpp/expression_text.hpp"
 #include "runtime/machine/pack_program.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 using BinaryText = ExpressionText (*)(const ExpressionText&, const ExpressionText&);
 
@@ -30,4 +30,4 @@ using BinaryText = ExpressionText (*)(const ExpressionText&, const ExpressionTex
 /// expression.
 [[nodiscard]] bool is_sign_or_product(machine::PackOperation operation) noexcept;
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/kernel/cpp/output_label.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 std::string entry(const std::string& matrix, std::size_t index, std::size_t columns) {
@@ -39,4 +39,4 @@ std::string output_label(const Module& module, const Function& function, std::si
   return function.name + "[" + std::to_string(output) + "]";
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "codegen/kernel/cpp/operation_text.hpp"
 #include "codegen/kernel/cpp/output_label.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Pack = machine::PackOperation;
@@ -243,4 +243,4 @@ void PartPrinter::print_store(const Instruction& i) {
                    "; ++e) store(out, e, " + value + ");\n";
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

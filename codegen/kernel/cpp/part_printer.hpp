@@ -12,7 +12,7 @@
 #include "codegen/kernel/pack/select.hpp"
 #include "codegen/kernel/program/module.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A sum, product or sign that is read once is written inside the expression that reads it, if that
 /// fits on a line. This is the only decision of the printer.
@@ -75,4 +75,4 @@ class PartPrinter {
   Usage usage_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

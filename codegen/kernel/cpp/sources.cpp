@@ -6,7 +6,7 @@
 #include "codegen/kernel/cpp/literal.hpp"
 #include "regulus/floating_point_flags.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr const char* kEveryProcessor = "portable";
@@ -168,4 +168,4 @@ std::string isa_source(const KernelSubject& subject, Isa isa) {
              subject.name, name(isa));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::size_t kLongestPart = 40;
@@ -55,4 +55,4 @@ const std::string& ValueNames::of(NodeId id) {
   return names_[id];
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

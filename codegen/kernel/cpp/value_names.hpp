@@ -7,7 +7,7 @@
 #include "codegen/kernel/cpp/names.hpp"
 #include "codegen/kernel/program/program.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The names of a function's values; they are the same in all its parts.
 class ValueNames {
@@ -33,4 +33,4 @@ class ValueNames {
   int last_constant_ = 0;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include "codegen/kernel/cpp/names.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Keywords of C23 and C++20, alternative tokens, and macros of the standard headers and of
@@ -158,4 +158,4 @@ std::string free_name(std::string_view text) {
   return is_taken(name) ? name + "_" : name;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

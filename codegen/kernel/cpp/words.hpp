@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// True if the text is an identifier in C and in C++ that neither language reserves and no common
 /// header defines as a macro.
@@ -14,4 +14,4 @@ namespace regulus {
 /// Returns the text as such a name; not injective.
 [[nodiscard]] std::string free_name(std::string_view text);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "codegen/support/visible_text.hpp"
 #include "runtime/files/atomic_file.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 namespace fs = std::filesystem;
@@ -80,4 +80,4 @@ std::string dependency_text(const fs::path& folder, const std::vector<GeneratedF
   return text + ": " + escaped(input) + "\n";
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

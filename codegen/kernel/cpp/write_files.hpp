@@ -7,7 +7,7 @@
 
 #include "codegen/kernel/cpp/generate.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Throws FileError if no file can be made in the folder, or no folder in its place.
 void require_room_in(const std::filesystem::path& folder);
@@ -26,4 +26,4 @@ void write_files(const std::filesystem::path& folder, const std::vector<Generate
                                           const std::vector<GeneratedFile>& files,
                                           const std::string& input);
 
-}  // namespace regulus
+}  // namespace regulus::detail

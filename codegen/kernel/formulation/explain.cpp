@@ -13,7 +13,7 @@
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/model/mechanism/singular_factors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 bool is_operation(const Node& node) {
@@ -342,4 +342,4 @@ Motion pose_as_motion(const Model& model) {
   return motion;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

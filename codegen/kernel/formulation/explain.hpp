@@ -8,7 +8,7 @@
 
 #include "codegen/kernel/formulation/formulation.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 enum class ExplainPart { kAll, kMatrix, kOccurrences };
 
@@ -39,4 +39,4 @@ struct Explanation {
 /// points: use it for forms, not for verdicts.
 [[nodiscard]] Motion pose_as_motion(const Model& model);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -12,7 +12,7 @@
 #include "runtime/regularity/aligned_buffer.hpp"
 #include "runtime/regularity/midpoint_inverse.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Empty where one of the values is not defined.
@@ -104,4 +104,4 @@ std::vector<FormCandidate> FormCandidates::of(const Expression& natural) {
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 
 #include "codegen/kernel/formulation/formulation.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct FormCandidate {
   std::string passes;  ///< "natural", "collect", "horner", "angles + horner" …
@@ -41,4 +41,4 @@ class FormCandidates {
   std::unique_ptr<Rewriter> rewriter_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include "codegen/kernel/formulation/formulator.hpp"
 #include "codegen/kernel/symbolic/from_ginac.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 std::vector<int> Formulator::rows_of_variables() {
   std::map<std::string, std::set<int>> rows;
@@ -127,4 +127,4 @@ void Formulator::form_row_derivatives(int i, int j, std::vector<PolynomialDiffer
   }
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include "codegen/kernel/formulation/formulator.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 Expression Formulator::rewritten(const Expression& natural, const std::string& function) {
   Rewritten form = rewriter_.rewrite(natural);
@@ -69,4 +69,4 @@ Expressions Formulator::outermost(const Expressions& all) {
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -2,7 +2,7 @@
 // K·A and A·K.
 #include "codegen/kernel/formulation/formulator.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 Formulator::Entry Formulator::combine(const MatrixForms& A, const std::vector<std::string>& points,
                                       const std::vector<std::size_t>& entries) {
@@ -129,4 +129,4 @@ void Formulator::form_right_product() {
   }
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 #include "codegen/kernel/formulation/formulator.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// The legs of robots with rotary motors have roots and quotients. If entries with such parts are
@@ -95,4 +95,4 @@ std::string point_name(int row, int column) {
   return "k_" + std::to_string(row) + "_" + std::to_string(column);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

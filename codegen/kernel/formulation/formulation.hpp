@@ -20,7 +20,7 @@
 #include "codegen/model/model.hpp"
 #include "codegen/support/work_meter.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Selects whether Taylor's expansion of K·A is formed, and at which values of the uncertain
 /// quantities that touch only one row.
@@ -170,4 +170,4 @@ struct Formulation {
 [[nodiscard]] Module undefined_kernel(const Formulation& shape, int constraints,
                                       int pose_parameters);
 
-}  // namespace regulus
+}  // namespace regulus::detail

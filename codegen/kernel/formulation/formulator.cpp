@@ -7,7 +7,7 @@
 #include "codegen/kernel/formulation/typical_ranges.hpp"
 #include "codegen/kernel/symbolic/determinant.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 namespace {
 
@@ -218,4 +218,4 @@ Expression Formulator::nested(const Polynomial& p, const std::string& function) 
   return form.expression;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -14,7 +14,7 @@
 #include "codegen/kernel/symbolic/evaluate.hpp"
 #include "codegen/kernel/symbolic/polynomial.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 [[nodiscard]] inline std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -132,4 +132,4 @@ class Formulator {
   Formulation result_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/kernel/formulation/functions_needed.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 FormulationOptions functions_needed(Method method, const Settings& settings,
                                     std::uint64_t symbolic_budget) {
@@ -23,4 +23,4 @@ FormulationOptions functions_needed(Method method, const Settings& settings,
   return options;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "codegen/kernel/symbolic/lowering.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 struct Shape {
@@ -227,4 +227,4 @@ Module undefined_kernel(const Formulation& shape, int constraints, int pose_para
   return module;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

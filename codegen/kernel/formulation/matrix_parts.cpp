@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// A part counts as one motion parameter.
@@ -281,4 +281,4 @@ Expression MatrixParts::derivative(const std::string& symbol, const std::string&
   return derivatives_.emplace(key, result).first->second;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -39,7 +39,7 @@
 #include "codegen/kernel/symbolic/evaluate.hpp"
 #include "codegen/kernel/symbolic/rewrite.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class MatrixParts final : public DerivativesOfSymbols {
  public:
@@ -117,4 +117,4 @@ class MatrixParts final : public DerivativesOfSymbols {
   Replacer revealing_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/kernel/program/interval_arithmetic.hpp"
 #include "codegen/kernel/symbolic/lowering.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Returns a quarter of a range, with its middle at `place` of its half-width from the range's.
@@ -61,4 +61,4 @@ std::optional<Interval> SampleWidths::over_motion(const Expression& e) const {
   return over(e, motion_);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 #include "codegen/kernel/symbolic/variable.hpp"
 #include "runtime/interval/interval.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class SampleWidths {
  public:
@@ -33,4 +33,4 @@ class SampleWidths {
   std::vector<std::vector<Interval>> samples_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

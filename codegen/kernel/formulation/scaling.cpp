@@ -17,7 +17,7 @@
 #include "codegen/kernel/symbolic/lowering.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr int kPoints = 8;
@@ -274,4 +274,4 @@ MatrixScaling find_scaling(const Expressions& entries, int columns,
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -15,7 +15,7 @@
 #include "codegen/kernel/symbolic/variable.hpp"
 #include "codegen/support/work_meter.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct MatrixScaling {
   std::vector<int> rows, columns;  ///< exponents of two; both empty: A stays as it is
@@ -46,4 +46,4 @@ struct MatrixScaling {
                                          const std::vector<Variable>& variables, bool moderate,
                                          WorkMeter* meter = nullptr);
 
-}  // namespace regulus
+}  // namespace regulus::detail

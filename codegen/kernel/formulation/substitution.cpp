@@ -8,7 +8,7 @@
 
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 void require_size(const Model& model, const std::string& what, std::size_t found,
@@ -179,4 +179,4 @@ Expressions Substitution::partial_operations(const GiNaC::ex& e) {
   return partial_nodes(GinacReader(written_, meter_).read(e));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "codegen/kernel/formulation/formulation.hpp"
 #include "codegen/kernel/symbolic/from_ginac.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The replacements of the model's symbols: for exact geometry its value, for uncertain geometry a
 /// variable, for pose parameters the motion's map plus a control error if there is one.
@@ -53,4 +53,4 @@ class Substitution {
 /// first.
 [[nodiscard]] Expressions partial_nodes(const Expression& e);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "codegen/model/exact/decimal.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// The digits of a range of one point.
@@ -53,4 +53,4 @@ std::vector<Variable> with_typical_ranges(std::vector<Variable> variables) {
   return variables;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 
 #include "codegen/kernel/symbolic/variable.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the variables with rounded ranges.
 ///
@@ -22,4 +22,4 @@ namespace regulus {
 ///           no finite value stays as it is.
 [[nodiscard]] std::vector<Variable> with_typical_ranges(std::vector<Variable> variables);
 
-}  // namespace regulus
+}  // namespace regulus::detail

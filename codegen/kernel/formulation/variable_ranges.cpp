@@ -3,7 +3,7 @@
 
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 Range range_at(const Model& model, const Motion& motion, const Variable& variable) {
   for (const MotionParameter& p : motion.parameters)
@@ -20,4 +20,4 @@ Range range_at(const Model& model, const Motion& motion, const Variable& variabl
   return variable.range;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

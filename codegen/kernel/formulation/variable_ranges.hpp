@@ -4,7 +4,7 @@
 #include "codegen/kernel/symbolic/variable.hpp"
 #include "codegen/model/model.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the range of a variable after ranges or tolerances have changed, exactly. That of a
 /// control error does not change.
@@ -12,4 +12,4 @@ namespace regulus {
 /// Requires  the variable is one of this model and motion.
 [[nodiscard]] Range range_at(const Model& model, const Motion& motion, const Variable& variable);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include "codegen/kernel/symbolic/lowering.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 Program constant_program(const GiNaC::ex& value) {
@@ -58,4 +58,4 @@ Variety enclose_variety(const Model& model, const Motion& motion,
   return variety;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

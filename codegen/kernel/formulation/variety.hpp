@@ -9,7 +9,7 @@
 #include "codegen/model/model.hpp"
 #include "runtime/interval/interval.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The exact ranges of variables as doubles: outward for proofs, inward for witnesses (see
 /// Problem).
@@ -27,4 +27,4 @@ struct Variety {
 /// certain value.
 [[nodiscard]] Interval enclose_constant(const GiNaC::ex& value, const std::string& what);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "codegen/kernel/jit/load_error.hpp"
 #include "codegen/kernel/jit/plugin.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 regulus_bytes bytes_of(std::string_view text) { return {text.data(), text.size()}; }
@@ -79,4 +79,4 @@ LoadedText ClangCompiler::load(std::string_view object) const {
   return LoadedText(loaded);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

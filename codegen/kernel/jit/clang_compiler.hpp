@@ -9,7 +9,7 @@
 #include "codegen/kernel/jit/compilation.hpp"
 #include "codegen/kernel/jit/loaded_text.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct CompiledObject {
   std::string object;       ///< ELF, relocatable; empty if the text has an error
@@ -46,4 +46,4 @@ class ClangCompiler {
   std::string identity_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 #include "codegen/kernel/jit/cache/key_parts.hpp"
 #include "runtime/kernel/abi.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Increase it if the loader begins to need something that older objects lack.
@@ -31,4 +31,4 @@ std::string object_key(const Compilation& compilation, std::string_view compiler
   return parts.key();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

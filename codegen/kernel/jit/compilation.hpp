@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 
 struct NamedText {
   std::string_view name;
@@ -32,4 +32,4 @@ struct Compilation {
 ///           part is preceded by its length, so different lists of parts give different bytes.
 [[nodiscard]] std::string object_key(const Compilation& compilation, std::string_view compiler);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -16,7 +16,7 @@
 #include "runtime/machine/frame_slots.hpp"
 #include "runtime/machine/kernel_table.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// The parts of a kernel, each once.
@@ -243,4 +243,4 @@ std::optional<CompiledKernel> find_cached_kernel(const machine::PackKernel& prog
   return make_kernel(program, options, Missing::kGiveUp);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

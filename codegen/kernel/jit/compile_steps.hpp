@@ -8,7 +8,7 @@
 
 #include "codegen/kernel/jit/jit.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Adds its lifetime to a number of seconds.
 class Timer {
@@ -33,4 +33,4 @@ class Timer {
 /// Adds a note on the cache to the report, if `note` is not empty.
 void append_note(CompileReport& report, const std::string& note);
 
-}  // namespace regulus
+}  // namespace regulus::detail

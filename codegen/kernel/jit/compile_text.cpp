@@ -6,7 +6,7 @@
 #include "codegen/kernel/jit/load_error.hpp"
 #include "codegen/kernel/jit/plugin.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 LoadedText load(const ClangCompiler& compiler, std::string_view object, CompileReport& report) try {
@@ -117,4 +117,4 @@ CompiledKernel compile_kernel(const EmittedKernel& emitted, const CompileOptions
   return {code.object(), kernel, code.report()};
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "runtime/kernel/self_test.hpp"
 #include "runtime/machine/self_test_kernel.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 std::optional<ObjectCache> open_cache(const CompileOptions& options, CompileReport& report) {
   if (!options.use_cache) return std::nullopt;
@@ -52,4 +52,4 @@ std::optional<std::string> text_rounding_self_test(const CompileOptions& options
   return check_self_test(function, options.isa);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -18,7 +18,7 @@
 #include "runtime/kernel/isa.hpp"
 #include "runtime/machine/pack_program.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct CompileOptions {
   Isa isa = Isa::kPortable;
@@ -97,4 +97,4 @@ class CompiledKernel {
 /// The same for the C++ text of the self-test, compiled by Clang.
 [[nodiscard]] std::optional<std::string> text_rounding_self_test(const CompileOptions& options);
 
-}  // namespace regulus
+}  // namespace regulus::detail

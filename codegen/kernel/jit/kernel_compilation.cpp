@@ -8,7 +8,7 @@
 #include "runtime/interval/x8.hpp"
 #include "runtime/kernel/kernel_headers.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 Compilation kernel_compilation(std::string_view text, Isa isa) {
   Compilation compilation;
   compilation.source = {"kernel.cpp", text};
@@ -35,4 +35,4 @@ std::vector<regulus_external> kernel_externals() {
   return externals;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

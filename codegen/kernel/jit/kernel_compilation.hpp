@@ -8,7 +8,7 @@
 #include "codegen/kernel/jit/compilation.hpp"
 #include "runtime/kernel/isa.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the compilation of a kernel's text: the headers, flags and passes of every kernel for
 /// `isa`.
@@ -17,4 +17,4 @@ namespace regulus {
 /// Returns the functions that a kernel may call.
 [[nodiscard]] std::vector<regulus_external> kernel_externals();
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Machine code that cannot be brought into memory; what() says why.
 class LoadError : public std::runtime_error {
@@ -11,4 +11,4 @@ class LoadError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

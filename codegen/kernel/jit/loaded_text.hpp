@@ -8,7 +8,7 @@
 
 #include "codegen/kernel/jit/clang_interface.h"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Code readable and executable, constants read-only, variables writable, and nothing ever writable
 /// and executable at once. Unmapped by the destructor.
@@ -30,4 +30,4 @@ class LoadedText {
   regulus_loaded loaded_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

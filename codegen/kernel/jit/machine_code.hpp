@@ -11,7 +11,7 @@
 #include "codegen/kernel/jit/loaded_text.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// kOff: not requested, or no safe directory.
 enum class CacheUse { kHit, kMiss, kOff };
@@ -60,4 +60,4 @@ class MachineCode {
   CompileReport report_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include <new>
 #include <utility>
 
-namespace regulus {
+namespace regulus::detail {
 
 MemoryMapping::MemoryMapping(std::size_t size) : size_(size) {
   void* pages = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
@@ -31,4 +31,4 @@ std::size_t MemoryMapping::page_size() noexcept {
   return static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Pages of this process: zero and writable at first, unmapped by the destructor.
 class MemoryMapping {
@@ -30,4 +30,4 @@ class MemoryMapping {
   std::size_t size_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

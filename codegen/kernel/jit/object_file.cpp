@@ -7,7 +7,7 @@
 #include "codegen/support/errors.hpp"
 #include "runtime/kernel/self_test.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 std::string compile_object_file(NamedText source, const std::vector<NamedText>& headers, Isa isa) {
   Compilation compilation = kernel_compilation(source.text, isa);
@@ -26,4 +26,4 @@ std::string compile_object_file(NamedText source, const std::vector<NamedText>& 
   }
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

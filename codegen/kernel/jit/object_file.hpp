@@ -7,7 +7,7 @@
 #include "codegen/kernel/jit/compilation.hpp"
 #include "runtime/kernel/isa.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Compiles a file of a generated kernel, NAME_<isa>.cpp, by Clang in this process. `headers`: the
 /// generated files that it includes.
@@ -20,4 +20,4 @@ namespace regulus {
 [[nodiscard]] std::string compile_object_file(NamedText source,
                                               const std::vector<NamedText>& headers, Isa isa);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/kernel/jit/cache/key_parts.hpp"
 #include "runtime/kernel/abi.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using machine::PackInstruction;
@@ -133,4 +133,4 @@ std::string part_name(std::string_view bytes, std::string_view isa, std::string_
   return key.key();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

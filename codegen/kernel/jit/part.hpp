@@ -10,7 +10,7 @@
 
 #include "runtime/machine/pack_program.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Values are numbers of instructions of the part; constants are in the order of their first use.
 struct PartProgram {
@@ -42,4 +42,4 @@ inline constexpr std::size_t kCodeAlignment = 64;
 [[nodiscard]] std::string part_name(std::string_view bytes, std::string_view isa,
                                     std::string_view compiler);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "codegen/kernel/jit/load_error.hpp"
 #include "codegen/kernel/jit/part.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 std::size_t round_up(std::size_t value, std::size_t alignment) {
@@ -37,4 +37,4 @@ PartFunction LoadedParts::function(std::size_t part) const noexcept {
   return reinterpret_cast<PartFunction>(mapping_.data() + offsets_[part]);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/kernel/jit/memory_mapping.hpp"
 #include "runtime/machine/step.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// One part of a function. `slots` has the values that parts keep for each other. `operations` is
 /// the row `run` of the step_table of the part's instruction set, through which the part calls
@@ -31,4 +31,4 @@ class LoadedParts {
   MemoryMapping mapping_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

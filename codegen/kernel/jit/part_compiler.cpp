@@ -4,7 +4,7 @@
 #include "codegen/kernel/jit/clang_interface.h"
 #include "codegen/kernel/jit/plugin.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 regulus_bytes bytes_of(std::string_view text) { return {text.data(), text.size()}; }
@@ -47,4 +47,4 @@ CompiledParts PartCompiler::compile(const std::vector<std::string_view>& parts, 
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 
 #include "runtime/kernel/isa.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct CompiledParts {
   std::vector<std::string> codes;  ///< flat code (part.hpp) of each part; empty after a failure
@@ -40,4 +40,4 @@ class PartCompiler {
   std::string identity_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

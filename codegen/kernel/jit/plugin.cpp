@@ -13,7 +13,7 @@
 #include "codegen/kernel/jit/plugin_folder.h"
 #include "codegen/support/executable_folder.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 namespace fs = std::filesystem;
@@ -79,4 +79,4 @@ void require_memory(int code) {
     throw CompilerUnavailable("there is not enough memory to compile (see ulimit -v)");
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

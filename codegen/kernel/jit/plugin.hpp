@@ -9,7 +9,7 @@
 
 #include "codegen/kernel/jit/clang_interface.h"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The plugin cannot be opened, because the installation is incomplete, or memory ran out.
 class CompilerUnavailable : public std::runtime_error {
@@ -49,4 +49,4 @@ class DefaultFloatingPoint {
   std::fenv_t saved_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

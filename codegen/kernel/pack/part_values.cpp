@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/kernel/pack/part_values.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 PartValues::ValueId PartValues::add(Pack operation, std::uint32_t a, std::uint32_t b,
                                     std::uint32_t c, NodeId of) {
@@ -74,4 +74,4 @@ PartValues::ValueId PartValues::fetch(NodeId id) {
   return is_interval(id) ? kept : add(Pack::kPointOf_I, kept);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

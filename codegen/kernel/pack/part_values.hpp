@@ -15,7 +15,7 @@
 #include "codegen/support/work_meter.hpp"
 #include "runtime/machine/pack_program.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Lists operations, and loads or fetches each operand once in each part.
 class PartValues {
@@ -69,4 +69,4 @@ class PartValues {
   std::map<std::pair<double, double>, std::uint32_t> constant_index_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "codegen/kernel/program/enclose.hpp"
 #include "codegen/kernel/program/exact_nodes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::uint32_t kNoPart = static_cast<std::uint32_t>(-1);
@@ -165,4 +165,4 @@ FunctionPlan plan_function(const Program& program, std::size_t operations_per_pa
   return Planner(program, operations_per_part, row_length, meter).run();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

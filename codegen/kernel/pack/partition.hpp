@@ -12,7 +12,7 @@
 #include "codegen/support/work_meter.hpp"
 #include "runtime/interval/interval.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The type of a node in the text: P, exact doubles, or I, intervals (runtime/kernel/pack.hpp).
 enum class Form : std::uint8_t { kPoint, kInterval };
@@ -56,4 +56,4 @@ struct FunctionPlan {
 [[nodiscard]] FunctionPlan plan_function(const Program& program, std::size_t operations_per_part,
                                          std::size_t row_length = 0, WorkMeter* meter = nullptr);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 
 #include "codegen/kernel/pack/part_values.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using machine::ValueId;
@@ -329,4 +329,4 @@ SelectedFunction select(const Program& program, std::size_t operations_per_part,
   return Selector(program, operations_per_part, row_length, meter).run();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 #include "codegen/kernel/program/program.hpp"
 #include "runtime/machine/pack_program.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 inline constexpr std::size_t kOperationsPerPart = 64;
 
@@ -57,4 +57,4 @@ struct SelectedFunction {
                                          std::size_t operations_per_part = kOperationsPerPart,
                                          const FormingWatch* watch = nullptr);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 #include "codegen/kernel/program/module_check.hpp"
 #include "codegen/kernel/program/print.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 machine::PackDerivatives derivatives_of(const Module& module, const std::string& name) {
@@ -53,4 +53,4 @@ machine::PackKernel select(const Module& module, std::size_t operations_per_part
   return kernel;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// |a| − 1.
@@ -138,4 +138,4 @@ Ball ArbArithmetic::call(Op function, const Ball& a) {
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

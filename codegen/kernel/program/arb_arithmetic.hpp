@@ -4,7 +4,7 @@
 #include "codegen/kernel/program/ball.hpp"
 #include "codegen/kernel/program/node.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The interpreter's arithmetic on balls: rigorous, as narrow as `precision` bits allow.
 ///
@@ -46,4 +46,4 @@ class ArbArithmetic {
   bool violated_ = false;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 class Float {
@@ -58,4 +58,4 @@ Interval Ball::enclosure() const {
                   arf_get_d(hi.get(), ARF_RND_CEIL) + 0.0};
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include "codegen/kernel/program/flint_rational.hpp"
 #include "runtime/interval/interval.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// An owned arb_t: a ball [m − r, m + r] that encloses a real number.
 class Ball {
@@ -43,4 +43,4 @@ class Ball {
   arb_t value_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "codegen/kernel/program/arb_arithmetic.hpp"
 #include "codegen/kernel/program/run.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 bool is_consistent(const BallProgram& program, NodeId at) noexcept {
@@ -63,4 +63,4 @@ std::optional<std::vector<Ball>> evaluate(const BallProgram& program, std::span<
   return outputs;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -12,7 +12,7 @@
 #include "codegen/kernel/program/flint_rational.hpp"
 #include "codegen/kernel/program/node.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct Program;
 
@@ -40,4 +40,4 @@ struct BallProgram {
 [[nodiscard]] std::optional<std::vector<Ball>> evaluate(const BallProgram& program,
                                                         std::span<const Ball> inputs, long bits);
 
-}  // namespace regulus
+}  // namespace regulus::detail

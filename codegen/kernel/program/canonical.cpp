@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr NodeId kNone = std::numeric_limits<NodeId>::max();
@@ -93,4 +93,4 @@ class Renumbering {
 
 Program canonical(Program program) { return Renumbering(std::move(program)).run(); }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include "codegen/kernel/program/program.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the same program without the nodes that no output uses, in an order that depends on the
 /// outputs alone: depth first from each output in turn, the operand that needs more registers first
@@ -13,4 +13,4 @@ namespace regulus {
 /// Requires  operands come before their use; no two nodes are equal.
 [[nodiscard]] Program canonical(Program program);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "codegen/kernel/program/arb_arithmetic.hpp"
 #include "codegen/kernel/program/rational_bounds.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr long kFirstPrecision = 128;
@@ -139,4 +139,4 @@ std::optional<Interval> round_inward(const Program& lo, const Program& hi) {
   return Interval{lower->hi, upper->lo};
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "codegen/kernel/program/program.hpp"
 #include "runtime/interval/interval.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Encloses an output of a program that reads no inputs and no points.
 ///
@@ -35,4 +35,4 @@ namespace regulus {
 /// that is not certainly defined has no value here, so running it sets the undefined flag.
 [[nodiscard]] KnownValues<Interval> enclose_constant_nodes(const Program& program);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 
 #include "runtime/kernel/abi.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::uint64_t kLargest = std::uint64_t{1} << 53;
@@ -83,4 +83,4 @@ std::vector<bool> exact_nodes(const Program& program, const KnownValues<Interval
   return exact;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "codegen/kernel/program/program.hpp"
 #include "runtime/interval/interval.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Marks the nodes whose value is a double that arithmetic in doubles computes exactly in any
 /// rounding mode: sums of entries of one row of K with short coefficients.
@@ -25,4 +25,4 @@ namespace regulus {
                                             const KnownValues<Interval>& known,
                                             std::size_t row_length);
 
-}  // namespace regulus
+}  // namespace regulus::detail

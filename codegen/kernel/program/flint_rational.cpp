@@ -5,7 +5,7 @@
 
 #include <memory>
 
-namespace regulus {
+namespace regulus::detail {
 
 std::string FlintRational::text() const {
   const std::unique_ptr<char, void (*)(void*)> digits(fmpq_get_str(nullptr, 10, value_),
@@ -29,4 +29,4 @@ std::optional<FlintRational> FlintRational::read(const std::string& text) {
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@ namespace cln {
 class cl_RA;
 }
 
-namespace regulus {
+namespace regulus::detail {
 
 /// An owned fmpq_t. Several threads may read it at once, because reading or copying it writes
 /// nothing. (The reference count of a CLN number is not atomic.)
@@ -41,4 +41,4 @@ class FlintRational {
   fmpq_t value_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include <cln/integer.h>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 // Far beyond the precision of a double, and short enough to print.
@@ -48,4 +48,4 @@ std::optional<cln::cl_RA> fold_call(Op function, const cln::cl_RA& value) {
   }
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 
 #include "codegen/kernel/program/program.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns value^exponent, or nullopt if the result would be too long.
 [[nodiscard]] std::optional<cln::cl_RA> fold_power(const cln::cl_RA& value, std::uint32_t exponent);
@@ -17,4 +17,4 @@ namespace regulus {
 /// Returns function(value) if it is defined and a known rational, e.g. sqrt(9/4), cos(0), |−3|.
 [[nodiscard]] std::optional<cln::cl_RA> fold_call(Op function, const cln::cl_RA& value);
 
-}  // namespace regulus
+}  // namespace regulus::detail

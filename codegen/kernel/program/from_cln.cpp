@@ -10,7 +10,7 @@
 #include "codegen/kernel/program/ball_program.hpp"
 #include "codegen/kernel/program/program.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 void assign(fmpz_t to, const cln::cl_I& value) {
@@ -36,4 +36,4 @@ BallProgram::BallProgram(const Program& program)
   if (!program.points.empty()) throw std::invalid_argument("a program that reads entries of K");
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

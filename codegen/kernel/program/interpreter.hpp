@@ -16,7 +16,7 @@
 #include "codegen/kernel/program/program.hpp"
 #include "codegen/kernel/program/run.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The rational constants and π, converted once.
 template <class Arithmetic>
@@ -56,4 +56,4 @@ template <class Arithmetic, class Number = typename Arithmetic::Number>
   return outputs;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 
 #include "codegen/kernel/program/rational_bounds.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 Interval IntervalArithmetic::constant(const cln::cl_RA& value) const { return enclose(value); }
 
@@ -53,4 +53,4 @@ Interval IntervalArithmetic::call(Op function, Interval a) {
   }
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

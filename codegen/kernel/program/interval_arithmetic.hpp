@@ -4,7 +4,7 @@
 #include "codegen/kernel/program/program.hpp"
 #include "runtime/interval/interval.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The interpreter's arithmetic on intervals of doubles.
 ///
@@ -41,4 +41,4 @@ class IntervalArithmetic {
   bool undefined_ = false;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr long kInputExponent = 64;
@@ -63,4 +63,4 @@ Magnitudes bound_magnitudes(const Program& program, const KnownValues<Interval>&
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "codegen/kernel/program/program.hpp"
 #include "runtime/interval/interval.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Beyond this exponent a result counts as possibly not finite.
 inline constexpr long kLargestSafeExponent = 1000;
@@ -31,4 +31,4 @@ struct Magnitudes {
 [[nodiscard]] Magnitudes bound_magnitudes(const Program& program,
                                           const KnownValues<Interval>& known);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/kernel/program/program.hpp"
 #include "runtime/interval/interval.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A derivative of a matrix entry by variables, counted from 0; `second` is kNone for a first
 /// derivative.
@@ -62,4 +62,4 @@ struct Module {
   }
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

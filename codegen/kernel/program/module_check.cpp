@@ -4,7 +4,7 @@
 #include <set>
 #include <stdexcept>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 [[noreturn]] void refuse(const Function& function, const std::string& reason) {
@@ -126,4 +126,4 @@ void check_module(const Module& module) {
   if (module.expansion) check_expansion(module);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include "codegen/kernel/program/module.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Throws std::invalid_argument, with the function's name, unless the module can become a kernel:
 /// each function is a field of regulus_kernel that occurs once, has as many outputs as the ABI
@@ -11,4 +11,4 @@ namespace regulus {
 /// (operands before their use, indices declared).
 void check_module(const Module& module);
 
-}  // namespace regulus
+}  // namespace regulus::detail

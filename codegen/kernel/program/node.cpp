@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-namespace regulus {
+namespace regulus::detail {
 
 int operand_count(Op op) noexcept {
   switch (op) {
@@ -31,4 +31,4 @@ const char* op_name(Op op) noexcept {
   return kNames[static_cast<std::size_t>(op)];
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace regulus {
+namespace regulus::detail {
 
 enum class Op : std::uint8_t {
   kConstant,  // an exact rational
@@ -45,4 +45,4 @@ struct Node {
   std::uint32_t index = 0;  ///< of the constant, input or point; the exponent of kPower
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

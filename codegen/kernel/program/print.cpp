@@ -7,7 +7,7 @@
 
 #include "runtime/files/sha256.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 // The length in front separates two lists of names, whatever the names contain.
@@ -74,4 +74,4 @@ std::string to_text(const Module& module) {
 
 std::string identity(const Module& module) { return sha256(to_text(module)); }
 
-}  // namespace regulus
+}  // namespace regulus::detail

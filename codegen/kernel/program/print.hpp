@@ -6,7 +6,7 @@
 #include "codegen/kernel/program/module.hpp"
 #include "codegen/kernel/program/program.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns a program as text, one node per line: "%3 = multiply %1 %2". For people and for hashes:
 /// programs with the same text compute the same results.
@@ -19,4 +19,4 @@ namespace regulus {
 /// Returns the name of a module's kernel: the SHA-256 of its text, as 64 hexadecimal digits.
 [[nodiscard]] std::string identity(const Module& module);
 
-}  // namespace regulus
+}  // namespace regulus::detail

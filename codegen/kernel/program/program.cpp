@@ -13,7 +13,7 @@
 #include "codegen/kernel/program/canonical.hpp"
 #include "codegen/kernel/program/fold.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::uint32_t kMaxExponent = 1U << 20;
@@ -201,4 +201,4 @@ void ProgramBuilder::output(NodeId node) {
 
 Program ProgramBuilder::finish() && { return canonical(std::move(program_)); }
 
-}  // namespace regulus
+}  // namespace regulus::detail

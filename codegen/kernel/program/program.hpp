@@ -13,7 +13,7 @@
 
 #include "codegen/kernel/program/node.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Straight-line code. Operands come before their use; no two nodes are equal; every node is used.
 struct Program {
@@ -82,4 +82,4 @@ class ProgramBuilder {
   std::map<cln::cl_RA, std::uint32_t, ValueOrder> constant_index_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 
 #include "codegen/kernel/program/fold.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 bool in_domain(Op function, const cln::cl_RA& a) {
@@ -45,4 +45,4 @@ cln::cl_RA RationalArithmetic::call(Op function, const Number& a) const {
   throw NotRational(op_name(function));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

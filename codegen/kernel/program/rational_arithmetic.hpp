@@ -7,7 +7,7 @@
 
 #include "codegen/kernel/program/program.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The expression has no value at this point.
 class UndefinedValue : public std::domain_error {
@@ -39,4 +39,4 @@ class RationalArithmetic {
   [[nodiscard]] Number call(Op function, const Number& a) const;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr long kPrecision = std::numeric_limits<double>::digits;
@@ -74,4 +74,4 @@ long exponent_bound(const cln::cl_RA& value) {
   return floor_log2(cln::abs(value)) + 1;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include "runtime/interval/interval.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the largest double ≤ value; −∞ if value < −DBL_MAX. Never −0. Subnormals included.
 [[nodiscard]] double round_down(const cln::cl_RA& value);
@@ -26,4 +26,4 @@ namespace regulus {
 /// Returns an e with |value| ≤ 2^e, at most one too large.
 [[nodiscard]] long exponent_bound(const cln::cl_RA& value);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 
 #include "codegen/kernel/program/node.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The values, by NodeId, of the nodes that are known before the program runs.
 template <class Number>
@@ -63,4 +63,4 @@ void run(std::span<const Node> nodes, const KnownValues<Number>& known,
   }
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "codegen/kernel/symbolic/measure.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 AtomTable::AtomTable(const std::vector<std::string>& variables,
                      const std::vector<std::string>& points, WorkMeter* meter)
@@ -71,4 +71,4 @@ int exponent_of(const AtomProduct& p, Atom a) noexcept {
   return static_cast<int>(std::count(p.begin(), p.end(), a));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "codegen/kernel/symbolic/expression.hpp"
 #include "codegen/support/work_meter.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 using Atom = char16_t;
 
@@ -73,4 +73,4 @@ class AtomTable {
 
 [[nodiscard]] int exponent_of(const AtomProduct& p, Atom a) noexcept;
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 
 #include "codegen/kernel/symbolic/passes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 Expression coefficient_product(const AtomProduct& product_of, const AtomTable& atoms) {
@@ -65,4 +65,4 @@ Expression collect(const Polynomial& p, const AtomTable& atoms) {
   return sum(std::move(terms));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "codegen/kernel/symbolic/evaluate.hpp"
 #include "codegen/kernel/symbolic/passes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// scale·base².
@@ -206,4 +206,4 @@ std::optional<CrankCoordinate> find_crank(const Expression& numerator,
   return Comparison(closure).compare(numerator);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include "codegen/kernel/symbolic/expression.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A unit vector (C, S) in the plane of f and g, as the closure of a crank and its rod gives it:
 ///
@@ -39,4 +39,4 @@ struct CrankCoordinate {
 [[nodiscard]] std::optional<CrankCoordinate> find_crank(const Expression& numerator,
                                                         const Expression& denominator);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// The derivative of a function of one argument with respect to it.
@@ -124,4 +124,4 @@ const Polynomial& PolynomialDifferentiator::of_atom(Atom a) {
   return known_.emplace(a, p ? std::move(*p) : expander_->atom(derived)).first->second;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

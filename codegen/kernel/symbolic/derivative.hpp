@@ -8,7 +8,7 @@
 
 #include "codegen/kernel/symbolic/polynomial.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The derivatives of symbols that stand for functions of the variables.
 class DerivativesOfSymbols {
@@ -67,4 +67,4 @@ class PolynomialDifferentiator {
   std::map<Atom, Polynomial> known_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Terms = std::vector<PolynomialTerm>;
@@ -166,4 +166,4 @@ Polynomial determinant(const std::vector<Polynomial>& entries, int n, AtomTable&
   return Minors(entries, n, atoms, budget).run();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

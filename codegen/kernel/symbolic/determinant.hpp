@@ -8,7 +8,7 @@
 
 #include "codegen/kernel/symbolic/polynomial.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The determinant has no closed form: it needs more terms than allowed, or the matrix is not
 /// square.
@@ -44,4 +44,4 @@ class DeterminantBudget {
 [[nodiscard]] Polynomial determinant(const std::vector<Polynomial>& entries, int n,
                                      AtomTable& atoms, DeterminantBudget& budget);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 
 #include "codegen/kernel/symbolic/print.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 class Evaluator {
@@ -110,4 +110,4 @@ Expressions substitute(const Expressions& expressions, const ReplacementOf& repl
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 
 #include "codegen/kernel/symbolic/expression.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Gives a value to a sub-expression, or leaves it to be computed from its operands.
 using ValueOf = std::function<std::optional<cln::cl_RA>(const Expression&)>;
@@ -47,4 +47,4 @@ class Replacer {
 [[nodiscard]] Expressions substitute(const Expressions& expressions,
                                      const ReplacementOf& replacement);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 
 #include "codegen/model/exact/exact_algebra.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -159,4 +159,4 @@ bool is_rank_lost(const Expressions& A, std::size_t rows, std::size_t columns,
   return false;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

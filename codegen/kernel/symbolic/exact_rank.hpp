@@ -10,7 +10,7 @@
 
 #include "codegen/kernel/symbolic/expression.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Computes det A, or det AᵀA if A has more rows than columns, with exact numbers: rationals, their
 /// roots, and the sines and cosines of multiples of pi/12. Functions of other numbers are taken as
@@ -23,4 +23,4 @@ namespace regulus {
 [[nodiscard]] bool is_rank_lost(const Expressions& A, std::size_t rows, std::size_t columns,
                                 const std::map<std::string, GiNaC::ex>& values);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include "codegen/kernel/symbolic/polynomial.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 // Higher powers stay atoms, because their expansion would only add occurrences.
@@ -112,4 +112,4 @@ std::optional<Polynomial> Expander::expand_power(const Expression& e) {
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

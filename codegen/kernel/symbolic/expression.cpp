@@ -6,7 +6,7 @@
 #include <functional>
 #include <utility>
 
-namespace regulus {
+namespace regulus::detail {
 
 struct Expression::Node {
   ExpressionKind kind;
@@ -233,4 +233,4 @@ Signed normalize_sign(const Expression& e) {
   return {-1, divide_by(e, -1)};
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

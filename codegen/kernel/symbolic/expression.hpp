@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 
 enum class ExpressionKind : std::uint8_t {
   kConstant,
@@ -122,4 +122,4 @@ struct Signed {
 };
 [[nodiscard]] Signed normalize_sign(const Expression& e);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 
 #include "codegen/kernel/symbolic/expression.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
@@ -103,4 +103,4 @@ bool operator==(const Expression& a, const Expression& b) {
   return a.identity() == b.identity() || (a.hash() == b.hash() && compare(a, b) == 0);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include "codegen/kernel/symbolic/passes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 Polynomial coefficient_polynomial(const Polynomial& p, Group group) {
@@ -43,4 +43,4 @@ std::optional<Factored> factor_split(const Polynomial& outer, const Polynomial& 
   return std::nullopt;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

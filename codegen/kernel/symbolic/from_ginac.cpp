@@ -11,7 +11,7 @@
 
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 [[noreturn]] void refuse(const GiNaC::ex& e, const std::string& expected) {
@@ -149,4 +149,4 @@ Expression GinacReader::read_function(const GiNaC::ex& e) {
   refuse(e, "one of the functions sqrt sin cos tan asin acos atan atan2 exp log abs");
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "codegen/kernel/symbolic/expression.hpp"
 #include "codegen/support/work_meter.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The meaning of each GiNaC symbol. Never iterate over it: its order is GiNaC's.
 using SymbolMeaning = std::map<GiNaC::ex, Expression, GiNaC::ex_is_less>;
@@ -36,4 +36,4 @@ class GinacReader {
   std::map<GiNaC::ex, Expression, GiNaC::ex_is_less> known_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

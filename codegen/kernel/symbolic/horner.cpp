@@ -5,7 +5,7 @@
 
 #include "codegen/kernel/symbolic/passes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// p = atom^exponent·inner + rest, and no term of the rest contains the atom.
@@ -126,4 +126,4 @@ Expression horner(const Polynomial& p, const AtomTable& atoms, const HornerOptio
   return Nesting(atoms, options).form(p);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include "codegen/kernel/symbolic/evaluate.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// No model has such a name.
@@ -98,4 +98,4 @@ Expression KeptPowers::required(const Expression& e) {
   return e;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

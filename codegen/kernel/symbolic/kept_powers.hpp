@@ -8,7 +8,7 @@
 
 #include "codegen/kernel/symbolic/polynomial.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Keeps powers of sums in one piece, as symbols, and uses relations between functions:
 /// √(fg) = √f·√g, log(fg) = log f + log g, tan u = sin u/cos u. A relation holds where its right
@@ -43,4 +43,4 @@ class KeptPowers {
   Expressions must_be_defined_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 std::unordered_map<std::string, std::uint32_t> numbered(const std::vector<std::string>& names) {
@@ -140,4 +140,4 @@ NodeId Lowering::lower_sum(const Expressions& terms) {
   return *result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

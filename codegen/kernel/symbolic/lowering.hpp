@@ -9,7 +9,7 @@
 #include "codegen/kernel/symbolic/expression.hpp"
 #include "codegen/support/work_meter.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Translates expressions into one program that shares their common sub-expressions.
 class Lowering {
@@ -42,4 +42,4 @@ class Lowering {
   std::unordered_map<Expression, NodeId, ExpressionHash> known_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

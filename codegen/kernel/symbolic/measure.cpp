@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 std::uint64_t add(std::uint64_t a, std::uint64_t b) noexcept {
@@ -135,4 +135,4 @@ std::uint64_t width_cost(const Expression& expression, const Weights& weights) {
   return cost;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

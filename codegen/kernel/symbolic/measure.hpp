@@ -9,7 +9,7 @@
 
 #include "codegen/kernel/symbolic/expression.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The number of times that each variable appears in the printed form. Saturates at the largest
 /// value.
@@ -34,4 +34,4 @@ using Weights = std::unordered_map<std::string, std::uint64_t>;
 /// variable.
 [[nodiscard]] std::uint64_t width_cost(const Expression& expression, const Weights& weights = {});
 
-}  // namespace regulus
+}  // namespace regulus::detail

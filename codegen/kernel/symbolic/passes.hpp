@@ -8,7 +8,7 @@
 
 #include "codegen/kernel/symbolic/polynomial.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// One coefficient as an expression: terms of the same magnitude are added before they are
 /// multiplied, 9*(k_1_1 - k_1_2) + 12*(k_1_3 + k_1_4), so that the sums of K's entries come first
@@ -71,4 +71,4 @@ struct TrigonometricOptions {
                                       const std::function<Expression(const Expression&)>& simplify,
                                       const TrigonometricOptions& options);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 bool precedes(const PolynomialTerm& a, const PolynomialTerm& b) {
@@ -125,4 +125,4 @@ std::vector<Group> groups(const Polynomial& p) {
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 
 #include "codegen/kernel/symbolic/atoms.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct Monomial {
   AtomProduct variables;
@@ -87,4 +87,4 @@ class Expander {
   std::unordered_map<Expression, std::optional<Polynomial>, ExpressionHash> known_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 
 #include "codegen/support/infix_text.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using enum Precedence;
@@ -110,4 +110,4 @@ std::string print(const Expression& e, Precedence context) {
 
 std::string to_string(const Expression& expression) { return print(expression, kSum); }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,9 +5,9 @@
 
 #include "codegen/kernel/symbolic/expression.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the expression in the syntax of model files: x*(k_1_1 + k_1_2) - 3*sin(psi)^2.
 [[nodiscard]] std::string to_string(const Expression& expression);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Keeps the cheapest form so far. For equal width it keeps the one with fewer operations, then the
@@ -171,4 +171,4 @@ Expression Rewriter::simplified_argument(const Expression& e) {
   return p ? horner(*p, atoms_) : e;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

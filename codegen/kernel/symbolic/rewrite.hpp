@@ -8,7 +8,7 @@
 #include "codegen/kernel/symbolic/measure.hpp"
 #include "codegen/kernel/symbolic/passes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct RewriteOptions {
   /// Look for better forms. If false, an expression stays as it is, and a derivative is multiplied
@@ -83,4 +83,4 @@ class Rewriter {
   std::unordered_map<Expression, Expression, ExpressionHash> prepared_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include "codegen/kernel/symbolic/passes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 struct LexGreater {
@@ -187,4 +187,4 @@ Polynomial merge_angles(const Polynomial& p, AtomTable& atoms, Expander& expande
   return AngleMerger(p, atoms, expander, simplify, options).run();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 
 #include "codegen/model/model.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 enum class VariableKind {
   kMotion,    // a motion parameter t_j
@@ -22,4 +22,4 @@ struct Variable {
   int ball = -1;  ///< Model::balls index if its range is one axis of a ball
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

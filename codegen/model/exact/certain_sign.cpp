@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -151,4 +151,4 @@ CertainSign certain_sign(const ex& constant) {
   return CertainSign::kUnknown;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 
 #include <ginac/ginac.h>
 
-namespace regulus {
+namespace regulus::detail {
 
 enum class CertainSign { kNegative, kZero, kPositive, kUnknown };
 
@@ -16,4 +16,4 @@ enum class CertainSign { kNegative, kZero, kPositive, kUnknown };
 ///           constant such as sqrt(2)*sqrt(3) - sqrt(6), or one that is not defined, is kUnknown.
 [[nodiscard]] CertainSign certain_sign(const GiNaC::ex& constant);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 void absorb(ParsedExpression& result, const ParsedExpression& operand) {
@@ -57,4 +57,4 @@ ParsedExpression combine_limits_of_power(const ParsedExpression& base,
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

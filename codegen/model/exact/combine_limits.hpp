@@ -6,7 +6,7 @@
 
 #include "codegen/model/exact/parsed_expression.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 // Each function returns a ParsedExpression with the limits of the result but without its value, and
 // throws ParseRefusal if it would exceed a limit of parsed_expression.hpp. Coefficients of a sum or
@@ -20,4 +20,4 @@ namespace regulus {
                                                        const ParsedExpression& exponent,
                                                        const GiNaC::numeric& value);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -14,7 +14,7 @@
 
 #include "codegen/model/exact/lexer.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Only digits reach CLN's reader: its own syntax has radix prefixes and fractions.
@@ -161,4 +161,4 @@ GiNaC::numeric exact_integer(std::int64_t value) {
   return GiNaC::numeric(cln::cl_I(static_cast<long long>(value)));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

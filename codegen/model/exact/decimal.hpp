@@ -9,7 +9,7 @@
 #include <optional>
 #include <string_view>
 
-namespace regulus {
+namespace regulus::detail {
 
 // Limits of a number. No robot needs more. Without them, ten characters could request gigabytes.
 constexpr std::size_t kMaxDigits = 1000;
@@ -55,4 +55,4 @@ constexpr const char* kNumberLimits = "at most 1000 digits and an exponent withi
 /// Returns the integer itself. On some platforms GiNaC has no constructor for 64-bit integers.
 [[nodiscard]] GiNaC::numeric exact_integer(std::int64_t value);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 
 #include "codegen/model/exact/sign.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -87,4 +87,4 @@ void require_off_branch_cut(ParsedExpression& result, const ex& y, const ex& x) 
   record(result, GiNaC::atan2(y, x));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 
 #include "codegen/model/exact/parsed_expression.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 // Each function records in `result` the condition on the operand, unless the form of the operand
 // shows it, and throws ParseRefusal if the operand is a constant that does not satisfy it.
@@ -22,4 +22,4 @@ void require_no_pole_of_tan(ParsedExpression& result, const GiNaC::ex& operand);
 void require_off_branch_cut(ParsedExpression& result, const GiNaC::ex& ordinate,
                             const GiNaC::ex& abscissa);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include "codegen/model/exact/certain_sign.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -106,4 +106,4 @@ Point transposed_times(const GiNaC::matrix& R, const Point& v) {
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace regulus {
+namespace regulus::detail {
 
 using Point = std::array<GiNaC::ex, 3>;
 inline constexpr std::array<const char*, 3> kCoordinates = {"x", "y", "z"};
@@ -33,4 +33,4 @@ inline constexpr std::array<const char*, 3> kCoordinates = {"x", "y", "z"};
 [[nodiscard]] Point times(const GiNaC::matrix& R, const Point& v);
 [[nodiscard]] Point transposed_times(const GiNaC::matrix& R, const Point& v);
 
-}  // namespace regulus
+}  // namespace regulus::detail

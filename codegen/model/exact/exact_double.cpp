@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace regulus {
+namespace regulus::detail {
 
 GiNaC::ex exact_number(double x) {
   constexpr int kDigits = std::numeric_limits<double>::digits;
@@ -14,4 +14,4 @@ GiNaC::ex exact_number(double x) {
          GiNaC::pow(GiNaC::ex(2), exponent - kDigits);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,11 +3,11 @@
 
 #include <ginac/ginac.h>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the number itself, as a fraction.
 ///
 /// Requires  x is finite.
 [[nodiscard]] GiNaC::ex exact_number(double x);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -14,7 +14,7 @@
 #include "codegen/model/units.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 class Parser {
@@ -300,4 +300,4 @@ ParsedExpression parse_constant(std::string_view text, const Place& place, Numbe
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -19,7 +19,7 @@
 #include "codegen/model/degrees.hpp"
 #include "codegen/model/exact/parsed_expression.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The names an expression may use.
 class Names {
@@ -56,4 +56,4 @@ constexpr std::size_t kLongestExpression = 65536;
 [[nodiscard]] ParsedExpression parse_constant(std::string_view text, const Place& place,
                                               NumberUnit unit = NumberUnit::kPlain);
 
-}  // namespace regulus
+}  // namespace regulus::detail

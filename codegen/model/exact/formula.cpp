@@ -12,6 +12,9 @@
 #include "codegen/support/errors.hpp"
 
 namespace regulus {
+
+using namespace detail;
+
 namespace {
 
 /// Gives every name a meaning: the reader of the model checks later which names are declared.

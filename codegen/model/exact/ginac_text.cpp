@@ -9,7 +9,7 @@
 #include "codegen/model/exact/real_functions.hpp"
 #include "codegen/support/infix_text.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -134,4 +134,4 @@ std::vector<ex> symbols_of(const ex& expression) {
   return {found.begin(), found.end()};
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

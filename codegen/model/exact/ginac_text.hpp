@@ -9,7 +9,7 @@
 
 #include "codegen/model/exact/parsed_expression.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns text that parse_expression reads as that expression; symbols become names.
 ///
@@ -21,4 +21,4 @@ namespace regulus {
 /// Returns each symbol once.
 [[nodiscard]] std::vector<GiNaC::ex> symbols_of(const GiNaC::ex& expression);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/model/exact/lexer.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 // <cctype> depends on the locale.
@@ -56,4 +56,4 @@ Token Lexer::token(Token::Kind kind, std::size_t end) noexcept {
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <string_view>
 
-namespace regulus {
+namespace regulus::detail {
 
 struct Token {
   enum class Kind { kEnd, kNumber, kName, kSymbol };
@@ -36,4 +36,4 @@ class Lexer {
   std::size_t at_ = 0;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 #include "codegen/model/exact/combine_limits.hpp"
 #include "codegen/model/exact/domain.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -113,4 +113,4 @@ ParsedExpression power(const ParsedExpression& base, const ParsedExpression& exp
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The reason why an operation is refused. A caller that knows file and line turns it into an
 /// InputError.
@@ -68,4 +68,4 @@ struct Operand {
 [[nodiscard]] ParsedExpression power(const ParsedExpression& base,
                                      const ParsedExpression& exponent);
 
-}  // namespace regulus
+}  // namespace regulus::detail

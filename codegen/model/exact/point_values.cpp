@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-namespace regulus {
+namespace regulus::detail {
 
 using GiNaC::ex;
 
@@ -68,4 +68,4 @@ double PointValues::call(const GiNaC::function& f) {
   return std::nan("");
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include <unordered_map>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Values of many expressions at one point. A part that they share is evaluated once.
 class PointValues {
@@ -34,4 +34,4 @@ class PointValues {
 /// Returns the number of an expression without symbols; NaN as above.
 [[nodiscard]] double approx_number(const GiNaC::ex& constant);
 
-}  // namespace regulus
+}  // namespace regulus::detail

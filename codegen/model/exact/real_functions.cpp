@@ -7,7 +7,7 @@
 #include "codegen/model/exact/combine_limits.hpp"
 #include "codegen/model/exact/domain.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -100,4 +100,4 @@ ParsedExpression call(std::string_view name, std::vector<ParsedExpression> argum
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

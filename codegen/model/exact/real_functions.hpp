@@ -9,7 +9,7 @@
 
 #include "codegen/model/exact/parsed_expression.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// sqrt sin cos tan asin acos atan atan2 exp log abs.
 [[nodiscard]] std::span<const std::string> function_names();
@@ -22,4 +22,4 @@ namespace regulus {
 /// Ensures   throws ParseRefusal for a wrong number of arguments, or constants outside the domain.
 [[nodiscard]] ParsedExpression call(std::string_view name, std::vector<ParsedExpression> arguments);
 
-}  // namespace regulus
+}  // namespace regulus::detail

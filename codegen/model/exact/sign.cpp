@@ -9,7 +9,7 @@
 #include <numeric>
 #include <string>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -116,4 +116,4 @@ std::optional<double> approx_value(const ex& constant) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

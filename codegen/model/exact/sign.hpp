@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// True if the form of e shows that e ≥ 0 at every real point where e is defined: squares, roots,
 /// sums and products of such. False says nothing.
@@ -24,4 +24,4 @@ namespace regulus {
 /// used: beyond its exponent range it gives exp(exp(exp(9))) = 1.)
 [[nodiscard]] std::optional<double> approx_value(const GiNaC::ex& constant);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include "codegen/model/exact/certain_sign.hpp"
 #include "codegen/model/file/sections.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 ParsedExpression constant(ModelReading& reading, const TomlEntry& entry) {
@@ -93,4 +93,4 @@ void read_characteristic_length(ModelReading& reading, const TomlEntry& length) 
   reading.model.characteristic_length = positive(reading, length);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

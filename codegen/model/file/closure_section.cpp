@@ -9,7 +9,7 @@
 #include "codegen/model/mechanism/closure_matrix.hpp"
 #include "codegen/model/names.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -232,4 +232,4 @@ void read_closure(ModelReading& reading, const TomlEntry& closure) {
   ClosureReader(reading, closure).read();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

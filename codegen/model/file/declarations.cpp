@@ -7,7 +7,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 void require_free_name(const std::string& name, const Place& place) {
   const std::string found = "the name " + in_quotes(name) + " for " + place.key;
@@ -74,4 +74,4 @@ void Declarations::refuse_cycle(const std::string& name) const {
                               "a sub-expression must not use itself", name);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 
 #include "codegen/model/exact/expression_parser.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class Declarations final : public Names {
  public:
@@ -42,4 +42,4 @@ class Declarations final : public Names {
 /// Throws InputError unless `name` is a name that the language of model files does not use itself.
 void require_free_name(const std::string& name, const Place& place);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "codegen/model/file/sections.hpp"
 #include "codegen/model/names.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Kind = Drawing::Kind;
@@ -94,4 +94,4 @@ void read_drawing(ModelReading& reading, const TomlEntry& drawing) {
   reading.model.drawing = std::make_shared<Drawing>(DrawingReader(reading, drawing).read());
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

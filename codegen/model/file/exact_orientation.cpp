@@ -4,7 +4,7 @@
 #include "codegen/model/constants.hpp"
 #include "codegen/model/mechanism/rotation.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -76,4 +76,4 @@ GiNaC::matrix read_rotation(ModelReading& reading, const TomlEntry& list) {
   return R;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

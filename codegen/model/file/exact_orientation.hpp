@@ -8,7 +8,7 @@
 #include "codegen/model/exact/exact_algebra.hpp"
 #include "codegen/model/file/sections.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the elements of a list; refuses one of another length.
 [[nodiscard]] std::vector<TomlEntry> elements_of(const TomlReader& toml, const TomlEntry& list,
@@ -23,4 +23,4 @@ namespace regulus {
 /// Reads three rows that are proved to be a rotation.
 [[nodiscard]] GiNaC::matrix read_rotation(ModelReading& reading, const TomlEntry& list);
 
-}  // namespace regulus
+}  // namespace regulus::detail

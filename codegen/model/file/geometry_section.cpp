@@ -5,7 +5,7 @@
 #include "codegen/model/constants.hpp"
 #include "codegen/model/file/sections.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::size_t kMostCoordinates = 16;
@@ -93,4 +93,4 @@ void read_geometry(ModelReading& reading, const TomlEntry& geometry) {
   for (const TomlEntry& entry : reading.toml.entries(geometry)) reader.read(entry);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

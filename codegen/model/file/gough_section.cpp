@@ -9,7 +9,7 @@
 #include "codegen/model/mechanism/gough.hpp"
 #include "codegen/model/names.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 Orientation orientation(const TomlReader& toml, const TomlEntry& entry) {
@@ -77,4 +77,4 @@ void read_gough(ModelReading& reading, const TomlEntry& gough) {
       std::make_shared<Drawing>(geometry.labelled(*reading.model.drawing, robot.unit));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

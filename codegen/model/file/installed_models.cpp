@@ -9,7 +9,7 @@
 #include "codegen/support/errors.hpp"
 #include "codegen/support/executable_folder.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 namespace fs = std::filesystem;
 
@@ -46,4 +46,4 @@ std::string find_model(const std::string& typed) {
                   suggestion(typed, names, "regulus list names the installed models"));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 
 struct InstalledModel {
   std::string name;  ///< of the file, without its ending
@@ -25,4 +25,4 @@ struct InstalledModel {
 /// name that means neither.
 [[nodiscard]] std::string find_model(const std::string& typed);
 
-}  // namespace regulus
+}  // namespace regulus::detail

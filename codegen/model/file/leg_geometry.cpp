@@ -5,7 +5,7 @@
 #include "codegen/model/exact/certain_sign.hpp"
 #include "codegen/model/exact/exact_algebra.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -160,4 +160,4 @@ std::vector<TomlEntry> LegGeometry::elements(const TomlEntry& list, std::size_t 
   return found;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -12,7 +12,7 @@
 #include "codegen/model/file/sections.hpp"
 #include "codegen/model/mechanism/legs.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Quantities of one kind, with one tolerance.
 enum class LegGroup : std::size_t { kBase, kPlatform, kCrank, kRod, kAxis };
@@ -93,4 +93,4 @@ class LegGeometry {
   std::vector<std::string> lengths_;  ///< the names of their parameters
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

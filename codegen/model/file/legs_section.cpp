@@ -15,7 +15,7 @@
 #include "codegen/model/mechanism/orientation.hpp"
 #include "codegen/model/names.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -392,4 +392,4 @@ void read_legs(ModelReading& reading, const TomlEntry& legs) try {
   reading.toml.refuse(legs, refusal.found, refusal.expected);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

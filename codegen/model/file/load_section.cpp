@@ -7,7 +7,7 @@
 #include "codegen/model/file/sections.hpp"
 #include "codegen/model/mechanism/twist.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using TwistKind = TwistComponent::Kind;
@@ -170,4 +170,4 @@ void read_twist_names(ModelReading& reading, const TomlEntry& names) {
   }
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

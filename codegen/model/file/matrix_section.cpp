@@ -7,7 +7,7 @@
 #include "codegen/model/file/sections.hpp"
 #include "codegen/model/reduced_note.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::size_t kLargestMatrix = 64;
@@ -82,4 +82,4 @@ void read_matrix(ModelReading& reading, const TomlEntry& matrix) {
     reading.model.matrix_notes.push_back(std::string(kReduced) + reading.toml.label(reduced));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -15,7 +15,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 toml::table document(const std::string& text) try {
@@ -191,4 +191,4 @@ std::string with_matrix_of_gough(const std::string& text) {
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the text with another entry (i, j) of [matrix], counted from 1. Throws InputError if
 /// there is no such entry. It does not check that the result is a model; the reader does.
@@ -28,4 +28,4 @@ namespace regulus {
 /// [geometry] or [let] are not tables with a line of their own.
 [[nodiscard]] std::string with_matrix_of_gough(const std::string& text);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -18,7 +18,7 @@
 #include "codegen/support/visible_text.hpp"
 #include "runtime/files/sha256.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Sets the usual rounding: a library that reads a decimal as a double may use the caller's
@@ -239,4 +239,4 @@ Model load_model(const std::filesystem::path& path) {
   return model;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

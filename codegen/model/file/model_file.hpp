@@ -9,7 +9,7 @@
 #include "codegen/model/model.hpp"
 #include "codegen/support/work_meter.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 constexpr std::size_t kLargestModelFile = std::size_t{4} << 20;
 
@@ -30,4 +30,4 @@ constexpr std::size_t kLargestModelFile = std::size_t{4} << 20;
 /// kLargestModelFile. Throws FileError if it cannot be read.
 [[nodiscard]] std::string read_model_text(const std::filesystem::path& path);
 
-}  // namespace regulus
+}  // namespace regulus::detail

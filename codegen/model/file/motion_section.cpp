@@ -10,7 +10,7 @@
 #include "codegen/model/mechanism/serial.hpp"
 #include "codegen/model/names.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// The names of a motion: its parameters, and the declared names if they may be used.
@@ -383,4 +383,4 @@ void read_motions(ModelReading& reading, const TomlEntry& motions) {
     reading.toml.refuse(motions, "no motion", "at least one table [motion.NAME]");
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "codegen/model/file/sections.hpp"
 #include "codegen/model/names.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 void require_pose_name(const TomlReader& toml, const TomlEntry& entry, const std::string& name,
                        const std::string& what) {
@@ -55,4 +55,4 @@ void read_let(ModelReading& reading, const TomlEntry& let) {
   for (const TomlEntry& entry : entries) (void)reading.names.find(entry.key, 0);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/model/exact/sign.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -124,4 +124,4 @@ void require_use(const TomlReader& toml, const TomlEntry& tolerance, const ex& v
               "remove it, or give what it is the tolerance of");
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

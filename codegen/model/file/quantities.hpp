@@ -6,7 +6,7 @@
 
 #include "codegen/model/file/sections.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Reads a value that may use names of [geometry] and [let]. A name that stands for an exact
 /// constant is its value: a number, a name for it, and an expression that equals it mean the same.
@@ -45,4 +45,4 @@ ParsedExpression declare_quantity(ModelReading& reading, const TomlEntry& entry,
 void require_use(const TomlReader& toml, const TomlEntry& tolerance, const GiNaC::ex& value,
                  bool is_used, const std::string& quantities);
 
-}  // namespace regulus
+}  // namespace regulus::detail

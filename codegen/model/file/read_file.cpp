@@ -12,7 +12,7 @@
 
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// A file is read in parts of these sizes: most are small, and memory that is not used costs time, too.
@@ -96,4 +96,4 @@ std::string read_start(const std::string& path, std::uint64_t most, Readable kin
   return file.start(most);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// kFile: a file on a disk. kStream: also a pipe or a device, such as /dev/stdin.
 enum class Readable { kFile, kStream };
@@ -25,4 +25,4 @@ enum class Readable { kFile, kStream };
 /// Returns its first `most` bytes, or all if there are fewer. Throws FileError.
 [[nodiscard]] std::string read_start(const std::string& path, std::uint64_t most, Readable kind);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -13,7 +13,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/support/work_meter.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The most operations that all expressions of a file may have together, including named
 /// sub-expressions. A 6×6 matrix of the largest expressions is below it.
@@ -105,4 +105,4 @@ void read_motions(ModelReading& reading, const TomlEntry& motions);
 /// cos(135): degrees may be meant.
 void warn_about_written_angles(ModelReading& reading, const TomlEntry& root);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 #include "codegen/model/mechanism/serial.hpp"
 #include "codegen/model/mechanism/serial_drawing.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -372,4 +372,4 @@ void read_serial(ModelReading& reading, const TomlEntry& serial) try {
   reading.toml.refuse(serial, refusal.found, refusal.expected);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/model/file/source_lines.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::size_t kStride = 64;
@@ -33,4 +33,4 @@ std::size_t SourceLines::offset(std::size_t line, std::size_t column) const noex
   return at;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A UTF-8 text by lines and characters, as toml++ counts them: both from 1, a line ends with '\n',
 /// a column is a code point, and a byte order mark at the start does not count.
@@ -27,4 +27,4 @@ class SourceLines {
   std::vector<std::size_t> bytes_;          // where every kStride-th character begins
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

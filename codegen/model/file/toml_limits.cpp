@@ -5,7 +5,7 @@
 
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Scans the text just enough to recognise strings, comments, keys and values. It agrees with the
@@ -120,4 +120,4 @@ class Scan {
 
 void require_toml_limits(std::string_view text, const std::string& file) { Scan(text, file).run(); }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace regulus {
+namespace regulus::detail {
 
 // The library builds nested tables, one for each part of a key, and destroys them by recursion; and
 // it looks each part up in a list of all tables. No model comes near these limits.
@@ -18,4 +18,4 @@ constexpr std::size_t kMaxTomlTables = 20'000;  ///< parts of all dotted keys an
 /// text that is not TOML passes. Takes linear time and no recursion.
 void require_toml_limits(std::string_view text, const std::string& file);
 
-}  // namespace regulus
+}  // namespace regulus::detail

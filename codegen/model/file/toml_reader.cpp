@@ -11,7 +11,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 int line_of(const toml::source_region& source) { return static_cast<int>(source.begin.line); }
@@ -200,4 +200,4 @@ const toml::table& TomlReader::table_of(const TomlEntry& entry) const {
   return *table;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

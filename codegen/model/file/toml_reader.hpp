@@ -13,7 +13,7 @@
 #include "codegen/model/exact/expression_parser.hpp"
 #include "codegen/model/file/source_lines.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// An entry of a table, with its full key for messages ("motion.small.x").
 struct TomlEntry {
@@ -82,4 +82,4 @@ class TomlReader {
   SourceLines source_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,6 +9,9 @@
 #include "codegen/model/names.hpp"
 
 namespace regulus {
+
+using namespace detail;
+
 namespace {
 
 constexpr std::size_t kDigitsOfAnInteger = 15;  // far below TOML's limits

@@ -9,7 +9,7 @@
 #include "codegen/model/exact/lexer.hpp"
 #include "codegen/model/file/sections.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 bool is_circular(const Token& name) {
@@ -67,4 +67,4 @@ void warn_about_written_angles(ModelReading& reading, const TomlEntry& root) {
     if (part.path != "name" && part.path != "source") warn_about_written_angles(reading, part);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "codegen/model/exact/decimal.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr double kUnit = 1e12;  ///< decimals of a component, the largest being 1
@@ -107,4 +107,4 @@ void set_approx(Pose& pose, const Quaternion& q, const XmlPlace& place, const st
   numbers.record({place.line, place.what, before, "quaternion " + joined(pose.angles)});
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include "codegen/model/import/mechanism.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// w, x, y, z, of any length but zero.
 using Quaternion = std::array<double, 4>;
@@ -36,4 +36,4 @@ void set_approx(Pose& pose, const Quaternion& q, const XmlPlace& place, const st
 /// returns true.
 [[nodiscard]] bool set_turn_of_cube(Pose& pose, const Quaternion& q, double tolerance);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 bool is_free(const ImportedJoint& joint) {
@@ -133,4 +133,4 @@ std::vector<std::size_t> BodyGraph::of_body(std::size_t body) const {
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

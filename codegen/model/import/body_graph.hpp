@@ -9,7 +9,7 @@
 
 #include "codegen/model/import/exact_pose.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The freedoms of a connection.
 enum class ConnectionKind { kRevolute, kPrismatic, kUniversal, kBall, kOther };
@@ -55,4 +55,4 @@ class BodyGraph {
   std::vector<Connection> connections_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 #include "codegen/support/errors.hpp"
 #include "codegen/support/visible_text.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Joints = std::vector<const ImportedJoint*>;
@@ -241,4 +241,4 @@ Chain find_chain(const Mechanism& mechanism, const std::string& file, const std:
   return ChainFinder(mechanism, file).find(base, tip);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 
 #include "codegen/model/import/mechanism.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Joints from a base to a tip, each the parent of the next.
 struct Chain {
@@ -23,4 +23,4 @@ struct Chain {
 [[nodiscard]] Chain find_chain(const Mechanism& mechanism, const std::string& file,
                                const std::string& base, const std::string& tip);
 
-}  // namespace regulus
+}  // namespace regulus::detail

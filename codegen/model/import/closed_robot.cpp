@@ -16,7 +16,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -397,4 +397,4 @@ std::optional<ClosedRobot> find_closed_robot(Mechanism& mechanism, const std::st
   return RobotCloser(mechanism, file, wishes, identifiers).close();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/model/import/identifiers.hpp"
 #include "codegen/model/import/loop_gap.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The user chooses these about the robot.
 struct ClosureWishes {
@@ -48,4 +48,4 @@ struct ClosedRobot {
 /// Returns the tables [pose], [closure], [motion.home] and [motion.around_home] of a model file.
 [[nodiscard]] std::string closure_text(const ClosedRobot& robot);
 
-}  // namespace regulus
+}  // namespace regulus::detail

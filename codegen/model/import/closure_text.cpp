@@ -8,7 +8,7 @@
 #include "codegen/model/import/closed_robot.hpp"
 #include "codegen/model/import/serial_text.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 std::string units_text(const std::vector<ClosedJoint>& joints, const char* separator) {
@@ -82,4 +82,4 @@ std::string closure_text(const ClosedRobot& robot) {
       ranges_text(robot.passive), home, around);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

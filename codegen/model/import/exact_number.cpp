@@ -10,7 +10,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::numeric;
@@ -191,4 +191,4 @@ std::vector<WrittenNumber> NumberReader::angles(std::string_view text, AngleUnit
   return numbers;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A place in the file that is read, for messages.
 struct XmlPlace {
@@ -94,4 +94,4 @@ class NumberReader {
 /// Returns the words between white space.
 [[nodiscard]] std::vector<std::string_view> words_of(std::string_view text);
 
-}  // namespace regulus
+}  // namespace regulus::detail

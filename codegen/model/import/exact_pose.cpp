@@ -7,7 +7,7 @@
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/model/mechanism/rotation.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -99,4 +99,4 @@ Placement inverse(const Placement& placement) {
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

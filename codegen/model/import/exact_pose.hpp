@@ -5,7 +5,7 @@
 #include "codegen/model/import/mechanism.hpp"
 #include "codegen/model/mechanism/placement.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the frame that the pose places.
 [[nodiscard]] Placement placement_of(const Pose& pose);
@@ -20,4 +20,4 @@ namespace regulus {
 /// Returns a number of an exact value: a decimal if it has one.
 [[nodiscard]] WrittenNumber number_of(const GiNaC::ex& value);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Connections = std::vector<Connection>;
@@ -214,4 +214,4 @@ std::string hexapod_text(const Hexapod& hexapod, std::vector<std::string>& notes
   return text + home + around;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 
 #include "codegen/model/import/exact_pose.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A leg: points that are fixed to the base and to the platform, and a joint that slides along the
 /// line between them.
@@ -37,4 +37,4 @@ struct Hexapod {
 /// Returns the tables [gough], [motion.home] and [motion.around_home] of a model file.
 [[nodiscard]] std::string hexapod_text(const Hexapod& hexapod, std::vector<std::string>& notes);
 
-}  // namespace regulus
+}  // namespace regulus::detail

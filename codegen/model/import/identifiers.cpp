@@ -6,7 +6,7 @@
 
 #include "codegen/model/names.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::size_t kLongest = 60;  ///< leaves room for a number
@@ -40,4 +40,4 @@ std::string Identifiers::of(const std::string& name) {
   return made;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

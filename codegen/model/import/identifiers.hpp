@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Makes names that a model file may use, no two of them equal.
 class Identifiers {
@@ -22,4 +22,4 @@ class Identifiers {
   std::vector<std::string> changes_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/model/exact/exact_algebra.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -181,4 +181,4 @@ double reach_of(const LoopGraph& graph, std::size_t variable) {
   return 0;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

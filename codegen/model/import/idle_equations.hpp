@@ -7,7 +7,7 @@
 
 #include "codegen/model/import/loop_closing.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 inline constexpr double kClosedGap = 1e-9;  ///< a larger gap is open
 
@@ -38,4 +38,4 @@ struct IdleEquations {
 /// Returns a hundredth of the length of a loop that the joint is in.
 [[nodiscard]] double reach_of(const LoopGraph& graph, std::size_t variable);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -27,6 +27,9 @@
 #include "runtime/files/sha256.hpp"
 
 namespace regulus {
+
+using namespace detail;
+
 namespace {
 
 Mechanism read_mechanism(const XmlFile& xml, NumberReader& numbers) {

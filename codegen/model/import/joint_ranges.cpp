@@ -10,7 +10,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -138,4 +138,4 @@ RangeOfJoint range_of(const ImportedJoint& joint, const Chain& chain, const std:
   return limits ? std::move(*limits) : assumed(joint, followers, notes);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

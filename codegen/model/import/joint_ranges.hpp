@@ -8,7 +8,7 @@
 
 #include "codegen/model/import/chain.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct RangeOfJoint {
   JointLimits range;
@@ -33,4 +33,4 @@ struct RangeOfJoint {
 [[nodiscard]] RangeOfJoint range_of(const ImportedJoint& joint, const Chain& chain,
                                     const std::string& file, std::vector<std::string>& notes);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr double kStep = 1e-6;        ///< of central differences
@@ -103,7 +103,7 @@ class Elimination {
 std::vector<double> LoopPose::gap() const {
   std::vector<double> all;
   for (const CutLoop& loop : loops) {
-    const std::vector<double> parts = regulus::gap_of(loop, joints, values);
+    const std::vector<double> parts = detail::gap_of(loop, joints, values);
     all.insert(all.end(), parts.begin(), parts.end());
   }
   return all;
@@ -163,11 +163,11 @@ IndependentRows independent_rows(const LoopPose& pose, const std::vector<std::si
   std::vector<std::size_t> loop_of_row;
   for (std::size_t i = 0; i < pose.loops.size(); ++i)
     loop_of_row.resize(
-        loop_of_row.size() + regulus::gap_of(pose.loops[i], pose.joints, pose.values).size(), i);
+        loop_of_row.size() + detail::gap_of(pose.loops[i], pose.joints, pose.values).size(), i);
   Elimination elimination(pose.slopes(by), loop_of_row, most, by.size());
   for (std::size_t row = 0; row < idle.size(); ++row)
     if (idle[row] != 0) elimination.exclude(row);
   return elimination.run();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

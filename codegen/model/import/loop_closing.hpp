@@ -7,7 +7,7 @@
 
 #include "codegen/model/import/loop_gap.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Loops, and the values of their joints' variables.
 struct LoopPose {
@@ -38,4 +38,4 @@ struct IndependentRows {
                                                const std::vector<std::size_t>& most,
                                                const std::vector<char>& idle);
 
-}  // namespace regulus
+}  // namespace regulus::detail

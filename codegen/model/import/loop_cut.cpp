@@ -11,7 +11,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Kind = LoopStep::Kind;
@@ -227,4 +227,4 @@ std::vector<CutLoop> cut_loops(const LoopGraph& graph, const std::set<std::size_
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

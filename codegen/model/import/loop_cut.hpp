@@ -12,7 +12,7 @@
 
 #include "codegen/model/import/loop_graph.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Two ways from one frame, whose ends must meet.
 struct LoopArc {
@@ -42,4 +42,4 @@ struct CutLoop {
                                              const std::set<std::size_t>& driven,
                                              const std::string& file);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -154,4 +154,4 @@ template std::vector<double> gap_of(const CutLoop&, const std::vector<LoopJoint>
 template std::vector<ex> gap_of(const CutLoop&, const std::vector<LoopJoint>&,
                                 const std::vector<ex>&);
 
-}  // namespace regulus
+}  // namespace regulus::detail

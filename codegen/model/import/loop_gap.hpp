@@ -8,7 +8,7 @@
 
 #include "codegen/model/import/loop_cut.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The parts of a gap; all are 0 where the loop is closed.
 ///
@@ -29,4 +29,4 @@ extern template std::vector<double> gap_of(const CutLoop&, const std::vector<Loo
 extern template std::vector<GiNaC::ex> gap_of(const CutLoop&, const std::vector<LoopJoint>&,
                                               const std::vector<GiNaC::ex>&);
 
-}  // namespace regulus
+}  // namespace regulus::detail

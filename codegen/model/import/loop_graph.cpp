@@ -14,7 +14,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -343,4 +343,4 @@ LoopGraph find_loops(const Mechanism& mechanism, const std::string& file) {
   return LoopFinder(mechanism, file).find();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/model/import/exact_pose.hpp"
 #include "codegen/model/import/joint_ranges.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A joint that follows none: its value is a variable of the mechanism.
 struct LoopVariable {
@@ -71,4 +71,4 @@ struct LoopGraph {
 /// Throws    InputError for a joint of a loop that is of another type, or follows by no line.
 [[nodiscard]] LoopGraph find_loops(const Mechanism& mechanism, const std::string& file);
 
-}  // namespace regulus
+}  // namespace regulus::detail

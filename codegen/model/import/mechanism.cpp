@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-namespace regulus {
+namespace regulus::detail {
 
 bool Pose::is_identity() const {
   const auto zero = [](const WrittenNumber& x) { return x.is_zero(); };
@@ -26,4 +26,4 @@ bool Mechanism::has_loops() const {
   });
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

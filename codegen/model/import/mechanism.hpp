@@ -10,7 +10,7 @@
 
 #include "codegen/model/import/exact_number.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The way in which an orientation is written.
 enum class OrientationForm {
@@ -90,4 +90,4 @@ struct Mechanism {
   [[nodiscard]] bool has_loops() const;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -13,7 +13,7 @@
 #include "codegen/support/errors.hpp"
 #include "codegen/support/visible_text.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 class MjcfReader {
@@ -361,4 +361,4 @@ Mechanism read_mjcf(const XmlElement& mujoco, NumberReader& numbers) {
   return MjcfReader(mujoco, numbers).read(mujoco);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include "codegen/model/names.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::array<const char*, 7> kJointKeys = {"type",    "axis", "pos",  "range",
@@ -40,4 +40,4 @@ std::string JointDefaults::attribute(const XmlElement& joint, const std::string&
   return value == found->second.end() ? "" : value->second;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

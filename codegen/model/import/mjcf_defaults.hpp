@@ -7,7 +7,7 @@
 
 #include "codegen/model/import/xml_file.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class JointDefaults {
  public:
@@ -26,4 +26,4 @@ class JointDefaults {
   std::map<std::string, Attributes> classes_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

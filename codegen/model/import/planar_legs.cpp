@@ -11,7 +11,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -310,4 +310,4 @@ std::string planar_text(const PlanarRobot& robot, std::vector<std::string>& note
   return text + motions_text(robot);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

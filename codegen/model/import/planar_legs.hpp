@@ -8,7 +8,7 @@
 
 #include "codegen/model/import/body_graph.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A point in the plane of the robot, every joint at zero.
 using PlanePoint = std::array<GiNaC::ex, 2>;
@@ -42,4 +42,4 @@ struct PlanarRobot {
 /// Returns the tables [legs], [motion.home] and [motion.around_home] of a model file.
 [[nodiscard]] std::string planar_text(const PlanarRobot& robot, std::vector<std::string>& notes);
 
-}  // namespace regulus
+}  // namespace regulus::detail

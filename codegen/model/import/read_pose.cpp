@@ -10,7 +10,7 @@
 #include "codegen/model/import/approx_quaternion.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 void require_count(std::size_t found, std::size_t expected, const XmlPlace& place) {
@@ -219,4 +219,4 @@ void set_quaternion(Pose& pose, std::string_view text, const XmlPlace& place,
   pose.angles = std::move(q);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 
 #include "codegen/model/import/mechanism.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Reads three lengths. Throws InputError.
 [[nodiscard]] std::array<WrittenNumber, 3> read_vector(std::string_view text, const XmlPlace& place,
@@ -52,4 +52,4 @@ void set_z_axis(Pose& pose, std::string_view text, const XmlPlace& place, Number
 void set_quaternion(Pose& pose, std::string_view text, const XmlPlace& place,
                     NumberReader& numbers);
 
-}  // namespace regulus
+}  // namespace regulus::detail

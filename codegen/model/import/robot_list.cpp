@@ -10,7 +10,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// A value of the list: the words of each innermost bracket.
@@ -230,4 +230,4 @@ void add_robot_list(Mechanism& mechanism, std::string_view text, const std::stri
   ListedRobot(mechanism, text, file).add();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 
 #include "codegen/model/import/mechanism.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Adds to the mechanism
 ///   closed_loop: [[A, B], …]   pairs of frames, each the name of a link, or of the joint before it
@@ -22,4 +22,4 @@ void add_robot_list(Mechanism& mechanism, std::string_view text, const std::stri
 /// A link of that name, or the link behind a joint of that name; empty if there is none.
 [[nodiscard]] std::string link_called(const Mechanism& mechanism, const std::string& name);
 
-}  // namespace regulus
+}  // namespace regulus::detail

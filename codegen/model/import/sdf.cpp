@@ -12,7 +12,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/support/visible_text.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// The model itself, or the first of the world.
@@ -217,4 +217,4 @@ Mechanism read_sdf(const XmlElement& sdf, NumberReader& numbers) {
   return SdfReader(numbers).read(sdf);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include "codegen/model/import/read_pose.hpp"
 #include "codegen/model/names.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 void SdfFrames::declare(const XmlElement& element, const std::string& relative_to) {
   constexpr std::size_t kMostFrames = 4000;
@@ -68,4 +68,4 @@ const Placement& SdfFrames::placement(const std::string& name, const XmlElement&
   return resolved_.emplace(name, compose(reference, placement_of(frame.pose.pose))).first->second;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/model/import/exact_pose.hpp"
 #include "codegen/model/import/xml_file.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class SdfFrames {
  public:
@@ -43,4 +43,4 @@ class SdfFrames {
   std::set<std::string> open_;  ///< whose placement is being found
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 #include "codegen/model/import/joint_ranges.hpp"
 #include "codegen/model/names.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 std::string toml_list(std::span<const WrittenNumber> numbers) {
@@ -105,4 +105,4 @@ std::string serial_text(const Chain& chain, const std::string& file, Identifiers
   return text;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

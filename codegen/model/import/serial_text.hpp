@@ -6,7 +6,7 @@
 #include "codegen/model/import/chain.hpp"
 #include "codegen/model/import/identifiers.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the tables [serial], [motion.limits] and, if it is within the limits, [motion.home] of a
 /// model file. Assumptions are added to `notes`.
@@ -16,4 +16,4 @@ namespace regulus {
 /// Returns the number as a value of TOML.
 [[nodiscard]] std::string toml_number(const WrittenNumber& number);
 
-}  // namespace regulus
+}  // namespace regulus::detail

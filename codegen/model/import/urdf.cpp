@@ -11,7 +11,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/support/visible_text.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 class UrdfReader {
@@ -252,4 +252,4 @@ Mechanism read_urdf(const XmlElement& robot, NumberReader& numbers) {
   return UrdfReader(numbers).read(robot);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "codegen/support/errors.hpp"
 #include "codegen/support/visible_text.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 std::string XmlElement::attribute(const char* key, const std::string& otherwise) const {
   const char* value = element_->Attribute(key);
@@ -68,4 +68,4 @@ XmlFile::XmlFile(std::string file, std::string_view text) : file_(std::move(file
                                 "it must be a URDF, MJCF or SDF file");
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 
 #include "codegen/model/import/exact_number.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// An element of an XML file; it belongs to its XmlFile.
 class XmlElement {
@@ -56,4 +56,4 @@ class XmlFile {
   tinyxml2::XMLDocument document_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

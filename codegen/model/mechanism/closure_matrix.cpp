@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/model/mechanism/closure_matrix.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -55,4 +55,4 @@ double derivative_size(const ex& expression, const ex& symbol) {
   return sizes_of(expression, symbol).derivative;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

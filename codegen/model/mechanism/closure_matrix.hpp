@@ -4,7 +4,7 @@
 
 #include "codegen/model/model.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the expression with the root of a square for each absolute value, which GiNaC turns into
 /// conjugates when it forms a derivative. Its derivatives have no value where abs has none.
@@ -17,4 +17,4 @@ namespace regulus {
 /// formed; linear in the size of the expression.
 [[nodiscard]] double derivative_size(const GiNaC::ex& expression, const GiNaC::ex& symbol);
 
-}  // namespace regulus
+}  // namespace regulus::detail

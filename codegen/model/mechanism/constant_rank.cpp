@@ -10,7 +10,7 @@
 
 #include "codegen/model/exact/exact_algebra.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -184,4 +184,4 @@ std::vector<std::size_t> independent_rows(const std::vector<std::vector<JointPol
   return all_rows(rows.size());
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 
 #include "codegen/model/mechanism/joint_polynomial.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns indices of rows so that every other row is a combination of them with coefficients that
 /// are the same numbers at all poses and for all values of the geometry. So the matrix of these rows
@@ -19,4 +19,4 @@ namespace regulus {
 [[nodiscard]] std::vector<std::size_t> independent_rows(
     const std::vector<std::vector<JointPolynomial>>& rows, WorkMeter* meter = nullptr);
 
-}  // namespace regulus
+}  // namespace regulus::detail

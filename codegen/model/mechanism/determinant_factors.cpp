@@ -11,7 +11,7 @@
 #include "codegen/model/exact/parsed_expression.hpp"
 #include "codegen/model/mechanism/half_angles.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -282,4 +282,4 @@ std::optional<matrix> matrix_of_factors(const std::vector<DeterminantBlock>& blo
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

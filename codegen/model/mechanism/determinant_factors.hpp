@@ -8,7 +8,7 @@
 
 #include "codegen/model/model.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A trigonometric polynomial of joint variables.
 struct DeterminantFactor {
@@ -43,4 +43,4 @@ struct DeterminantBlock {
 [[nodiscard]] std::optional<GiNaC::matrix> matrix_of_factors(
     const std::vector<DeterminantBlock>& blocks);
 
-}  // namespace regulus
+}  // namespace regulus::detail

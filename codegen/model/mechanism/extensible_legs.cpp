@@ -5,7 +5,7 @@
 
 #include "codegen/model/exact/exact_algebra.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 std::vector<ExtensibleLeg> extensible_legs(const Legs& robot,
                                            const std::function<GiNaC::ex(const Formula&)>& value) {
@@ -30,4 +30,4 @@ std::vector<ExtensibleLeg> extensible_legs(const Legs& robot,
   return legs;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

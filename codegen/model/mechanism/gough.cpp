@@ -4,7 +4,7 @@
 #include "codegen/model/degrees.hpp"
 #include "codegen/model/drawing.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -74,4 +74,4 @@ void add_matrix_of_gough(Model& model, const Gough& robot) {
   model.drawing = std::make_shared<Drawing>(drawing_of(model, R, robot.base, robot.platform));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

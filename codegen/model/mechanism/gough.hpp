@@ -10,7 +10,7 @@
 #include "codegen/model/exact/exact_algebra.hpp"
 #include "codegen/model/mechanism/orientation.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct Gough {
   std::string unit = "1";  ///< of lengths
@@ -41,4 +41,4 @@ void add_pose_of_gough(Model& model, const Gough& robot);
 /// Requires  the pose parameters as the first ones of the model.
 void add_matrix_of_gough(Model& model, const Gough& robot);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include "codegen/model/mechanism/joint_polynomial.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -197,4 +197,4 @@ std::vector<std::size_t> HalfAngles::joints_in(const ex& factor) const {
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

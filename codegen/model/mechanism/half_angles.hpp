@@ -9,7 +9,7 @@
 
 #include "codegen/model/model.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The joint variables that are angles, each with the symbols that stand for its sine, its
 /// cosine and t = tan(q/2).
@@ -55,4 +55,4 @@ class HalfAngles {
   std::vector<Angle> angles_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -13,7 +13,7 @@
 #include "codegen/model/exact/sign.hpp"
 #include "codegen/model/way/trajectory.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -140,4 +140,4 @@ std::optional<Excursion> find_excursion(const Model& model, const Motion& motion
   return ExcursionFinder(model, motion).find();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 
 #include "codegen/model/model.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A place where a motion leaves the limits of a joint.
 struct Excursion {
@@ -31,4 +31,4 @@ struct Excursion {
 /// Returns true if the range is shown to leave the limits.
 [[nodiscard]] bool leaves(const Range& range, const Range& limits);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "codegen/model/exact/exact_algebra.hpp"
 #include "codegen/model/exact/parsed_expression.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 using GiNaC::ex;
 
@@ -127,4 +127,4 @@ ex JointPolynomial::expression(const std::vector<ex>& joints) const {
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

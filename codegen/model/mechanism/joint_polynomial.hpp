@@ -12,7 +12,7 @@
 
 #include "codegen/support/work_meter.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Counts the terms that are formed, so that a hostile model ends with a message.
 class TermBudget {
@@ -83,4 +83,4 @@ class JointPolynomial {
 
 using PolynomialVector = std::array<JointPolynomial, 3>;
 
-}  // namespace regulus
+}  // namespace regulus::detail

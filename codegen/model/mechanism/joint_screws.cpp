@@ -3,7 +3,7 @@
 
 #include <optional>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -209,4 +209,4 @@ std::vector<JointScrew> moved_to(std::vector<JointScrew> screws, const Point& po
   return screws;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "codegen/model/mechanism/joint_polynomial.hpp"
 #include "codegen/model/mechanism/serial.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The twist that a joint at unit speed gives to a body, per component a polynomial.
 struct JointScrew {
@@ -32,4 +32,4 @@ struct JointScrew {
 /// Returns the same screws at another point of the link.
 [[nodiscard]] std::vector<JointScrew> moved_to(std::vector<JointScrew> screws, const Point& point);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 
 #include "codegen/model/exact/exact_algebra.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::array<LegType, 14> kTypes = {{
@@ -359,4 +359,4 @@ WrittenLegs write_legs(const Legs& robot) {
   return out;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

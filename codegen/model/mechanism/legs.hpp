@@ -12,7 +12,7 @@
 
 #include "codegen/model/exact/formula.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The part of a leg that changes its length or holds the end of its rod.
 enum class LegKind {
@@ -118,4 +118,4 @@ struct WrittenLegs {
 ///           and in the platform at all poses.
 [[nodiscard]] WrittenLegs write_legs(const Legs& robot);
 
-}  // namespace regulus
+}  // namespace regulus::detail

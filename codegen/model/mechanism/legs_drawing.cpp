@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/model/mechanism/legs_drawing.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Kind = Drawing::Kind;
@@ -36,4 +36,4 @@ Drawing legs_drawing(const std::vector<LegPoints>& legs,
   return {std::move(parts)};
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 
 #include "codegen/model/exact/point_values.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using DoubleRows = std::vector<std::vector<double>>;
@@ -82,4 +82,4 @@ std::optional<double> approx_nearly_singular(const Model& model, const GiNaC::ma
   return best;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

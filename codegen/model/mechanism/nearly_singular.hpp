@@ -6,7 +6,7 @@
 
 #include "codegen/model/model.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Below this the determinant may come from the rounding of a number in the file alone.
 constexpr double kNearlySingular = 1e-6;
@@ -19,4 +19,4 @@ constexpr double kNearlySingular = 1e-6;
                                                            const GiNaC::matrix& J,
                                                            std::size_t lengths);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include "codegen/model/mechanism/rotation.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 std::vector<std::string> orientation_names(Orientation orientation) {
   switch (orientation) {
@@ -40,4 +40,4 @@ std::vector<TwistComponent> twist_of_platform(const std::string& unit) {
   return twist;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

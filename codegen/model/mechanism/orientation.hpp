@@ -7,7 +7,7 @@
 
 #include "codegen/model/model.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The description of the platform's orientation, with the names of its pose parameters.
 enum class Orientation {
@@ -33,4 +33,4 @@ struct ScaledRotation {
 /// The velocity of the platform's origin and the angular velocity, both in the reference frame.
 [[nodiscard]] std::vector<TwistComponent> twist_of_platform(const std::string& unit);
 
-}  // namespace regulus
+}  // namespace regulus::detail

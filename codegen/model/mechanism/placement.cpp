@@ -3,7 +3,7 @@
 
 #include "codegen/model/exact/parsed_expression.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 GiNaC::ex checked(const GiNaC::ex& entry) {
@@ -30,4 +30,4 @@ Placement compose(const Placement& first, const Placement& second) {
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 
 #include "codegen/model/exact/exact_algebra.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A rotation R and a translation p: a point x of the moved frame is R·x + p in the other.
 struct Placement {
@@ -20,4 +20,4 @@ struct Placement {
 /// Turns of angles that are not multiples of pi/12 multiply the terms of their products.
 constexpr std::size_t kMostEntryTerms = 200;
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include "codegen/model/exact/ginac_text.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -91,4 +91,4 @@ void restrict_to_reach(const Model& model, Motion& motion) {
     for (ex& e : *list) e = rewrite(e);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include "codegen/model/model.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the operands of the square roots in matrix, row scales and conditions that depend on the
 /// pose and can be negative: where one is, the robot has no such pose. Sums of squares are left out.
@@ -20,4 +20,4 @@ namespace regulus {
 /// out of reach is excluded whatever the other constraints are.
 void restrict_to_reach(const Model& model, Motion& motion);
 
-}  // namespace regulus
+}  // namespace regulus::detail

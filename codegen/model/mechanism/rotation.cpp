@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/model/mechanism/rotation.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::cos;
@@ -36,4 +36,4 @@ matrix scaled_rotation_quaternion(const ex& q0, const ex& q1, const ex& q2, cons
           {2 * (q1 * q3 - q0 * q2), 2 * (q2 * q3 + q0 * q1), s0 - s1 - s2 + s3}};
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

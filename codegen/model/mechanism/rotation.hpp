@@ -4,7 +4,7 @@
 
 #include <ginac/ginac.h>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Rz(psi)·Rx(theta)·Rz(phi): Euler angles, z-x-z.
 ///
@@ -27,4 +27,4 @@ namespace regulus {
 [[nodiscard]] GiNaC::matrix scaled_rotation_quaternion(const GiNaC::ex& q0, const GiNaC::ex& q1,
                                                        const GiNaC::ex& q2, const GiNaC::ex& q3);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -14,7 +14,7 @@
 #include "codegen/model/mechanism/serial_drawing.hpp"
 #include "codegen/model/names.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -228,4 +228,4 @@ void set_angles_in_degrees(Model& model) {
   model.drawing = std::make_shared<Drawing>(std::move(drawing));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 #include "codegen/model/model.hpp"
 #include "codegen/support/work_meter.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 enum class JointKind { kRevolute, kPrismatic };
 
@@ -70,4 +70,4 @@ constexpr std::size_t kMostJoints = 12;
 /// Requires  no expression of the model but those of serial_model depends on them.
 void set_angles_in_degrees(Model& model);
 
-}  // namespace regulus
+}  // namespace regulus::detail

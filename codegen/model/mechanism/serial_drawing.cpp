@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/model/mechanism/serial_drawing.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -61,4 +61,4 @@ Drawing serial_drawing(const Model& model, const Serial& robot) {
   return drawing;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 #include "codegen/model/drawing.hpp"
 #include "codegen/model/mechanism/serial.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// As compose(), with entries that are not multiplied out: of any size, and not for a matrix.
 [[nodiscard]] Placement compose_as_written(const Placement& first, const Placement& second);
@@ -15,4 +15,4 @@ namespace regulus {
 /// Requires  `model` has the pose of the arm.
 [[nodiscard]] Drawing serial_drawing(const Model& model, const Serial& robot);
 
-}  // namespace regulus
+}  // namespace regulus::detail

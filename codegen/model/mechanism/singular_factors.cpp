@@ -7,7 +7,7 @@
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/model/mechanism/determinant_factors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Usual names, for arms in which the first joints place the wrist.
@@ -49,4 +49,4 @@ std::vector<SingularFactor> singular_factors(const Model& model) {
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 
 #include "codegen/model/model.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A factor of the determinant: the arm is singular where it is zero.
 struct SingularFactor {
@@ -22,4 +22,4 @@ struct SingularFactor {
 ///           too many terms, or does not factor.
 [[nodiscard]] std::vector<SingularFactor> singular_factors(const Model& model);
 
-}  // namespace regulus
+}  // namespace regulus::detail

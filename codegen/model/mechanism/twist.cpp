@@ -5,7 +5,7 @@
 
 #include "codegen/model/degrees.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 bool is_angle(const PoseParameter& p) { return p.unit == "rad" || is_in_degrees(p.unit); }
@@ -81,4 +81,4 @@ std::string unit_of_work(const Model& model) {
   return is_torque ? unit : "1";
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

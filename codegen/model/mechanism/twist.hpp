@@ -7,7 +7,7 @@
 
 #include "codegen/model/model.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the unit of the first pose parameter, or else unknown of a closure, that is no angle; "1" if
 /// there is none.
@@ -28,4 +28,4 @@ namespace regulus {
 /// Returns the unit of the product of a wrench and a twist, "N cm"; "1" if the model does not say.
 [[nodiscard]] std::string unit_of_work(const Model& model);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,6 +7,8 @@
 
 namespace regulus {
 
+using namespace detail;
+
 Robot::Robot(const std::string& name, Place place) : name_(name), place_(place) {
   header_ = {{"regulus", "1", place}, {"name", written(std::string_view(name)), place}};
 }

@@ -14,6 +14,10 @@
 
 namespace regulus {
 
+namespace detail {
+class RobotText;
+}  // namespace detail
+
 /// The inverse Jacobian of a robot, the names in it, and the robot's motions.
 ///
 /// It collects the text of a model file, which is then read as such: the rules of model files
@@ -102,7 +106,7 @@ class Robot {
   std::map<std::string, Place> declared_;  // of pose, geometry and let
   WrittenSymbols symbols_;
 
-  friend class RobotText;
+  friend class detail::RobotText;
 };
 
 }  // namespace regulus

@@ -5,6 +5,8 @@
 
 namespace regulus {
 
+using namespace detail;
+
 RobotMotion& RobotMotion::add(WrittenSection& section, const Formula& parameter, std::string value,
                               const Place& place) {
   const std::string& name = parameter.text();

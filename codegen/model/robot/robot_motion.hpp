@@ -9,6 +9,10 @@
 
 namespace regulus {
 
+namespace detail {
+class RobotText;
+}  // namespace detail
+
 /// A motion variety, made by Robot::motion. Every pose parameter gets either a range, or an
 /// expression in the motion's own parameters (a number, if it has none).
 class RobotMotion {
@@ -53,7 +57,7 @@ class RobotMotion {
   WrittenSymbols symbols_;
 
   friend class Robot;
-  friend class RobotText;
+  friend class detail::RobotText;
 };
 
 }  // namespace regulus

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace regulus {
+namespace regulus::detail {
 
 RobotText::RobotText(const Robot& robot) : robot_(robot.place_) {
   section(robot.header_);
@@ -58,4 +58,4 @@ void RobotText::motion(const RobotMotion& motion) {
   section(motion.alpha_);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include "codegen/model/robot/robot.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The model file of a robot, and the place in C++ that each of its lines comes from.
 class RobotText {
@@ -30,4 +30,4 @@ class RobotText {
   SourcePlace robot_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

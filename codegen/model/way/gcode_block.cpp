@@ -8,7 +8,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::numeric;
@@ -255,4 +255,4 @@ std::optional<GcodeBlock> GcodeText::next() {
   return LineReader(file_, trimmed(line) == "%" ? "" : line, line_).read();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The modal groups of RS274/NGC: a line has at most one word of each.
 enum class GcodeGroup {
@@ -68,4 +68,4 @@ class GcodeText {
   bool has_begun_ = false;  ///< a line that is not blank was read
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

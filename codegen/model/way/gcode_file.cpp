@@ -16,7 +16,7 @@
 #include "codegen/support/errors.hpp"
 #include "runtime/files/sha256.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -281,4 +281,4 @@ Trajectory read_gcode(const Model& model, const Motion& motion, const std::strin
   return GcodeReader(model, motion, file).read();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

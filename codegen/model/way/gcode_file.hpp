@@ -6,7 +6,7 @@
 
 #include "codegen/model/way/trajectory.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// True for the endings .gcode, .nc, .ngc, .tap and .gc.
 [[nodiscard]] bool is_gcode_file(const std::string& file);
@@ -24,4 +24,4 @@ namespace regulus {
 [[nodiscard]] Trajectory read_gcode(const Model& model, const Motion& motion,
                                     const std::string& file);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "codegen/support/errors.hpp"
 #include "runtime/files/sha256.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// A column of numbers of the place.
@@ -100,4 +100,4 @@ PlaceFile read_places(const Model& model, const std::string& file) {
   return PlaceReader(model, file).read();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

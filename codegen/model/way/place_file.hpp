@@ -8,7 +8,7 @@
 
 #include "codegen/model/place.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct PlaceRow {
   int line = 0;                  ///< of the file
@@ -29,4 +29,4 @@ struct PlaceFile {
 /// Errors    InputError with the line of the file, also for G-code; FileError.
 [[nodiscard]] PlaceFile read_places(const Model& model, const std::string& file);
 
-}  // namespace regulus
+}  // namespace regulus::detail

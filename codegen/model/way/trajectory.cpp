@@ -9,7 +9,7 @@
 #include "codegen/model/way/waypoint_file.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 using GiNaC::ex;
 
@@ -68,4 +68,4 @@ void follow_waypoints(const Model& model, Motion& motion, const std::string& fil
   load_trajectory(model, motion);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 
 #include "codegen/model/model.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// One pose parameter along a piece, for 0 ≤ s ≤ 1:
 ///
@@ -59,4 +59,4 @@ void load_trajectory(const Model& model, Motion& motion);
 /// constant.
 void follow_waypoints(const Model& model, Motion& motion, const std::string& file);
 
-}  // namespace regulus
+}  // namespace regulus::detail

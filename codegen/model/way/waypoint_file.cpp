@@ -16,7 +16,7 @@
 #include "codegen/support/errors.hpp"
 #include "runtime/files/sha256.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -292,4 +292,4 @@ ex held_value(const Model& model, const Motion& motion, std::size_t parameter,
   return value;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

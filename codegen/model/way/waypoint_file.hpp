@@ -8,7 +8,7 @@
 #include "codegen/model/way/trajectory.hpp"
 #include "codegen/model/way/waypoint_table.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 constexpr std::size_t kLargestWaypointFile = std::size_t{1} << 28;
 constexpr std::size_t kMostWaypoints = 1'000'000;
@@ -39,4 +39,4 @@ void note_unused(const WaypointTable& table, const std::vector<bool>& used,
 [[nodiscard]] GiNaC::ex held_value(const Model& model, const Motion& motion, std::size_t parameter,
                                    const std::string& file, int line, const std::string& remedy);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "codegen/model/way/waypoint_file.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::size_t kMostColumns = 256;
@@ -160,4 +160,4 @@ WaypointTable read_table(std::string_view text, const std::string& file) {
   return TableReader(text, file).read();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A heading such as "psi [deg]".
 struct TableColumn {
@@ -34,4 +34,4 @@ struct WaypointTable {
 ///           than headings, a cell that is not a finite number, and a decimal comma.
 [[nodiscard]] WaypointTable read_table(std::string_view text, const std::string& file);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 #include "runtime/regularity/determinant.hpp"
 #include "runtime/regularity/rohn.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 FormulationOptions all_products() {
@@ -119,4 +119,4 @@ class BoxEvaluator {
 
 BoxEvaluation evaluate_box(const Request& request) { return BoxEvaluator(request).run(); }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "codegen/model/request.hpp"
 #include "runtime/interval/interval.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Rounding  outward.
 struct BoxEvaluation {
@@ -39,4 +39,4 @@ struct BoxEvaluation {
 /// operations.
 [[nodiscard]] BoxEvaluation evaluate_box(const Request& request);
 
-}  // namespace regulus
+}  // namespace regulus::detail

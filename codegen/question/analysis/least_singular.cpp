@@ -8,7 +8,7 @@
 #include "codegen/question/engine/singular_descent.hpp"
 #include "codegen/support/decomposition.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr int kStarts = 16;
@@ -86,4 +86,4 @@ std::optional<LeastSingular> nearest_singular(const PreparedSearch& preparation,
   return approx_least_singular(preparation, result.blocking_box);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

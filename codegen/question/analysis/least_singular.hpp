@@ -12,7 +12,7 @@
 #include "codegen/question/engine/pipeline.hpp"
 #include "runtime/problem/result.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A point of the variety and the twists lost there. Approximate, without a claim.
 struct LeastSingular {
@@ -40,4 +40,4 @@ inline constexpr double kAlmostSingular = 1e-6;
 [[nodiscard]] std::optional<LeastSingular> nearest_singular(const PreparedSearch& preparation,
                                                             const Result& result);
 
-}  // namespace regulus
+}  // namespace regulus::detail

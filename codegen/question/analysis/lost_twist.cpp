@@ -6,7 +6,7 @@
 
 #include "codegen/question/engine/point_values.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 Expressions entries_and_scales(const Formulation& f) {
@@ -103,4 +103,4 @@ std::optional<Degeneracy> InverseJacobian::approx_degeneracy(
   return degeneracy;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "codegen/question/analysis/null_vectors.hpp"
 #include "codegen/question/engine/pipeline.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The losses at one point. J⁻¹ is the full inverse Jacobian, including row scales. All values are
 /// approximate.
@@ -57,4 +57,4 @@ class InverseJacobian {
   Program entries_;  ///< of A, and then the row scales
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include "codegen/question/engine/balanced_matrix.hpp"
 #include "codegen/support/decomposition.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Returns the vector in the units of the given matrix.
@@ -35,4 +35,4 @@ NullVectors approx_null_vectors(std::span<const double> A, std::size_t rows, std
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

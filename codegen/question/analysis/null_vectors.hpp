@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The null vectors of a nearly singular matrix, by a singular value decomposition in plain
 /// doubles. Approximate: no verdict may rest on them.
@@ -31,4 +31,4 @@ inline constexpr double kNegligible = 1e-8;
 [[nodiscard]] NullVectors approx_null_vectors(std::span<const double> A, std::size_t rows,
                                               std::size_t columns);
 
-}  // namespace regulus
+}  // namespace regulus::detail

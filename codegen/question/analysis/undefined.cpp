@@ -9,7 +9,7 @@
 #include "codegen/kernel/program/interval_arithmetic.hpp"
 #include "codegen/kernel/symbolic/print.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// As in kernels: beyond this a root or a quotient counts as undefined.
@@ -85,4 +85,4 @@ Undefined find_undefined(const PreparedSearch& p, std::span<const Interval> box)
   return Definedness(p.stages->natural_formulation()).look_at(box);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

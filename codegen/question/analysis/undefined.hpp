@@ -10,7 +10,7 @@
 #include "codegen/kernel/program/program.hpp"
 #include "codegen/question/engine/pipeline.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// An operation that is not certainly defined although its argument is.
 struct UndefinedExpression {
@@ -52,4 +52,4 @@ class Definedness {
 [[nodiscard]] Undefined find_undefined(const PreparedSearch& preparation,
                                        std::span<const Interval> box);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "codegen/answer/report/place_text.hpp"
 #include "codegen/answer/report/witness_report.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 void remove_parameter(AttainedPlace& place, const std::string& name) {
@@ -40,4 +40,4 @@ AttainedPlace attained_place(const PreparedSearch& preparation, const Result& re
   return place;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "codegen/question/engine/pipeline.hpp"
 #include "runtime/problem/result.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The place where an end of a bracket is attained, for people and for programs.
 struct AttainedPlace {
@@ -24,4 +24,4 @@ struct AttainedPlace {
 [[nodiscard]] AttainedPlace attained_place(const PreparedSearch& preparation, const Result& result,
                                            const std::string& parameter);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "codegen/question/quantity/quantity_traits.hpp"
 #include "runtime/proof/format.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -141,4 +141,4 @@ CertifiedQuestion certified_bound(const Request& request, const Component& compo
   return question;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/question/quantity/bordered.hpp"
 #include "runtime/proof/writer.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// `request`: of the model, before border(). `bordered`: of it; `end`: the end R of the range of r,
 /// or the threshold of a determinant. `uncertain`: as for certified_question; other names are ignored.
@@ -19,4 +19,4 @@ namespace regulus {
                                                 const Bordered& bordered, const GiNaC::ex& end,
                                                 const std::set<std::string>& uncertain);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include "codegen/question/bound/quantity_report.hpp"
 #include "codegen/question/way/margin_checkpoint.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 nlohmann::ordered_json checkpointed_question(const Request& request, const Quantity& quantity,
                                              const SearchOptions& search) {
@@ -15,4 +15,4 @@ nlohmann::ordered_json checkpointed_question(const Request& request, const Quant
   return question;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "codegen/model/exact/expression_parser.hpp"
 #include "codegen/model/exact/sign.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// True if the decimal is certainly on that side of the constant, or equal to it.
@@ -47,4 +47,4 @@ std::string rounded_text(const BoundEnd& end, RoundTo side, int digits) {
   return fmt::format("{}", rounded_number(end, side));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace regulus {
+namespace regulus::detail {
 
 enum class RoundTo { kBelow, kAbove };
 
@@ -25,4 +25,4 @@ struct BoundEnd {
 /// Returns a double that is not above, or not below, the constant.
 [[nodiscard]] double rounded_number(const BoundEnd& end, RoundTo side);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -12,7 +12,7 @@
 #include "codegen/question/quantity/platform_closure.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 bool is_word(const std::string& text) {
@@ -84,4 +84,4 @@ BoundQuestion read_bound_question(const ModelOptions& model, const QuantityOptio
   return question;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "codegen/model/request.hpp"
 #include "codegen/question/quantity/quantity.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct BoundQuestion {
   Request request;
@@ -41,4 +41,4 @@ void require_finite_errors(const Request& request, const Quantity& quantity);
                                                 const std::string& limit,
                                                 const FormingWatch& watch = {});
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -14,7 +14,7 @@
 #include "codegen/question/quantity/quantity_traits.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -303,4 +303,4 @@ void tell_bound(const Request& request, const Bound& bound, const BoundSettings&
     add_search(settings.search, json_question(request, settings.search), facts);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

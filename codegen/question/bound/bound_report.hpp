@@ -8,7 +8,7 @@
 #include "codegen/answer/facts.hpp"
 #include "codegen/question/bound/bound_run.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns "BETWEEN 21.12 AND 21.29 N (leg 3)", or the verdict about a limit.
 [[nodiscard]] std::string describe_bound(const Bound& bound, const BoundSettings& settings);
@@ -40,4 +40,4 @@ void tell_bracket(const Request& request, const Bound& bound, const BoundSetting
 void tell_bound(const Request& request, const Bound& bound, const BoundSettings& settings,
                 Facts& facts);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -13,7 +13,7 @@
 #include "codegen/support/errors.hpp"
 #include "codegen/support/time_budget.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// "leg 3" becomes "leg_3".
@@ -143,4 +143,4 @@ std::vector<OutputFile> certificate_files(const Quantity& quantity,
   return files;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

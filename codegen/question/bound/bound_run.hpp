@@ -17,7 +17,7 @@
 #include "codegen/support/held_files.hpp"
 #include "codegen/support/time_budget.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 enum class LimitVerdict { kWithin, kExceeded, kUndecided };
 
@@ -99,4 +99,4 @@ void refuse_threshold(const ModelOptions& options);
 [[nodiscard]] std::vector<OutputFile> certificate_files(const Quantity& quantity,
                                                         const std::string& certificate);
 
-}  // namespace regulus
+}  // namespace regulus::detail

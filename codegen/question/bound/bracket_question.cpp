@@ -4,7 +4,7 @@
 #include "codegen/model/exact/sign.hpp"
 #include "codegen/question/bound/bound_certificate.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 MarginQuestion question_of(const Bordered& bordered, MarginValue low,
                            std::optional<MarginValue> high) {
@@ -50,4 +50,4 @@ Request request_of_pieces(const Bordered& bordered) {
   return request;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

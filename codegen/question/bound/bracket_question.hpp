@@ -7,7 +7,7 @@
 #include "codegen/question/margin/margin_question.hpp"
 #include "codegen/question/quantity/bordered.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the question of a bracket of r, whose least value is 0.
 [[nodiscard]] MarginQuestion question_of(const Bordered& bordered, MarginValue low,
@@ -24,4 +24,4 @@ namespace regulus {
 /// of the way-points would make each entry of combined columns long.
 [[nodiscard]] Request request_of_pieces(const Bordered& bordered);
 
-}  // namespace regulus
+}  // namespace regulus::detail

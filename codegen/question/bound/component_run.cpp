@@ -11,7 +11,7 @@
 #include "codegen/question/bound/reference.hpp"
 #include "codegen/question/quantity/negligible.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr int kMostRefinements = 3;
@@ -100,7 +100,7 @@ MarginQuestion ComponentRun::choose_question() {
 
 /// There is no certificate of a bound of 0.
 bool ComponentRun::is_zero_where_defined() const {
-  return !are_proofs_wanted() && regulus::is_zero_where_defined(bordered_, component());
+  return !are_proofs_wanted() && detail::is_zero_where_defined(bordered_, component());
 }
 
 /// Both ends are nearly 0, beside what causes the quantity or beside its reference. That a magnitude
@@ -158,4 +158,4 @@ CertifiedMotion ComponentRun::certified(const Request& grown, Bordered bordered)
           }};
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

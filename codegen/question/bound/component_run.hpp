@@ -11,7 +11,7 @@
 #include "codegen/question/margin/attempts.hpp"
 #include "codegen/support/time_budget.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class ComponentRun {
  public:
@@ -76,4 +76,4 @@ class ComponentRun {
   void set_ends(const Ends& ends);
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

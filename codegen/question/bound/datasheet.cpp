@@ -14,7 +14,7 @@
 #include "codegen/support/time_budget.hpp"
 #include "runtime/cluster/bytes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -81,7 +81,7 @@ class Questions {
 };
 
 /// Returns the limits of a component, as a range of q; nullopt if the model has none.
-std::optional<Range> limits_of(const Model& model, const Component& c) {
+std::optional<Range> stated_limits(const Model& model, const Component& c) {
   const Actuators& a = model.actuators;
   if (c.kind == QuantityKind::kForce && !a.force.empty()) return a.force[c.row];
   if (c.kind == QuantityKind::kSpeed && !a.speed.empty() && !model.closure)
@@ -277,7 +277,7 @@ void add_without_data(const Model& model, std::vector<std::string>& left_out) {
 }  // namespace
 
 LimitState limit_state(const Model& model, const ComponentBound& c) {
-  const std::optional<Range> limits = limits_of(model, c.component);
+  const std::optional<Range> limits = stated_limits(model, c.component);
   if (!limits) return LimitState::kNone;
   if (c.is_unbounded) return LimitState::kExceeded;
   const bool least = c.component.sign < 0;
@@ -322,4 +322,4 @@ nlohmann::ordered_json checkpointed_datasheet(const Request& request, const Sear
   return question;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

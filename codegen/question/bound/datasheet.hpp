@@ -8,7 +8,7 @@
 #include "codegen/answer/facts.hpp"
 #include "codegen/question/bound/bound_run.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Tells whether a limit of the motors is kept.
 enum class LimitState { kNone, kKept, kExceeded, kUnknown };
@@ -49,4 +49,4 @@ struct Datasheet {
 void tell_datasheet(const Request& request, const Datasheet& sheet, const BoundSettings& settings,
                     Facts& facts);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "codegen/question/bound/bound_report.hpp"
 #include "codegen/question/bound/datasheet.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -194,4 +194,4 @@ void tell_datasheet(const Request& request, const Datasheet& sheet, const BoundS
   facts.add("bounds", std::move(bounds)).add("not_bounded", sheet.left_out);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "codegen/model/exact/sign.hpp"
 #include "codegen/model/mechanism/twist.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -71,4 +71,4 @@ void add_fastest_twist(AttainedPlace& place, const Request& request, const Compo
   place.json["twist"] = twist;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

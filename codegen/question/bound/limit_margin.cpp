@@ -18,7 +18,7 @@
 #include "codegen/support/errors.hpp"
 #include "codegen/support/time_budget.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 bool is_below(const MarginValue& a, const MarginValue& b) {
@@ -198,4 +198,4 @@ LimitMargin limit_margin(const Request& request, const MarginQuestion& question,
   return LimitMarginRun(request, question, std::move(quantity), settings, listener).run();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -17,7 +17,7 @@
 #include "codegen/support/held_files.hpp"
 #include "codegen/support/time_budget.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct ComponentMargin;
 struct LimitMarginSettings;
@@ -72,4 +72,4 @@ void tell_limit_margin(const Request& request, const MarginQuestion& question,
                        const LimitMargin& margin, const LimitMarginSettings& settings,
                        Facts& facts);
 
-}  // namespace regulus
+}  // namespace regulus::detail

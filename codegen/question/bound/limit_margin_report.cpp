@@ -12,7 +12,7 @@
 #include "codegen/question/margin/margin_report.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -110,4 +110,4 @@ void tell_limit_margin(const Request& request, const MarginQuestion& question,
     add_search(settings.search, json_question(request, settings.search), facts);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

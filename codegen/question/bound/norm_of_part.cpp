@@ -4,7 +4,7 @@
 #include "codegen/model/exact/certain_sign.hpp"
 #include "codegen/model/mechanism/twist.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 bool is_in(const Component& freedom, PosePart part, const std::vector<TwistComponent>& twist) {
@@ -30,4 +30,4 @@ void raise_by_freedoms(ComponentBound& norm, std::span<const ComponentBound> oth
   }
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

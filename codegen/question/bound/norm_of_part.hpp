@@ -5,7 +5,7 @@
 
 #include "codegen/question/bound/bound_run.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Raises the attained end of the norm of a part of the pose to the largest one of a freedom in that
 /// part: where |v_x| has a value, the norm of (v_x, v_y, v_z) is at least that value. Does nothing
@@ -15,4 +15,4 @@ namespace regulus {
 void raise_by_freedoms(ComponentBound& norm, std::span<const ComponentBound> others,
                        const Model& model);
 
-}  // namespace regulus
+}  // namespace regulus::detail

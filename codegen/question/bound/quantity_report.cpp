@@ -14,7 +14,7 @@
 #include "codegen/model/mechanism/twist.hpp"
 #include "codegen/question/quantity/quantity_traits.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -68,4 +68,4 @@ Json json_quantity(const Model& model, const Quantity& quantity) {
   return object;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

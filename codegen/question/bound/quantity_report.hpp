@@ -6,7 +6,7 @@
 
 #include "codegen/question/quantity/quantity.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns what is bounded: kind, components, the load or the twists, and the data of the motors
 /// that it depends on, as exact texts.
@@ -18,4 +18,4 @@ namespace regulus {
 /// Returns "|force under payload| < 20 N", for example: what a limit asks.
 [[nodiscard]] std::string describe_limit(const Quantity& quantity, const GiNaC::ex& limit);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 #include "codegen/question/quantity/quantity_traits.hpp"
 #include "runtime/search/bracket.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr double kBeyond = 1.01;  ///< an end of the bracket that is certainly singular
@@ -67,4 +67,4 @@ std::optional<double> relative_gap(const ComponentBound* attained, const Compone
   return std::abs(a - p) / std::max({std::abs(a), std::abs(p), 1e-300});
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "codegen/question/margin/margin_question.hpp"
 #include "codegen/question/quantity/bordered.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The y of question/quantity/bordered.hpp.
 struct Reference {
@@ -43,4 +43,4 @@ void set_zero(ComponentBound& bound);
 [[nodiscard]] std::optional<double> relative_gap(const ComponentBound* attained,
                                                  const ComponentBound* proved);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/question/margin/variety_attempts.hpp"
 #include "codegen/question/quantity/approx_values.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr int kPlaces = 8;  ///< where the quantity is evaluated beforehand
@@ -101,4 +101,4 @@ ComponentBound bound_over_variety(const Request& request, const Component& compo
   return settings.limit ? run.compare() : run.bracket();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 #include "codegen/question/bound/bound_run.hpp"
 #include "codegen/support/time_budget.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Brackets the component, or compares it with the limit, by searches of the matrix B(r) of
 /// question/quantity/bordered.hpp.
@@ -15,4 +15,4 @@ namespace regulus {
                                                 const BoundSettings& settings,
                                                 const TimeBudget& budget);
 
-}  // namespace regulus
+}  // namespace regulus::detail

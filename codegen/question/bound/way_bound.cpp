@@ -21,7 +21,7 @@
 #include "codegen/question/way/path_bracket.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::size_t kMostSamples = 8;  ///< pieces where the quantity is evaluated beforehand
@@ -191,4 +191,4 @@ ComponentBound bound_along_way(const Request& request, const Component& componen
   return settings.limit ? bound.compare() : bound.bracket();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 #include "codegen/question/bound/bound_run.hpp"
 #include "codegen/support/time_budget.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Brackets the component over all pieces of the trajectory, or compares it with the limit. The
 /// matrix B(r) of question/quantity/bordered.hpp is that of every piece, and r a parameter beside s. So the
@@ -18,4 +18,4 @@ namespace regulus {
                                              const BoundSettings& settings,
                                              const TimeBudget& budget);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "codegen/answer/report/report.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// "x = 9.5 cm, y = -2 cm": rounded, of all pose parameters but `parameter`.
@@ -41,4 +41,4 @@ AttainedPlace place_on_way(const Trajectory& trajectory, std::size_t piece,
   return place;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "codegen/model/way/trajectory.hpp"
 #include "codegen/question/bound/attained_place.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the place with the segment, the pose and the values. `prepared`, `result`: of a search on
 /// that piece; `parameter`: as for attained_place(). `has_values`: with those of uncertain
@@ -16,4 +16,4 @@ namespace regulus {
                                          const PreparedSearch& prepared, const Result& result,
                                          const std::string& parameter, bool has_values = true);
 
-}  // namespace regulus
+}  // namespace regulus::detail

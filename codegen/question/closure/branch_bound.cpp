@@ -18,7 +18,7 @@
 #include "codegen/question/quantity/negligible.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// The search ends with this part of the gap; the rest is room for the roundings of the verifier.
@@ -315,4 +315,4 @@ BoundComponent bounds_over_branch() {
           const TimeBudget& budget) { return bounds->bound(request, component, settings, budget); };
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

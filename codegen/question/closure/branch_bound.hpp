@@ -12,7 +12,7 @@
 #include "codegen/question/closure/branch_pieces.hpp"
 #include "codegen/question/engine/search_topic.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The searches of one request, whose components share the branch.
 class BranchBounds {
@@ -43,4 +43,4 @@ class BranchBounds {
 /// For BoundSettings::over_branch.
 [[nodiscard]] BoundComponent bounds_over_branch();
 
-}  // namespace regulus
+}  // namespace regulus::detail

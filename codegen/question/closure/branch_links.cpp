@@ -10,7 +10,7 @@
 #include "runtime/interval/floating_point_scope.hpp"
 #include "runtime/interval/lanes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// A place at which two tubes, or a tube and the box of the start, must hold one solution.
@@ -382,4 +382,4 @@ std::optional<std::vector<Interval>> configuration_after(const ClosureQuestion& 
   return Linker(question, none, nullptr, &before).configuration_of_before();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

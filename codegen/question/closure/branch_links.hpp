@@ -9,7 +9,7 @@
 
 #include "codegen/question/closure/branch_search.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The place where a branch begins: its configuration there is the only one within the radius of the
 /// values. Each number encloses the exact one.
@@ -58,4 +58,4 @@ struct BranchBefore {
 [[nodiscard]] BranchLinks link_branch(const ClosureQuestion& question, BranchTree& tree,
                                       const BranchBefore& before, const MustStop& must_stop);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -12,7 +12,7 @@
 #include "codegen/question/way/margin_checkpoint.hpp"
 #include "codegen/support/time_budget.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr const char* kBranch = "branch";
@@ -214,4 +214,4 @@ nlohmann::ordered_json checkpointed_question(const PreparedBranchLoad& prepared,
   return question;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -16,7 +16,7 @@
 #include "codegen/question/closure/value_paving.hpp"
 #include "codegen/question/load/feasibility_report.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A question that is ready to be searched.
 struct PreparedBranchLoad {
@@ -106,4 +106,4 @@ struct BranchLoadRun {
 void tell_branch_load(const PreparedBranchLoad& prepared, const BranchLoadResult& result,
                       const ForceVolumes* volumes, Facts& facts);
 
-}  // namespace regulus
+}  // namespace regulus::detail

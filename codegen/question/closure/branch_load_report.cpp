@@ -17,7 +17,7 @@
 #include "codegen/question/way/trajectory_report.hpp"
 #include "runtime/interval/floating_point_scope.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -199,4 +199,4 @@ void tell_branch_load(const PreparedBranchLoad& prepared, const BranchLoadResult
                facts);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 #include "codegen/question/way/path_attempts.hpp"
 #include "codegen/support/stopwatch.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// At a value that is not safe the component exceeds the limit, or the branch ends.
@@ -101,4 +101,4 @@ ComponentMargin margin_over_branch(const Request& request, const Component& comp
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 
 #include "codegen/question/bound/limit_margin.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// For LimitMarginSettings::over_branch: each value is compared with the limit by a search of its own.
 ///
@@ -15,4 +15,4 @@ namespace regulus {
                                                  const BracketSettings& bracket,
                                                  const TimeBudget& budget);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "codegen/question/closure/closure_certificate.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 PreparedWay prepare_pieces(Request request, double model_seconds, const SearchOptions& search,
@@ -105,4 +105,4 @@ ProofStatus BranchInPieces::certify_end(const std::string& path,
                                  : certify_fold(path, common(), *end()->fold, placing);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

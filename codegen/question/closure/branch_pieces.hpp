@@ -11,7 +11,7 @@
 #include "codegen/question/closure/closure_way.hpp"
 #include "codegen/question/closure/piece_values.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class BranchInPieces {
  public:
@@ -67,4 +67,4 @@ class BranchInPieces {
   std::vector<Fold> folds_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include "runtime/problem/observers.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::size_t kBoxesOfRound = 256;
@@ -313,4 +313,4 @@ BranchResult search_branch(const ClosureQuestion& question, const BranchSettings
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "runtime/problem/observer.hpp"
 #include "runtime/search/box_search.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct BranchSettings : BoxSearchSettings {
   /// Boxes are not split in a variable narrower than this part of its range.
@@ -105,4 +105,4 @@ struct BranchResult {
 [[nodiscard]] BranchResult search_branch(const ClosureQuestion& question,
                                          const BranchSettings& settings, Observer* progress);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/question/closure/paving_certificate.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// f is −|det Φ_p|.
@@ -132,4 +132,4 @@ ProofStatus certify_threshold(const std::string& path, const PiecesOfBranch& pie
                        is_regular(), placing);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/question/closure/piece_values.hpp"
 #include "codegen/question/closure/threshold_finding.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 [[nodiscard]] inline bool has_threshold(const Request& request) {
   return !request.motion.alpha.is_zero();
@@ -45,4 +45,4 @@ void conclude(Result& result, const ThresholdFinding& found);
                                             const ThresholdFinding& found,
                                             const ProofPlacing& placing);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include "runtime/existence/branch_tube.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr double kLeastStep = 0x1p-24;
@@ -186,4 +186,4 @@ std::vector<std::optional<TrackedPoint>> settle(SystemBoxes& system, const Close
   return follow(system, ways);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

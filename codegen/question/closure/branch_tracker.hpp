@@ -9,7 +9,7 @@
 
 #include "codegen/question/closure/closed_system.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A place and a configuration, or nearly one.
 struct BranchPoint {
@@ -48,4 +48,4 @@ struct LostWay {
                                                               const ClosedShape& shape,
                                                               std::span<const BranchPoint> near);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "codegen/question/quantity/inverse_in_one_unit.hpp"
 #include "codegen/question/quantity/quantity_traits.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 std::vector<Interval> enclosed(const std::vector<GiNaC::ex>& values) {
@@ -226,4 +226,4 @@ Interval BranchValue::condition(const BranchRates& rates, const SystemBoxes::Sys
          largest_row(rates.inverse(), unknowns_, {}, factors_);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -26,7 +26,7 @@
 #include "runtime/existence/branch_rates.hpp"
 #include "runtime/existence/branch_tube.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The farthest force beyond its limits, or the nearest to one.
 struct ForceBeyond {
@@ -113,4 +113,4 @@ class BranchValue {
       most_;  ///< the limits, by motor; empty: it is no load within limits
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

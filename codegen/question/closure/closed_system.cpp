@@ -7,7 +7,7 @@
 #include "codegen/model/mechanism/closure_matrix.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -224,4 +224,4 @@ std::vector<char> SystemBoxes::are_outside(std::span<const Box> boxes) {
   return outside;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

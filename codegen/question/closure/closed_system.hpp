@@ -10,7 +10,7 @@
 #include "codegen/question/engine/box_matrices.hpp"
 #include "codegen/question/engine/report_labels.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The sizes of a system. The variables of its kernel are those of a certificate, in its order
 /// (motion parameters, uncertain quantities, control errors), and after them the unknowns.
@@ -96,4 +96,4 @@ class SystemBoxes {
   bool has_rates_ = false;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

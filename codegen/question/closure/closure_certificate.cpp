@@ -8,7 +8,7 @@
 #include "codegen/model/way/trajectory.hpp"
 #include "codegen/question/closure/branch_threshold.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// A reader with other roundings finds the configuration within so many of its radii.
@@ -175,4 +175,4 @@ ProofStatus certify_branch(const std::string& path, const PreparedClosure& prepa
   return status;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/question/closure/closure_way.hpp"
 #include "codegen/question/closure/fold_search.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Writes the splits of a tree, and its leaves. `words`: by leaf, of FORMAT.md; a word for a leaf with a tube
 /// is followed by the numbers of that.
@@ -38,4 +38,4 @@ void write_tree(ProofFile& file, const BranchTree& tree);
 [[nodiscard]] ProofStatus certify_fold(const std::string& path, const PreparedClosure& prepared,
                                        const Fold& fold, const ProofPlacing& placing);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -15,7 +15,7 @@
 #include "codegen/question/closure/branch_threshold.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -160,4 +160,4 @@ std::string describe_configuration(const PreparedClosure& prepared,
   return words;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

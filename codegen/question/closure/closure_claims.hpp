@@ -9,7 +9,7 @@
 #include "codegen/answer/facts.hpp"
 #include "codegen/question/closure/closure_way.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the claim, or why there is none, in words.
 [[nodiscard]] std::string describe_claim(const PreparedClosure& prepared,
@@ -44,4 +44,4 @@ namespace regulus {
 void tell_below(const PreparedClosure& prepared, const PreparedWay* way,
                 const std::optional<ThresholdFinding>& found, Facts& facts);
 
-}  // namespace regulus
+}  // namespace regulus::detail

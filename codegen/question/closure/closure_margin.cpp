@@ -9,7 +9,7 @@
 #include "codegen/support/stopwatch.hpp"
 #include "codegen/support/time_budget.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 CheckedBranch::CheckedBranch(Request request, const SearchOptions& search,
                              const FormingWatch& watch, Observer* progress,
@@ -72,4 +72,4 @@ void ClosureAttempts<Checked>::certify(const MarginValue& value, const Checked& 
 template class ClosureAttempts<CheckedBranch>;
 template class ClosureAttempts<CheckedBranchOnWay>;
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "codegen/question/closure/closure_way.hpp"
 #include "codegen/question/margin/attempts.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A check at one value: of a branch over ranges.
 struct CheckedBranch {
@@ -66,4 +66,4 @@ class ClosureAttempts final : public Attempts {
   std::optional<Checked> last_, refuted_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

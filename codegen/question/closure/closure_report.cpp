@@ -19,7 +19,7 @@
 #include "codegen/question/closure/paving_certificate.hpp"
 #include "codegen/question/closure/steepest_corner.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -329,4 +329,4 @@ void tell_closure(const PreparedClosure& prepared, const SearchOptions& search,
   facts.tell("claim", claim, "claim", claim);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

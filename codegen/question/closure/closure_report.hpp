@@ -12,7 +12,7 @@
 #include "runtime/problem/observer.hpp"
 #include "runtime/problem/result.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The search over a branch, the singular configurations that it led to, and what was found of a threshold.
 struct ClosureFinding {
@@ -75,4 +75,4 @@ void tell_branch(const PreparedClosure& prepared, const BranchLinks& links,
 void tell_closure(const PreparedClosure& prepared, const SearchOptions& search,
                   const ClosureFinding& found, Facts& facts);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 #include "codegen/model/closure_start.hpp"
 #include "codegen/question/engine/search_run.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// The kernel needs the entries of the matrix and their derivatives, and no product.
@@ -173,4 +173,4 @@ nlohmann::ordered_json checkpointed_question(const PreparedClosure& prepared,
   return question;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -14,7 +14,7 @@
 #include "codegen/question/engine/pipeline.hpp"
 #include "codegen/question/engine/search_topic.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Reads the model if it has a [closure]; nullopt if it has none.
 ///
@@ -144,4 +144,4 @@ struct PiecesRun {
                                                            const SearchOptions& search,
                                                            double resolution);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -17,7 +17,7 @@
 #include "codegen/question/way/trajectory_run.hpp"
 #include "codegen/support/stopwatch.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// A piece that is asked about alone has one configuration so near to its start.
@@ -181,7 +181,7 @@ class WaySearch {
     found_.threshold = settings_.paves
                            ? pave_threshold(pieces, settings_.min_relative_width, rest, run_)
                            : compare_threshold(pieces, rest, run_);
-    regulus::conclude(found_.result, *found_.threshold);
+    detail::conclude(found_.result, *found_.threshold);
   }
 
   void conclude() {
@@ -290,4 +290,4 @@ WayFinding pave_way(PreparedWay& prepared, const SearchOptions& search, double r
   return WaySearch(prepared, search, settings, watch, run).run();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

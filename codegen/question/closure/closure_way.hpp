@@ -10,7 +10,7 @@
 
 #include "codegen/question/closure/closure_report.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The kernel of all pieces: their numbers are its constants.
 struct PreparedWay {
@@ -68,4 +68,4 @@ struct WayFinding {
                                   double resolution, const FormingWatch& watch,
                                   const PiecesRun& run = {});
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include "codegen/question/closure/paving_certificate.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Adds the leaves of one piece. Its first variable is s, and a paving halves no other.
@@ -45,4 +45,4 @@ std::vector<PathStretch> stretches_of(const PreparedWay& prepared, const WayFind
                             found.result.stopped_by.value_or(Reason::kAllBoxesCertified));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "codegen/question/closure/closure_way.hpp"
 #include "codegen/question/way/trajectory_paving.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the stretches of parts in any order that cover each of their pieces; pieces without parts are
 /// undecided, for the reason that they were `not_reached`.
@@ -23,4 +23,4 @@ namespace regulus {
 [[nodiscard]] std::vector<PathStretch> stretches_of(const PreparedWay& prepared,
                                                     const WayFinding& found);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -20,7 +20,7 @@
 #include "codegen/question/margin/margin_report.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -194,4 +194,4 @@ void tell_way_margin(const PreparedWay& prepared, const SearchOptions& search,
   tell_gap(margin, gap_wanted, facts);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "codegen/question/closure/closure_way_paving.hpp"
 #include "codegen/question/margin/margin_run.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the claim, or why there is none, in words.
 [[nodiscard]] std::string describe_claim(const PreparedWay& prepared, const WayFinding& found);
@@ -32,4 +32,4 @@ void tell_way_margin(const PreparedWay& prepared, const SearchOptions& search,
                      const WayFinding& found, const MarginQuestion& question, const Margin& margin,
                      double gap_wanted, Facts& facts);
 
-}  // namespace regulus
+}  // namespace regulus::detail

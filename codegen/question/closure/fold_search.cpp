@@ -9,7 +9,7 @@
 #include "codegen/question/closure/uncertain_values.hpp"
 #include "runtime/interval/floating_point_scope.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -342,4 +342,4 @@ std::optional<std::vector<double>> nearest_corner(const PreparedClosure& prepare
   return corner;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

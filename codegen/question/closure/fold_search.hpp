@@ -7,7 +7,7 @@
 
 #include "codegen/question/closure/closure_run.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A piece of a curve of configurations, over a range of one of its coordinates: the part of a line
 /// of places, 0, or unknown 1 … n. The tube is of the others, in their order.
@@ -61,4 +61,4 @@ struct Fold {
                                                                 const SearchOptions& search,
                                                                 const FormingWatch& watch);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 #include "codegen/model/closure_start.hpp"
 #include "codegen/model/exact/exact_double.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 using GiNaC::ex;
 
@@ -63,4 +63,4 @@ Request LineModel::system(const std::optional<PoseParameter>& moves, const Range
   return request;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

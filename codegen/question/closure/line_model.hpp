@@ -7,7 +7,7 @@
 
 #include "codegen/question/closure/closure_run.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The equations along a line from the start, and what must have a value there, without uncertain
 /// quantities; its part, from 0 to 1, is in the place of the motion parameters.
@@ -35,4 +35,4 @@ class LineModel {
   std::vector<GiNaC::ex> equations_, conditions_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "codegen/question/closure/branch_threshold.hpp"
 #include "codegen/question/closure/closure_certificate.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr const char* kNothingCertain = "the branch is certain on no box";
@@ -102,4 +102,4 @@ ProofStatus certify_paving(const std::string& path, const PreparedWay& prepared,
                        is_regular(), placing);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -12,7 +12,7 @@
 #include "codegen/question/closure/closure_way.hpp"
 #include "runtime/search/paving.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A tree with what is claimed of its leaves.
 struct PavedTree {
@@ -45,4 +45,4 @@ struct PavedTree {
 [[nodiscard]] ProofStatus certify_paving(const std::string& path, const PreparedWay& prepared,
                                          const WayFinding& found, const ProofPlacing& placing);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -12,7 +12,7 @@
 #include "codegen/question/way/trajectory_run.hpp"
 #include "runtime/interval/floating_point_scope.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 void add(BracketOfPieces& all, ValueBracket found, std::size_t piece) {
@@ -58,7 +58,7 @@ void PiecesOfBranch::turn_to_piece(cluster::Workers* workers, SearchTopic topic,
   const Motion& motion = request().motion;
   if (!motion.trajectory) return turn_to(workers, std::move(topic), motion);
   topic.start = begins[piece].unknowns;
-  regulus::turn_to_piece(workers, std::move(topic), motion, piece);
+  detail::turn_to_piece(workers, std::move(topic), motion, piece);
 }
 
 std::string PiecesOfBranch::part_of_name(std::size_t piece) const {
@@ -144,4 +144,4 @@ ValuesAtPlace values_at(const PiecesOfBranch& pieces, std::size_t piece, const B
   return at;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -14,7 +14,7 @@
 #include "codegen/question/closure/value_paving.hpp"
 #include "codegen/question/closure/value_search.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The pieces that were followed or paved. It refers to what it is made of.
 struct PiecesOfBranch {
@@ -113,4 +113,4 @@ struct ValuesAtPlace {
                                       const BranchTube& tube, const std::vector<Interval>& place,
                                       const BranchValue* value);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/question/condition/singular_value_test.hpp"
 #include "codegen/question/condition/stretched_vectors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 bool are_finite(const std::vector<double>& numbers) {
@@ -112,4 +112,4 @@ double SingularValues::attained(const TubeFinder::Measured& measured) const {
   return f < kInfinity ? f : -kInfinity;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

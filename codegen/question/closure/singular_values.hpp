@@ -16,7 +16,7 @@
 #include "codegen/question/closure/tube_judge.hpp"
 #include "codegen/question/quantity/quantity_kind.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Bounds f over a tube; f is κ, σ_max or −σ_min.
 struct SingularValueFinding {
@@ -51,4 +51,4 @@ class SingularValues {
   const std::vector<Interval> factors_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include "runtime/interval/floating_point_scope.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr int kMostCorners = 8;
@@ -51,4 +51,4 @@ std::optional<std::vector<double>> steepest_corner(const PreparedClosure& prepar
   return std::nullopt;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

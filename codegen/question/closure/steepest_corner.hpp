@@ -8,7 +8,7 @@
 
 #include "codegen/question/closure/closure_run.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Goes to the corner of the ranges at which |det Φ_p| is smallest by its derivatives at the start, from
 /// there to the one that those say, and so on, until the branch is lost on the way. Approximate.
@@ -16,4 +16,4 @@ namespace regulus {
 /// Shape     the result: by variable, within the ranges; nullopt if no such corner is found.
 [[nodiscard]] std::optional<std::vector<double>> steepest_corner(const PreparedClosure& prepared);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "codegen/question/closure/value_paving.hpp"
 #include "runtime/problem/result.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A configuration of the branch where the threshold is not exceeded.
 struct PlaceBelow {
@@ -31,4 +31,4 @@ struct ThresholdFinding {
   double seconds = 0;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace regulus {
+namespace regulus::detail {
 
 using cluster::ByteReader;
 using cluster::ByteWriter;
@@ -225,4 +225,4 @@ TubeFinding TubeJudge::take(ByteReader& from, const ClosureQuestion& question) {
   return finding;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

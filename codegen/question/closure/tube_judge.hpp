@@ -11,7 +11,7 @@
 #include "runtime/cluster/bytes.hpp"
 #include "runtime/existence/branch_tube.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct ClosureQuestion {
   const Problem& problem;  ///< of the kernel of a ClosedSystem
@@ -110,4 +110,4 @@ class TubeJudge {
   TubeFinder finder_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

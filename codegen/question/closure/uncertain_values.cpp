@@ -6,7 +6,7 @@
 #include "codegen/answer/certificate/certificate_question.hpp"
 #include "runtime/interval/floating_point_scope.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// A point of a ball is taken so far below its surface, in parts of the radius.
@@ -92,4 +92,4 @@ void aim_at_balls(const PreparedClosure& prepared, const std::vector<double>& al
   }
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

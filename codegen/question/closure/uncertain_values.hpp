@@ -7,7 +7,7 @@
 
 #include "codegen/question/closure/closure_run.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Brings each point of a ball that is beyond it into it, a little below its surface.
 ///
@@ -30,4 +30,4 @@ namespace regulus {
 void aim_at_balls(const PreparedClosure& prepared, const std::vector<double>& along, bool is_with,
                   std::vector<double>& corner);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -13,7 +13,7 @@
 #include "codegen/question/quantity/inverse_in_one_unit.hpp"
 #include "codegen/question/quantity/quantity_traits.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -197,4 +197,4 @@ void certify_value(EndProofs& proofs, const ProvedPieces& branch, const Componen
   }
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

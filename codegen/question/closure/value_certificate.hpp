@@ -11,7 +11,7 @@
 #include "codegen/question/closure/paving_certificate.hpp"
 #include "codegen/question/quantity/quantity.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A branch that is proved in pieces: over ranges in one, along way-points in all.
 struct ProvedPieces {
@@ -51,4 +51,4 @@ void certify_value(EndProofs& proofs, const ProvedPieces& branch, const Componen
                                                const std::vector<PavedTree>& trees,
                                                const ProofPlacing& placing);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Returns how much each variable changes the derivatives of the branch, relative to the tube.
@@ -215,4 +215,4 @@ ValueFinding ValueJudge::take(cluster::ByteReader& from, const ValueQuestion& qu
   return finding;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

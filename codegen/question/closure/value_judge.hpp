@@ -5,7 +5,7 @@
 #include "codegen/question/closure/branch_value.hpp"
 #include "codegen/question/closure/tube_judge.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct ValueQuestion {
   const Problem& problem;
@@ -77,4 +77,4 @@ class ValueJudge {
   TubeFinder finder_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

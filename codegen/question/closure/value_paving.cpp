@@ -7,7 +7,7 @@
 #include "runtime/problem/observers.hpp"
 #include "runtime/proof/format.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::size_t kBoxesOfPavingRound = 256;
@@ -245,4 +245,4 @@ BranchPaving pave_values(const ValueQuestion& question, const ClosureResult& bra
   return paving;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

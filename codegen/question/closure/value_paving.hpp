@@ -7,7 +7,7 @@
 #include "codegen/question/closure/value_search.hpp"
 #include "codegen/question/load/feasibility_search.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct BranchPaving {
   bool is_feasible = false;           ///< every box is feasible or outside
@@ -34,4 +34,4 @@ struct BranchPaving {
                                        const IsPossible& is_possible, const ForceListener& listener,
                                        Observer* progress);
 
-}  // namespace regulus
+}  // namespace regulus::detail

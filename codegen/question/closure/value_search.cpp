@@ -8,7 +8,7 @@
 
 #include "runtime/problem/observers.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::size_t kMostSplit = 32;
@@ -319,4 +319,4 @@ ValueBracket search_value(const ValueQuestion& question, const BranchTree& branc
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

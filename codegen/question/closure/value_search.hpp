@@ -7,7 +7,7 @@
 #include "codegen/question/closure/branch_search.hpp"
 #include "codegen/question/closure/value_judge.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct ValueBracket {
   double attained = -kInfinity, upper = kInfinity;  ///< of f, rounded outward
@@ -43,4 +43,4 @@ using IsPossible = std::function<bool(const std::vector<Interval>& point)>;
                                         const ValueAim& aim, const BoxSearchSettings& settings,
                                         const IsPossible& is_possible, Observer* progress);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace regulus {
+namespace regulus::detail {
 
 using cluster::ByteReader;
 using cluster::ByteWriter;
@@ -100,4 +100,4 @@ BoxJudge::Box BoxJudge::corner(const Box& box, Box point, const std::vector<doub
   return point;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "codegen/question/condition/stretched_vectors.hpp"
 #include "runtime/cluster/bytes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The question for a kernel of the matrix with derivatives of its entries.
 struct ConditionQuestion {
@@ -76,4 +76,4 @@ class BoxJudge {
   BoxMatrices& matrices_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

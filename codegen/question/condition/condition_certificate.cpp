@@ -9,7 +9,7 @@
 #include "codegen/question/way/trajectory_certificate.hpp"
 #include "runtime/proof/format.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 ConditionCertificate::ConditionCertificate(const std::string& path, const Request& request,
                                            const Component& component,
@@ -105,4 +105,4 @@ void ConditionCertificate::show_singular(const Result& result,
   proofs_.write_singular(question.head(true), witness_lines(result), "the matrix is singular");
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

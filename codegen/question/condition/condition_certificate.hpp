@@ -15,7 +15,7 @@
 #include "codegen/question/way/path_trees.hpp"
 #include "runtime/proof/writer.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A place in the variables of a certificate; of a trajectory: of that about one piece.
 struct ConditionPlace {
@@ -68,4 +68,4 @@ class ConditionCertificate {
   std::optional<PathTrees> pieces_;  ///< of a trajectory
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "codegen/question/way/trajectory_request.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// With more variables the second derivatives of Taylor's expansion are too many.
@@ -87,4 +87,4 @@ PreparedSearch prepare_condition(const SearchTopic& topic, const Request& reques
   return prepared;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 #include "codegen/question/engine/pipeline.hpp"
 #include "codegen/question/engine/search_topic.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct ConditionKernel {
   PreparedSearch prepared;
@@ -31,4 +31,4 @@ struct ConditionKernel {
 [[nodiscard]] PreparedSearch prepare_condition(const SearchTopic& topic, const Request& request,
                                                const SearchOptions& search);
 
-}  // namespace regulus
+}  // namespace regulus::detail

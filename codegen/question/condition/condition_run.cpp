@@ -19,7 +19,7 @@
 #include "codegen/question/way/trajectory_report.hpp"
 #include "runtime/problem/observers.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Seconds of a search, if there are as many: enough for an attained end.
@@ -354,4 +354,4 @@ ComponentBound bound_condition_number(const Request& request, const Component& c
   return VarietyCondition(request, component, settings, seconds, left, other).run();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

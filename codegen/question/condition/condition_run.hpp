@@ -4,7 +4,7 @@
 
 #include "codegen/question/bound/bound_run.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Brackets another quantity of the same question, in so many seconds.
 using OtherBound =
@@ -21,4 +21,4 @@ using OtherBound =
                                                     const BoundSettings& settings, double seconds,
                                                     double left, const OtherBound& other);
 
-}  // namespace regulus
+}  // namespace regulus::detail

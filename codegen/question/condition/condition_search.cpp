@@ -6,7 +6,7 @@
 #include <queue>
 #include <utility>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// The boxes that are split in a round: a part of those that are open, so that few of them are split
@@ -233,4 +233,4 @@ ConditionResult search_condition(const PathConditionQuestion& question,
   return search_with<PathJudge>(question, settings, progress);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

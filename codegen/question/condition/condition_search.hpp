@@ -9,7 +9,7 @@
 #include "codegen/question/condition/path_judge.hpp"
 #include "runtime/search/box_search.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Facts about κ that a search starts with.
 struct ConditionHint {
@@ -62,4 +62,4 @@ struct ConditionResult {
                                                const ConditionSettings& settings,
                                                Observer* progress);
 
-}  // namespace regulus
+}  // namespace regulus::detail

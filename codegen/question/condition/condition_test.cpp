@@ -8,7 +8,7 @@
 #include "codegen/question/condition/entry_bounds.hpp"
 #include "codegen/question/condition/extreme_values.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Doubles = std::vector<double>;
@@ -184,4 +184,4 @@ class BoxCondition {
 
 ConditionBound bound_condition(const RotatedBox& box) { return BoxCondition(box).run(); }
 
-}  // namespace regulus
+}  // namespace regulus::detail

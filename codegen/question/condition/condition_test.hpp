@@ -38,7 +38,7 @@
 
 #include "codegen/question/condition/rotated_boxes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A bound of κ over a box.
 struct ConditionBound {
@@ -51,4 +51,4 @@ struct ConditionBound {
 /// Rounding  outward; MXCSR at nearest.
 [[nodiscard]] ConditionBound bound_condition(const RotatedBox& box);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace regulus {
+namespace regulus::detail {
 
 EntryBounds::EntryBounds(const RotatedBox& box) {
   const std::size_t n = box.columns, size = box.rows * n;
@@ -30,4 +30,4 @@ EntryBounds::EntryBounds(const RotatedBox& box) {
       off[e] = enlarged(all[e]);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

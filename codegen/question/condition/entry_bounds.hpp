@@ -5,7 +5,7 @@
 
 #include "codegen/question/condition/rotated_boxes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Bounds of the entries of B over a box, beside the middles and slopes of its diagonal
 /// (condition_test.hpp).
@@ -18,4 +18,4 @@ struct EntryBounds {
   std::vector<std::vector<double>> parts;  ///< of both, by variable; roughly
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

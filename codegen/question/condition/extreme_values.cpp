@@ -6,7 +6,7 @@
 
 #include "codegen/question/condition/rotated_matrix.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr int kWeightSteps = 5;
@@ -96,4 +96,4 @@ double ExtremeValues::share(const std::vector<double>& part, std::size_t pivot, 
   return sum;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

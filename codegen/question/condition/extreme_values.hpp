@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// One of the bounds α·b_i ± β of condition_test.hpp.
 struct Disc {
@@ -58,4 +58,4 @@ class ExtremeValues {
   std::vector<Disc> highest_, lowest_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace regulus {
+namespace regulus::detail {
 
 PathJudge::PathJudge(const PathConditionQuestion& question)
     : path_(question.path),
@@ -46,4 +46,4 @@ void PathJudge::show(std::span<const Box> places, std::span<BoxFinding* const> o
     if (matrices[i]) keep_attained(*of[i], places[i], *matrices[i], path_.kernel(), attained);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "codegen/question/condition/box_judge.hpp"
 #include "codegen/question/way/path_variety.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The question for a kernel of the matrix at every pose of the hull of the trajectory.
 struct PathConditionQuestion {
@@ -52,4 +52,4 @@ class PathJudge {
   BoxMatrices& matrices_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Doubles = std::vector<double>;
@@ -188,4 +188,4 @@ std::optional<RotatedBox> RotatedBoxes::rotated(std::size_t lane) const {
   return box;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

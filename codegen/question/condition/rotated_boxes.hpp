@@ -9,7 +9,7 @@
 #include "codegen/question/condition/rotated_matrix.hpp"
 #include "codegen/question/engine/box_matrices.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// B(x) = UᵀA(x)V over a box: some number in `center` + Σ_k one in slopes[k]·δ_k + a rest, |δ_k| ≤
 /// radius[k].
@@ -82,4 +82,4 @@ class RotatedBoxes {
   LaneMask defined_ = 0;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Doubles = std::vector<double>;
@@ -104,4 +104,4 @@ Distortion Rotation::distortion() const {
   return {sqrt_ru(div_ru(above, below)), sqrt_ru(div_ru(1, below)), sqrt_ru(above)};
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

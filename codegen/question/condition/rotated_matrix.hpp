@@ -8,7 +8,7 @@
 #include "codegen/question/condition/singular_vectors.hpp"
 #include "runtime/interval/interval.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Matrices, row-major: every entry is within `error` of `middle`. Entries that are not finite mean
 /// that nothing is known.
@@ -58,4 +58,4 @@ class Rotation {
 /// A bound of a sum of at most 4096 products of nonnegative doubles that was computed to nearest.
 [[nodiscard]] inline double enlarged(double sum) noexcept { return sum * (1 + 0x1p-40) + 1e-300; }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "codegen/question/condition/entry_bounds.hpp"
 #include "codegen/question/condition/extreme_values.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Doubles = std::vector<double>;
@@ -93,4 +93,4 @@ SingularValueBound bound_singular_value(const RotatedBox& box, Extreme extreme) 
   return BoxValue(box, extreme).run();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -14,7 +14,7 @@
 
 #include "codegen/question/condition/rotated_boxes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 enum class Extreme { kLargest, kLeast };
 
@@ -29,4 +29,4 @@ struct SingularValueBound {
 /// Rounding  outward; MXCSR at nearest.
 [[nodiscard]] SingularValueBound bound_singular_value(const RotatedBox& box, Extreme extreme);
 
-}  // namespace regulus
+}  // namespace regulus::detail

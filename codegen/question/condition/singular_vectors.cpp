@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr int kMostSweeps = 30;
@@ -139,4 +139,4 @@ std::optional<SingularVectors> approx_singular_vectors(std::span<const double> A
   return rotations.result();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Singular values, the largest first, and singular vectors; approximately.
 struct SingularVectors {
@@ -22,4 +22,4 @@ struct SingularVectors {
                                                                      std::size_t rows,
                                                                      std::size_t columns);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 
 #include "codegen/question/condition/singular_vectors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Doubles = std::vector<double>;
@@ -80,4 +80,4 @@ AttainedValues attained_values(std::span<const Interval> A, std::size_t rows, st
   return shown;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 
 #include "runtime/interval/interval.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Vectors that show a condition number.
 struct StretchedVectors {
@@ -32,4 +32,4 @@ struct AttainedValues {
 [[nodiscard]] AttainedValues attained_values(std::span<const Interval> A, std::size_t rows,
                                              std::size_t columns);
 
-}  // namespace regulus
+}  // namespace regulus::detail

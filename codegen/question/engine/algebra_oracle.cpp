@@ -17,7 +17,7 @@
 #include "codegen/question/engine/exact_place.hpp"
 #include "runtime/interval/floating_point_scope.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Bits at the samples: first before the determinant is multiplied out, then for the result that it
@@ -163,4 +163,4 @@ AlgebraOracle::Determinant ExactAlgebra::determinant(std::span<const Interval> p
   return Determinant::kUnknown;  // the result is not known
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

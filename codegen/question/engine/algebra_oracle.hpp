@@ -6,7 +6,7 @@
 #include "codegen/question/engine/pipeline.hpp"
 #include "runtime/problem/problem.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Multiplies the determinant out exactly, within a small budget. It tries this only if enclosures
 /// of the determinant at sample points contain 0 to many bits.
@@ -43,4 +43,4 @@ class ExactAlgebra final : public AlgebraOracle {
   const PreparedSearch& preparation_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

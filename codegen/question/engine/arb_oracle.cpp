@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr long kFirstBits = 106;
@@ -73,4 +73,4 @@ std::optional<Interval> ArbOracle::enclose(std::span<const Interval> point) noex
   return std::nullopt;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

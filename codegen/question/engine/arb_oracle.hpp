@@ -6,7 +6,7 @@
 #include "codegen/kernel/program/ball_program.hpp"
 #include "runtime/problem/problem.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Encloses det A at a point with as many bits as its sign needs: 106, 212, … up to a limit. For
 /// points at which rounding errors hide the sign from doubles (for example, Rump's expression).
@@ -35,4 +35,4 @@ class ArbOracle : public DeterminantOracle {
   std::atomic<long> bits_ = 53;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

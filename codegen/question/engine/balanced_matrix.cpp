@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/engine/balanced_matrix.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -28,4 +28,4 @@ BalancedMatrix balance(std::span<const double> A, std::size_t rows, std::size_t 
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

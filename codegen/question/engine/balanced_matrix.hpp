@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <span>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A matrix with its columns and then its rows divided by their norms, since they may have
 /// different units: entries = diag(row_scale)·A·diag(column_scale). A norm below a millionth of the
@@ -19,4 +19,4 @@ struct BalancedMatrix {
 [[nodiscard]] BalancedMatrix balance(std::span<const double> A, std::size_t rows,
                                      std::size_t columns);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace regulus {
+namespace regulus::detail {
 
 BoxMatrices::BoxMatrices(const Problem& problem, const MatrixScaling& scaling, std::size_t expanded)
     : problem_(problem),
@@ -177,4 +177,4 @@ std::vector<Interval> BoxMatrices::pose_at(const Box& point) {
   return pose;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -12,7 +12,7 @@
 #include "runtime/problem/problem.hpp"
 #include "runtime/regularity/aligned_buffer.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A over a box X × G: X of the expanded variables x, c a point of it, G of the other variables.
 struct BoxMatrix {
@@ -104,4 +104,4 @@ class BoxMatrices {
   LaneMask center_defined_ = 0, slopes_defined_ = 0, point_defined_ = 0, outside_ = 0, inside_ = 0;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

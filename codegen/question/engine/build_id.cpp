@@ -11,7 +11,7 @@
 
 #include "codegen/kernel/jit/plugin.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Returns the build id in the notes of one segment; empty if there is none.
@@ -86,4 +86,4 @@ std::string build_id() {
   return identity;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Identifies this program: for the executable and each shared library in the process, the build id
 /// of the linker; if there is none, the file, its size and the time of its last change.
@@ -12,4 +12,4 @@ namespace regulus {
 ///           program uses the cached results of another one.
 [[nodiscard]] std::string build_id();
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "codegen/question/engine/ingredients.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr Choice<Determinant> kDeterminants[] = {{"expansion", Determinant::kExpansion},
@@ -113,4 +113,4 @@ void require_valid(const SearchOptions& options) {
     if (std::ranges::find(known, name) == known.end()) refuse("--without", name, known);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

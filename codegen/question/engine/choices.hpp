@@ -13,7 +13,7 @@
 #include "runtime/kernel/isa.hpp"
 #include "runtime/problem/problem.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 template <class Value>
 struct Choice {
@@ -51,4 +51,4 @@ template <class Value>
 ///           if --help does not list the name of an ingredient.
 void require_valid(const SearchOptions& options);
 
-}  // namespace regulus
+}  // namespace regulus::detail

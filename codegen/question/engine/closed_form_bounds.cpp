@@ -12,7 +12,7 @@
 #include "codegen/kernel/symbolic/kept_powers.hpp"
 #include "codegen/kernel/symbolic/rewrite.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Larger determinants have too many terms to be narrower than what they are made of.
@@ -176,4 +176,4 @@ std::optional<Interval> ClosedFormBounds::enclose(const Form& form, std::span<co
                   form.bounds_above ? result.hi : kInfinity);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "codegen/question/engine/symbolic_stages.hpp"
 #include "runtime/problem/problem.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The determinant of a small matrix, multiplied out and nested, in doubles: where an enclosure of
 /// the entries cannot tell a margin of 1e-300 from 0, its one expression may. There are two of
@@ -41,4 +41,4 @@ class ClosedFormBounds : public ClosedForm {
   std::vector<Form> forms_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -20,7 +20,7 @@
 #include "runtime/kernel/kernel_functions.hpp"
 #include "runtime/machine/machine_kernel.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::uint64_t kLargestText = std::uint64_t{64} << 20;
@@ -215,4 +215,4 @@ std::optional<std::string> find_difference(const regulus_kernel& edited, const M
   return std::nullopt;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/kernel/program/module.hpp"
 #include "runtime/problem/problem.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The file of a text, by which reports name it.
 struct EditedText {
@@ -41,4 +41,4 @@ struct EditedKernel {
                                                          const std::vector<Interval>& ranges,
                                                          Isa isa);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -14,7 +14,7 @@
 #include "runtime/existence/null_vector.hpp"
 #include "runtime/interval/arithmetic.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Eigen::Index;
@@ -260,4 +260,4 @@ std::vector<std::size_t> candidates(const PreparedSearch& p, const Formulation& 
   return std::nullopt;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/question/engine/pipeline.hpp"
 #include "runtime/problem/problem.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Descends to singular places, first from the middle of `box`. There it chooses the variables that move
 /// the matrix out of rank loss most, relative to their ranges, among those that are inside their ranges;
@@ -21,4 +21,4 @@ namespace regulus {
 [[nodiscard]] std::optional<EnclosedPlace> find_enclosed_place(const PreparedSearch& preparation,
                                                                std::span<const Interval> box);
 
-}  // namespace regulus
+}  // namespace regulus::detail

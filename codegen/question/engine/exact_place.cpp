@@ -13,7 +13,7 @@
 #include "codegen/question/engine/singular_descent.hpp"
 #include "runtime/interval/arithmetic.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Place = SingularDescent::Place;
@@ -189,4 +189,4 @@ std::optional<ExactPlace> find_exact_place(const PreparedSearch& p, std::span<co
   return std::nullopt;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "codegen/question/engine/pipeline.hpp"
 #include "runtime/problem/problem.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Descends to singular places, first from the middle of `box`, moves their coordinates to simple
 /// values one by one, and decides by exact algebra (exact_rank.hpp). Its effort is bounded: the
@@ -21,4 +21,4 @@ namespace regulus {
 [[nodiscard]] std::optional<ExactPlace> find_exact_place(const PreparedSearch& preparation,
                                                          std::span<const Interval> box);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -12,7 +12,7 @@
 #include "codegen/support/shared_object.hpp"
 #include "runtime/files/sha256.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr const char* kSymbol = "regulus_filter";
@@ -47,7 +47,7 @@ void* load(const std::string& path) {
 void FilterFile::Close::operator()(void* library) const noexcept { dlclose(library); }
 
 FilterFile::FilterFile(const std::string& path)
-    : path_(path), sha256_(regulus::sha256(contents(path))), library_(load(path)) {
+    : path_(path), sha256_(detail::sha256(contents(path))), library_(load(path)) {
   if (!library_) throw not_loaded(path, dlerror());
   filter_ = static_cast<const regulus_filter_interface*>(dlsym(library_.get(), kSymbol));
   if (filter_ == nullptr)
@@ -57,4 +57,4 @@ FilterFile::FilterFile(const std::string& path)
     throw InputError::statement(path, 0, *fault, "regulus/filter.h describes the interface");
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

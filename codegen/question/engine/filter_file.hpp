@@ -7,7 +7,7 @@
 
 #include "runtime/problem/filter.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A loaded filter; the destructor unloads it.
 class FilterFile {
@@ -33,4 +33,4 @@ class FilterFile {
   const regulus_filter_interface* filter_ = nullptr;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

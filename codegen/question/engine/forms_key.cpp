@@ -9,7 +9,7 @@
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/question/engine/options_key.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Increase it if other data than these decide the forms.
@@ -102,4 +102,4 @@ std::string forms_key(const Formulation& natural, bool has_threshold,
   return parts.key();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

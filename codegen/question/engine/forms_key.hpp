@@ -7,7 +7,7 @@
 #include "codegen/kernel/formulation/formulation.hpp"
 #include "runtime/kernel/isa.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the name in the cache of the forms that many questions share: those of one model and one
 /// motion that differ only in the values of ranges, tolerances and errors, as far as the symbolic
@@ -24,4 +24,4 @@ namespace regulus {
                                     const FormulationOptions& functions, Isa isa,
                                     std::string_view program, std::string_view compiler);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 struct Ingredient {
@@ -87,4 +87,4 @@ void leave_out(const std::vector<std::string>& names, FormulationOptions& functi
   for_each_named(names, [&](const Ingredient& x) { x.leave_out_of_functions(functions); });
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

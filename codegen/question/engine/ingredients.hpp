@@ -8,7 +8,7 @@
 #include "codegen/kernel/formulation/formulation.hpp"
 #include "runtime/problem/problem.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 [[nodiscard]] std::vector<std::string> ingredient_names();
 
@@ -20,4 +20,4 @@ namespace regulus {
 void leave_out(const std::vector<std::string>& names, Settings& settings);
 void leave_out(const std::vector<std::string>& names, FormulationOptions& functions);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 CompiledKernel compile(const machine::PackKernel& program, const CompileOptions& options) {
   require_sound_rounding(options);
@@ -23,4 +23,4 @@ void require_sound_rounding(const std::optional<std::string>& failure) {
   if (failure) throw InternalError("the rounding self-test failed: " + *failure);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

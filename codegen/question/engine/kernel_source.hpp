@@ -10,7 +10,7 @@
 #include "codegen/kernel/jit/jit.hpp"
 #include "runtime/machine/pack_program.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The source of a kernel. It does not use GiNaC or CLN, so threads may share it.
 using SharedProgram = std::shared_ptr<const machine::PackKernel>;
@@ -29,4 +29,4 @@ void require_sound_rounding(const CompileOptions& options);
 /// Throws InternalError if there is a failure.
 void require_sound_rounding(const std::optional<std::string>& failure);
 
-}  // namespace regulus
+}  // namespace regulus::detail

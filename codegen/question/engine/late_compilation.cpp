@@ -7,7 +7,7 @@
 #include "codegen/support/no_signals.hpp"
 #include "runtime/kernel/call.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::chrono::milliseconds kLook{10};
@@ -39,7 +39,7 @@ void LateCompilation::start() noexcept try {
 
 void LateCompilation::compile() noexcept {
   try {
-    kernel_.emplace(regulus::compile(*program_, options_));
+    kernel_.emplace(detail::compile(*program_, options_));
     static_cast<void>(CheckedKernel(*kernel_->kernel()));  // throws if it cannot be called
     offered_.store(kernel_->kernel(), std::memory_order_release);
   } catch (const std::exception& error) {
@@ -56,4 +56,4 @@ bool LateCompilation::wait(const std::atomic<bool>& given_up) {
   return true;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

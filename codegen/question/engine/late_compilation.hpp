@@ -11,7 +11,7 @@
 #include "codegen/question/engine/kernel_source.hpp"
 #include "runtime/problem/observer.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Compiles a kernel in a separate thread after the observed search has evaluated a number of
 /// boxes, and offers it to the search as Problem::faster_kernel.
@@ -63,4 +63,4 @@ class LateCompilation : public Observer {
   std::thread thread_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include "runtime/kernel/abi.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Owns the data of a kernel's functions: compiled code, or programs to interpret.
 class LoadedKernel {
@@ -15,4 +15,4 @@ class LoadedKernel {
   [[nodiscard]] virtual const regulus_kernel& functions() const noexcept = 0;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -12,7 +12,9 @@
 #include "runtime/problem/problem.hpp"
 
 namespace regulus {
+namespace detail {
 class PartStore;
+}  // namespace detail
 
 /// kAuto: compiled if the cache has the kernel; otherwise interpreted, and compiled in parallel
 /// with a long search. kJit: built with LLVM from the list of operations. kClang: the C++ text,
@@ -44,11 +46,11 @@ struct SearchOptions {
   std::vector<std::string> without;                    ///< see ingredients.hpp
   std::uint64_t max_boxes = 0;                         ///< 0: no bound
   unsigned threads = 0;                                ///< 0: as many as there are processors
-  cluster::Workers* workers = nullptr;                 ///< in the place of threads
+  detail::cluster::Workers* workers = nullptr;         ///< in the place of threads
   double time_limit = 0;                               ///< seconds, 0: no bound
   std::uint64_t symbolic_budget = kDeterminantBudget;  ///< terms of a closed form
   long precision = 1024;                               ///< most bits if doubles cannot decide
-  PartStore* parts = nullptr;                          ///< of kernels compiled before
+  detail::PartStore* parts = nullptr;                  ///< of kernels compiled before
   /// For Engine::kAuto. 0: the kernel is compiled before the search, and interpreted only if there
   /// is no compiler.
   std::uint64_t boxes_before_compiling = kBoxesBeforeCompiling;

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 // In these functions the structured binding names all members: a new member does not compile
@@ -41,4 +41,4 @@ void add(KeyParts& parts, const FormulationOptions& options) {
   add(parts, rewriting);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

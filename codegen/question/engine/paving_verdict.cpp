@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/engine/paving_verdict.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 void keep_poses_out_of_reach(const SearchSubject& p, const Volumes& volumes, Result& result) {
   const bool claims_all =
@@ -12,4 +12,4 @@ void keep_poses_out_of_reach(const SearchSubject& p, const Volumes& volumes, Res
   result.blocking_box = volumes.unreachable_box();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

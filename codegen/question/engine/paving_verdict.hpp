@@ -5,11 +5,11 @@
 #include "runtime/problem/result.hpp"
 #include "runtime/search/paving.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Withdraws a claim of a paving about all poses if some of them are out of reach. Unless the motion
 /// says where = "reachable", these are part of the question, and the matrix is undefined there.
 void keep_poses_out_of_reach(const SearchSubject& preparation, const Volumes& volumes,
                              Result& result);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -16,7 +16,7 @@
 #include "runtime/kernel/self_test.hpp"
 #include "runtime/machine/machine_kernel.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 class CompiledCode : public LoadedKernel {
@@ -358,4 +358,4 @@ EmittedKernel emit_kernel(const Request& request, Method method, const std::stri
               options);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

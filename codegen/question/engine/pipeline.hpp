@@ -25,7 +25,7 @@
 #include "runtime/problem/problem.hpp"
 #include "runtime/search/solver.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The functions that are evaluated, and where they come from.
 struct PreparedKernel {
@@ -84,4 +84,4 @@ struct PreparedSearch : SearchSubject, PreparedKernel, PreparationCourse {
                                         const std::string& command,
                                         std::uint64_t symbolic_budget = kDeterminantBudget);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include "codegen/kernel/program/arb_arithmetic.hpp"
 #include "codegen/kernel/program/interpreter.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 std::optional<std::vector<double>> approx_values(const Program& program,
                                                  std::span<const Interval> variables) {
@@ -25,4 +25,4 @@ std::optional<std::vector<double>> approx_values(const Program& program,
   return values;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "codegen/kernel/program/program.hpp"
 #include "runtime/interval/interval.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns approximate outputs of a program without points, at the middles of `variables`. It uses
 /// enough bits that rounding errors do not hide the values; nullopt if one is undefined or too
@@ -16,4 +16,4 @@ namespace regulus {
 [[nodiscard]] std::optional<std::vector<double>> approx_values(const Program& program,
                                                                std::span<const Interval> variables);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include "runtime/files/sha256.hpp"
 #include "runtime/machine/pack_file.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 ProblemCache::ProblemCache(const FormulationOptions& functions, Isa isa)
     : cache_(default_cache_directory()), functions_(functions), isa_(isa) {}
 
@@ -44,4 +44,4 @@ void ProblemCache::keep(WarmStart forms, const machine::PackKernel& program) con
   static_cast<void>(cache_.write(entries));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/question/engine/warm_start.hpp"
 #include "runtime/machine/pack_program.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The entries in the cache of the questions with the same forms (forms_key.hpp): their warm start and
 /// their kernel. The rules of trust are those of ObjectCache; an entry that is damaged, or from
@@ -45,4 +45,4 @@ class ProblemCache {
   std::string note_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "codegen/kernel/symbolic/measure.hpp"
 #include "codegen/model/drawing.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// The names of the variables on which a verdict depends.
@@ -57,4 +57,4 @@ ReportLabels report_labels(const Request& request, const Formulation& formulatio
   return subject;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "codegen/kernel/formulation/formulation.hpp"
 #include "codegen/model/request.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct PoseLabel {
   std::string name;
@@ -49,4 +49,4 @@ struct ReportLabels {
 
 [[nodiscard]] ReportLabels report_labels(const Request& request, const Formulation& formulation);
 
-}  // namespace regulus
+}  // namespace regulus::detail

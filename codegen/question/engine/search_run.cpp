@@ -16,7 +16,7 @@
 #include "runtime/search/solver.hpp"
 #include "runtime/witness/point_witness.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 namespace {
 
@@ -142,4 +142,4 @@ void close_in_on_witness(PreparedSearch& preparation, const SearchOptions& searc
   });
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

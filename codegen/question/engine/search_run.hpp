@@ -12,7 +12,7 @@
 #include "runtime/cluster/search_description.hpp"
 #include "runtime/problem/observer.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 struct BoxSearchSettings;
 
 /// Returns the seconds of a time limit that remain after the stages before the search.
@@ -58,4 +58,4 @@ void decide_for_another(PreparedSearch& preparation, const SearchOptions& search
 void close_in_on_witness(PreparedSearch& preparation, const SearchOptions& search,
                          Settings settings, Result& result);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/question/engine/report_labels.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct SearchSubject {
   ReportLabels labels;
@@ -16,4 +16,4 @@ struct SearchSubject {
   bool is_replanned = false;  ///< the ranges or the threshold are not those of the request
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include "codegen/model/way/trajectory.hpp"
 #include "runtime/cluster/bytes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 template <typename Number>
@@ -69,4 +69,4 @@ void turn_to_piece(cluster::Workers* workers, SearchTopic topic, const Motion& m
   turn_to(workers, std::move(topic), motion);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

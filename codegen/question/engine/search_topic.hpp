@@ -12,6 +12,9 @@
 
 namespace regulus {
 struct Motion;
+}  // namespace regulus
+
+namespace regulus::detail {
 
 /// The kernel that searches need.
 enum class TopicKind : std::uint8_t {
@@ -51,4 +54,4 @@ void turn_to(cluster::Workers* workers, SearchTopic topic, const Motion& motion)
 void turn_to_piece(cluster::Workers* workers, SearchTopic topic, const Motion& motion,
                    std::optional<std::uint64_t> piece);
 
-}  // namespace regulus
+}  // namespace regulus::detail

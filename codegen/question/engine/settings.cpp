@@ -14,7 +14,7 @@
 #include "codegen/question/engine/ingredients.hpp"
 #include "codegen/question/engine/search_run.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Returns the number of processors for this process, if the system reports it.
@@ -73,4 +73,4 @@ Settings settings_of(const PreparedSearch& prepared, const SearchOptions& option
   return settings;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

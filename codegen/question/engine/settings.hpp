@@ -5,7 +5,7 @@
 #include "codegen/question/engine/pipeline.hpp"
 #include "runtime/problem/problem.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the settings of a search. Throws UsageError for a value that is not in its enumeration,
 /// or an unknown ingredient.
@@ -21,4 +21,4 @@ namespace regulus {
 [[nodiscard]] Settings settings_of(const PreparedSearch& prepared, const SearchOptions& options,
                                    const std::atomic<bool>* interrupt);
 
-}  // namespace regulus
+}  // namespace regulus::detail

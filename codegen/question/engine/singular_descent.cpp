@@ -7,7 +7,7 @@
 #include "codegen/question/engine/point_values.hpp"
 #include "codegen/support/decomposition.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Eigen::Index;
@@ -152,4 +152,4 @@ VectorXd SingularDescent::slope(const Place& place, const MatrixXd& A, const Vec
   return (scaled(*matrix) - A) * v * (width(k) / (other - x));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -13,7 +13,7 @@
 #include "codegen/question/engine/balanced_matrix.hpp"
 #include "codegen/question/engine/pipeline.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A matrix that can be evaluated approximately.
 struct ApproxMatrix {
@@ -75,4 +75,4 @@ class SingularDescent {
   std::size_t most_evaluations_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Seconds spent in each stage.
 struct StageSeconds {
@@ -28,4 +28,4 @@ struct StageSeconds {
   }
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/engine/symbolic_stages.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 FormulationOptions no_functions(const FormulationOptions& functions) {
@@ -75,4 +75,4 @@ void SymbolicStages::give_up() {
       static_cast<int>(of.model.pose.size()));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

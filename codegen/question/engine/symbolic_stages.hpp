@@ -12,7 +12,7 @@
 #include "codegen/support/stopwatch.hpp"
 #include "codegen/support/work_meter.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Each stage runs at the first request of its result. With a kernel from the cache none of them
 /// runs until a report needs the expressions. Not for two threads at once.
@@ -73,4 +73,4 @@ class SymbolicStages {
   double symbolic_seconds_ = 0;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <tuple>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::json;
@@ -100,4 +100,4 @@ bool fits(const WarmStart& forms, const machine::PackKernel& program,
          program.pose_parameters == question.pose.size();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -12,7 +12,7 @@
 #include "codegen/question/engine/report_labels.hpp"
 #include "runtime/machine/pack_program.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct WarmStart {
   FormDetail detail = FormDetail::kFull;
@@ -30,4 +30,4 @@ struct WarmStart {
 [[nodiscard]] bool fits(const WarmStart& forms, const machine::PackKernel& program,
                         const ReportLabels& question) noexcept;
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 
 #include "codegen/question/engine/arb_oracle.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr long kMostPrecision = 4096;
@@ -42,4 +42,4 @@ void enclose_determinants(PreparedSearch& preparation, Result& result) {
   if (result.witness->near) enclose(oracle, *result.witness->near);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 #include "codegen/question/engine/pipeline.hpp"
 #include "runtime/problem/result.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Encloses them by more digits than doubles have, of the matrix as the model writes it. So they
 /// depend on the points alone: kernels of two instruction sets give two enclosures.
@@ -13,4 +13,4 @@ namespace regulus {
 /// Ensures   an enclosure is replaced by one that is true, too, and has no other sign.
 void enclose_determinants(PreparedSearch& preparation, Result& result);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/load/box_forces.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 using cluster::ByteReader;
 using cluster::ByteWriter;
@@ -90,4 +90,4 @@ void BoxForces::look_at_center(std::size_t lane, const ForceDecision& decision,
   if (!outcome.witness) keep(test_.decide({matrices_.matrix_at_point(lane), {}, {}}));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

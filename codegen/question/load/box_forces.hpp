@@ -11,7 +11,7 @@
 #include "codegen/question/load/force_test.hpp"
 #include "runtime/cluster/bytes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A pose of the variety, and values of the uncertain quantities, at which a load is not held.
 struct ForceWitness {
@@ -63,4 +63,4 @@ class BoxForces {
   BoxMatrices matrices_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

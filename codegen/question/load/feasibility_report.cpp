@@ -15,7 +15,7 @@
 #include "codegen/answer/report/vector_text.hpp"
 #include "codegen/model/mechanism/twist.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -182,20 +182,6 @@ const char* json_word(FeasibilityVerdict verdict) noexcept {
   return "possible-problem";
 }
 
-const char* name(ForceClaim claim) noexcept {
-  switch (claim) {
-    case ForceClaim::kFeasible:
-      return "feasible";
-    case ForceClaim::kInfeasible:
-      return "infeasible";
-    case ForceClaim::kUndecided:
-      return "undecided";
-    case ForceClaim::kOutside:
-      return "outside";
-  }
-  return "";
-}
-
 std::string describe_claim(const LoadWords& words, ForceClaim claim) {
   const PreparedSearch& p = words.preparation;
   switch (claim) {
@@ -222,7 +208,7 @@ const Share& ForceVolumes::of(ForceClaim claim) const noexcept {
 }
 
 std::string ForceVolumes::percentage(ForceClaim claim) const {
-  return regulus::percentage(volumes_, of(claim));
+  return detail::percentage(volumes_, of(claim));
 }
 
 Interval ForceVolumes::fraction(ForceClaim claim) const noexcept {
@@ -286,4 +272,4 @@ Json json_forces_box(const LoadWords& words, std::span<const Interval> box, Forc
   return {{"kind", name(claim)}, {"box", json_parameters(words.preparation, box)}};
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "codegen/question/load/feasibility_run.hpp"
 #include "runtime/search/paving.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A load and the limits of the forces, for words.
 struct LoadWords {
@@ -80,4 +80,4 @@ void tell_forces(const PreparedForces& prepared, const FeasibilityResult& result
                                                      std::span<const Interval> box,
                                                      ForceClaim claim);
 
-}  // namespace regulus
+}  // namespace regulus::detail

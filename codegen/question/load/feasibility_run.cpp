@@ -7,7 +7,7 @@
 #include "codegen/question/engine/search_run.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// The kernel needs the entries of the matrix and their derivatives, and no product.
@@ -92,4 +92,4 @@ FeasibilityResult run_forces(PreparedForces& prepared, const FeasibilitySettings
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

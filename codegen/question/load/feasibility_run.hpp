@@ -11,7 +11,7 @@
 #include "codegen/question/load/feasibility_search.hpp"
 #include "codegen/question/quantity/quantity.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A question that is ready to be searched.
 struct PreparedForces {
@@ -57,4 +57,4 @@ struct PreparedForces {
                                            const ForceListener& listener, Observer* progress,
                                            SearchCheckpoint* checkpoint = nullptr);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// The boxes of a round.
@@ -181,18 +181,6 @@ class ForceGoal {
 
 }  // namespace
 
-const char* name(FeasibilityVerdict verdict) noexcept {
-  switch (verdict) {
-    case FeasibilityVerdict::kFeasible:
-      return "FEASIBLE";
-    case FeasibilityVerdict::kInfeasible:
-      return "INFEASIBLE";
-    case FeasibilityVerdict::kPossibleProblem:
-      return "POSSIBLE PROBLEM";
-  }
-  return "";
-}
-
 FeasibilityResult search_forces(const ForceQuestion& question, const FeasibilitySettings& settings,
                                 const ForceListener& listener, Observer* progress) {
   BoxCourse course(question.problem, settings, progress);
@@ -201,4 +189,4 @@ FeasibilityResult search_forces(const ForceQuestion& question, const Feasibility
   return goal.finish();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 #include "codegen/question/load/force_claim.hpp"
 #include "runtime/search/box_search.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct FeasibilitySettings : BoxSearchSettings {
   /// Boxes are not split in a parameter narrower than this part of its range.
@@ -54,4 +54,4 @@ using ForceListener = std::function<void(std::span<const Interval> box, ForceCla
                                               const FeasibilitySettings& settings,
                                               const ForceListener& listener, Observer* progress);
 
-}  // namespace regulus
+}  // namespace regulus::detail

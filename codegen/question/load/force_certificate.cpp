@@ -8,7 +8,7 @@
 #include "codegen/question/way/trajectory_certificate.hpp"
 #include "runtime/proof/writer.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 const char* word_of(Rule rule) noexcept {
@@ -115,4 +115,4 @@ ProofStatus certify_way_forces(const std::string& path, const WayForces& found,
   return status;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

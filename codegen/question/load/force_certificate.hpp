@@ -11,7 +11,7 @@
 #include "codegen/question/load/way_forces.hpp"
 #include "runtime/proof/proof_file.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Writes the tree of a search while it runs: of FEASIBLE, or of a paving. For INFEASIBLE the
 /// witness takes its place.
@@ -47,4 +47,4 @@ class ForceCertificate final : public Observer {
 [[nodiscard]] ProofStatus certify_way_forces(const std::string& path, const WayForces& found,
                                              const ProofPlacing& placing);
 
-}  // namespace regulus
+}  // namespace regulus::detail

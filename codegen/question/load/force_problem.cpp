@@ -8,7 +8,7 @@
 #include "codegen/model/exact/certain_sign.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Returns the largest double interval within [lower, upper].
@@ -82,4 +82,4 @@ Request with_scaled_rows(Request request) {
   return request;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

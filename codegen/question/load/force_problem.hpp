@@ -9,7 +9,7 @@
 #include "codegen/model/request.hpp"
 #include "runtime/interval/interval.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A ball about 0 in some components of the wrench.
 struct LoadBall {
@@ -47,4 +47,4 @@ inline constexpr std::size_t kMostLoadRanges = 10;
 /// threshold.
 [[nodiscard]] Request with_scaled_rows(Request request);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include "codegen/question/load/greatest_slack.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Doubles = std::vector<double>;
@@ -357,4 +357,4 @@ ForceDecision ForceTest::decide(const BoxMatrix& box) const {
   return BoxDecision(problem_, box).run();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -40,7 +40,7 @@
 #include "codegen/question/load/force_problem.hpp"
 #include "codegen/question/load/left_inverse.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The proof that no forces hold a load.
 struct Shortage {
@@ -71,4 +71,4 @@ class ForceTest {
   const ForceProblem& problem_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr double kTiny = 1e-11;
@@ -128,4 +128,4 @@ std::optional<GreatestSlack> approx_greatest_slack(std::span<const double> norma
   return DualTableau(normals, dimension, bounds).solve(bounds);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The greatest s with normal_i·z + s ≤ bound_i for all i and some z.
 struct GreatestSlack {
@@ -24,4 +24,4 @@ struct GreatestSlack {
                                                                  std::size_t dimension,
                                                                  std::span<const double> bounds);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Vector = std::vector<double>;
@@ -76,4 +76,4 @@ std::optional<LeftInverse> approx_left_inverse(std::span<const double> A, std::s
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A left inverse of an m×n matrix A, and a basis of the vectors x with Aᵀx = 0; approximately.
 struct LeftInverse {
@@ -19,4 +19,4 @@ struct LeftInverse {
 [[nodiscard]] std::optional<LeftInverse> approx_left_inverse(std::span<const double> A,
                                                              std::size_t rows, std::size_t columns);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 #include "codegen/question/load/way_force_stage.hpp"
 #include "codegen/question/way/path_run.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 class WayForcePaver {
@@ -133,4 +133,4 @@ void tell_way_force_paving(const WayForcePaving& paving, Facts& facts) {
   tell_force_stretches(trajectory_of(paving), paving.resolution, as_path_stretches(paving), facts);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 #include "codegen/question/load/way_forces.hpp"
 #include "codegen/question/way/trajectory_paving.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A part of the trajectory from one place to another.
 ///
@@ -42,4 +42,4 @@ void tell_force_stretches(const Trajectory& trajectory, double resolution,
 /// Tells the question, the stretches and the share of each claim.
 void tell_way_force_paving(const WayForcePaving& paving, Facts& facts);
 
-}  // namespace regulus
+}  // namespace regulus::detail

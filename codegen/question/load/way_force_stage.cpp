@@ -10,7 +10,7 @@
 #include "codegen/question/way/trajectory_request.hpp"
 #include "runtime/problem/observers.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// A piece that needs more is searched alone.
@@ -229,4 +229,4 @@ WayForceStage::Alone WayForceStage::search_piece(std::size_t piece, double resol
   return alone;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

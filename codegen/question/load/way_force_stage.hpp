@@ -8,7 +8,7 @@
 #include "codegen/question/load/way_forces.hpp"
 #include "codegen/question/way/path_parts.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// What the search of all pieces has found out about one.
 struct PieceForces {
@@ -58,4 +58,4 @@ class WayForceStage {
   bool has_ended_ = false;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 #include "codegen/question/way/path_run.hpp"
 #include "codegen/question/way/pieces_alone.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 class WayForceRun {
@@ -84,4 +84,4 @@ nlohmann::ordered_json checkpointed_question(const Request& request, const Searc
   return question;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

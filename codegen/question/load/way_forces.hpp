@@ -17,7 +17,7 @@
 #include "codegen/question/load/feasibility_run.hpp"
 #include "codegen/question/way/path_run.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The piece that decides the verdict.
 struct DecidingForces {
@@ -64,4 +64,4 @@ void tell_way_forces(const WayForces& found, Facts& facts);
 /// Returns why neither answer was shown.
 [[nodiscard]] std::string describe_reason(const WayForces& found);
 
-}  // namespace regulus
+}  // namespace regulus::detail

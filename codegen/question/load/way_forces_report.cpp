@@ -14,7 +14,7 @@
 #include "codegen/question/load/way_forces.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -111,4 +111,4 @@ void tell_way_forces(const WayForces& found, Facts& facts) {
     add_search(hull.search, json_question(found.request, hull.search), facts);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 #include "runtime/problem/result.hpp"
 #include "runtime/search/bracket.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The result at one value.
 struct MarginStep {
@@ -47,4 +47,4 @@ class Attempts {
   [[nodiscard]] virtual std::vector<MarginStep> everywhere(double seconds, Refuted refuted);
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -117,4 +117,4 @@ std::unique_ptr<EarlierSearches> BracketCheckpoint::searches_of(const MarginQues
       file_, label + " from " + reference + ", " + bracket.low.text + ":" + high);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

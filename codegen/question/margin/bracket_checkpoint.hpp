@@ -8,7 +8,7 @@
 #include "codegen/answer/report/json_checkpoint.hpp"
 #include "codegen/question/margin/margin_run.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Keeps the outcomes of all searches of brackets. A later run does not repeat the searches on the
 /// way to an end, but that of the end itself: nothing that it reports as proved rests on the file.
@@ -37,4 +37,4 @@ class BracketCheckpoint {
   JsonCheckpoint file_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

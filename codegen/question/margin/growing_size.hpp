@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The sizes that the words of a command line let grow, "LO:HI"; empty: another one grows.
 struct GrowingSize {
@@ -11,4 +11,4 @@ struct GrowingSize {
   std::string parameter{};  ///< "p=LO:HI": p is in [its declared low end, v]
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

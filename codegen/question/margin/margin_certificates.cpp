@@ -3,7 +3,7 @@
 
 #include "codegen/answer/certificate/certificate_question.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 EndProofs margin_proofs(const std::string& path, const ProofPlacing& placing) {
   return EndProofs(path, placing, kNoSafeProof, kNoSingularProof);
@@ -59,4 +59,4 @@ bool MarginCertificates::is_refused(const CertifiedQuestion& question, bool sing
   return true;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

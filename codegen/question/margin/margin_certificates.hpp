@@ -10,7 +10,7 @@
 #include "codegen/question/margin/margin_question.hpp"
 #include "runtime/proof/writer.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the proofs FILE.safe and FILE.singular of the ends at which a run stops, without the
 /// endings. `path` empty: none are wanted. Throws FileError if a file cannot be created there.
@@ -40,4 +40,4 @@ class MarginCertificates {
   std::shared_ptr<CertificateWriter> search_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

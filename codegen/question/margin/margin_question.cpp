@@ -18,7 +18,7 @@
 #include "codegen/model/mechanism/joint_limits.hpp"
 #include "codegen/model/overrides.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -388,4 +388,4 @@ std::string describe_quantity(const MarginQuestion& question) {
   return "";
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -14,7 +14,7 @@
 #include "codegen/question/engine/pipeline.hpp"
 #include "codegen/question/margin/growing_size.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 enum class MarginQuantity { kTolerance, kAlpha, kScale, kParameter, kTube };
 
@@ -110,4 +110,4 @@ class MarginRequest {
 /// Returns "tolerance of base,platform", for example.
 [[nodiscard]] std::string describe_quantity(const MarginQuestion& question);
 
-}  // namespace regulus
+}  // namespace regulus::detail

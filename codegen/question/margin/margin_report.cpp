@@ -14,7 +14,7 @@
 #include "codegen/answer/report/witness_report.hpp"
 #include "codegen/model/exact/decimal.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -225,4 +225,4 @@ void tell_margin(const PreparedSearch& p, const SearchOptions& search, const Req
   if (facts.are_for_programs()) add_search(search, json_question(nominal, search), facts);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

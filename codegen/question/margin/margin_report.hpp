@@ -8,7 +8,7 @@
 #include "codegen/answer/facts.hpp"
 #include "codegen/question/margin/margin_run.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns "SAFE UP TO 0.119 cm, NOT AT 0.134 cm", for example.
 [[nodiscard]] std::string describe_bracket(const MarginQuestion& question, const Margin& margin);
@@ -32,4 +32,4 @@ void tell_margin(const PreparedSearch& preparation, const SearchOptions& search,
                  const Request& nominal, const MarginQuestion& question, const Margin& margin,
                  double gap_wanted, Facts& facts);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include "codegen/support/stopwatch.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Part of the time left that a search for the witness may take when no search is useful. It takes
@@ -170,4 +170,4 @@ std::string obstacle_of(const Margin& margin) {
   return describe(last->result.reason);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 
 #include "codegen/question/margin/attempts.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct Margin {
   std::optional<MarginStep> certified;  ///< the largest value, with the search that certified it
@@ -58,4 +58,4 @@ struct BracketSettings {
 /// search decided something.
 [[nodiscard]] std::string obstacle_of(const Margin& margin);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include "codegen/question/engine/settings.hpp"
 #include "codegen/support/stopwatch.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 void require_searchable(const PreparedSearch& preparation, const Settings& settings) {
@@ -47,4 +47,4 @@ PreparedMargin::PreparedMargin(const MarginQuestion& question, Request nominal,
   require_searchable(prepared, settings);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include "codegen/question/engine/pipeline.hpp"
 #include "codegen/question/margin/margin_question.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Throws UsageError unless the text is a number between 0 and 1.
 [[nodiscard]] double read_gap(const std::string& text);
@@ -27,4 +27,4 @@ struct PreparedMargin {
   Settings settings;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "codegen/question/engine/search_run.hpp"
 #include "runtime/problem/observers.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Part of the time that a search for the witness may take before the first search. It takes tenths
@@ -134,4 +134,4 @@ Bracket::Limits limits_of(const Settings& settings, double gap) {
   return {gap, settings.time_limit, settings.max_boxes};
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -13,7 +13,7 @@
 #include "codegen/question/margin/prepared_margin.hpp"
 #include "runtime/witness/least_witness.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class VarietyAttempts final : public Attempts {
  public:
@@ -51,4 +51,4 @@ class VarietyAttempts final : public Attempts {
 /// Returns the limits of a bracket in the time and with the boxes of its searches.
 [[nodiscard]] Bracket::Limits limits_of(const Settings& settings, double gap);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include "codegen/question/quantity/sample_point.hpp"
 #include "codegen/support/decomposition.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Eigen::Index;
@@ -44,7 +44,7 @@ class Sampler {
 
   [[nodiscard]] double determinant(PointValues& at) const {
     const Model& model = bordered_.request.model;
-    double value = regulus::determinant(values_of(model.matrix, at));
+    double value = detail::determinant(values_of(model.matrix, at));
     for (const ex& scale : model.row_scale) value *= at.of(scale);
     return std::abs(value);
   }
@@ -59,12 +59,12 @@ class Sampler {
   /// det B is affine in r, so (det B(0) − det B(1))/det B(0) = q − y.
   [[nodiscard]] double by_determinants(const exmap& point) const {
     const double value =
-        1 - regulus::determinant(matrix_at(point, 1)) / regulus::determinant(matrix_at(point, 0));
+        1 - detail::determinant(matrix_at(point, 1)) / detail::determinant(matrix_at(point, 0));
     return bordered_.is_absolute ? std::abs(value) : value;
   }
 
   [[nodiscard]] double determinant_of_scaled(PointValues& at) const {
-    const double value = regulus::determinant(values_of(*bordered_.scaled, at));
+    const double value = detail::determinant(values_of(*bordered_.scaled, at));
     return bordered_.is_absolute ? std::abs(value) : value - approx_number(bordered_.reference);
   }
 
@@ -94,4 +94,4 @@ std::vector<double> better_values(const Bordered& bordered, int places) {
   return Sampler(bordered, true).values(places);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include "codegen/question/quantity/bordered.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns approximate values of the quantity of `bordered` less its reference y, at up to `places`
 /// poses within the constraints, with uncertain values at ends of their ranges: the middle first,
@@ -18,4 +18,4 @@ namespace regulus {
 /// Returns the same, but singular values themselves; also of |det J⁻¹|.
 [[nodiscard]] std::vector<double> better_values(const Bordered& bordered, int places);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -12,7 +12,7 @@
 #include "codegen/question/quantity/inverse_in_one_unit.hpp"
 #include "codegen/question/quantity/quantity_traits.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -396,4 +396,4 @@ Bordered border_at_limit(const Request& request, const Component& component, con
   return bordered;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

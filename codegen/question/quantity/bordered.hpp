@@ -43,7 +43,7 @@
 #include "codegen/model/request.hpp"
 #include "codegen/question/quantity/quantity.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The question of regularity for a component.
 struct Bordered {
@@ -77,4 +77,4 @@ struct Bordered {
 [[nodiscard]] Bordered border_at_limit(const Request& request, const Component& component,
                                        const GiNaC::ex& limit);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -36,4 +36,4 @@ ex determinant_of_inverse(const Model& model) {
   return result;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include "codegen/model/model.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 inline constexpr unsigned kMostRowsOfDeterminant = 8;
 
@@ -12,4 +12,4 @@ inline constexpr unsigned kMostRowsOfDeterminant = 8;
 /// Requires  a square matrix of at most kMostRowsOfDeterminant rows.
 [[nodiscard]] GiNaC::ex determinant_of_inverse(const Model& model);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include "codegen/question/quantity/sample_point.hpp"
 #include "codegen/support/decomposition.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Eigen::Index;
@@ -75,4 +75,4 @@ std::optional<GiNaC::matrix> inverse_columns(const Request& request, const GiNaC
   return std::nullopt;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

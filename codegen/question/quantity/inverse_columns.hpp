@@ -15,7 +15,7 @@
 
 #include "codegen/model/request.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns a regular m×m matrix C of short exact numbers, so that AᵀC ≈ [I 0] at a pose of the
 /// motion, the middle if possible; nullopt if there is none at the poses that were tried.
@@ -25,4 +25,4 @@ namespace regulus {
 [[nodiscard]] std::optional<GiNaC::matrix> inverse_columns(const Request& request,
                                                            const GiNaC::matrix& A);
 
-}  // namespace regulus
+}  // namespace regulus::detail

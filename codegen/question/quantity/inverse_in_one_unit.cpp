@@ -4,7 +4,7 @@
 #include "codegen/model/constants.hpp"
 #include "codegen/model/mechanism/twist.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 std::vector<GiNaC::ex> column_scales(const Model& model) {
   const std::vector<TwistComponent> twist = twist_of(model);
@@ -32,4 +32,4 @@ Request inverse_in_one_unit(Request request) {
   return request;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

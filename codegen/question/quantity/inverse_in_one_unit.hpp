@@ -3,7 +3,7 @@
 
 #include "codegen/model/request.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the question about the matrix J⁻¹C: the row scales are in the entries, the columns of
 /// angular velocities are divided by the characteristic length, and there is no threshold.
@@ -14,4 +14,4 @@ namespace regulus {
 /// Returns the factors of the columns, the diagonal of C.
 [[nodiscard]] std::vector<GiNaC::ex> column_scales(const Model& model);
 
-}  // namespace regulus
+}  // namespace regulus::detail

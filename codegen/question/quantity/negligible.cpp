@@ -6,7 +6,7 @@
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/question/quantity/quantity_traits.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 double size_of(const GiNaC::ex& value) { return mag(enclose_constant(value, "a constant")); }
@@ -53,4 +53,4 @@ double negligible(const Model& model, const Component& component) {
   return 0;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 
 #include "codegen/question/quantity/quantity.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A value counts as 0 if it is less than this part of what causes it.
 inline constexpr double kNegligiblePart = 0x1p-20;
@@ -16,4 +16,4 @@ inline constexpr const char* kNothingAtZero = "every magnitude is at least 0";
 /// for a quantity that has no such cause, and for a finite error, whose causes are in the motion.
 [[nodiscard]] double negligible(const Model& model, const Component& component);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/model/way/trajectory.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -143,4 +143,4 @@ class PlatformClosure {
 
 Request closure_of_platform(const Request& given) { return PlatformClosure(given).build(); }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -12,7 +12,7 @@
 
 #include "codegen/model/request.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the question about a closure whose unknowns are e and the angles roll, pitch and yaw of
 /// E = Rz·Ry·Rx (of a platform in the plane its angle). The errors of the legs are those of the
@@ -22,4 +22,4 @@ namespace regulus {
 ///           of the pose.
 [[nodiscard]] Request closure_of_platform(const Request& given);
 
-}  // namespace regulus
+}  // namespace regulus::detail

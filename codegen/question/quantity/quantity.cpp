@@ -14,6 +14,9 @@
 #include "codegen/support/errors.hpp"
 
 namespace regulus {
+
+using namespace detail;
+
 namespace {
 
 using Kind = TwistComponent::Kind;

@@ -5,7 +5,7 @@
 
 #include "runtime/proof/format.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using enum QuantityKind;
@@ -158,4 +158,4 @@ std::span<const QuantityTraits> quantity_traits() noexcept { return kTraits; }
 
 const QuantityTraits& traits_of(QuantityKind kind) noexcept { return kTraits[std::size_t(kind)]; }
 
-}  // namespace regulus
+}  // namespace regulus::detail

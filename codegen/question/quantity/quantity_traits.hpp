@@ -8,7 +8,7 @@
 
 #include "codegen/question/quantity/quantity_kind.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// What a quantity has a component for.
 enum class ComponentsOf : std::uint8_t {
@@ -61,4 +61,4 @@ struct ClosureTraits {
 [[nodiscard]] std::span<const QuantityTraits> quantity_traits() noexcept;
 [[nodiscard]] const QuantityTraits& traits_of(QuantityKind kind) noexcept;
 
-}  // namespace regulus
+}  // namespace regulus::detail

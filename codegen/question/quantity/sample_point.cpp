@@ -6,7 +6,7 @@
 
 #include "codegen/model/way/trajectory.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 using GiNaC::ex;
 
@@ -58,4 +58,4 @@ void SamplePoints::add_uncertain(GiNaC::exmap& point, bool in_the_middle) {
   }
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "codegen/model/exact/point_values.hpp"
 #include "codegen/model/request.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 [[nodiscard]] Eigen::MatrixXd values_of(const GiNaC::matrix& A, PointValues& at);
 
@@ -36,4 +36,4 @@ class SamplePoints {
   std::uniform_real_distribution<double> uniform_{0, 1};
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

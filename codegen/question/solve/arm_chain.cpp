@@ -9,7 +9,7 @@
 #include "codegen/question/solve/platform_legs.hpp"
 #include "runtime/interval/elementary.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// c·I + s·[a]× + (1 − c)·a·aᵀ.
@@ -179,4 +179,4 @@ std::vector<Interval> jacobian_at(const ArmChain& chain, const ArmPosture& postu
   return J;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

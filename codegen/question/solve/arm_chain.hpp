@@ -10,7 +10,7 @@
 #include "codegen/model/mechanism/serial.hpp"
 #include "runtime/interval/interval.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 using Vector3 = std::array<Interval, 3>;
 using Matrix3 = std::array<Interval, 9>;  ///< row-major
@@ -73,4 +73,4 @@ struct ArmPosture {
 /// Returns the forward Jacobian, row-major: the velocity of the end's origin, and its angular velocity.
 [[nodiscard]] std::vector<Interval> jacobian_at(const ArmChain& chain, const ArmPosture& posture);
 
-}  // namespace regulus
+}  // namespace regulus::detail

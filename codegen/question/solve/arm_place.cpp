@@ -15,7 +15,7 @@
 #include "codegen/support/errors.hpp"
 #include "runtime/interval/floating_point_scope.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::size_t kSearchedJoints = 4;
@@ -103,4 +103,4 @@ RootSystems systems_of_arm(const ArmAtPlace& arm, std::size_t number) {
           [loop] { return std::make_unique<OppositeAxes>(loop->first, loop->second); }};
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 #include "codegen/question/solve/arm_chain.hpp"
 #include "codegen/question/solve/root_judge.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct ArmAtPlace {
   ArmGeometry geometry;
@@ -36,4 +36,4 @@ inline constexpr std::size_t kWholeArm = 3;
 /// Requires  number ≤ kWholeArm; of another number than that, all joints turn.
 [[nodiscard]] RootSystems systems_of_arm(const ArmAtPlace& arm, std::size_t number);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -20,7 +20,7 @@
 #include "runtime/interval/floating_point_scope.hpp"
 #include "runtime/solutions/arm_postures.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr const char* kTheorem =
@@ -343,4 +343,4 @@ Solutions solve_arm(const Request& request, const SolveRun& run) {
   return ArmSolver(request, run).solve();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 
 #include "codegen/question/solve/solve_run.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Six joints that turn: four of them are searched (arm_system.hpp), in each of the three ways to
 /// choose two opposite ones, until a list is whole; each solution of these equations is shown to be
@@ -17,4 +17,4 @@ namespace regulus {
 /// Throws    UsageError for an arm that has not six joints that are free to move.
 [[nodiscard]] Solutions solve_arm(const Request& request, const SolveRun& run);
 
-}  // namespace regulus
+}  // namespace regulus::detail

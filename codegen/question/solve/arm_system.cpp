@@ -6,8 +6,12 @@
 
 #include "runtime/interval/elementary.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
+
+using detail::cross;  // those below would hide them
+using detail::dot;
+using detail::times;
 
 constexpr std::size_t kFour = 4;
 
@@ -306,4 +310,4 @@ void move_origins(ArmChain& chain, LinkFrame& target) {
   }
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 #include "codegen/question/solve/arm_chain.hpp"
 #include "codegen/question/solve/root_judge.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// As many joints as a frame has freedoms.
 inline constexpr std::size_t kJoints = 6;
@@ -88,4 +88,4 @@ class OppositeAxes final : public RootSystem {
 /// target with the last. The values of the joints stay.
 void move_origins(ArmChain& chain, LinkFrame& target);
 
-}  // namespace regulus
+}  // namespace regulus::detail

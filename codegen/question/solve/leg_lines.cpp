@@ -8,7 +8,7 @@
 #include "codegen/question/solve/nominal.hpp"
 #include "codegen/question/solve/platform_legs.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 using GiNaC::ex;
 
@@ -37,4 +37,4 @@ CertifiedLegs certified_legs(const Request& request) {
   return legs;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include "codegen/model/request.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A platform as the lines of a certificate state it.
 struct CertifiedLegs {
@@ -21,4 +21,4 @@ struct CertifiedLegs {
   return request.model.legs.size() == 3;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 
 #include "runtime/proof/format.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 std::string body_of(const std::vector<PlaceProof>& places) {
@@ -68,4 +68,4 @@ ProofStatus certify_places(const std::string& path, const std::vector<PlaceProof
   return status;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

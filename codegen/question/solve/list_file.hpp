@@ -9,7 +9,7 @@
 #include "codegen/answer/certificate/proof_status.hpp"
 #include "codegen/question/solve/solve_certificate.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Writes the proof of what is known of the solutions at one place, if there is one. An empty path means
 /// that none is wanted.
@@ -33,4 +33,4 @@ struct PlaceProof {
                                          const std::vector<PlaceProof>& places, std::uint64_t left,
                                          std::uint64_t shard_size);
 
-}  // namespace regulus
+}  // namespace regulus::detail

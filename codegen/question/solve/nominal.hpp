@@ -3,7 +3,7 @@
 
 #include "codegen/model/model.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The geometry of a model at its nominal values.
 class NominalGeometry {
@@ -26,4 +26,4 @@ class NominalGeometry {
   return pose;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

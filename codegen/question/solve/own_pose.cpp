@@ -10,7 +10,7 @@
 #include "runtime/interval/floating_point_scope.hpp"
 #include "runtime/solutions/gough_poses.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 Interval half_turn() { return enclose_constant(GiNaC::Pi, "pi"); }
@@ -76,4 +76,4 @@ bool OwnPose::is_ambiguous(std::span<const Interval> pose) const {
                              [turn](const Interval& angle) { return width_ru(angle) >= turn; });
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "codegen/model/model.hpp"
 #include "codegen/question/solve/solutions.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The angles by which a model turns its platform. A model with a quaternion has none.
 class OwnPose {
@@ -40,4 +40,4 @@ class OwnPose {
   std::vector<SolvedUnknown> parameters_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -12,7 +12,7 @@
 #include "codegen/question/solve/nominal.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -183,4 +183,4 @@ bool has_tolerances(const Request& request) {
          });
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "codegen/model/request.hpp"
 #include "runtime/solutions/gough_poses.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the square of each length at the nominal values.
 [[nodiscard]] std::vector<GiNaC::ex> squared_lengths(const Request& request);
@@ -34,4 +34,4 @@ namespace regulus {
 /// True if the model or the motion has a tolerance or an error that is not 0.
 [[nodiscard]] bool has_tolerances(const Request& request);
 
-}  // namespace regulus
+}  // namespace regulus::detail

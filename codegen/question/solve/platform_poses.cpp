@@ -18,7 +18,7 @@
 #include "runtime/interval/floating_point_scope.hpp"
 #include "runtime/solutions/gough_poses.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -234,4 +234,4 @@ Solutions solve_platform(const Request& request, const SolveRun& run) {
   return solve_system(prepared, root_settings_of(run, prepared), run.progress);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 
 #include "codegen/question/solve/solve_run.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// In the plane by search; in space by counting (runtime/solutions/gough_poses.hpp). The lengths are
 /// those of the motion, or at its pose.
@@ -16,4 +16,4 @@ namespace regulus {
 /// have their tolerances, and the squares of the lengths their errors.
 [[nodiscard]] Request planar_request(const Request& request);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "runtime/solutions/pose_equations.hpp"
 #include "runtime/solutions/pose_narrowing.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// The equations of one chart.
@@ -335,4 +335,4 @@ PoseTubes follow_poses(const GoughLegs& at, const GoughLegs& legs,
   return PoseFollowing(at, legs, std::move(settings), progress).follow(poses);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

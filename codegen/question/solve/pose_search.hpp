@@ -10,7 +10,7 @@
 #include "runtime/solutions/gough_poses.hpp"
 #include "runtime/solutions/pose_equations.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the systems of a search of one chart, which has the number of the chart.
 ///
@@ -69,4 +69,4 @@ struct FollowedEquations {
                                      const std::vector<GoughPose>& poses, RootSettings settings,
                                      Observer* progress);
 
-}  // namespace regulus
+}  // namespace regulus::detail

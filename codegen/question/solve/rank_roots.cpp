@@ -10,7 +10,7 @@
 #include "codegen/question/solve/pose_search.hpp"
 #include "runtime/interval/floating_point_scope.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 RootSystems systems_of_platform(const Request& request, std::size_t number) {
@@ -43,4 +43,4 @@ RootSystems systems_of(const Request& request, const std::vector<std::string>& h
   return exist ? systems_of_arm(arm, number) : RootSystems();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "codegen/model/request.hpp"
 #include "codegen/question/solve/root_judge.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the request whose equations have a kernel; nullopt: the systems have none.
 ///
@@ -23,4 +23,4 @@ namespace regulus {
 [[nodiscard]] RootSystems systems_of(const Request& request, const std::vector<std::string>& held,
                                      std::size_t number);
 
-}  // namespace regulus
+}  // namespace regulus::detail

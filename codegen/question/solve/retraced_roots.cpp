@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Boxes of so many leaves are in memory at a time.
@@ -141,4 +141,4 @@ std::vector<RetracedRoots::Part> RetracedRoots::empty_leaves() {
   return leaves;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -21,7 +21,7 @@
 #include "codegen/question/solve/root_judge.hpp"
 #include "runtime/search/saved_tree.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class RetracedRoots {
  public:
@@ -72,4 +72,4 @@ class RetracedRoots {
   std::unordered_map<BoxId, Leaf> leaves_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

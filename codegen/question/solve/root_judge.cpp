@@ -7,7 +7,7 @@
 #include "runtime/existence/branch_tube.hpp"
 #include "runtime/existence/narrowing.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr int kRounds = 12, kSharpenings = 12;
@@ -392,4 +392,4 @@ std::optional<Root> RootJudge::root_near(const Box& variables, std::vector<doubl
   return std::nullopt;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

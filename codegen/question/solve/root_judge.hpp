@@ -20,7 +20,7 @@
 #include "codegen/question/closure/closed_system.hpp"
 #include "runtime/cluster/bytes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// n equations in n unknowns, evaluated over eight boxes at once. Each thread has its own.
 class RootSystem {
@@ -136,4 +136,4 @@ class RootJudge {
   std::unique_ptr<RootSystem> system_, regular_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -2,7 +2,7 @@
 // Findings about boxes, as messages between ranks.
 #include "codegen/question/solve/root_judge.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 void RootJudge::put(cluster::ByteWriter& to, const RootFinding& finding) {
   to.put(finding.is_empty);
@@ -37,4 +37,4 @@ RootFinding RootJudge::take(cluster::ByteReader& from, const RootQuestion& quest
   return finding;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "codegen/question/engine/search_topic.hpp"
 #include "codegen/question/solve/retraced_roots.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::size_t kBoxesOfRound = 64;
@@ -213,4 +213,4 @@ RootList search_roots(const RootQuestion& question, const std::vector<Interval>&
   return settings.keep ? settings.keep(settings, search) : search(settings);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

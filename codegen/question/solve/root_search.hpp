@@ -9,7 +9,7 @@
 #include "codegen/question/solve/root_judge.hpp"
 #include "runtime/search/box_search.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct RootSettings;
 
@@ -47,4 +47,4 @@ struct RootSettings : BoxSearchSettings {
                                     const std::vector<Interval>& periods,
                                     const RootSettings& settings, Observer* progress);
 
-}  // namespace regulus
+}  // namespace regulus::detail

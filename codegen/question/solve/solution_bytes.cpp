@@ -3,7 +3,7 @@
 
 #include <span>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using cluster::ByteReader;
@@ -117,4 +117,4 @@ ListProof take_list_proof(ByteReader& from) {
   return list;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include "codegen/question/solve/solve_certificate.hpp"
 #include "runtime/cluster/bytes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 void put(cluster::ByteWriter& to, const Solutions& solutions);
 void put(cluster::ByteWriter& to, const ListProof& list);
@@ -15,4 +15,4 @@ void put(cluster::ByteWriter& to, const ListProof& list);
 [[nodiscard]] Solutions take_solutions(cluster::ByteReader& from);
 [[nodiscard]] ListProof take_list_proof(cluster::ByteReader& from);
 
-}  // namespace regulus
+}  // namespace regulus::detail

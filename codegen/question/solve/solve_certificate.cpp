@@ -20,7 +20,7 @@
 #include "runtime/interval/floating_point_scope.hpp"
 #include "runtime/verifier/verify.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -390,4 +390,4 @@ ListProof prove_list(const Request& request, const Solutions& solutions) {
   return list;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

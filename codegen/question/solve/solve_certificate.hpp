@@ -7,7 +7,7 @@
 #include "codegen/model/request.hpp"
 #include "codegen/question/solve/solutions.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The lines of a certificate about the solutions at one place, or why there are none.
 struct ListProof {
@@ -21,4 +21,4 @@ struct ListProof {
 /// Requires  solutions are those of the request.
 [[nodiscard]] ListProof prove_list(const Request& request, const Solutions& solutions);
 
-}  // namespace regulus
+}  // namespace regulus::detail

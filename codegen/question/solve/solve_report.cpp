@@ -16,7 +16,7 @@
 #include "codegen/model/place.hpp"
 #include "codegen/question/solve/own_pose.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -356,4 +356,4 @@ void tell_places_asked(const SolveAsked& asked, const std::vector<SolvedUnknown>
   add_search(asked.search, json_asked(asked, nullptr), facts);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

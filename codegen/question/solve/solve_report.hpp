@@ -11,7 +11,7 @@
 #include "codegen/question/engine/options.hpp"
 #include "codegen/question/solve/solutions.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns "COMPLETE: 6 poses", "NONE" or "INCOMPLETE: at least 2 poses".
 [[nodiscard]] std::string describe_result(const Solutions& solutions, const SolvedNoun& noun);
@@ -53,4 +53,4 @@ void tell_solutions(const SolveAsked& asked, const Solutions& solutions, const S
 void tell_places_asked(const SolveAsked& asked, const std::vector<SolvedUnknown>& unknowns,
                        Facts& facts);
 
-}  // namespace regulus
+}  // namespace regulus::detail

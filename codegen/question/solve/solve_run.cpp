@@ -13,7 +13,7 @@
 #include "codegen/support/errors.hpp"
 #include "runtime/interval/floating_point_scope.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 namespace {
 
@@ -103,4 +103,4 @@ Solutions solve(const Request& request, const SolveRun& run) {
   return solve_system(prepared, root_settings_of(run, prepared), run.progress);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 #include "codegen/question/solve/solutions.hpp"
 #include "runtime/problem/observer.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Reads the model, and the place that the options name.
 ///
@@ -49,4 +49,4 @@ struct SolveRun {
 /// Throws    UsageError for a model whose solutions cannot be asked for; the exceptions of prepare().
 [[nodiscard]] Solutions solve(const Request& request, const SolveRun& run);
 
-}  // namespace regulus
+}  // namespace regulus::detail

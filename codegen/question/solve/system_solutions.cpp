@@ -14,7 +14,7 @@
 #include "codegen/question/condition/singular_vectors.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -266,4 +266,4 @@ std::vector<double> usual_sizes(const Solutions& solutions) {
   return size;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

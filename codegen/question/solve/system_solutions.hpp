@@ -6,7 +6,7 @@
 #include "codegen/question/solve/root_search.hpp"
 #include "codegen/question/solve/solutions.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns by how much an unknown of a closure can move without a change of the equations: by a turn,
 /// if it is an angle in sines and cosines alone. 0: by nothing that is known.
@@ -35,4 +35,4 @@ void sort_by_values(std::vector<CertainSolution>& solutions);
 /// Returns the condition number of an n×n matrix in the 2-norm, approximately.
 [[nodiscard]] double approx_condition(std::span<const double> matrix, std::size_t n);
 
-}  // namespace regulus
+}  // namespace regulus::detail

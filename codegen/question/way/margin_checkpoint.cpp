@@ -8,7 +8,7 @@
 #include "codegen/model/way/trajectory.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 nlohmann::ordered_json checkpointed_question(const Request& request, const SearchOptions& search) {
   nlohmann::ordered_json question = json_question(request, search);
@@ -30,4 +30,4 @@ MarginCheckpoint::MarginCheckpoint(const std::string& path, const Request& reque
   searches_ = file_->searches_of(question, "", "0");
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "codegen/question/margin/bracket_checkpoint.hpp"
 #include "codegen/question/margin/margin_run.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns everything that the ends of brackets about a motion depend on, with the way-points if it
 /// has them, but not what is bracketed.
@@ -34,4 +34,4 @@ class MarginCheckpoint {
   std::unique_ptr<EarlierSearches> searches_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/support/stopwatch.hpp"
 #include "codegen/support/time_budget.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// True if the searches did not come to their own ends.
@@ -72,4 +72,4 @@ Bracket::Limits limits_of(const SearchOptions& search, double gap) {
           search.max_boxes == 0 ? kAnyBoxes : search.max_boxes};
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "codegen/question/margin/attempts.hpp"
 #include "codegen/question/way/trajectory_run.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class PathAttempts final : public Attempts {
  public:
@@ -46,4 +46,4 @@ class PathAttempts final : public Attempts {
 /// Returns the limits of a bracket of such searches.
 [[nodiscard]] Bracket::Limits limits_of(const SearchOptions& search, double gap);
 
-}  // namespace regulus
+}  // namespace regulus::detail

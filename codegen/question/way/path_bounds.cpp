@@ -6,7 +6,7 @@
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/kernel/program/rational_bounds.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -129,4 +129,4 @@ Interval PathBounds::over_pieces(std::size_t first, std::size_t count,
   return groups_[level][(first >> level) * moving_.size() + m];
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/model/way/trajectory.hpp"
 #include "runtime/interval/interval.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Encloses one pose parameter along one piece.
 class CoordinateBounds {
@@ -67,4 +67,4 @@ class PathBounds {
   std::vector<std::vector<Interval>> groups_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

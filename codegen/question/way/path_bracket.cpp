@@ -13,7 +13,7 @@
 #include "codegen/question/way/pieces_alone.hpp"
 #include "codegen/question/way/trajectory_request.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// The part of the gap below the witness at which all pieces are searched.
@@ -212,4 +212,4 @@ void PathBracket::certify_lower() {
   }
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -21,7 +21,7 @@
 #include "codegen/question/way/path_bounds.hpp"
 #include "codegen/support/time_budget.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A singular pose on one piece, at a value.
 struct PieceWitness {
@@ -100,4 +100,4 @@ class PathBracket {
   StageSeconds seconds_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

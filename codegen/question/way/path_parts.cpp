@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <bit>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr double kShortestPart = 0x1p-24;
@@ -98,4 +98,4 @@ void PathParts::leaf(const PathPart& part, Rule rule) {
   for (std::size_t k = part.piece; k < end_of(part); ++k) trees_[k].leaf(part.id, rule);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

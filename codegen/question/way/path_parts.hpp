@@ -9,7 +9,7 @@
 #include "runtime/problem/problem.hpp"
 #include "runtime/proof/tree_kept.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A part of the trajectory that is not decided yet.
 struct PathPart {
@@ -67,4 +67,4 @@ class PathParts {
   std::vector<TreeKept> trees_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

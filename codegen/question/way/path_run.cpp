@@ -9,7 +9,7 @@
 #include "codegen/support/errors.hpp"
 #include "runtime/problem/observers.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::uint64_t kMostBoxesAlone = 200'000;
@@ -134,4 +134,4 @@ TrajectoryCheck begin_check(Request request, double model_seconds, SearchOptions
   return check;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "codegen/question/engine/search_run.hpp"
 #include "codegen/question/way/trajectory_run.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class PathRun {
  public:
@@ -60,4 +60,4 @@ void settle_options(SearchOptions& search);
 [[nodiscard]] TrajectoryCheck begin_check(Request request, double model_seconds,
                                           SearchOptions& search);
 
-}  // namespace regulus
+}  // namespace regulus::detail

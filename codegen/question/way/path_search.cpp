@@ -8,7 +8,7 @@
 #include "runtime/search/box_search.hpp"
 #include "runtime/search/leaf_claims.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::size_t kBoxesOfRound = 64 * kLanes;
@@ -224,4 +224,4 @@ PathSearchResult search_path(const PathBounds& path, const Problem& problem,
   return PathSearch(path, problem, settings, options).run();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

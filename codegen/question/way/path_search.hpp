@@ -17,7 +17,7 @@
 #include "runtime/problem/result.hpp"
 #include "runtime/search/shared_boxes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The kinds of leaves that a piece has.
 struct PieceLeaves {
@@ -63,4 +63,4 @@ struct PathSearchOptions {
                                            const Settings& settings,
                                            const PathSearchOptions& options);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <sstream>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr const char* kPlace = "all segments";
@@ -92,4 +92,4 @@ void PathSteps::save() {
   });
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -12,7 +12,7 @@
 #include "codegen/answer/report/search_checkpoint.hpp"
 #include "runtime/problem/result.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct PathStep {
   enum class Kind : std::uint8_t {
@@ -62,4 +62,4 @@ class PathSteps {
   bool has_ended_ = false, keeps_earlier_ = false;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include "codegen/question/way/path_variety.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 BoxId PathTrees::on_piece(BoxId box) const {
   const auto found = number_.find(box);
@@ -38,4 +38,4 @@ void PathTrees::on_leaf(const OpenBox& box, Rule rule, const Proof&) noexcept {
   for (std::size_t piece = first; piece < end; ++piece) trees_[piece].leaf(on_piece(box.id), rule);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

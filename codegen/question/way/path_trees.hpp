@@ -7,7 +7,7 @@
 
 #include "runtime/proof/tree_kept.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A leaf that is a group of pieces is one of each. A tree that does not fit into memory cannot be
 /// written (TreeKept::write_to).
@@ -28,4 +28,4 @@ class PathTrees final : public Observer {
   std::unordered_map<BoxId, BoxId> number_{};  ///< of a box of the search on its piece; else 0
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

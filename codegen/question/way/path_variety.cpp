@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-namespace regulus {
+namespace regulus::detail {
 
 PathVariety::PathVariety(const PathBounds& path, const Problem& kernel, std::size_t added)
     : path_(path),
@@ -131,4 +131,4 @@ PathVariety::Box PathVariety::on_piece(const Box& place) const {
   return variables;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -13,7 +13,7 @@
 #include "codegen/question/way/path_bounds.hpp"
 #include "runtime/problem/problem.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class PathVariety {
  public:
@@ -67,4 +67,4 @@ class PathVariety {
   Problem problem_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// After so many pieces without an answer, no more are searched alone.
 inline constexpr std::size_t kMostUndecidedPieces = 8;
@@ -31,4 +31,4 @@ void ask_pieces_alone(std::size_t pieces, const IsOpen& is_open, const Ask& ask)
   }
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/way/read_trajectory.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 std::optional<Request> read_trajectory(const ModelOptions& options, const FormingWatch& watch) {
   const std::string text = model_text(options);
@@ -11,4 +11,4 @@ std::optional<Request> read_trajectory(const ModelOptions& options, const Formin
   return request.motion.trajectory ? std::optional(std::move(request)) : std::nullopt;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/way/regularity_judge.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Any number may come in a message.
@@ -68,4 +68,4 @@ RegularityFinding RegularityJudge::take(cluster::ByteReader& from,
   return finding;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

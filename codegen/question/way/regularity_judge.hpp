@@ -9,7 +9,7 @@
 #include "runtime/cluster/bytes.hpp"
 #include "runtime/search/decider.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct RegularityFinding {
   bool is_decided = false;
@@ -53,4 +53,4 @@ class RegularityJudge {
   Decisions decisions_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "codegen/question/way/trajectory_certificate.hpp"
 #include "runtime/problem/observers.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// The box of a witness: its path lies in it.
@@ -127,4 +127,4 @@ ProofStatus certify_sides(const std::string& path, const CutSides& sides,
   return status;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

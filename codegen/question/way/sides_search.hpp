@@ -12,7 +12,7 @@
 #include "codegen/question/engine/search_run.hpp"
 #include "runtime/proof/tree_kept.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// What is known of a matrix once all sides are searched.
 struct SidesDecision {
@@ -36,4 +36,4 @@ struct SidesDecision {
                                         const PreparedSearch& whole, const SidesDecision& decision,
                                         const ProofPlacing& placing);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include "codegen/answer/certificate/certificate_question.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Returns the reason why there is no proof; empty if it was written.
@@ -71,4 +71,4 @@ ProofStatus certify_trajectory(const std::string& path, const TrajectoryCheck& c
   return status;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

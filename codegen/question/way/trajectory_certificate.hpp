@@ -9,7 +9,7 @@
 #include "codegen/answer/certificate/proof_status.hpp"
 #include "codegen/question/way/trajectory_run.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Writes the trees of all pieces, in their order. Throws FileError; std::bad_alloc if there was no
 /// memory for one of them.
@@ -30,4 +30,4 @@ void write_pieces(const std::string& path, const std::string& head,
                                              const CertifiedMotion& motion,
                                              const ProofPlacing& placing);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 #include "codegen/question/way/path_attempts.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 TrajectoryMargin margin_of_trajectory(const MarginRequest& request, const MarginQuestion& question,
                                       const SearchOptions& search, double gap,
@@ -51,4 +51,4 @@ void tell_trajectory_margin(const TrajectoryMargin& found, const MarginQuestion&
   found.proofs.tell(facts);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

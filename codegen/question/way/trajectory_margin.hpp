@@ -11,7 +11,7 @@
 #include "codegen/question/margin/margin_run.hpp"
 #include "codegen/question/way/trajectory_run.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct TrajectoryMargin {
   Margin margin;
@@ -30,4 +30,4 @@ struct TrajectoryMargin {
 void tell_trajectory_margin(const TrajectoryMargin& found, const MarginQuestion& question,
                             const SearchOptions& search, double gap, Facts& facts);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "runtime/problem/observers.hpp"
 #include "runtime/search/leaf_claims.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// The parts of one piece, as an exhaustive search finds them. Its first variable is s.
@@ -204,4 +204,4 @@ ProofStatus certify_path_paving(const std::string& path, PathPaving& paving,
   return status;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -12,7 +12,7 @@
 #include "codegen/question/way/trajectory_run.hpp"
 #include "runtime/search/paving.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The default resolution: the part of a segment that is left undecided.
 inline constexpr double kPathResolution = 0x1p-9;
@@ -80,4 +80,4 @@ void tell_path_paving(const PathPaving& paving, const SearchOptions& search, Fac
 [[nodiscard]] nlohmann::ordered_json json_stretch(const PathPaving& paving,
                                                   const PathStretch& stretch);
 
-}  // namespace regulus
+}  // namespace regulus::detail

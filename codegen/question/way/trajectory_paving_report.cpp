@@ -10,7 +10,7 @@
 #include "codegen/question/way/trajectory_paving.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -113,4 +113,4 @@ Json json_stretch(const PathPaving& paving, const PathStretch& stretch) {
   return json_stretch_of(trajectory_of(paving), stretch, word_of_claim);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

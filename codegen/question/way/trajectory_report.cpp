@@ -18,7 +18,7 @@
 #include "codegen/question/analysis/undefined.hpp"
 #include "codegen/question/engine/choices.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -265,4 +265,4 @@ void tell_trajectory(const TrajectoryCheck& check, const SearchOptions& search, 
   facts.tell("claim", claim, "claim", claim);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "codegen/answer/facts.hpp"
 #include "codegen/question/way/trajectory_run.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Tells model, motion, file, what keeps its value, constraints and control errors.
 void tell_way(const Request& request, Facts& facts);
@@ -45,4 +45,4 @@ void tell_trajectory(const TrajectoryCheck& check, const SearchOptions& search, 
 /// Requires  a deciding piece with its search if the verdict is SINGULARITY.
 [[nodiscard]] std::string describe_trajectory_claim(const TrajectoryCheck& check);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 #include "codegen/model/exact/decimal.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 Request hull_request(const Request& request, const PathBounds& path) {
   Request hull = request;
@@ -31,4 +31,4 @@ Request hull_request(const Request& request, const PathBounds& path) {
   return hull;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

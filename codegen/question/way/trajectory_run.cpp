@@ -4,7 +4,7 @@
 #include "codegen/question/way/path_run.hpp"
 #include "runtime/search/conclusion.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 class TrajectoryRun {
@@ -70,4 +70,4 @@ TrajectoryCheck check_trajectory(Request request, double model_seconds, SearchOp
   return check;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

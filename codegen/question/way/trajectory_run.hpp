@@ -16,7 +16,7 @@
 #include "codegen/question/way/path_search.hpp"
 #include "codegen/question/way/pieces_alone.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The piece that decides the verdict, with the search of its own.
 struct DecidingPiece {
@@ -65,4 +65,4 @@ struct TrajectoryCheck {
                                                SearchOptions search, bool wants_trees,
                                                const PathWatch& watch);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/use/api/algebra_lock.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 std::recursive_mutex& mutex_of_the_process() {
@@ -13,4 +13,4 @@ std::recursive_mutex& mutex_of_the_process() {
 
 AlgebraLock::AlgebraLock() : lock_(mutex_of_the_process()) {}
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include <mutex>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Hold it for any work with objects of GiNaC and CLN in this folder: they count references without
 /// locks, and some of them belong to the whole process. A thread may hold it more than once,
@@ -16,4 +16,4 @@ class AlgebraLock {
   std::unique_lock<std::recursive_mutex> lock_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -15,7 +15,7 @@
 #include "codegen/use/api/margin.hpp"
 #include "runtime/proof/format.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the services of a program: no terminal, names without dashes. Throws UsageError for a
 /// shard size that has no meaning.
@@ -54,4 +54,4 @@ void set_ends(const std::vector<ProofOfEnd>& proofs, Finding& finding) {
     finding.certificates.push_back({end.component, end.is_safe_end, end.file, end.obstacle});
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

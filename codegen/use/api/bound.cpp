@@ -6,6 +6,9 @@
 #include "codegen/use/api/answer_fields.hpp"
 
 namespace regulus {
+
+using namespace detail;
+
 namespace {
 
 BoundVerdict verdict_of(BoundAnswer::Verdict verdict) {

@@ -8,6 +8,8 @@
 
 namespace regulus {
 
+using namespace detail;
+
 Finding check(const Question& question, const SearchOptions& options,
               const std::atomic<bool>* interrupt, const std::string& certificate,
               std::uint64_t shard_size) {

@@ -13,6 +13,8 @@
 
 namespace regulus {
 
+using namespace detail;
+
 namespace {
 
 ProofOutcome outcome_of(const verifier::Verification& verification) {

@@ -6,6 +6,8 @@
 
 namespace regulus {
 
+using namespace detail;
+
 struct Kernel::Parts {
   PreparedSearch prepared;
   std::vector<std::string> variables;

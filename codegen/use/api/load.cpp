@@ -7,6 +7,9 @@
 #include "codegen/use/api/answer_fields.hpp"
 
 namespace regulus {
+
+using namespace detail;
+
 namespace {
 
 LoadFinding finding_of(const LoadAnswer& answer, double seconds) {

@@ -7,6 +7,8 @@
 
 namespace regulus {
 
+using namespace detail;
+
 Paving locate(const Question& question, const LocateOptions& options,
               const std::atomic<bool>* interrupt) {
   const AlgebraLock lock;

@@ -7,6 +7,8 @@
 
 namespace regulus {
 
+using namespace detail;
+
 MarginFinding margin(const Question& question, const MarginOptions& options,
                      const std::atomic<bool>* interrupt) {
   const AlgebraLock lock;

@@ -10,6 +10,8 @@
 
 namespace regulus {
 
+using namespace detail;
+
 void write_page(const Question& question, const PageContents& contents, const std::string& file) {
   const AlgebraLock lock;
   const ModelOptions& model = question.options();

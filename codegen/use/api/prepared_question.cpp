@@ -23,6 +23,8 @@
 
 namespace regulus {
 
+using namespace detail;
+
 /// Everything but the ranges on which the functions of a search depend. Variables are the parameters
 /// of the motion and what is uncertain.
 struct QuestionShape {

@@ -8,6 +8,8 @@
 
 namespace regulus {
 
+using namespace detail;
+
 Question::Question() : options_(std::make_unique<ModelOptions>()) {}
 
 Question::Question(const Robot& robot, const std::string& motion) : Question() {

@@ -7,7 +7,9 @@
 #include "codegen/model/robot/robot.hpp"
 
 namespace regulus {
+namespace detail {
 struct ModelOptions;
+}  // namespace detail
 
 /// A question: a robot, one of its motions, and changes to them. Numbers are exact texts: "0.1",
 /// "1/3", "15*deg".
@@ -44,12 +46,12 @@ class Question {
   /// Sets the threshold that |det J⁻¹| must exceed.
   Question& alpha(const std::string& threshold);
 
-  [[nodiscard]] const ModelOptions& options() const noexcept { return *options_; }
+  [[nodiscard]] const detail::ModelOptions& options() const noexcept { return *options_; }
 
  private:
   Question();
 
-  std::unique_ptr<ModelOptions> options_;
+  std::unique_ptr<detail::ModelOptions> options_;
 };
 
 }  // namespace regulus

@@ -8,6 +8,8 @@
 
 namespace regulus {
 
+using namespace detail;
+
 namespace {
 
 AskSolve asked_of(const Question& question, const SolveOptions& options) {

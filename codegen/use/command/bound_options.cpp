@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <utility>
 
-namespace regulus {
+namespace regulus::detail {
 
 void add_quantity_options(CLI::App& app, QuantityOptions& q) {
   app.add_option("--load", q.load, "Set of wrenches on the platform: NAME of a [load.NAME]")
@@ -49,4 +49,4 @@ void add_bound_options(CLI::App& app, BoundCommand& command) {
       ->capture_default_str();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -13,7 +13,7 @@ namespace CLI {
 class App;
 }
 
-namespace regulus {
+namespace regulus::detail {
 
 struct BoundCommand {
   ModelOptions model;
@@ -47,4 +47,4 @@ void add_quantity_options(CLI::App& app, QuantityOptions& options);
 /// Adds QUANTITY and the options about it.
 void add_bound_options(CLI::App& app, BoundCommand& command);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 #include "codegen/use/command/command_tables.hpp"
 #include "codegen/use/command/shared_options.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr const char* kBoundFooter =
@@ -153,4 +153,4 @@ void CommandTables::add_datasheet() {
   datasheet_command->footer(kDatasheetFooter);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include "codegen/use/command/number_check.hpp"
 #include "runtime/proof/format.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 void add_certificate_option(CLI::App& app, std::string& path, const std::string& what) {
   app.add_option("--certificate", path,
@@ -57,4 +57,4 @@ void add_verify_options(CLI::App& app, VerifyCommand& command) {
   app.add_flag("--quiet", command.output.quiet, "Print only the answer (or the JSON report)");
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

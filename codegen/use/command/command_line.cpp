@@ -13,7 +13,7 @@
 #include "codegen/use/command/error_report.hpp"
 #include "codegen/use/command/help_layout.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Finds "{a,b,c}" in the text of --help about an option's value.
@@ -158,4 +158,4 @@ std::vector<CommandEntry> command_table(const std::string& shell_commands) {
   return table;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -17,7 +17,7 @@
 #include "codegen/use/command/list_options.hpp"
 #include "codegen/use/command/report_options.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 struct CheckCommand {
   ModelOptions model;
@@ -141,4 +141,4 @@ struct CommandEntry {
 /// name "". `shell_commands` is the first part of the footer of `shell`.
 [[nodiscard]] std::vector<CommandEntry> command_table(const std::string& shell_commands = {});
 
-}  // namespace regulus
+}  // namespace regulus::detail

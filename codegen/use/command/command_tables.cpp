@@ -7,7 +7,7 @@
 #include "codegen/use/command/shared_options.hpp"
 #include "regulus/version.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr const char* kIntroduction =
@@ -314,4 +314,4 @@ void CommandTables::add_margin() {
   margin_command->footer(kMarginFooter);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

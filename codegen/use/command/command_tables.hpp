@@ -6,7 +6,7 @@
 
 #include "codegen/use/command/command_line.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The tables of all commands, and the values that they fill.
 struct CommandTables {
@@ -53,4 +53,4 @@ struct CommandTables {
   void add_report();
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/use/command/command_line.hpp"
 #include "runtime/verifier/verify.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// `typed`: the command line as typed, for the page.
 [[nodiscard]] int run_report(const ReportCommand& command, const std::string& typed);
@@ -34,4 +34,4 @@ void prove_part(const VerifyCommand& command, const VerifiedPart& part);
 /// `typed`: the same.
 [[nodiscard]] int run_generate(const GenerateCommand& command, const std::string& typed);
 
-}  // namespace regulus
+}  // namespace regulus::detail

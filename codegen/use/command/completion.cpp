@@ -8,7 +8,7 @@
 
 #include "codegen/question/quantity/quantity.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// An option whose value begins with a name of the model.
@@ -193,4 +193,4 @@ _regulus "$@"
                      kNamesOfKind, commands, cases);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,11 +7,11 @@
 
 #include "codegen/use/command/command_line.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The scripts complete commands, options and their values; and, of the model on the line, its
 /// motions, and the parameters, groups, loads and twists that options name.
 [[nodiscard]] std::string bash_completion(const std::vector<CommandEntry>& table);
 [[nodiscard]] std::string zsh_completion(const std::vector<CommandEntry>& table);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,10 +8,10 @@
 #include "codegen/answer/report/report_text.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
-const char* word_of(ExitCode code) {
+const char* word_of_exit(ExitCode code) {
   switch (code) {
     case kUsageError:
       return "usage";
@@ -38,7 +38,7 @@ ErrorFormat error_format(int argc, const char* const* argv) {
 
 std::string json_error(const std::exception& error, ExitCode code) {
   nlohmann::ordered_json object = {
-      {"kind", word_of(code)}, {"message", error.what()}, {"exit", static_cast<int>(code)}};
+      {"kind", word_of_exit(code)}, {"message", error.what()}, {"exit", static_cast<int>(code)}};
   if (const auto* input = dynamic_cast<const InputError*>(&error)) {
     object["file"] = input->file();
     object["line"] = input->line();
@@ -50,4 +50,4 @@ std::string json_error(const std::exception& error, ExitCode code) {
   return report_text(report);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include "codegen/support/exit_code.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// With --json, an error is an object on standard output besides the message on standard error.
 enum class ErrorFormat { kText, kJson };
@@ -18,4 +18,4 @@ enum class ErrorFormat { kText, kJson };
 /// "problem", "remedy" and "symbol". Bytes that are not UTF-8 are replaced.
 [[nodiscard]] std::string json_error(const std::exception& error, ExitCode code);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -16,7 +16,7 @@
 #include "codegen/support/exit_code.hpp"
 #include "codegen/use/command/commands.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Shows the forms; without a motion, over the pose parameters themselves.
@@ -158,4 +158,4 @@ int run_explain(const ExplainCommand& command, const std::string& typed) {
   return 0;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -15,7 +15,7 @@
 #include "codegen/support/errors.hpp"
 #include "codegen/support/write_file.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 GenerateOptions generate_options(const GenerateCommand& command, const Request& request,
@@ -142,4 +142,4 @@ void generate_files(const GenerateCommand& command, const Request& request,
   if (!std::cout.flush()) throw FileError("standard output cannot be written");
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -12,7 +12,7 @@ namespace CLI {
 class App;
 }
 
-namespace regulus {
+namespace regulus::detail {
 
 struct GenerateCommand {
   ModelOptions model;
@@ -40,4 +40,4 @@ void add_generate_options(CLI::App& app, GenerateCommand& command);
 void generate_files(const GenerateCommand& command, const Request& request,
                     const std::string& typed);
 
-}  // namespace regulus
+}  // namespace regulus::detail

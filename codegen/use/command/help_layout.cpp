@@ -6,7 +6,7 @@
 #include <map>
 #include <string_view>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr const char* kQuestion = "Question";
@@ -185,4 +185,4 @@ std::string GroupedHelp::make_footer(const CLI::App* app) const {
   return (examples.empty() ? "" : "Examples:\n" + examples + '\n') + Formatter::make_footer(app);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the groups of options in the order of --help: the question, the budget, the output,
 /// research, and the rest.
@@ -36,4 +36,4 @@ class GroupedHelp : public CLI::Formatter {
   [[nodiscard]] std::string groups_of(const CLI::App& app) const;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

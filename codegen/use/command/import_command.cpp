@@ -9,7 +9,7 @@
 #include "codegen/use/command/import_output.hpp"
 #include "codegen/use/command/terminal.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 namespace {
 
@@ -35,4 +35,4 @@ int run_import(const ImportCommand& command) {
   return 0;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

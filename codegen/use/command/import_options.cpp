@@ -3,7 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr const char* kImportFooter =
@@ -73,4 +73,4 @@ void add_import_options(CLI::App& app, ImportCommand& command) {
   app.footer(kImportFooter);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@ namespace CLI {
 class App;
 }
 
-namespace regulus {
+namespace regulus::detail {
 
 struct ImportCommand {
   std::string path;
@@ -22,4 +22,4 @@ struct ImportCommand {
 
 void add_import_options(CLI::App& app, ImportCommand& command);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -12,7 +12,7 @@
 #include "codegen/support/write_file.hpp"
 #include "runtime/files/sha256.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr const char* kSeal = "# SHA-256 of the lines above: ";
@@ -43,4 +43,4 @@ void write_imported(const std::string& path, const std::string& model) {
   write_file(path, sealed(model));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Writes the model with a last line that has the digest of the lines above. An earlier file that
 /// is still as it was written becomes FILE.old.
@@ -13,4 +13,4 @@ namespace regulus {
 ///           person may have edited it.
 void write_imported(const std::string& path, const std::string& model);
 
-}  // namespace regulus
+}  // namespace regulus::detail

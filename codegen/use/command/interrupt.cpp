@@ -7,7 +7,7 @@
 
 #include <iostream>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 bool is_ignored(int signal) {
@@ -70,4 +70,4 @@ void InterruptGuard::wait_for_signals() {
   }
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 #include <csignal>
 #include <thread>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// During its lifetime, turns SIGINT, SIGTERM and SIGHUP into a flag that the search reads; not
 /// SIGHUP if it is ignored, as after nohup.
@@ -44,4 +44,4 @@ class InterruptGuard {
   std::thread watcher_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

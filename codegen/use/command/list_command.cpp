@@ -10,7 +10,7 @@
 #include "codegen/model/file/model_file.hpp"
 #include "codegen/use/command/commands.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -53,4 +53,4 @@ int run_list(const ListCommand& command) {
   return 0;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace regulus {
+namespace regulus::detail {
 
 void add_list_options(CLI::App& app, ListCommand& command) {
   app.add_option("MODEL", command.path,
@@ -14,4 +14,4 @@ void add_list_options(CLI::App& app, ListCommand& command) {
                "Print only the names of the models, or of the motions (or the JSON object)");
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

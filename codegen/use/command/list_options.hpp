@@ -7,7 +7,7 @@ namespace CLI {
 class App;
 }
 
-namespace regulus {
+namespace regulus::detail {
 
 /// `regulus list`
 struct ListCommand {
@@ -18,4 +18,4 @@ struct ListCommand {
 
 void add_list_options(CLI::App& app, ListCommand& command);
 
-}  // namespace regulus
+}  // namespace regulus::detail

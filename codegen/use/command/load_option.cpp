@@ -5,7 +5,7 @@
 
 #include "codegen/answer/refusals.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 void refuse_foreign_options(const CLI::App& app) {
@@ -29,4 +29,4 @@ void add_load_option(CLI::App& app, std::optional<std::string>& load) {
   app.callback([&app] { refuse_foreign_options(app); });
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

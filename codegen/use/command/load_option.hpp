@@ -9,10 +9,10 @@ namespace CLI {
 class App;
 }
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Adds --load, and refuses the options that have no meaning together with it, with the reason. Call
 /// it after those options are added.
 void add_load_option(CLI::App& app, std::optional<std::string>& load);
 
-}  // namespace regulus
+}  // namespace regulus::detail

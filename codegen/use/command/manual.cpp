@@ -8,7 +8,7 @@
 #include "codegen/use/command/help_layout.hpp"
 #include "regulus/version.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr const char* kDate = "2026-11-21";  // of the manual, by hand: pages are reproducible
@@ -153,4 +153,4 @@ std::string manual_page(const CommandEntry& command, const std::vector<CommandEn
   return page + kFiles + kEnvironment + ".SH SEE ALSO\n" + see_also(command, table) + "\n";
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

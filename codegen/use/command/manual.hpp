@@ -7,10 +7,10 @@
 
 #include "codegen/use/command/command_line.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A page in the man macros: regulus(1) for the entry without a name, regulus-check(1) for check.
 [[nodiscard]] std::string manual_page(const CommandEntry& command,
                                       const std::vector<CommandEntry>& table);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 
 #include "codegen/model/names.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 template <class Number>
@@ -77,4 +77,4 @@ CLI::Validator size_in_bytes(std::uint64_t least, std::uint64_t most) {
           ""};
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

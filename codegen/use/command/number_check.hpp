@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A decimal above 0, in seconds.
 [[nodiscard]] CLI::Validator positive_seconds();
@@ -16,4 +16,4 @@ namespace regulus {
 /// Takes "64MB" for its number of bytes.
 [[nodiscard]] CLI::Validator size_in_bytes(std::uint64_t least, std::uint64_t most);
 
-}  // namespace regulus
+}  // namespace regulus::detail

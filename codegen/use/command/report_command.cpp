@@ -16,7 +16,7 @@
 #include "codegen/use/command/shared_options.hpp"
 #include "codegen/use/command/terminal.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Each bracket has a time limit of its own, as `bound` and `margin` have.
@@ -83,4 +83,4 @@ int run_report(const ReportCommand& command, const std::string& typed) {
   return end_answer(*check, command.output, interrupt.requested());
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

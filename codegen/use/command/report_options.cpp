@@ -3,7 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace regulus {
+namespace regulus::detail {
 
 void add_report_options(CLI::App& app, ReportCommand& command) {
   app.add_option("-o,--output", command.page, "The page to write, for any browser, offline")
@@ -36,4 +36,4 @@ void add_report_options(CLI::App& app, ReportCommand& command) {
       ->capture_default_str();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -13,7 +13,7 @@ namespace CLI {
 class App;
 }
 
-namespace regulus {
+namespace regulus::detail {
 
 struct ReportCommand {
   ModelOptions model;
@@ -31,4 +31,4 @@ struct ReportCommand {
 /// Adds the options about the page.
 void add_report_options(CLI::App& app, ReportCommand& command);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -19,7 +19,7 @@
 #include "codegen/use/command/commands.hpp"
 #include "codegen/use/command/run_question.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Replaces the name of an installed model by its file, and reports the file.
@@ -133,4 +133,4 @@ int report_errors(const std::function<int()>& run, const std::string& where, Err
   }
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

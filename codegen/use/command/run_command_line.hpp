@@ -7,7 +7,7 @@
 #include "codegen/use/command/command_line.hpp"
 #include "codegen/use/command/error_report.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Runs the command, any except `shell`, and returns its exit code. `typed`: the words as typed. A
 /// model may be the name of an installed one; the file that is read is then reported.
@@ -20,4 +20,4 @@ namespace regulus {
                                 const std::string& where = "regulus: ",
                                 ErrorFormat format = ErrorFormat::kText);
 
-}  // namespace regulus
+}  // namespace regulus::detail

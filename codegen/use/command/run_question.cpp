@@ -14,7 +14,7 @@
 #include "codegen/use/command/interrupt.hpp"
 #include "codegen/use/command/terminal.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// What every command wants.
@@ -153,4 +153,4 @@ int end_answer(Answer& answer, const OutputOptions& output, const std::atomic<bo
   return code;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/answer/services.hpp"
 #include "codegen/use/command/command_line.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A question with what the command line wants beside its answer.
 struct CommandQuestion {
@@ -39,4 +39,4 @@ void print_lost(const Answer& answer);
 [[nodiscard]] int end_answer(Answer& answer, const OutputOptions& output,
                              const std::atomic<bool>& interrupted);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 #include "codegen/support/errors.hpp"
 #include "codegen/use/command/number_check.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Adds an option that takes one of a few words; the message about a mistyped word suggests one.
@@ -199,4 +199,4 @@ void add_bracket_checkpoint(CLI::App& app, std::string& path) {
       ->group("");
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

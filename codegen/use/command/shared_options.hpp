@@ -8,7 +8,7 @@
 
 #include "codegen/use/command/command_line.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The time limit of commands that search at many values.
 constexpr double kMarginSeconds = 60;
@@ -27,4 +27,4 @@ void add_checkpoint_options(CLI::App& app, CheckpointOptions& options);
 /// Adds the checkpoint of brackets.
 void add_bracket_checkpoint(CLI::App& app, std::string& path);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "codegen/support/exit_code.hpp"
 #include "codegen/support/visible_text.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr const char* kPlain = "\033[0m";
@@ -38,4 +38,4 @@ void print_answer(const std::string& text, int exit_code) {
     std::cout << text << '\n';
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

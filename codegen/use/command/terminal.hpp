@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// True if the file is a terminal that may be sent colours: TERM is set and not "dumb", and NO_COLOR
 /// is not set, or empty (no-color.org).
@@ -17,4 +17,4 @@ void print_report(const std::string& text);
 /// that of a proof, red if it is that of a witness, otherwise yellow.
 void print_answer(const std::string& text, int exit_code);
 
-}  // namespace regulus
+}  // namespace regulus::detail

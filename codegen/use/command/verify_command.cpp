@@ -9,7 +9,7 @@
 #include "codegen/use/command/commands.hpp"
 #include "codegen/use/command/terminal.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using verifier::Outcome;
@@ -59,4 +59,4 @@ int run_verify(const VerifyCommand& command, const VerifiedPart& part) {
   return static_cast<int>(verification.outcome);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/support/errors.hpp"
 #include "runtime/cluster/bytes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using cluster::ByteReader;
@@ -113,4 +113,4 @@ Agreement agree(Communicator& communicator, std::optional<Isa> wanted,
   return read_agreement(communicator.broadcast(write_agreement(decision)));
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "codegen/use/mpi/communicator.hpp"
 #include "runtime/kernel/isa.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The first message of rank 0 to the others: its own words and the text of the model, whatever
 /// they were started with; or that there is nothing to do.
@@ -42,4 +42,4 @@ struct Agreement {
 /// The decision of rank 0.
 [[nodiscard]] Agreement compare(const std::vector<RankIdentity>& ranks, std::optional<Isa> wanted);
 
-}  // namespace regulus
+}  // namespace regulus::detail

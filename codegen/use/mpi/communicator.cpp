@@ -16,7 +16,7 @@
 #include "codegen/support/errors.hpp"
 #include "codegen/support/exit_code.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// MPI counts bytes with an int.
@@ -195,4 +195,4 @@ void Patience::wait() noexcept {
   microseconds_ = std::min(2 * microseconds_, kMost);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

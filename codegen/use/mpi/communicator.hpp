@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 
 enum class Tag : int {
   kReady = 1,  ///< a rank can begin to decide units
@@ -105,4 +105,4 @@ class Patience {
   unsigned microseconds_ = kLeast;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

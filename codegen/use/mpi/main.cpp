@@ -31,6 +31,7 @@
 namespace {
 
 using namespace regulus;
+using namespace regulus::detail;
 
 constexpr const char* kName = "regulus-mpi: ";
 

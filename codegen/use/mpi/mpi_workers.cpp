@@ -12,7 +12,7 @@
 #include "runtime/cluster/search_description.hpp"
 #include "runtime/cluster/supervisor.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// With more other ranks, rank 0 is busy enough with their messages.
@@ -214,4 +214,4 @@ bool MpiWorkers::dismiss() {
   return left.empty();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 #include "runtime/cluster/workers.hpp"
 #include "runtime/search/thread_workers.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The knowledge of rank 0 about the others before a search.
 struct Rank {
@@ -90,4 +90,4 @@ class MpiWorkers final : public cluster::Workers {
   std::uint64_t told_boxes_ = 0;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 
 #include "runtime/cluster/bytes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A message that belongs to one of several searches, and to one thread of a rank.
 struct ForSearch {
@@ -47,4 +47,4 @@ struct ForSearch {
   return cluster::ByteReader(text).take<unsigned>();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -12,7 +12,7 @@
 #include "codegen/use/mpi/rank_messages.hpp"
 #include "runtime/search/thread_workers.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 class Service {
@@ -113,4 +113,4 @@ void serve_first_rank(Communicator& communicator, const Asked& asked, const Serv
   communicator.send(0, Tag::kBye, {});
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/use/mpi/together.hpp"
 #include "runtime/cluster/bytes.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// The ranks give what they found to rank 0 exactly once, whatever happens before: otherwise the others
@@ -81,4 +81,4 @@ int solve_together(Communicator& communicator, const SolveCommand& command,
   return code;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 #include <csignal>
 #include <cstdio>
 
-namespace regulus {
+namespace regulus::detail {
 
 void unblock_signals() {
   sigset_t none;
@@ -24,4 +24,4 @@ std::vector<std::optional<std::string>> gather_parts(Communicator& communicator,
   });
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

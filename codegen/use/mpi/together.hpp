@@ -8,7 +8,7 @@
 
 #include "codegen/use/mpi/communicator.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Each rank has no more than its part, and nothing to save: a signal ends the process.
 void unblock_signals();
@@ -19,4 +19,4 @@ void unblock_signals();
                                                                    const std::string& own,
                                                                    double limit);
 
-}  // namespace regulus
+}  // namespace regulus::detail

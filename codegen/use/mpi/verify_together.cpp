@@ -10,7 +10,7 @@
 #include "runtime/cluster/bytes.hpp"
 #include "runtime/verifier/verify.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using cluster::ByteReader;
@@ -121,4 +121,4 @@ int verify_together(Communicator& communicator, const VerifyCommand& command,
   return code;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,11 +6,11 @@
 #include "codegen/use/mpi/agreement.hpp"
 #include "codegen/use/mpi/communicator.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// All ranks call it together; `ranks` is needed on rank 0, which prints the answer. Returns the
 /// exit code of this rank.
 [[nodiscard]] int verify_together(Communicator& communicator, const VerifyCommand& command,
                                   const std::vector<RankIdentity>& ranks);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 
 #include "codegen/support/no_signals.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// A thread of a process. It is never destroyed: a forked process cannot destroy the thread that it
@@ -114,4 +114,4 @@ void AlgebraThread::run() {
   }
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

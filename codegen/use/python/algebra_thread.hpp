@@ -13,7 +13,7 @@
 #include <mutex>
 #include <thread>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Work that should end soon after `interrupt` becomes true.
 using AlgebraWork = std::function<void(const std::atomic<bool>& interrupt)>;
@@ -76,4 +76,4 @@ class AlgebraThread {
   std::thread thread_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

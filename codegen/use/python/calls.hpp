@@ -8,7 +8,7 @@
 
 #include "codegen/use/python/algebra_thread.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// How long Ctrl-C waits at most until Python sees it. Only the main thread handles signals.
 inline constexpr std::chrono::milliseconds kLookForSignals{50};
@@ -67,4 +67,4 @@ auto run_there(Work work) {
   return std::move(**result);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,9 +3,9 @@
 
 #include <pybind11/pybind11.h>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Adds check_load, locate_load and their results to the module.
 void bind_loads(pybind11::module_& module);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -14,7 +14,7 @@
 #include "codegen/use/python/words.hpp"
 #include "regulus/version.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 namespace py = pybind11;
@@ -347,10 +347,11 @@ void translate(std::exception_ptr thrown) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail
 
 PYBIND11_MODULE(_regulus, module) {
   using namespace regulus;
+  using namespace regulus::detail;
   module.doc() = "regulus/regulus.hpp for Python; the package regulus is the interface.";
   module.attr("VERSION") = regulus::kVersion;
   pybind11::register_exception_translator(translate);

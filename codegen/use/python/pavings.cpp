@@ -8,7 +8,7 @@
 #include "codegen/use/python/calls.hpp"
 #include "codegen/use/python/words.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 namespace py = pybind11;
@@ -90,4 +90,4 @@ void bind_pavings(py::module_& module) {
       py::arg("certificate") = "", py::arg("shard_size") = 0);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,9 +3,9 @@
 
 #include <pybind11/pybind11.h>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Binds locate() and what it returns.
 void bind_pavings(pybind11::module_& module);
 
-}  // namespace regulus
+}  // namespace regulus::detail

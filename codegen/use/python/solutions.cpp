@@ -7,7 +7,7 @@
 #include "codegen/use/api/regulus.hpp"
 #include "codegen/use/python/calls.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 namespace py = pybind11;
@@ -139,4 +139,4 @@ void bind_solutions(py::module_& module) {
       py::arg("table"), py::arg("certificate") = "", py::arg("shard_size") = 0);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

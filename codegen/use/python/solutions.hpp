@@ -3,9 +3,9 @@
 
 #include <pybind11/pybind11.h>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Binds the questions about all solutions, and their findings.
 void bind_solutions(pybind11::module_& module);
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns "no-singularity" for NO SINGULARITY.
 template <class Verdict>
@@ -14,4 +14,4 @@ template <class Verdict>
   return word;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "codegen/support/errors.hpp"
 #include "codegen/use/command/help_layout.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 const std::vector<CommandEntry>& commands() {
@@ -82,4 +82,4 @@ void reject(const std::string& problem, const std::string& remedy) {
   throw UsageError(problem + "; " + remedy);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

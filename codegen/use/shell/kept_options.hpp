@@ -7,7 +7,7 @@
 
 #include "codegen/use/command/command_line.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the options of a command of the command line, with their dashes; empty for other words.
 [[nodiscard]] std::vector<std::string> options_of_command(const std::string& command);
@@ -32,4 +32,4 @@ struct CommandLineRefused {
 /// Throws UsageError for any other mistake: "PROBLEM; REMEDY".
 [[noreturn]] void reject(const std::string& problem, const std::string& remedy);
 
-}  // namespace regulus
+}  // namespace regulus::detail

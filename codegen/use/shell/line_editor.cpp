@@ -20,7 +20,7 @@
 #include "codegen/use/command/terminal.hpp"
 #include "codegen/use/shell/shell_completion.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 std::filesystem::path history_file() {
   const char* state = std::getenv("XDG_STATE_HOME");
@@ -214,4 +214,4 @@ std::optional<std::string> LineEditor::next(const std::string& prompt) {
 
 LineEditor::~LineEditor() = default;
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Reads typed lines, with editing, completion by Tab, and a history over sessions. If the program
 /// was built without libedit, it reads plain lines from the terminal.
@@ -35,4 +35,4 @@ class LineEditor {
 /// Returns XDG_STATE_HOME/regulus/history, or the same below ~/.local/state; empty without a home.
 [[nodiscard]] std::filesystem::path history_file();
 
-}  // namespace regulus
+}  // namespace regulus::detail

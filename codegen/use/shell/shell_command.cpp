@@ -14,7 +14,7 @@
 #include "codegen/use/shell/line_editor.hpp"
 #include "codegen/use/shell/shell_session.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// True if a code is that of an error, and not of a verdict.
@@ -76,4 +76,4 @@ int run_shell(const ShellCommand& command) {
   return as_script(session, command.json ? ErrorFormat::kJson : ErrorFormat::kText);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,9 +3,9 @@
 
 #include "codegen/use/command/command_line.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// `regulus shell`: runs each line, prints its results and returns the exit code.
 [[nodiscard]] int run_shell(const ShellCommand& command);
 
-}  // namespace regulus
+}  // namespace regulus::detail

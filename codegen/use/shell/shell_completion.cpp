@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <utility>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -127,4 +127,4 @@ std::vector<std::string> files_beginning(const std::string& prefix) {
   return found;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The names that can be completed at a moment.
 struct ShellNames {
@@ -38,4 +38,4 @@ struct ShellNames {
 /// Reads the file system for ShellNames::files; nothing if it cannot be read.
 [[nodiscard]] std::vector<std::string> files_beginning(const std::string& prefix);
 
-}  // namespace regulus
+}  // namespace regulus::detail

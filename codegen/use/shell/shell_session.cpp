@@ -27,7 +27,7 @@
 #include "codegen/use/shell/text_editor.hpp"
 #include "regulus/version.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -360,4 +360,4 @@ ShellNames ShellSession::names() const {
   return names;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -13,7 +13,7 @@
 #include "codegen/use/command/command_line.hpp"
 #include "codegen/use/shell/shell_completion.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 class ShellSession {
  public:
@@ -94,4 +94,4 @@ class ShellSession {
   static const std::vector<Entry>& table();
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -13,7 +13,7 @@
 #include "codegen/use/shell/shell_session.hpp"
 #include "codegen/use/shell/shell_words.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -163,4 +163,4 @@ void ShellSession::adopt(CommandLine& line) {
   line.verify->output.json_indent = json_ ? -1 : line.verify->output.json_indent;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

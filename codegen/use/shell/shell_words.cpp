@@ -3,7 +3,7 @@
 
 #include "codegen/model/request.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 std::vector<std::string> split_words(std::string_view line) {
   std::vector<std::string> words;
@@ -31,4 +31,4 @@ std::string rest_of(const std::vector<std::string>& words, std::size_t from) {
   return text;
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns the words of a line. Blanks separate words, quotes of either kind enclose a word, #
 /// begins a comment. Throws UsageError for a quote that is not closed.
@@ -14,4 +14,4 @@ namespace regulus {
 /// Returns the words from that number on, with single blanks: the expression at the end of a line.
 [[nodiscard]] std::string rest_of(const std::vector<std::string>& words, std::size_t from);
 
-}  // namespace regulus
+}  // namespace regulus::detail

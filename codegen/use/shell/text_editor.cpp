@@ -10,7 +10,7 @@
 #include "codegen/support/subprocess.hpp"
 #include "codegen/support/write_file.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// A file only for its owner, with the extension that editors know for model files.
@@ -52,4 +52,4 @@ std::string edited(const std::string& text) {
   return draft.text();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Opens the text in the editor that VISUAL or EDITOR names, or in vi, and returns the changed
 /// text.
@@ -12,4 +12,4 @@ namespace regulus {
 ///           error.
 [[nodiscard]] std::string edited(const std::string& text);
 
-}  // namespace regulus
+}  // namespace regulus::detail

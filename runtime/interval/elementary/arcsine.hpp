@@ -9,7 +9,7 @@
 
 #include "runtime/interval/elementary/arctangent.hpp"
 
-namespace regulus::elementary {
+namespace regulus::detail::elementary {
 inline namespace REGULUS_LANES_ISA {
 
 /// (asin s / s − 1)/s² as a polynomial in s², for |s| ≤ 1/2: relative error of asin below 2^-59.
@@ -114,4 +114,4 @@ inline Partial<T> acos_bounds(Bounds<T> x) noexcept {
 }
 
 }  // namespace REGULUS_LANES_ISA
-}  // namespace regulus::elementary
+}  // namespace regulus::detail::elementary

@@ -10,7 +10,7 @@
 #include "runtime/interval/elementary/exact.hpp"
 #include "runtime/interval/elementary/outward.hpp"
 
-namespace regulus::elementary {
+namespace regulus::detail::elementary {
 inline namespace REGULUS_LANES_ISA {
 
 // High and low halves of constants: the sum is within 2^-108 of the number.
@@ -145,4 +145,4 @@ inline Partial<T> atan2_bounds(Bounds<T> y, Bounds<T> x) noexcept {
 }
 
 }  // namespace REGULUS_LANES_ISA
-}  // namespace regulus::elementary
+}  // namespace regulus::detail::elementary

@@ -4,7 +4,7 @@
 
 #include "runtime/interval/elementary/lanes.hpp"
 
-namespace regulus::elementary {
+namespace regulus::detail::elementary {
 inline namespace REGULUS_LANES_ISA {
 
 /// An unevaluated sum.
@@ -59,4 +59,4 @@ inline T polynomial(T x, const double (&c)[kTerms]) noexcept {
 }
 
 }  // namespace REGULUS_LANES_ISA
-}  // namespace regulus::elementary
+}  // namespace regulus::detail::elementary

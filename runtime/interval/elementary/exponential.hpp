@@ -11,7 +11,7 @@
 #include "runtime/interval/elementary/exact.hpp"
 #include "runtime/interval/elementary/outward.hpp"
 
-namespace regulus::elementary {
+namespace regulus::detail::elementary {
 inline namespace REGULUS_LANES_ISA {
 
 // log 2 = high + low + δ, |δ| < 2^-102; high has 42 bits: its product with |k| < 2^11 is exact.
@@ -162,4 +162,4 @@ inline Partial<T> log_bounds(Bounds<T> x) noexcept {
 }
 
 }  // namespace REGULUS_LANES_ISA
-}  // namespace regulus::elementary
+}  // namespace regulus::detail::elementary

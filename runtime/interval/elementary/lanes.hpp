@@ -26,7 +26,7 @@
 #define REGULUS_VECTOR_BYTES 16
 #endif
 
-namespace regulus::elementary {
+namespace regulus::detail::elementary {
 inline namespace REGULUS_LANES_ISA {
 
 typedef double Vector __attribute__((vector_size(REGULUS_VECTOR_BYTES)));
@@ -129,4 +129,4 @@ inline Vector larger(Vector a, Vector b) noexcept { return _mm256_max_pd(b, a); 
 #endif
 
 }  // namespace REGULUS_LANES_ISA
-}  // namespace regulus::elementary
+}  // namespace regulus::detail::elementary

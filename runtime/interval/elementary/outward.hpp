@@ -4,7 +4,7 @@
 
 #include "runtime/interval/elementary/lanes.hpp"
 
-namespace regulus::elementary {
+namespace regulus::detail::elementary {
 inline namespace REGULUS_LANES_ISA {
 
 template <class T>
@@ -68,4 +68,4 @@ inline T step_down_unless_zero(T x) noexcept {
 }
 
 }  // namespace REGULUS_LANES_ISA
-}  // namespace regulus::elementary
+}  // namespace regulus::detail::elementary

@@ -13,7 +13,7 @@
 #include "runtime/interval/elementary/exact.hpp"
 #include "runtime/interval/elementary/outward.hpp"
 
-namespace regulus::elementary {
+namespace regulus::detail::elementary {
 inline namespace REGULUS_LANES_ISA {
 
 inline constexpr double kReductionLimit = 0x1p20;
@@ -213,4 +213,4 @@ inline Partial<T> tan_bounds(Bounds<T> x) noexcept {
 }
 
 }  // namespace REGULUS_LANES_ISA
-}  // namespace regulus::elementary
+}  // namespace regulus::detail::elementary

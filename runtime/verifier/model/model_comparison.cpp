@@ -241,7 +241,8 @@ void require_labels(const Question& question, const WrittenValues& values, const
   const auto refuse = [&options](const std::string& why) {
     throw OtherModel("the certificate is not about " + options.model_name + ": " + why);
   };
-  if (question.sha256 != "-" && question.sha256 != sha256(options.model_text)) refuse(differs);
+  if (question.sha256 != "-" && question.sha256 != detail::sha256(options.model_text))
+    refuse(differs);
   const auto name = values.find("name");
   const bool is_plain = name != values.end() && name->second.text.find('\\') == std::string::npos;
   if (is_plain && name->second.text != question.model)

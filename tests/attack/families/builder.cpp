@@ -5,7 +5,7 @@
 
 #include "tests/attack/families/hidden.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 Builder::Builder(const char* family, std::uint64_t seed) : random(family, seed) {
   attack.family = family;
   attack.seed = seed;
@@ -170,4 +170,4 @@ void Builder::decide(const Rational& excess, const Planted& at) {
 
 Attack Builder::finish() { return std::move(attack); }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

@@ -9,7 +9,7 @@
 #include "tests/attack/oracle/attack.hpp"
 #include "tests/attack/oracle/random.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 
 /// Returns (x - p).
 [[nodiscard]] inline std::string minus(const std::string& x, const std::string& p) {
@@ -77,4 +77,4 @@ class Builder {
   std::vector<std::string> names_;  ///< entries may contain these
 };
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

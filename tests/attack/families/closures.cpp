@@ -4,7 +4,7 @@
 #include "tests/attack/families/builder.hpp"
 #include "tests/attack/families/families.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 /// A function of u that is monotone between `low` and `high`, with its derivative.
@@ -166,4 +166,4 @@ Attack closure_along_way(std::uint64_t seed) {
   return mechanism(b, true);
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

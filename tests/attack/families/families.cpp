@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/attack/families/families.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 constexpr Family kFamilies[] = {
@@ -56,4 +56,4 @@ const Family* find_family(std::string_view name) {
   return nullptr;
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

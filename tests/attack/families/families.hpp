@@ -7,7 +7,7 @@
 
 #include "tests/attack/oracle/attack.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 
 struct Family {
   const char* name;
@@ -69,4 +69,4 @@ Attack hexapod_singular(std::uint64_t seed);
 Attack hexapod_regular(std::uint64_t seed);
 Attack hexapod_tolerance(std::uint64_t seed);
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

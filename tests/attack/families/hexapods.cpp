@@ -5,7 +5,7 @@
 #include "tests/attack/families/builder.hpp"
 #include "tests/attack/families/families.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 using Vector = std::array<Rational, 3>;
@@ -319,4 +319,4 @@ Attack hexapod_tolerance(std::uint64_t seed) {
   return b.finish();
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

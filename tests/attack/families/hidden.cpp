@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/attack/families/hidden.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 using Texts = std::vector<std::vector<std::string>>;
@@ -96,4 +96,4 @@ std::vector<std::vector<Cell>> hidden_product(std::vector<std::string> factors,
   return rows;
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

@@ -8,7 +8,7 @@
 #include "tests/attack/oracle/attack.hpp"
 #include "tests/attack/oracle/random.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 
 /// Returns P·L·diag(factors)·U·Q with unit triangular L, U and permutations P, Q. Its determinant
 /// is ± the product of the factors. Entries of L and U are small rational numbers, or polynomials
@@ -17,4 +17,4 @@ namespace regulus::attack {
                                                             const std::vector<std::string>& names,
                                                             Random& random);
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

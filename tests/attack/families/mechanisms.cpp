@@ -10,7 +10,7 @@
 #include "tests/attack/oracle/newton.hpp"
 #include "tests/attack/oracle/planar_count.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 Rational eighths(Builder& b) { return Rational(b.random.between(-40, 40), 8); }
@@ -393,4 +393,4 @@ Attack solved_hexapod(std::uint64_t seed) {
   return b.finish();
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

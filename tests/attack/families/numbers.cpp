@@ -5,7 +5,7 @@
 #include "tests/attack/families/builder.hpp"
 #include "tests/attack/families/families.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 /// Two decimals of up to 60 digits: `changed` is equal to `given`, or differs in its last digit or
@@ -283,4 +283,4 @@ Attack badly_scaled(std::uint64_t seed) {
   return b.finish();
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

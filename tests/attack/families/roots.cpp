@@ -3,7 +3,7 @@
 #include "tests/attack/families/builder.hpp"
 #include "tests/attack/families/families.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 /// Returns x² − 2px + p² + rest.
@@ -222,4 +222,4 @@ Attack identity(std::uint64_t seed) {
   return b.finish();
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

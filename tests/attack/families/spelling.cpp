@@ -5,7 +5,7 @@
 
 #include "tests/attack/oracle/attack.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 constexpr std::size_t kMaxBareDigits = 60;
@@ -151,4 +151,4 @@ std::string spell_option(const Rational& value, Random& random) {
   return spell_expression(value, random);
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

@@ -8,7 +8,7 @@
 #include "tests/attack/oracle/random.hpp"
 #include "tests/attack/oracle/rational.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 
 /// value = digits · 10^exponent, without trailing zeros.
 struct Decimal {
@@ -35,4 +35,4 @@ struct Decimal {
 /// Returns the value as an option of the command: no string, no fractions in brackets.
 [[nodiscard]] std::string spell_option(const Rational& value, Random& random);
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

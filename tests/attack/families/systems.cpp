@@ -6,7 +6,7 @@
 #include "tests/attack/families/builder.hpp"
 #include "tests/attack/families/families.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 /// An equation in one number u, and all its roots.
@@ -308,4 +308,4 @@ Attack solved_turns(std::uint64_t seed) {
   return b.finish();
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

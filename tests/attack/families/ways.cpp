@@ -3,7 +3,7 @@
 #include "tests/attack/families/builder.hpp"
 #include "tests/attack/families/families.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 /// The function a·x + c·y.
@@ -80,4 +80,4 @@ Attack way(std::uint64_t seed) {
   return b.finish();
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

@@ -4,7 +4,7 @@
 #include "tests/attack/forge/mechanism_bases.hpp"
 #include "tests/attack/forge/mechanism_texts.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 /// Constraints, errors, a ball, a box, scales, roots, denominators and names in one small model.
@@ -318,4 +318,4 @@ const std::vector<Base>& bases() {
   return kBases;
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 
 struct Base {
   const char* name;
@@ -20,4 +20,4 @@ struct Base {
 /// Each line of FORMAT.md and each kind of claim is in one of them.
 [[nodiscard]] const std::vector<Base>& bases();
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

@@ -10,7 +10,7 @@
 #include "runtime/proof/format.hpp"
 #include "runtime/proof/shards.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 
 namespace fs = std::filesystem;
 
@@ -88,4 +88,4 @@ std::string signed_again(const std::string& proof) {
   return index + shards;
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

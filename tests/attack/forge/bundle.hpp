@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 
 [[nodiscard]] std::string read(const std::filesystem::path& path);
 void write(const std::filesystem::path& path, const std::string& text);
@@ -26,4 +26,4 @@ void cut_proof(const std::string& path, std::uint64_t size);
 /// Writes all SHA-256 of an index and its shards anew, as one who forges them would.
 [[nodiscard]] std::string signed_again(const std::string& proof);
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

@@ -9,7 +9,7 @@
 #include "tests/attack/forge/lines.hpp"
 #include "tests/attack/forge/words.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 constexpr std::size_t kNowhere = std::string::npos;
@@ -354,4 +354,4 @@ Change change_model(const std::string& model, Random& random) {
   }
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

@@ -6,7 +6,7 @@
 
 #include "tests/attack/oracle/random.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 
 struct Change {
   std::string text;  ///< the whole file, changed
@@ -23,4 +23,4 @@ struct Change {
 /// Changes a number or a line of a file of way-points.
 [[nodiscard]] Change change_waypoints(const std::string& waypoints, Random& random);
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

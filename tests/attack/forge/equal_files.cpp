@@ -7,7 +7,7 @@
 #include "tests/attack/forge/words.hpp"
 #include "tests/attack/oracle/evaluate.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 /// Returns the end of a number of a file that begins there, in any of its spellings.
@@ -44,4 +44,4 @@ bool are_equal_files(const std::string& a, const std::string& b) {
   return with_plain_numbers(a) == with_plain_numbers(b);
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

@@ -11,7 +11,7 @@
 #include "codegen/use/command/run_command_line.hpp"
 #include "tests/attack/forge/bundle.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 namespace fs = std::filesystem;
@@ -101,4 +101,4 @@ verifier::Verification verify_about(const Base& base, const std::string& certifi
   return verifier::verify(index, options);
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

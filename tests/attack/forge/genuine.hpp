@@ -8,7 +8,7 @@
 #include "runtime/verifier/verify.hpp"
 #include "tests/attack/forge/bases.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 
 /// Returns the text of the base's model file.
 [[nodiscard]] std::string model_of(const Base& base);
@@ -27,4 +27,4 @@ struct Answer {
                                                   const std::string& model,
                                                   const std::string& folder);
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

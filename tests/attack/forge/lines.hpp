@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 
 using Lines = std::vector<std::string>;
 
@@ -30,4 +30,4 @@ using Lines = std::vector<std::string>;
   return "line " + std::to_string(line + 1) + ": '" + before + "' -> '" + after + "'";
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

@@ -19,7 +19,7 @@
 #include "tests/attack/forge/same_question.hpp"
 #include "tests/attack/forge/touched.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 struct Options {
@@ -296,10 +296,10 @@ class Run {
 };
 
 }  // namespace
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack
 
 int main(int argc, char** argv) try {
-  regulus::attack::Options options;
+  regulus::detail::attack::Options options;
   CLI::App app{"Forges certificates and models; none may be VERIFIED"};
   app.add_option("--forgeries", options.forgeries, "How many, over all bases");
   app.add_option("--seed", options.seed, "Of the run")->check(CLI::Range(0, 1'000'000'000));
@@ -311,7 +311,7 @@ int main(int argc, char** argv) try {
   app.add_option("--failures", options.failures, "Most lines about failures");
   app.add_flag("--at-once", options.is_told_at_once, "Also tell each failure when it is found");
   CLI11_PARSE(app, argc, argv);
-  regulus::attack::Run run(options);
+  regulus::detail::attack::Run run(options);
   if (!options.show.empty()) {
     run.show(std::stoull(options.show));
     return 0;

@@ -3,7 +3,7 @@
 
 #include "tests/attack/forge/mechanism_texts.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 constexpr const char* kDegrees = R"toml(regulus = 1
@@ -190,4 +190,4 @@ std::vector<Base> of_solutions() {
   };
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

@@ -3,7 +3,7 @@
 
 #include "tests/attack/forge/bases.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 
 /// Branches of closures, and quantities over them.
 [[nodiscard]] std::vector<Base> of_mechanisms();
@@ -12,4 +12,4 @@ namespace regulus::attack {
 /// Lists of solutions.
 [[nodiscard]] std::vector<Base> of_solutions();
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

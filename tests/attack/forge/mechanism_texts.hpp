@@ -2,7 +2,7 @@
 // Model files of robots by legs, joints and equations, for genuine certificates.
 #pragma once
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 
 /// Legs PRS and RPS whose directions are uncertain.
 inline constexpr const char* kRails = R"toml(regulus = 1
@@ -362,4 +362,4 @@ error = { x = 0.5, phi = 0.1 }
 constraints = ["x - 480"]
 )toml";
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

@@ -11,7 +11,7 @@
 #include "tests/attack/forge/words.hpp"
 #include "tests/attack/oracle/evaluate.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 constexpr int kPoints = 3, kSpecialPoints = 48;
@@ -388,4 +388,4 @@ std::string difference(const std::string& verified, const std::string& asked,
   return difference_of(renamed(a, from, to), b, any);
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

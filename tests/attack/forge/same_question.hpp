@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 
 /// What options have set may differ: the verifier is told of them.
 struct SetByOptions {
@@ -23,4 +23,4 @@ struct SetByOptions {
 /// True if two model files have the same text but for the spelling of numbers.
 [[nodiscard]] bool are_equal_files(const std::string& a, const std::string& b);
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

@@ -6,7 +6,7 @@
 
 #include "tests/attack/forge/lines.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 /// Returns what stands between backticks.
@@ -77,4 +77,4 @@ std::set<std::string> words_of_format(const std::string& page) {
   return words;
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 
 /// Returns the first words of the lines that only one of two certificates has; of `quantity` also the
 /// second.
@@ -20,4 +20,4 @@ namespace regulus::attack {
 /// Returns the first words of the lines that FORMAT.md describes in its tables.
 [[nodiscard]] std::set<std::string> words_of_format(const std::string& page);
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

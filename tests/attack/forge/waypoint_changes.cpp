@@ -3,7 +3,7 @@
 #include "tests/attack/forge/lines.hpp"
 #include "tests/attack/forge/words.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 /// Changes a digit, a sign or the size of a number between letters, as those of G-code are.
@@ -50,4 +50,4 @@ Change change_waypoints(const std::string& waypoints, Random& random) {
   }
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

@@ -2,7 +2,7 @@
 // Tells the characters of words in certificates and model files.
 #pragma once
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 
 [[nodiscard]] constexpr bool is_digit(char c) { return '0' <= c && c <= '9'; }
 
@@ -10,4 +10,4 @@ namespace regulus::attack {
   return is_digit(c) || ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_';
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/attack/oracle/attack.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 std::string written(const Cell& cell) { return cell.bare ? cell.text : quoted(cell.text); }
@@ -103,4 +103,4 @@ std::string ModelSource::text() const {
          motion(*this);
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

@@ -13,7 +13,7 @@
 #include "tests/attack/oracle/rational.hpp"
 #include "tests/attack/oracle/solutions.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 
 enum class Truth {
   kSingular,   ///< some pose and uncertain value of the variety has |det| ≤ alpha, or less rank
@@ -112,4 +112,4 @@ struct Attack {
   bool sampled = true;  ///< a random point of the axes is a point of the variety
 };
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

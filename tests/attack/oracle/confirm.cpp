@@ -6,7 +6,7 @@
 #include "tests/attack/oracle/evaluate.hpp"
 #include "tests/attack/oracle/random.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 using Doubt = std::optional<std::string>;
@@ -273,4 +273,4 @@ Doubt refute_axes(const Attack& attack) {
   return std::nullopt;
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

@@ -7,7 +7,7 @@
 
 #include "tests/attack/oracle/attack.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 
 /// Returns a reason against the truth of the attack, or nullopt. `samples`: the number of points of
 /// the variety to try, corners first, if the truth is regular or empty.
@@ -16,4 +16,4 @@ namespace regulus::attack {
 /// Checks that the ranges and tolerances in the text and the options are those of the axes.
 [[nodiscard]] std::optional<std::string> refute_axes(const Attack& attack);
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

@@ -6,7 +6,7 @@
 
 #include "tests/attack/oracle/hexapod.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 bool is_digit(char c) { return '0' <= c && c <= '9'; }
@@ -277,4 +277,4 @@ Sample sample(const Attack& attack, const Point& axes) {
   return result;
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

@@ -11,7 +11,7 @@
 #include "tests/attack/oracle/attack.hpp"
 #include "tests/attack/oracle/value.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 
 using Point = std::map<std::string, Value>;
 
@@ -46,4 +46,4 @@ struct Sample {
 
 [[nodiscard]] Value determinant(Matrix matrix);
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

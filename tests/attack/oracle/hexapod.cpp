@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/attack/oracle/hexapod.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 using Vector = std::vector<Value>;
@@ -93,4 +93,4 @@ Sample sample_of(const Hexapod& hexapod, const Point& point) {
   return result;
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

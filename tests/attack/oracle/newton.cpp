@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 constexpr int kSteps = 80;
@@ -94,4 +94,4 @@ std::optional<Numbers> newton_root(const Residual& residual, Numbers x) {
   return x;
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 
 using Numbers = std::vector<double>;
 using Residual = std::function<Numbers(const Numbers&)>;
@@ -15,4 +15,4 @@ using Residual = std::function<Numbers(const Numbers&)>;
 /// reaches none, or the derivatives may lose rank there.
 [[nodiscard]] std::optional<Numbers> newton_root(const Residual& residual, Numbers start);
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

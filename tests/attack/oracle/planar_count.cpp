@@ -6,7 +6,7 @@
 
 #include <utility>
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 class Polynomial {
@@ -111,4 +111,4 @@ PlanarCount count_planar_poses(const PlanarPlatform& robot) {
   return count;
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

@@ -7,7 +7,7 @@
 
 #include "tests/attack/oracle/rational.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 
 struct PlanarPlatform {
   std::array<std::array<Rational, 2>, 3> base, platform;
@@ -23,4 +23,4 @@ struct PlanarCount {
 /// whose real roots are counted by Sturm's theorem.
 [[nodiscard]] PlanarCount count_planar_poses(const PlanarPlatform& robot);
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

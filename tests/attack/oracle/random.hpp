@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 
 /// Generates numbers by SplitMix64.
 class Random {
@@ -47,4 +47,4 @@ class Random {
   std::uint64_t state_;
 };
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 
 Rational Rational::integer(std::string_view digits, int base) {
   Rational r;
@@ -36,4 +36,4 @@ std::string Rational::fraction() const {
   return result;
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

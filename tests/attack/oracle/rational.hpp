@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 
 class Rational {
  public:
@@ -95,4 +95,4 @@ class Rational {
   fmpq_t q_;
 };
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

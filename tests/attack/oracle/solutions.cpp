@@ -5,7 +5,7 @@
 
 #include "tests/attack/oracle/evaluate.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 using Listed = std::map<std::string, std::pair<double, double>>;
@@ -127,4 +127,4 @@ std::optional<std::string> refute_solutions(const SolveTruth& truth) {
   return std::nullopt;
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

@@ -10,7 +10,7 @@
 
 #include "tests/attack/oracle/value.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 
 /// Values of the unknowns, by name.
 using Solution = std::map<std::string, Value>;
@@ -39,4 +39,4 @@ struct ListedSolutions {
 /// Returns why the truth is false: an equation that does not hold, or more solutions than the count.
 [[nodiscard]] std::optional<std::string> refute_solutions(const SolveTruth& truth);
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

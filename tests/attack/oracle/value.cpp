@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 /// Returns the result of an operation of Arb on one or two balls.
@@ -173,4 +173,4 @@ Value call(const std::string& function, const Value& x, const Value& y) {
   throw std::invalid_argument("no function " + function);
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

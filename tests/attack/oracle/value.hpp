@@ -9,7 +9,7 @@
 
 #include "tests/attack/oracle/rational.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 
 /// Bits of a ball: enough for margins of 1e-300.
 inline constexpr long kBits = 2200;
@@ -71,4 +71,4 @@ class Value {
 /// has no value on its branch cut.
 [[nodiscard]] Value call(const std::string& function, const Value& x, const Value& y);
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

@@ -13,7 +13,7 @@
 #include "tests/attack/runner/summary.hpp"
 #include "tests/attack/runner/workers.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 struct Options {
@@ -191,10 +191,10 @@ int main_of(const Options& options) {
 }
 
 }  // namespace
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack
 
 int main(int argc, char** argv) try {
-  regulus::attack::Options options;
+  regulus::detail::attack::Options options;
   CLI::App app{"Attacks the command with hostile models and judges its answers"};
   app.add_option("--models", options.models, "How many models, over all families");
   app.add_option("--seed", options.seed, "Of the run")->check(CLI::Range(0, 1'000'000'000));
@@ -214,7 +214,7 @@ int main(int argc, char** argv) try {
   app.add_flag("--no-verify", options.no_verify, "Leave out the proofs");
   app.add_flag("--list", options.list, "The families");
   CLI11_PARSE(app, argc, argv);
-  return regulus::attack::main_of(options);
+  return regulus::detail::attack::main_of(options);
 } catch (const std::exception& error) {
   std::cerr << "attack: " << error.what() << '\n';
   return 64;

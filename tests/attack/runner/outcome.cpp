@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/attack/runner/outcome.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 constexpr int kNoSingularity = 0, kSingularity = 1, kPossibleProblem = 2;
@@ -105,4 +105,4 @@ std::string verdict_text(int exit_code) {
   }
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

@@ -6,7 +6,7 @@
 
 #include "tests/attack/oracle/attack.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 
 enum class Stage { kCheck, kVerify };
 
@@ -50,4 +50,4 @@ enum class Judgement {
 /// Returns, for example, "NO SINGULARITY" or "exit 70".
 [[nodiscard]] std::string verdict_text(int exit_code);
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 constexpr const char* kEmptyLine = "\r\033[K";
@@ -36,4 +36,4 @@ void Progress::update(const Summary& summary) {
   out_ << kEmptyLine << progress_text(summary, total_, seconds) << std::flush;
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

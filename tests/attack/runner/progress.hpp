@@ -9,7 +9,7 @@
 
 #include "tests/attack/runner/summary.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 
 /// Returns, for example, "120 of 1000 models, 14.2 a second, 0 contradictions".
 [[nodiscard]] std::string progress_text(const Summary& summary, std::uint64_t total,
@@ -38,4 +38,4 @@ class Progress {
   Clock::time_point next_ = begin_;
 };
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

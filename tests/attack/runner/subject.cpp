@@ -14,7 +14,7 @@
 #include "codegen/use/command/run_command_line.hpp"
 #include "tests/attack/oracle/random.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 struct Answer {
@@ -232,4 +232,4 @@ Outcome attack_with(const Attack& attack, const Run& run) {
   return outcome;
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

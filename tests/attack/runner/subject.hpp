@@ -9,7 +9,7 @@
 #include "tests/attack/oracle/attack.hpp"
 #include "tests/attack/runner/outcome.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 
 /// A deliberately falsified verdict or text: a test that the judge notices it.
 enum class Mutant {
@@ -35,4 +35,4 @@ struct Run {
 /// Checks the model as `regulus check` does, and the certificate as `regulus verify` does.
 [[nodiscard]] Outcome attack_with(const Attack& attack, const Run& run);
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

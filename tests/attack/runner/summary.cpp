@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 template <class Key>
@@ -213,4 +213,4 @@ std::string Summary::json() const {
   return j.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

@@ -9,7 +9,7 @@
 
 #include "tests/attack/runner/outcome.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 
 struct FamilyCount {
   std::map<Truth, std::uint64_t> truths;
@@ -63,4 +63,4 @@ class Summary {
   std::map<std::string, std::uint64_t> unfinished_;  ///< by reason
 };
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

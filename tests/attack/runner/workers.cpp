@@ -22,7 +22,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 namespace {
 
 constexpr int kPollMilliseconds = 50;
@@ -319,4 +319,4 @@ bool run_all(const Job& job) {
   return g_stop == 0;
 }
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

@@ -8,7 +8,7 @@
 
 #include "tests/attack/runner/subject.hpp"
 
-namespace regulus::attack {
+namespace regulus::detail::attack {
 
 struct Limits {
   double seconds = 20;                           ///< of processor time, for each stage
@@ -29,4 +29,4 @@ struct Job {
 /// cannot make processes.
 [[nodiscard]] bool run_all(const Job& job);
 
-}  // namespace regulus::attack
+}  // namespace regulus::detail::attack

@@ -6,7 +6,7 @@
 #include "codegen/use/api/margin.hpp"
 #include "tests/bench/completeness/rows.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 namespace {
 
 constexpr double kSeconds = 20;
@@ -50,4 +50,4 @@ Section margin_rows() {
            margin_row("robot_1", "table4_5", "0.1:0.3", 99)}};
 }
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

@@ -5,7 +5,7 @@
 
 #include "tests/property/api/planted_singularity.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 namespace {
 
 constexpr int kRobots = 100;
@@ -68,4 +68,4 @@ Section completeness_rows() {
   return section;
 }
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

@@ -3,7 +3,7 @@
 
 #include "tests/bench/report/row.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 
 /// Counts random models that are decided, with and without a singularity that is known to be there.
 [[nodiscard]] Section completeness_rows();
@@ -11,4 +11,4 @@ namespace regulus::bench {
 /// Compares both ends of margins.
 [[nodiscard]] Section margin_rows();
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

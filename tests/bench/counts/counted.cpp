@@ -19,7 +19,7 @@ extern const regulus_kernel bench_search_kernel;
 [[gnu::noinline]] void bench_counted_region(const std::function<void()>& work) { work(); }
 }
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 namespace {
 
 void count_kernel(const std::string& isa) {
@@ -54,17 +54,17 @@ void count_search() {
 }
 
 }  // namespace
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench
 
 int main(int argc, char** argv) {
   const std::string what = argc > 1 ? argv[1] : "", which = argc > 2 ? argv[2] : "";
   try {
     if (what == "kernel")
-      regulus::bench::count_kernel(which);
+      regulus::detail::bench::count_kernel(which);
     else if (what == "rival")
-      regulus::bench::count_rival(which);
+      regulus::detail::bench::count_rival(which);
     else if (what == "search")
-      regulus::bench::count_search();
+      regulus::detail::bench::count_search();
     else
       return 64;
   } catch (const std::exception& error) {

@@ -9,7 +9,7 @@
 #include "tests/bench/kernel/subject.hpp"
 #include "tests/bench/measure/process.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 namespace {
 
 /// Returns the number that follows `label` in a text.
@@ -95,4 +95,4 @@ Section count_rows() {
   return section;
 }
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

@@ -3,9 +3,9 @@
 
 #include "tests/bench/report/row.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 
 /// Instructions, counted by callgrind: these figures do not vary from run to run.
 [[nodiscard]] Section count_rows();
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

@@ -10,7 +10,7 @@
 #include "codegen/question/engine/pipeline.hpp"
 #include "runtime/embedded/checker.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 namespace {
 
 /// A trajectory of robot 1, and the pieces into which the checks divide it.
@@ -101,4 +101,4 @@ Section embedded_rows() {
   return section;
 }
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

@@ -3,9 +3,9 @@
 
 #include "tests/bench/report/row.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 
 /// Times a check inside a control loop: runtime/embedded, with the kernel in memory.
 [[nodiscard]] Section embedded_rows();
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

@@ -9,7 +9,7 @@ extern const regulus_kernel bench_avx2_kernel;
 extern const regulus_kernel bench_portable_kernel;
 }
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 
 const regulus_kernel* ahead_of_time(Isa isa) noexcept {
   switch (isa) {
@@ -26,4 +26,4 @@ const regulus_kernel* ahead_of_time(Isa isa) noexcept {
   }
 }
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

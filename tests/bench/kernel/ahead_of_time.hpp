@@ -5,9 +5,9 @@
 #include "runtime/kernel/abi.hpp"
 #include "runtime/kernel/isa.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 
 /// Returns nullptr if the processor family has no such instruction set.
 [[nodiscard]] const regulus_kernel* ahead_of_time(Isa isa) noexcept;
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

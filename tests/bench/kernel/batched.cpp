@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 
 BatchedProduct::BatchedProduct(const regulus_kernel& kernel, const Sample& sample)
     : kernel_(kernel), out_(sample.outputs) {
@@ -37,4 +37,4 @@ std::vector<Interval> BatchedProduct::entries(std::size_t box) {
   return result;
 }
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

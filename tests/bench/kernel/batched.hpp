@@ -7,7 +7,7 @@
 #include "runtime/kernel/call.hpp"
 #include "tests/bench/kernel/subject.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 
 /// Computes K·M of the sample by a kernel, eight boxes at a time, as the search calls it.
 class BatchedProduct {
@@ -29,4 +29,4 @@ class BatchedProduct {
   OutputBatch out_;
 };
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

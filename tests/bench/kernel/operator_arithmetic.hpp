@@ -4,7 +4,7 @@
 #include <cmath>
 #include <type_traits>
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 
 /// The arithmetic of a number type with operators, for straight-line code. sin and cos of a Number
 /// are found by argument-dependent lookup. Two exact doubles become Numbers, since their sum need
@@ -51,4 +51,4 @@ struct OperatorArithmetic {
   }
 };
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

@@ -5,7 +5,7 @@
 
 #include "tests/bench/kernel/operator_arithmetic.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 
 /// `Flags` identifies the translation unit.
 template <class Flags>
@@ -17,4 +17,4 @@ struct PlainArithmetic : OperatorArithmetic<double, Flags> {
 void plain_scalar(const double* v, const double* k, double* out) noexcept;
 void plain_vectorised(const double* v, const double* k, double* out) noexcept;
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

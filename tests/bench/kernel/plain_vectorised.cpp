@@ -2,7 +2,7 @@
 #include "left_product.hpp"
 #include "tests/bench/kernel/plain_arithmetic.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 namespace {
 struct Flags;
 }
@@ -12,4 +12,4 @@ void plain_vectorised(const double* v, const double* k, double* out) noexcept {
   left_product(arithmetic, v, k, out);
 }
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

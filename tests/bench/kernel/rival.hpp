@@ -9,7 +9,7 @@
 #include "runtime/interval/interval.hpp"
 #include "tests/bench/kernel/subject.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 
 class Rival {
  public:
@@ -45,4 +45,4 @@ struct NamedRival {
 [[nodiscard]] std::unique_ptr<Rival> make_plain_scalar(const Sample& sample);
 [[nodiscard]] std::unique_ptr<Rival> make_plain_vectorised(const Sample& sample);
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

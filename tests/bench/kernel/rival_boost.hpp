@@ -6,7 +6,7 @@
 #include "tests/bench/kernel/operator_arithmetic.hpp"
 #include "tests/bench/kernel/straight_rival.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 
 /// The rounding of Boost's default, rounded_math<double>, plus the sine and cosine it lacks.
 using BoostRounding = boost::numeric::interval_lib::rounded_transc_opp<double>;
@@ -20,4 +20,4 @@ struct BoostArithmetic : OperatorArithmetic<BoostInterval> {
   static Interval to(const BoostInterval& x) { return {x.lower(), x.upper()}; }
 };
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

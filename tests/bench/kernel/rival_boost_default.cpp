@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/bench/kernel/rival_boost.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 
 std::unique_ptr<Rival> make_boost_default(const Sample& sample) {
   namespace lib = boost::numeric::interval_lib;
@@ -10,4 +10,4 @@ std::unique_ptr<Rival> make_boost_default(const Sample& sample) {
   return std::make_unique<StraightRival<BoostArithmetic<Type, NoScope>>>(sample);
 }
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

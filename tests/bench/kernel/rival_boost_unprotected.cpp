@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/bench/kernel/rival_boost.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 
 std::unique_ptr<Rival> make_boost_unprotected(const Sample& sample) {
   namespace lib = boost::numeric::interval_lib;
@@ -12,4 +12,4 @@ std::unique_ptr<Rival> make_boost_unprotected(const Sample& sample) {
   return std::make_unique<StraightRival<BoostArithmetic<Type, Scope>>>(sample);
 }
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

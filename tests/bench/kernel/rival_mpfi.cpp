@@ -3,7 +3,7 @@
 
 #include "tests/bench/kernel/straight_rival.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 namespace {
 
 constexpr mp_prec_t kPrecision = 53;
@@ -90,4 +90,4 @@ std::unique_ptr<Rival> make_mpfi(const Sample& sample) {
   return std::make_unique<StraightRival<MpfiArithmetic>>(sample);
 }
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

@@ -2,7 +2,7 @@
 #include "tests/bench/kernel/plain_arithmetic.hpp"
 #include "tests/bench/kernel/rival.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 namespace {
 
 using Function = void (*)(const double* v, const double* k, double* out) noexcept;
@@ -47,4 +47,4 @@ std::unique_ptr<Rival> make_plain_vectorised(const Sample& sample) {
   return std::make_unique<PlainRival>(plain_vectorised, sample);
 }
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

@@ -2,7 +2,7 @@
 #include "tests/bench/kernel/operator_arithmetic.hpp"
 #include "tests/bench/kernel/straight_rival.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 namespace {
 
 struct ScalarInterval : OperatorArithmetic<Interval> {
@@ -17,4 +17,4 @@ std::unique_ptr<Rival> make_scalar_interval(const Sample& sample) {
   return std::make_unique<StraightRival<ScalarInterval>>(sample);
 }
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

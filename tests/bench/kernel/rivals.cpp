@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/bench/kernel/rival.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 namespace {
 
 using Maker = std::unique_ptr<Rival> (*)(const Sample&);
@@ -67,4 +67,4 @@ std::vector<NamedRival> make_rivals(const Sample& sample) {
   return rivals;
 }
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

@@ -13,7 +13,7 @@
 #include "tests/bench/kernel/batched.hpp"
 #include "tests/bench/kernel/rival.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 namespace {
 
 /// A contender, and the contents of its row besides the times.
@@ -138,4 +138,4 @@ class KernelBench {
 
 Section kernel_rows() { return KernelBench().run(); }
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

@@ -9,7 +9,7 @@
 #include "codegen/kernel/cpp/literal.hpp"
 #include "codegen/kernel/program/rational_bounds.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 namespace {
 
 /// Returns the name of the value of a node, or the text of a leaf.
@@ -63,4 +63,4 @@ std::string straight_line_text(const Program& program, const std::string& name) 
   return text + "}\n";
 }
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

@@ -6,7 +6,7 @@
 
 #include "codegen/kernel/program/program.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 
 /// Returns the text of a function template `name(A& a, const A::Number* v, const double* k,
 /// A::Number* out)`. It performs every operation of the program once, in order. Exact doubles, and
@@ -16,4 +16,4 @@ namespace regulus::bench {
 ///           operator_arithmetic.hpp has those that it must have.
 [[nodiscard]] std::string straight_line_text(const Program& program, const std::string& name);
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

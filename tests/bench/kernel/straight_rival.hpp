@@ -8,7 +8,7 @@
 #include "left_product.hpp"
 #include "tests/bench/kernel/rival.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 
 /// Runs straight-line code over an arithmetic A. Besides the operations, A has
 ///
@@ -63,4 +63,4 @@ struct NoScope {
   NoScope() {}
 };
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

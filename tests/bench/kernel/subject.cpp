@@ -11,7 +11,7 @@
 #include "runtime/machine/machine_kernel.hpp"
 #include "runtime/regularity/midpoint_inverse.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 namespace {
 
 SearchSubject report_labels(Method method) {
@@ -93,4 +93,4 @@ Sample make_sample(const Module& module) {
   return sample;
 }
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

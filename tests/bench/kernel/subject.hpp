@@ -9,7 +9,7 @@
 #include "runtime/interval/interval.hpp"
 #include "runtime/kernel/abi.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 
 /// Returns only A and K·A, formed and rewritten as for `regulus check --method kj`.
 [[nodiscard]] Module kernel_subject();
@@ -40,4 +40,4 @@ struct Sample {
 /// Returns parts of wide_15: a random whole, half or quarter of each range, from a fixed seed.
 [[nodiscard]] Sample make_sample(const Module& module);
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

@@ -13,7 +13,7 @@
 #include "tests/bench/kernel/straight_line.hpp"
 #include "tests/bench/kernel/subject.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 namespace {
 
 /// Does not touch a file that already has this text, so that it is not compiled again.
@@ -41,12 +41,12 @@ void write_sources(const std::filesystem::path& directory) {
 }
 
 }  // namespace
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench
 
 int main(int argc, char** argv) {
   if (argc != 2) return 64;
   try {
-    regulus::bench::write_sources(argv[1]);
+    regulus::detail::bench::write_sources(argv[1]);
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
     return 70;

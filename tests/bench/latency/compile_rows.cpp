@@ -13,7 +13,7 @@
 #include "tests/support/spawned_compiler.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 namespace {
 
 /// A kernel, and the target of the ratio: compiling in process against spawning a compiler for its
@@ -93,4 +93,4 @@ Section compile_rows() {
   return section;
 }
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

@@ -7,7 +7,7 @@
 #include "tests/bench/measure/process.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 namespace {
 
 /// Runs the command with a cache of its own.
@@ -136,4 +136,4 @@ Section process_rows() {
   return section;
 }
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

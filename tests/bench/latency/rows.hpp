@@ -3,7 +3,7 @@
 
 #include "tests/bench/report/row.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 
 /// Times the command as a process: with an empty cache, with a filled cache, and doing nothing.
 [[nodiscard]] Section process_rows();
@@ -11,4 +11,4 @@ namespace regulus::bench {
 /// Times compiling a kernel's text in process against a spawned compiler.
 [[nodiscard]] Section compile_rows();
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

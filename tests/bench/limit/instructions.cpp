@@ -8,7 +8,7 @@
 #include "tests/bench/measure/process.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 namespace {
 
 bool is_exact_double(const Program& program, NodeId id) {
@@ -88,4 +88,4 @@ std::optional<std::string> disassemble(const std::string& code) {
   return run.output.substr(0, run.output.find("\tret"));
 }
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

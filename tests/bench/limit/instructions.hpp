@@ -9,7 +9,7 @@
 
 #include "codegen/kernel/program/program.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 
 /// Returns the number of operations on bounds: two for a sum, two for a product with an exact
 /// double; for a product of two intervals four products, from which a minimum and a maximum select
@@ -37,4 +37,4 @@ struct VectorInstructions {
 /// no objdump. `code`: the function, then its constants.
 [[nodiscard]] std::optional<std::string> disassemble(const std::string& code);
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

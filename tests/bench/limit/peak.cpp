@@ -7,7 +7,7 @@
 
 #include "runtime/kernel/simd.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 
 #if defined(REGULUS_ISA_AVX512)
 
@@ -60,4 +60,4 @@ void peak_bounds() noexcept {}
 
 #endif
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

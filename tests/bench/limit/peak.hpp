@@ -3,7 +3,7 @@
 // without loads or stores.
 #pragma once
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 
 /// The number of operations in one call, the same for each function.
 inline constexpr double kPeakOperations = 16.0 * 4096;
@@ -16,4 +16,4 @@ void peak_fused() noexcept;
 /// embedded rounding. Bounds consist of this mix.
 void peak_bounds() noexcept;
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

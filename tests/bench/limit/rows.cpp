@@ -18,7 +18,7 @@
 #include "tests/bench/limit/instructions.hpp"
 #include "tests/bench/limit/peak.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 namespace {
 
 constexpr std::size_t kBatches = Sample::kBoxes / std::size_t{REGULUS_LANES};
@@ -183,4 +183,4 @@ Section limit_rows() {
   return section;
 }
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

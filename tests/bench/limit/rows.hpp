@@ -3,9 +3,9 @@
 
 #include "tests/bench/report/row.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 
 /// Compares the AVX-512 kernel for K·M with the limits of the processor.
 [[nodiscard]] Section limit_rows();
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

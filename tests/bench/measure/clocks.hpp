@@ -3,7 +3,7 @@
 
 #include <ctime>
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 
 inline double seconds_on(clockid_t clock) {
   timespec t{};
@@ -21,4 +21,4 @@ inline double process_seconds() { return seconds_on(CLOCK_PROCESS_CPUTIME_ID); }
 /// Returns the time on the wall: for several threads, and for processes.
 inline double wall_seconds() { return seconds_on(CLOCK_MONOTONIC); }
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

@@ -7,7 +7,7 @@
 
 #include "codegen/kernel/jit/clang_compiler.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 namespace {
 
 /// Returns the processor's name as the kernel reports it; "unknown" if it reports none.
@@ -38,4 +38,4 @@ Machine this_machine() {
   return machine;
 }
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

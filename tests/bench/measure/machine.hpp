@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 
 /// The machine and the compilers, on which the figures depend besides the code.
 struct Machine {
@@ -16,4 +16,4 @@ struct Machine {
 
 [[nodiscard]] Machine this_machine();
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

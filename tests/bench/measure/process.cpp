@@ -11,7 +11,7 @@
 
 #include "tests/bench/measure/clocks.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 namespace {
 
 std::vector<char*> pointers(std::vector<std::string>& words) {
@@ -71,4 +71,4 @@ ProcessRun run_process(const std::vector<std::string>& command,
   return run;
 }
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 
 struct ProcessRun {
   int exit_code = -1;       ///< −1: no such program, or a signal ended it
@@ -18,4 +18,4 @@ struct ProcessRun {
 [[nodiscard]] ProcessRun run_process(const std::vector<std::string>& command,
                                      const std::vector<std::string>& environment = {});
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

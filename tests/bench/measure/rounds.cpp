@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 namespace {
 
 double quantile(const std::vector<double>& sorted, double q) {
@@ -68,4 +68,4 @@ std::vector<Timing> compare(std::span<const Contender> contenders, const RoundOp
   return timings;
 }
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

@@ -13,7 +13,7 @@
 
 #include "tests/bench/measure/clocks.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 
 /// The median, and the quartiles as a measure of how much the values vary.
 struct Spread {
@@ -51,4 +51,4 @@ struct RoundOptions {
 [[nodiscard]] std::vector<Timing> compare(std::span<const Contender> contenders,
                                           const RoundOptions& options = {});
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

@@ -7,7 +7,7 @@
 #include "tests/bench/measure/process.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 namespace {
 
 namespace fs = std::filesystem;
@@ -72,4 +72,4 @@ Section page_rows() {
   return section;
 }
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

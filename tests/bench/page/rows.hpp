@@ -3,9 +3,9 @@
 
 #include "tests/bench/report/row.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 
 /// Measures pages of `regulus report`: their sizes, and the time until a browser has drawn them.
 [[nodiscard]] Section page_rows();
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

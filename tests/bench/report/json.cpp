@@ -3,7 +3,7 @@
 
 #include "tests/bench/report/writers.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -56,4 +56,4 @@ std::string to_json(const Report& report) {
   return json.dump(kIndent) + "\n";
 }
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

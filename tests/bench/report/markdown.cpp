@@ -5,7 +5,7 @@
 
 #include "tests/bench/report/writers.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 namespace {
 
 /// Prints three digits without an exponent: 0.0123, 1.23, 123, 12300. Counts of up to five digits
@@ -77,4 +77,4 @@ std::string summary(const Report& report) {
   return fmt::format("{} of {} targets met", reached, targets);
 }
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

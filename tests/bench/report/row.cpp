@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/bench/report/row.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 
 std::optional<bool> met(const Row& row) {
   if (!row.target) return std::nullopt;
@@ -32,4 +32,4 @@ Row skipped_row(std::string name, std::string reason, std::string explanation) {
   return row;
 }
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

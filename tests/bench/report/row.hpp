@@ -9,7 +9,7 @@
 #include "tests/bench/measure/machine.hpp"
 #include "tests/bench/measure/rounds.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 
 /// The target of a row, for its value or for its ratio.
 struct Target {
@@ -63,4 +63,4 @@ struct Report {
 /// Returns a row that could not be measured.
 [[nodiscard]] Row skipped_row(std::string name, std::string reason, std::string explanation);
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

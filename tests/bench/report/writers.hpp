@@ -5,7 +5,7 @@
 
 #include "tests/bench/report/row.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 
 /// Returns {"machine": {…}, "rows": [{"section", "name", "value", "unit", "ratio",
 /// "ratio_quartiles", "target", "met", "explanation", "skipped"}, …]}; absent values are null.
@@ -18,4 +18,4 @@ namespace regulus::bench {
 /// Returns, for example, "7 of 9 targets met".
 [[nodiscard]] std::string summary(const Report& report);
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

@@ -14,6 +14,7 @@
 namespace {
 
 using namespace regulus;
+using namespace regulus::detail;
 
 /// So many boxes share their time in the record. With fewer, the kernel would have empty lanes.
 constexpr std::uint64_t kBoxesOfTime = 64;

@@ -9,7 +9,7 @@
 #include "runtime/search/unit_groups.hpp"
 #include "tests/bench/measure/clocks.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 namespace {
 
 /// The messages are as long as those about a robot with six variables.
@@ -157,4 +157,4 @@ void Replay::measure_memory() {
   result_.most_megabytes = std::max(result_.most_megabytes, megabytes_in_use() - memory_before_);
 }
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

@@ -11,7 +11,7 @@
 #include "runtime/cluster/worker.hpp"
 #include "tests/bench/scale/trace.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 
 struct Job {
   std::size_t ranks;
@@ -69,4 +69,4 @@ class Replay {
   Replayed result_;
 };
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

@@ -3,7 +3,7 @@
 
 #include "tests/bench/measure/clocks.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 namespace {
 
 std::string key_of(const cluster::Unit& unit) {
@@ -80,4 +80,4 @@ void RecordingWorkers::add_box(std::uint32_t box, cluster::ByteReader& events, f
   add_box(lower + 1, events, seconds, open);
 }
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

@@ -13,7 +13,7 @@
 #include "runtime/problem/row_structure.hpp"
 #include "runtime/search/unit_search.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 
 struct TracedBox {
   std::uint32_t lower =
@@ -60,4 +60,4 @@ class RecordingWorkers final : public cluster::Workers, public cluster::UnitDeci
   const std::atomic<bool> stop_ = false;
 };
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

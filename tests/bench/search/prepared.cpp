@@ -8,7 +8,7 @@
 
 #include "codegen/question/engine/settings.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 namespace {
 
 ModelOptions model_of(const SearchCase& which) {
@@ -37,4 +37,4 @@ const Statistics& TimedSearch::statistics() const {
   return result_.statistics;
 }
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

@@ -9,7 +9,7 @@
 #include "runtime/search/solver.hpp"
 #include "tests/bench/measure/rounds.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 
 /// A question, in words of the command line.
 struct SearchCase {
@@ -42,4 +42,4 @@ class TimedSearch {
   Result result_;
 };
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

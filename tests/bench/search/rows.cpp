@@ -12,7 +12,7 @@
 #include "tests/bench/measure/clocks.hpp"
 #include "tests/bench/search/prepared.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 namespace {
 
 constexpr SearchCase kCases[] = {{"wide_15", "robot_1", "wide_15", "", 15},
@@ -238,4 +238,4 @@ Section thread_rows() {
   return section;
 }
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

@@ -5,7 +5,7 @@
 
 #include "tests/bench/report/row.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 
 /// Times whole searches, on every instruction set and one box at a time.
 [[nodiscard]] Section search_rows();
@@ -27,4 +27,4 @@ struct SearchCase;
 /// Compares one thread with two.
 [[nodiscard]] Section thread_rows();
 
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

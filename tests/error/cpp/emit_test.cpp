@@ -7,7 +7,7 @@
 
 #include "tests/support/sample_modules.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 TEST(Emit, RefusesAPrefixThatIsNoIdentifier) {
@@ -37,4 +37,4 @@ TEST(Emit, RefusesAMalformedModule) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 
 #include "codegen/support/errors.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using testing::AllOf;
@@ -142,4 +142,4 @@ TEST(ImportRefusal, ADistanceThatIsNone) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -5,7 +5,7 @@
 #include "codegen/model/import/import.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using testing::AllOf;
@@ -134,4 +134,4 @@ TEST(RefusedLoops, OptionsForThemAreForThemAlone) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

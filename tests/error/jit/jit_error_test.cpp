@@ -11,7 +11,7 @@
 #include "tests/support/cache_entries.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using testing::HasSubstr;
@@ -143,4 +143,4 @@ TEST_F(BadCacheTest, ADirectoryThatIsNotSafeIsNotUsed) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

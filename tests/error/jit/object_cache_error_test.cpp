@@ -12,7 +12,7 @@
 #include "codegen/kernel/jit/cache/object_cache.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using testing::HasSubstr;
@@ -162,4 +162,4 @@ TEST_F(ObjectCacheErrorTest, SaysWhenAnObjectIsLargerThanTheCache) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/error/model/refusal.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::changed;
@@ -164,4 +164,4 @@ TEST(ClosureRefusal, DerivativesThatAreTooLarge) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 #include "codegen/model/exact/expression_parser.hpp"
 #include "tests/error/model/refusal.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::changed;
@@ -165,4 +165,4 @@ TEST(ExpressionRefusal, ChainDeeperThanTheStackShouldGo) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

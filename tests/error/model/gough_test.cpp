@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/error/model/refusal.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::expect_refused;
@@ -65,4 +65,4 @@ TEST(GoughRefusal, ATolerancesThatAnAnchorCannotHave) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

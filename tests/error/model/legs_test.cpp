@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/error/model/refusal.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::changed;
@@ -168,4 +168,4 @@ TEST(LegsRefusal, TolerancesOfWhatNoLegHas) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/error/model/refusal.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::expect_refused;
@@ -129,4 +129,4 @@ TEST(ModelRefusal, DirectoryIsAFileError) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/error/model/refusal.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 const test::RefusedChange kRefusedMotions[] = {
@@ -66,4 +66,4 @@ INSTANTIATE_TEST_SUITE_P(Each, RefusedMotion, testing::ValuesIn(kRefusedMotions)
                          test::name_of_change);
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 #include "codegen/model/file/toml_limits.hpp"
 #include "tests/error/model/refusal.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::changed;
@@ -127,4 +127,4 @@ TEST(TomlLimits, CountNothingInStringsCommentsAndNumbers) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

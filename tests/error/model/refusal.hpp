@@ -10,7 +10,7 @@
 #include "codegen/support/errors.hpp"
 #include "tests/support/example_model.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// Expects that the model is refused at that line, and that the two parts of the message contain
 /// the given words.
@@ -58,4 +58,4 @@ inline void expect_refused_gough(const std::string& from, const std::string& to,
   expect_refused(changed(kExampleGough, from, to), line, found, expected);
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/error/model/refusal.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::changed;
@@ -155,4 +155,4 @@ TEST(SerialRefusal, NamesOfRadiansAmongDegrees) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

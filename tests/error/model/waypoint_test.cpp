@@ -9,7 +9,7 @@
 #include "tests/error/model/refusal.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using testing::HasSubstr;
@@ -279,4 +279,4 @@ TEST(WaypointMotion, HasNoRangesOrParameters) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -6,7 +6,7 @@
 
 #include <stdexcept>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 Module good_module() {
@@ -93,4 +93,4 @@ TEST(CheckModule, RefusesAnOutputThatIsNoNode) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

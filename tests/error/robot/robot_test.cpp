@@ -9,7 +9,7 @@
 
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// A change to a valid robot, and the line of that change.
@@ -135,4 +135,4 @@ TEST(RobotErrors, AnExpressionThatDoublesWithEachStepIsRefused) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

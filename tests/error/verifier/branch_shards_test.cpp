@@ -14,7 +14,7 @@
 #include "tests/support/temporary_directory.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus::test::branch_shards_test {
+namespace regulus::detail::test::branch_shards_test {
 namespace {
 
 using testing::HasSubstr;
@@ -397,4 +397,4 @@ TEST_F(BranchShards, OfAWayToASingularConfigurationAreRejected) {
 }
 
 }  // namespace
-}  // namespace regulus::test::branch_shards_test
+}  // namespace regulus::detail::test::branch_shards_test

@@ -14,7 +14,7 @@
 #include "tests/support/certificate_texts.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using verifier::InputFile;
@@ -97,4 +97,4 @@ TEST_F(AnInput, HasALargestSize) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -17,7 +17,7 @@
 #include "tests/support/certificate_texts.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test::place_shards_test {
+namespace regulus::detail::test::place_shards_test {
 namespace {
 
 using testing::HasSubstr;
@@ -214,4 +214,4 @@ TEST_F(PlaceShards, ShareTheLimitOfBoxes) {
 }
 
 }  // namespace
-}  // namespace regulus::test::place_shards_test
+}  // namespace regulus::detail::test::place_shards_test

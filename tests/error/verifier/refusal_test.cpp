@@ -5,7 +5,7 @@
 #include "runtime/proof/format.hpp"
 #include "tests/support/certificate_texts.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 void expect_rejected(const std::string& text, const std::string& why) {
@@ -139,4 +139,4 @@ TEST(AnEndOfARange, IsNoCoordinateOfASignOrOfABall) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -15,7 +15,7 @@
 #include "tests/support/sample_modules.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 constexpr const char* kOutputVariable = "REGULUS_EMIT_TO";
@@ -98,4 +98,4 @@ TEST(EmittedText, IsTheSameInEveryProcess) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -11,7 +11,7 @@
 #include "runtime/search/solver.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 struct BoxCase {
@@ -74,4 +74,4 @@ TEST(BoxesOfBalls, AreFewerThanOfTheBoxesAroundThem) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include "tests/paper/engine/table_rows.hpp"
 #include "tests/support/certificates.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 inline void expect_verified(const TableCell& of) {
   const PaperCell& cell = *of.cell;
@@ -27,4 +27,4 @@ inline void expect_verified(const TableCell& of) {
   EXPECT_EQ(v.leaves, leaves);
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/paper/engine/certificate_cells.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 class CertificatesOfLongTables : public testing::TestWithParam<TableCell> {};
@@ -12,4 +12,4 @@ INSTANTIATE_TEST_SUITE_P(Paper, CertificatesOfLongTables,
                          testing::ValuesIn(cells_of(kFewBoxes + 1, 60000)), cell_name);
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

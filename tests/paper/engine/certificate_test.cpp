@@ -3,7 +3,7 @@
 #include "tests/paper/engine/certificate_cells.hpp"
 #include "tests/support/parameter_name.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 class CertificatesOfTheTables : public testing::TestWithParam<TableCell> {};
@@ -52,4 +52,4 @@ INSTANTIATE_TEST_SUITE_P(
     parameter_name);
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

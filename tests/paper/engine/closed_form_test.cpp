@@ -8,7 +8,7 @@
 #include "codegen/question/engine/settings.hpp"
 #include "runtime/search/solver.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 PreparedSearch closed_form(const std::string& model, const std::string& motion) {
@@ -87,4 +87,4 @@ std::string case_name(const testing::TestParamInfo<Case>& info) {
 INSTANTIATE_TEST_SUITE_P(Tables, ClosedFormVerdicts, testing::ValuesIn(kCases), case_name);
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "codegen/question/engine/settings.hpp"
 #include "runtime/search/solver.hpp"
 
-namespace regulus::engines {
+namespace regulus::detail::engines {
 namespace {
 
 struct Case {
@@ -51,4 +51,4 @@ TEST(Engines, DecideTheSameBoxes) {
 }
 
 }  // namespace
-}  // namespace regulus::engines
+}  // namespace regulus::detail::engines

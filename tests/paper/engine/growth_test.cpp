@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 TEST(Growth, TheExponentOfAPowerLawIsItsPower) {
@@ -42,4 +42,4 @@ TEST(Growth, WithTheToleranceOfRobot2IsSlowerTheMoreTheBoundsSee) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -6,7 +6,7 @@
 
 #include "tests/support/command.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using nlohmann::json;
@@ -49,4 +49,4 @@ TEST(Margin, OfTheThresholdWithoutRowScalesIsKnownToATwentieth) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -5,7 +5,7 @@
 #include "codegen/question/engine/pipeline.hpp"
 #include "runtime/search/solver.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// §II-A: the value is −0.827…; doubles give −10²³, and intervals of doubles a width of 10²³.
@@ -38,4 +38,4 @@ TEST_F(Rump, StaysUndecidedWithTooFewBits) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "tests/paper/tables/run_cell.hpp"
 #include "tests/support/parameter_name.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 struct TableCell {
   const PaperTable* table;
@@ -43,4 +43,4 @@ inline void expect_as_recorded(const Result& result, const PaperCell& cell) {
   EXPECT_LE(result.statistics.boxes, cell.boxes + cell.boxes / 50 + 1);
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -2,7 +2,7 @@
 // The cells of Tables IV–VII and of the series in the text that take longer.
 #include "tests/paper/engine/table_rows.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 constexpr std::uint64_t kFastBoxes = 2000;
@@ -17,4 +17,4 @@ INSTANTIATE_TEST_SUITE_P(Paper, LongTableRows,
                          testing::ValuesIn(cells_of(kFastBoxes + 1, UINT64_MAX)), cell_name);
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

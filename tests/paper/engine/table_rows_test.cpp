@@ -3,7 +3,7 @@
 // certificates are in certificate_test.cpp.
 #include "tests/paper/engine/table_rows.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 constexpr std::uint64_t kFastBoxes = 2000;
@@ -18,4 +18,4 @@ INSTANTIATE_TEST_SUITE_P(Paper, TableRows, testing::ValuesIn(cells_of(kFewBoxes 
                          cell_name);
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -5,7 +5,7 @@
 
 #include "tests/support/certificates.hpp"
 
-namespace regulus::threads {
+namespace regulus::detail::threads {
 namespace {
 
 std::string proof(const ModelOptions& model, unsigned threads, Verdict verdict) {
@@ -31,4 +31,4 @@ TEST(Threads, WriteTheSameWitness) {
 }
 
 }  // namespace
-}  // namespace regulus::threads
+}  // namespace regulus::detail::threads

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 TEST(ToleranceEffect, ChangesTheDeterminantByAQuarterToTwoFifths) {
@@ -35,4 +35,4 @@ TEST(ToleranceEffect, IntervalEvaluationIsFarWiderThanTheExtremes) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -13,7 +13,7 @@
 #include "codegen/kernel/symbolic/print.hpp"
 #include "codegen/kernel/symbolic/rewrite.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 Interval enclosure(const Expression& e, const std::vector<std::string>& variables,
@@ -88,4 +88,4 @@ TEST_F(ConditionedEntry, RewritingGivesForm2WithOneOccurrenceOfX) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

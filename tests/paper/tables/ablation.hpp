@@ -5,7 +5,7 @@
 #include "codegen/question/engine/choices.hpp"
 #include "tests/paper/tables/run_cell.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 struct AblationProblem {
   const char* name;
@@ -56,4 +56,4 @@ struct Ablation {
   }
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -8,7 +8,7 @@
 #include "tests/paper/tables/ablation.hpp"
 #include "tests/paper/tables/words.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 std::vector<Ablation> ablations() {
@@ -93,7 +93,7 @@ void print(const std::vector<Ablation>& rows, double limit) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test
 
 int main(int argc, char** argv) {
   const double limit = argc > 1 ? std::atof(argv[1]) : 10;
@@ -101,5 +101,5 @@ int main(int argc, char** argv) {
     std::cerr << "usage: ablation_tables [SECONDS PER CELL]\n";
     return 64;
   }
-  regulus::test::print(regulus::test::ablations(), limit);
+  regulus::detail::test::print(regulus::detail::test::ablations(), limit);
 }

@@ -10,7 +10,7 @@
 
 #include "codegen/question/bound/bound_run.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// The forces in the legs of robot 1 under forces of at most 1 N on its platform.
 struct BoundSeries {
@@ -60,4 +60,4 @@ inline BoundCell bound_forces(const BoundSeries& series, double gap, double limi
   return cell;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -10,7 +10,7 @@
 
 #include "tests/paper/tables/run_cell.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// The number that grows: the tolerance of the anchors, or the range of the angles in degrees.
 enum class Abscissa { kTolerance, kAngle };
@@ -82,4 +82,4 @@ inline std::optional<double> exponent(std::span<const GrowthPoint> points) {
   return (n * xy - x * y) / (n * xx - x * x);
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

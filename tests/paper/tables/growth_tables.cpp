@@ -13,7 +13,7 @@
 #include "tests/paper/tables/growth.hpp"
 #include "tests/paper/tables/words.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 /// A bound has searches for six legs.
@@ -224,10 +224,10 @@ std::string head(double limit) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test
 
 int main(int argc, char** argv) {
-  using namespace regulus::test;
+  using namespace regulus::detail::test;
   const double limit = argc > 3 ? std::atof(argv[3]) : 10;
   if (argc < 3 || !(limit > 0)) {
     std::cerr << "usage: growth_tables PICTURE.svg BOUNDS.svg [SECONDS PER CELL]\n";
@@ -247,7 +247,9 @@ int main(int argc, char** argv) {
     print(series, bounds.back(), kBoundLimit * limit);
     std::cout.flush();
   }
-  regulus::Gnuplot(argv[1]).draw(picture(panels), "Boxes and seconds by tolerance, range and gap");
+  regulus::detail::Gnuplot(argv[1]).draw(picture(panels),
+                                         "Boxes and seconds by tolerance, range and gap");
   std::cout << "\n![boxes and seconds of a bound by the gap](bound_growth.svg)\n";
-  regulus::Gnuplot(argv[2]).draw(bound_picture(bounds), "Boxes and seconds of a bound by the gap");
+  regulus::detail::Gnuplot(argv[2]).draw(bound_picture(bounds),
+                                         "Boxes and seconds of a bound by the gap");
 }

@@ -14,7 +14,7 @@
 #include "tests/paper/tables/tolerance_effect.hpp"
 #include "tests/paper/tables/words.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 std::string found(const PaperCell& cell, const Result& result, double limit) {
@@ -193,7 +193,7 @@ std::string head(double limit) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test
 
 int main(int argc, char** argv) {
   const double limit = argc > 1 ? std::atof(argv[1]) : 10;
@@ -201,8 +201,8 @@ int main(int argc, char** argv) {
     std::cerr << "usage: paper_tables [SECONDS PER CELL]\n";
     return 64;
   }
-  std::cout << regulus::test::head(limit);
-  using namespace regulus::test;
+  std::cout << regulus::detail::test::head(limit);
+  using namespace regulus::detail::test;
   for (const PaperTable& table : kPaperTables) print(table, limit);
   print_the_effect_of_tolerances();
   print_what_is_odd_in_the_paper();

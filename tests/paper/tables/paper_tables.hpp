@@ -8,7 +8,7 @@
 
 #include "runtime/problem/result.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 inline constexpr Verdict kNone = Verdict::kNoSingularity;
 inline constexpr Verdict kSingular = Verdict::kSingularity;
@@ -315,4 +315,4 @@ inline constexpr PaperTable kPaperTables[] = {
      "limit; why the paper needs fewer has not been found."},
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -11,7 +11,7 @@
 #include "runtime/search/solver.hpp"
 #include "tests/paper/tables/paper_tables.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// The question of a table's cell, in words of the command line.
 struct Question {
@@ -77,4 +77,4 @@ inline Result run(const PaperTable& table, const PaperCell& cell, double seconds
   return solve(preparation.problem(), settings_from(search));
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

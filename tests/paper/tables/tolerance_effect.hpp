@@ -23,7 +23,7 @@
 #include "runtime/regularity/aligned_buffer.hpp"
 #include "runtime/regularity/determinant.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 inline constexpr double kDegree = 3.14159265358979323846 / 180;
 inline constexpr std::size_t kPose = 6;
@@ -100,4 +100,4 @@ inline const std::array<Pose, 4> kPoses{{{0, 0, 47.5, 0, 0, 0},
                                          {-5, 3, 50, -5 * kDegree, 5 * kDegree, 0},
                                          {10, -10, 45, 10 * kDegree, 10 * kDegree, -10 * kDegree}}};
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

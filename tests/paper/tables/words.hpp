@@ -9,7 +9,7 @@
 
 #include "runtime/problem/result.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 inline const char* letter(Verdict verdict) {
   switch (verdict) {
@@ -30,4 +30,4 @@ inline std::string count(std::uint64_t boxes) {
                                  : fmt::format("{} k", (boxes + kThousand / 2) / kThousand);
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -13,7 +13,7 @@
 #include "tests/support/temporary_directory.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 std::optional<std::string> imported(const RandomLoops& loops) try {
@@ -66,4 +66,4 @@ TEST(ClosuresOfFiles, HaveVerdictsAboutTheRobotsOfTheFiles) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -8,7 +8,7 @@
 #include "tests/support/random_plant.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 struct Found {
   int robots = 0, singular = 0, regular = 0;
@@ -91,4 +91,4 @@ Found find_plants(std::uint64_t seed, int robots, double least, double most, con
   return found;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -3,7 +3,7 @@
 
 #include "tests/property/api/planted_singularity.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 /// The rate is printed; a wrong NO SINGULARITY is an error.
@@ -42,4 +42,4 @@ TEST(RandomHexapods, AreNearlyAllDecided) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

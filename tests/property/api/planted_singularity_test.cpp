@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 TEST(PlantedSingularity, IsFoundAtTheEndOfTheTolerance) {
@@ -40,4 +40,4 @@ TEST(PlantedSingularity, IsFoundInPlanarPlatforms) { expect_all<RandomPlanarPlat
 TEST(PlantedSingularity, IsFoundInMatrices) { expect_all<RandomMatrixModel>(31); }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -9,7 +9,7 @@
 #include "tests/support/temporary_directory.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 class SinglePose : public testing::TestWithParam<const char*> {
@@ -80,4 +80,4 @@ INSTANTIATE_TEST_SUITE_P(Shapes, SinglePose, testing::Values("box", "ball"),
                          [](const auto& shape) { return std::string(shape.param); });
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -8,7 +8,7 @@
 #include "codegen/use/api/regulus.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 Verdict verdict_of(const std::string& body) {
@@ -80,4 +80,4 @@ TEST(UncertainModulus, IsFollowedBeyondItsKink) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -7,7 +7,7 @@
 #include "codegen/model/file/model_file.hpp"
 #include "codegen/question/bound/bound_run.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 /// J⁻¹ = [1 x; 0 1] with 0 ≤ x ≤ 2, written with a row scale.
@@ -274,4 +274,4 @@ TEST(KnownBound, IsZeroForARowThatNoTwistMoves) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

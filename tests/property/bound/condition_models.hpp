@@ -13,7 +13,7 @@
 #include "codegen/question/bound/bound_run.hpp"
 #include "codegen/support/decomposition.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// The text of a model with a motion in x and y, perhaps with more lines in front of its matrix.
 inline std::string model_with(const std::string& rows, const std::string& motion,
@@ -85,4 +85,4 @@ inline std::string with_number(std::string text, double value) {
   return text;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -19,7 +19,7 @@
 #include "tests/support/certificates.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test::condition_number {
+namespace regulus::detail::test::condition_number {
 namespace {
 
 Request request_of(const std::string& text) {
@@ -349,4 +349,4 @@ TEST(ConditionNumber, OfARandomModelIsProvedByItsCertificates) {
 }
 
 }  // namespace
-}  // namespace regulus::test::condition_number
+}  // namespace regulus::detail::test::condition_number

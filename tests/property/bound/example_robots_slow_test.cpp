@@ -14,7 +14,7 @@
 #include "runtime/kernel/call.hpp"
 #include "runtime/regularity/aligned_buffer.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 constexpr int kPlaces = 1'000'000;
@@ -311,4 +311,4 @@ INSTANTIATE_TEST_SUITE_P(All, ExampleRobots,
                          [](const auto& robot) { return std::string(robot.param.model); });
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

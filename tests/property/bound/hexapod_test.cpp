@@ -10,7 +10,7 @@
 #include "codegen/question/bound/bound_run.hpp"
 #include "codegen/support/decomposition.hpp"
 
-namespace regulus::test::hexapod {
+namespace regulus::detail::test::hexapod {
 namespace {
 
 constexpr int kSamples = 300;
@@ -110,4 +110,4 @@ TEST(ABoundOfAHexapod, OfADeflectionTakesFewBoxes) {
 }
 
 }  // namespace
-}  // namespace regulus::test::hexapod
+}  // namespace regulus::detail::test::hexapod

@@ -15,7 +15,7 @@
 #include "tests/support/temporary_directory.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus::test::random_models {
+namespace regulus::detail::test::random_models {
 namespace {
 
 constexpr int kSamples = 2000;
@@ -281,4 +281,4 @@ INSTANTIATE_TEST_SUITE_P(
     name_of);
 
 }  // namespace
-}  // namespace regulus::test::random_models
+}  // namespace regulus::detail::test::random_models

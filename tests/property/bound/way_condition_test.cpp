@@ -13,7 +13,7 @@
 #include "tests/support/certificates.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 struct Point {
@@ -195,4 +195,4 @@ TEST_F(ConditionAlongWay, OfNoPoseOfARandomModelLeavesItsBracket) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

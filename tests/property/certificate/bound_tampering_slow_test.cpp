@@ -9,7 +9,7 @@
 #include "codegen/question/bound/bound_run.hpp"
 #include "tests/property/certificate/certificate_tampering.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 constexpr const char* kModel = R"toml(regulus = 1
@@ -152,4 +152,4 @@ INSTANTIATE_TEST_SUITE_P(
                     Asked{{.quantity = "condition", .norm = "2"}}));
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -9,7 +9,7 @@
 
 #include "runtime/verifier/evaluation.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using GiNaC::ex;
@@ -98,4 +98,4 @@ TEST(AnExpressionInACertificate, MeansWhatTheModelsDoes) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -5,7 +5,7 @@
 #include "tests/support/certificates.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using verifier::Outcome;
@@ -16,14 +16,14 @@ struct Count {
 
 void judge_certificate(const ModelText& text, const SearchVariant& variant, Count& count) {
   SCOPED_TRACE(variant.describe() + '\n' + text.file());
-  const regulus::test::TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   ModelOptions options;
   options.path = (directory.path() / "model.toml").string();
   std::ofstream(options.path) << text.file();
-  regulus::test::Certified certified;
+  test::Certified certified;
   try {
     PreparedSearch preparation = prepare(options, variant.search);
-    certified = regulus::test::certify(preparation, variant.search, variant.settings());
+    certified = test::certify(preparation, variant.search, variant.settings());
   } catch (const InputError&) {
     return;
   } catch (const ClosedFormError&) {
@@ -32,7 +32,7 @@ void judge_certificate(const ModelText& text, const SearchVariant& variant, Coun
   if (certified.text.empty()) return;
   verifier::Options effort;
   effort.max_boxes_per_leaf = 2000;
-  const verifier::Verification v = regulus::test::verify_text(certified.text, effort);
+  const verifier::Verification v = test::verify_text(certified.text, effort);
   EXPECT_NE(v.outcome, Outcome::kRejected) << v.reason << '\n' << certified.text;
   (v.outcome == Outcome::kVerified ? count.verified : count.unfinished) += 1;
 }
@@ -59,4 +59,4 @@ TEST(CertificatesOfAdversarialModels, AreNeverRejected) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

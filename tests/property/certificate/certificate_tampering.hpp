@@ -10,7 +10,7 @@
 #include "tests/support/claim_refutation.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 inline verifier::Options little_effort() {
   verifier::Options options;
@@ -61,4 +61,4 @@ inline int judge_random_changes(const std::string& original, int changes, Random
   return verified;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

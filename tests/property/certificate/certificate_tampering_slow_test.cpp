@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/property/certificate/certificate_tampering.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 TEST(ManyRandomChanges, NeverLeadToAFalseClaimThatIsVerified) {
@@ -16,4 +16,4 @@ TEST(ManyRandomChanges, NeverLeadToAFalseClaimThatIsVerified) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

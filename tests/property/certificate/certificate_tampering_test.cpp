@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using verifier::Outcome;
@@ -177,4 +177,4 @@ TEST(RandomChanges, OfAWitnessAreReadWithoutHarm) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -12,7 +12,7 @@
 #include "tests/support/certificates.hpp"
 #include "tests/support/random_source.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 struct Asked {
@@ -192,4 +192,4 @@ INSTANTIATE_TEST_SUITE_P(Models, AChangedHead,
                          [](const auto& asked) { return asked.param.name; });
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -13,7 +13,7 @@
 #include "codegen/model/request.hpp"
 #include "runtime/verifier/model/model_comparison.hpp"
 
-namespace regulus::test::readings {
+namespace regulus::detail::test::readings {
 
 inline std::string head_of(const std::string& text) {
   ModelOptions options;
@@ -83,4 +83,4 @@ inline std::vector<std::string> with_another_number(const std::string& text,
   return result;
 }
 
-}  // namespace regulus::test::readings
+}  // namespace regulus::detail::test::readings

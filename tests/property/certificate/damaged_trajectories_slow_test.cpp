@@ -19,7 +19,7 @@
 #include "tests/support/damage.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 constexpr unsigned kFiles = 100'000;
@@ -157,4 +157,4 @@ TEST_F(DamagedTrajectories, OfTablesAreRefusedOrReadInOneWay) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

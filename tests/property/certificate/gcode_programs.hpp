@@ -21,7 +21,7 @@
 #include "tests/support/random_source.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 inline constexpr const char* kMilledGantry = R"(regulus = 1
 name = "gantry"
@@ -287,4 +287,4 @@ class GcodePrograms : public testing::Test {
   const Model model_ = parse_model(kMilledGantry, "gantry.toml");
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -9,7 +9,7 @@
 #include "tests/property/certificate/compared_question.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus::test::readings {
+namespace regulus::detail::test::readings {
 namespace {
 
 using verifier::Outcome;
@@ -172,4 +172,4 @@ TEST(AQuestionAboutARobotOnLegs, IsThatOfItsFileIfALegHasItsOwnTolerances) {
 }
 
 }  // namespace
-}  // namespace regulus::test::readings
+}  // namespace regulus::detail::test::readings

@@ -11,7 +11,7 @@
 
 #include "tests/property/certificate/compared_question.hpp"
 
-namespace regulus::test::readings {
+namespace regulus::detail::test::readings {
 namespace {
 
 using verifier::Outcome;
@@ -208,4 +208,4 @@ TEST(AnArmWithMoreJointsThanRows, HasNoOtherLengthsAndRows) {
 }
 
 }  // namespace
-}  // namespace regulus::test::readings
+}  // namespace regulus::detail::test::readings

@@ -13,7 +13,7 @@
 #include "tests/property/closure/checked_closures.hpp"
 #include "tests/property/closure/four_bars.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::FourBar;
@@ -266,4 +266,4 @@ TEST_F(BoundsOfAFourBar, EndWithTheBranch) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -12,7 +12,7 @@
 #include "tests/property/closure/checked_closures.hpp"
 #include "tests/property/closure/loaded_linkages.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::FourBar;
@@ -227,4 +227,4 @@ TEST(LoadsOverABranch, PaveOnePlace) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

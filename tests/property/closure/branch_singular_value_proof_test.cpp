@@ -6,7 +6,7 @@
 
 #include "tests/property/closure/known_singular_values.hpp"
 
-namespace regulus::test::singular_values_over_a_branch {
+namespace regulus::detail::test::singular_values_over_a_branch {
 namespace {
 
 std::string text_of(const EndProof& proof) {
@@ -150,4 +150,4 @@ TEST(ProofsOfSingularValues, HaveNoProofBeyondTheTruth) {
 }
 
 }  // namespace
-}  // namespace regulus::test::singular_values_over_a_branch
+}  // namespace regulus::detail::test::singular_values_over_a_branch

@@ -9,7 +9,7 @@
 #include "tests/property/closure/four_bars.hpp"
 #include "tests/property/closure/known_singular_values.hpp"
 
-namespace regulus::test::singular_values_over_a_branch {
+namespace regulus::detail::test::singular_values_over_a_branch {
 namespace {
 
 /// Keeps the extreme values of samples.
@@ -162,4 +162,4 @@ TEST(SingularValuesOverABranch, EndWithTheBranch) {
 }
 
 }  // namespace
-}  // namespace regulus::test::singular_values_over_a_branch
+}  // namespace regulus::detail::test::singular_values_over_a_branch

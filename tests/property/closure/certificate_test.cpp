@@ -5,7 +5,7 @@
 #include "tests/property/closure/checked_closures.hpp"
 #include "tests/property/closure/four_bars.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::FourBar;
@@ -134,4 +134,4 @@ TEST(ACertificateOfABranch, MayBeOfADriverInDegrees) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -13,7 +13,7 @@
 #include "runtime/verifier/verify.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 inline SearchOptions usual_options() {
   SearchOptions search;
@@ -69,4 +69,4 @@ inline std::string rpr(const std::string& motion) {
          motion;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

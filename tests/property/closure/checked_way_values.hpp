@@ -7,7 +7,7 @@
 #include "tests/property/closure/checked_ways.hpp"
 #include "tests/property/closure/four_bars.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 inline constexpr const char* kDataOfMotors =
     "[actuators]\nerror = 0.01\nspeed = 2\nstiffness = 50\n[load.L]\nwrench = [[-1, 3], 2]\n";
@@ -56,4 +56,4 @@ inline std::string text_of_file(const std::string& path) {
   return text.str();
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

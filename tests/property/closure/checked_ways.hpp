@@ -10,7 +10,7 @@
 #include "codegen/question/closure/closure_way_report.hpp"
 #include "tests/property/closure/checked_closures.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// A table of way-points in a folder of its own.
 class WayFile {
@@ -87,4 +87,4 @@ inline std::vector<Interval> unknowns_on(const CheckedWay& checked, std::size_t 
   return enclose(*tree.leaves()[leaf].tube, place);
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

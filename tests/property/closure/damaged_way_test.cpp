@@ -4,7 +4,7 @@
 
 #include "tests/property/closure/checked_ways.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using verifier::Outcome;
@@ -238,4 +238,4 @@ TEST(ADamagedWayToAFold, IsNotVerified) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -4,7 +4,7 @@
 
 #include "tests/property/closure/checked_way_values.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using verifier::Outcome;
@@ -136,4 +136,4 @@ TEST_F(ADamagedValueOnAWay, IsNotVerifiedWithOtherTrees) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 using Real = long double;
 
@@ -195,4 +195,4 @@ struct Tripod {
   }
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

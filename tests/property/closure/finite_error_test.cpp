@@ -11,7 +11,7 @@
 #include "tests/property/closure/checked_closures.hpp"
 #include "tests/property/closure/four_bars.hpp"
 
-namespace regulus::finite_error_test {
+namespace regulus::detail::finite_error_test {
 namespace {
 
 using test::rpr;
@@ -203,4 +203,4 @@ TEST(FiniteError, EndsWithTheBranch) {
 }
 
 }  // namespace
-}  // namespace regulus::finite_error_test
+}  // namespace regulus::detail::finite_error_test

@@ -9,7 +9,7 @@
 #include "tests/property/closure/finite_ways.hpp"
 #include "tests/property/closure/four_bars.hpp"
 
-namespace regulus::finite_way_test {
+namespace regulus::detail::finite_way_test {
 namespace {
 
 namespace finite = test::finite_ways;
@@ -239,4 +239,4 @@ TEST_F(AForgedFiniteErrorOnAWay, IsThatOfItsModelAndFile) {
 }
 
 }  // namespace
-}  // namespace regulus::finite_way_test
+}  // namespace regulus::detail::finite_way_test

@@ -7,7 +7,7 @@
 #include "codegen/question/quantity/platform_closure.hpp"
 #include "tests/property/closure/checked_way_values.hpp"
 
-namespace regulus::test::finite_ways {
+namespace regulus::detail::test::finite_ways {
 
 struct FiniteOnWay {
   std::string model;
@@ -118,4 +118,4 @@ inline void expect_refused(const std::string& text, const FiniteOnWay& asked,
   EXPECT_NE(verified(text).outcome, verifier::Outcome::kVerified) << what << ", of itself";
 }
 
-}  // namespace regulus::test::finite_ways
+}  // namespace regulus::detail::test::finite_ways

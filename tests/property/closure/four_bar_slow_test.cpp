@@ -7,7 +7,7 @@
 #include "codegen/question/closure/closure_report.hpp"
 #include "tests/property/closure/four_bars.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::FourBar;
@@ -80,4 +80,4 @@ TEST(ManyFourBars, HaveNoVerdictAgainstTheirClosedForm) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 #include "tests/property/closure/checked_closures.hpp"
 #include "tests/property/closure/four_bars.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::FourBar;
@@ -242,4 +242,4 @@ TEST(FourBar, SaysWhyNothingIsClaimed) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include <random>
 #include <string>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// Crank a from (0, 0) at θ, coupler b at φ, rocker c at ψ from (d, 0).
 struct FourBar {
@@ -60,4 +60,4 @@ inline FourBar random_four_bar(std::mt19937& random) {
   return {length(random), length(random), length(random), length(random), random() % 2 == 0};
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

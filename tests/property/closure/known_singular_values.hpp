@@ -13,7 +13,7 @@
 #include "codegen/support/decomposition.hpp"
 #include "tests/property/closure/checked_closures.hpp"
 
-namespace regulus::test::singular_values_over_a_branch {
+namespace regulus::detail::test::singular_values_over_a_branch {
 
 using Matrix = Eigen::MatrixXd;
 
@@ -131,4 +131,4 @@ inline Values of_slider(double theta, double length) {
   return Values(A);
 }
 
-}  // namespace regulus::test::singular_values_over_a_branch
+}  // namespace regulus::detail::test::singular_values_over_a_branch

@@ -9,7 +9,7 @@
 #include "tests/property/closure/paved_certificates.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using testing::HasSubstr;
@@ -136,4 +136,4 @@ TEST(ThePavingOfALoadOnABranch, IsProvedAlongAWay) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

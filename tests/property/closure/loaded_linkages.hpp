@@ -14,7 +14,7 @@
 
 #include "tests/property/closure/four_bars.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// Crank a at θ, rod b at φ to a slider at (x, e): x = a·cos θ + √(b² − (e − a·sin θ)²).
 struct SliderCrank {
@@ -95,4 +95,4 @@ inline std::string with_limits(const LoadCase& c, double least, double largest) 
                       least, largest);
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -14,7 +14,7 @@
 #include "codegen/answer/certificate/proof_status.hpp"
 #include "tests/property/closure/checked_closures.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// Returns what `certify` writes; empty if it writes nothing.
 template <class Certify>
@@ -150,4 +150,4 @@ class PavedTreeText {
   std::size_t first_ = 0, last_ = 0;  ///< the lines of the tree
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -11,7 +11,7 @@
 #include "tests/property/closure/paved_certificates.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using testing::HasSubstr;
@@ -319,4 +319,4 @@ TEST_F(ThePavingOfAWay, IsNotVerifiedIfItsWayIsTorn) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -17,7 +17,7 @@
 #include "tests/support/certificates.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus::platform_error_test {
+namespace regulus::detail::platform_error_test {
 namespace {
 
 using verifier::Outcome;
@@ -198,4 +198,4 @@ TEST(PlatformError, IsThatOfLegsAndAnchors) {
 }
 
 }  // namespace
-}  // namespace regulus::platform_error_test
+}  // namespace regulus::detail::platform_error_test

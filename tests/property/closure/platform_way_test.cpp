@@ -11,7 +11,7 @@
 #include "tests/property/closure/finite_ways.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus::platform_way_test {
+namespace regulus::detail::platform_way_test {
 namespace {
 
 namespace finite = test::finite_ways;
@@ -271,4 +271,4 @@ TEST(PlatformOnAWay, HasNoTubeAroundIt) {
 }
 
 }  // namespace
-}  // namespace regulus::platform_way_test
+}  // namespace regulus::detail::platform_way_test

@@ -13,7 +13,7 @@
 #include "tests/property/closure/paved_certificates.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using testing::HasSubstr;
@@ -301,4 +301,4 @@ TEST(APavingOfAThreshold, ClaimsOfEachBoxWhatTheClosedFormSays) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -8,7 +8,7 @@
 
 #include "tests/property/closure/checked_closures.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::certified_closure;
@@ -128,4 +128,4 @@ TEST(UncertainQuantities, AreHalvedAsRangesOfAMotionAre) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

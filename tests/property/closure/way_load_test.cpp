@@ -11,7 +11,7 @@
 #include "tests/property/closure/loaded_linkages.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 constexpr double kFineness = 0x1p-8;
@@ -237,4 +237,4 @@ TEST(ALoadOnAWay, IsHeldForAllErrors) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -7,7 +7,7 @@
 #include "tests/property/closure/four_bars.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 /// Returns where the way from `from` towards `to` first leaves the toggles; `to` if it does not.
@@ -127,4 +127,4 @@ TEST(APavedWay, IsFreeUpToTheToggleOfItsClosedForm) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

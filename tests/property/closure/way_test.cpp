@@ -9,7 +9,7 @@
 #include "tests/property/closure/four_bars.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using testing::HasSubstr;
@@ -239,4 +239,4 @@ TEST(AWayOfAClosure, BeginsAtTheStart) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -14,7 +14,7 @@
 #include "tests/property/closure/checked_way_values.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using testing::HasSubstr;
@@ -362,4 +362,4 @@ TEST(LoadsOnAWay, AreHeldWithinWhatVirtualWorkNeeds) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -11,7 +11,7 @@
 #include "codegen/question/closure/branch_bound.hpp"
 #include "tests/property/closure/checked_closures.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// p = a·x·y, and r moves with no motor.
@@ -120,4 +120,4 @@ TEST(QuantityThatIsZeroAtItsLeast, HasBothEnds) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

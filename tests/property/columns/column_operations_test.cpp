@@ -12,7 +12,7 @@
 #include "tests/support/symbolic/exact_values.hpp"
 #include "tests/support/symbolic/gough_model.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using Rationals = std::vector<cl_RA>;  // row-major
@@ -181,4 +181,4 @@ TEST(ColumnOperations, AreTheSameInTheMatrixAndInItsExpansionAtNominalValues) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/property/cpp/compiled_kernels.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 TEST_F(CompiledKernels, EncloseArbWhenOptimisedForSpeed) {
@@ -17,4 +17,4 @@ TEST_F(CompiledKernels, EncloseArbWithoutOptimisation) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -2,7 +2,7 @@
 #include "tests/property/cpp/compiled_kernels.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 TEST_F(CompiledKernels, EncloseArbOrReportTheLaneAsUndefined) {
@@ -30,4 +30,4 @@ TEST(CompiledText, IsAcceptedWithoutWarnings) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

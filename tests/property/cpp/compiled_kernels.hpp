@@ -24,7 +24,7 @@
 #include "tests/support/sample_modules.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 inline constexpr std::size_t kLanes = REGULUS_LANES;
 inline constexpr int kOrder = 2;  ///< of the matrix
@@ -293,4 +293,4 @@ class CompiledKernels : public testing::Test {
   std::vector<Candidate> candidates_;
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

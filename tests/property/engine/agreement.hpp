@@ -11,7 +11,7 @@
 #include "codegen/question/engine/choices.hpp"
 #include "tests/property/engine/random_models.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// A motion of a shipped model; if `model` is empty, a random model from that seed.
 struct AgreementCase {
@@ -89,11 +89,11 @@ class Agreement {
   }
 
   const AgreementCase& problem_;
-  regulus::test::TemporaryDirectory directory_;
+  test::TemporaryDirectory directory_;
   ModelOptions options_;
   std::string text_;
   std::optional<Verdict> first_;
   std::string first_by_;
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

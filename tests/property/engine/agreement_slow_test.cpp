@@ -2,7 +2,7 @@
 #include "tests/property/engine/agreement.hpp"
 #include "tests/support/parameter_name.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 constexpr Effort kMuch{4000, 1.5, 100000};
@@ -48,4 +48,4 @@ TEST(Methods, AgreeOnManyRandomModels) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

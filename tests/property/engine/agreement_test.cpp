@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/property/engine/agreement.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 constexpr Effort kLittle{80, 0, 20000};
@@ -29,4 +29,4 @@ TEST(Methods, AgreeOnRandomModels) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

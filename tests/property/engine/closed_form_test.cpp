@@ -10,7 +10,7 @@
 #include "codegen/question/engine/settings.hpp"
 #include "runtime/evaluation/batch.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 struct Case {
@@ -117,4 +117,4 @@ std::string case_name(const testing::TestParamInfo<Case>& info) {
 INSTANTIATE_TEST_SUITE_P(Models, ClosedFormOf, testing::ValuesIn(kCases), case_name);
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -13,7 +13,7 @@
 #include "runtime/search/paving.hpp"
 #include "runtime/search/solver.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr long kBits = 256;
@@ -123,4 +123,4 @@ TEST(DeterminantBand, HoldsThemForEveryUncertainValue) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

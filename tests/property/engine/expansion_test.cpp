@@ -20,7 +20,7 @@
 #include "tests/support/random_source.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Random = test::RandomSource;
@@ -202,4 +202,4 @@ y = [0.5, 1.5]
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

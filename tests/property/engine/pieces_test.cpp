@@ -13,7 +13,7 @@
 #include "runtime/search/solver.hpp"
 #include "tests/support/random_source.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr unsigned kMostBoxes = 1000;
@@ -122,4 +122,4 @@ TEST(Pieces, AreBoundedWellAlongTheMotion) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -24,14 +24,14 @@
 #include "tests/support/models/refutation.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
-using regulus::test::AdversarialModel;
-using regulus::test::ModelOracle;
-using regulus::test::ModelText;
-using regulus::test::RandomModel;
-using regulus::test::RandomSource;
-using regulus::test::Refutation;
+using test::AdversarialModel;
+using test::ModelOracle;
+using test::ModelText;
+using test::RandomModel;
+using test::RandomSource;
+using test::Refutation;
 
 inline constexpr const char* kMethods[] = {"auto",       "reg",        "reg+rohn", "kj",
                                            "kj+rohn",    "jk",         "jk+rohn",  "kj-numeric",
@@ -217,7 +217,7 @@ class Judge {
   }
 
   RandomSource& random_;
-  regulus::test::TemporaryDirectory directory_;
+  test::TemporaryDirectory directory_;
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/property/engine/random_models.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 TEST(RandomModels, OfAllMethodsAreNeverJudgedWrongly) {
@@ -72,4 +72,4 @@ TEST(RandomModels, AreNeverJudgedWronglyByCompiledKernels) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

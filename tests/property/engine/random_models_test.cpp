@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/property/engine/random_models.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 TEST(RandomModels, AreNeverJudgedWrongly) {
@@ -40,4 +40,4 @@ TEST(RandomModels, AreNeverJudgedWronglyWithoutSomeIngredients) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

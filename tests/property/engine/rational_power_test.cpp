@@ -19,10 +19,10 @@
 #include "codegen/model/exact/expression_parser.hpp"
 #include "tests/support/random_source.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
-using regulus::test::RandomSource;
+using test::RandomSource;
 
 class OneName final : public Names {
  public:
@@ -164,4 +164,4 @@ TEST_F(RationalPower, IsDefinedWhereThePageSaysSo) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

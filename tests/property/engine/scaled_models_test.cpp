@@ -16,10 +16,10 @@
 #include "codegen/question/engine/settings.hpp"
 #include "tests/support/random_source.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
-using regulus::test::RandomSource;
+using test::RandomSource;
 using Rows = std::vector<std::vector<std::string>>;
 
 /// A matrix of `x` and `y` over a square around (cx, cy).
@@ -257,4 +257,4 @@ TEST(UndefinedLanes, AreTheSameForEveryEngine) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 #include "runtime/search/solver.hpp"
 #include "tests/support/certificates.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using verifier::Outcome;
@@ -103,4 +103,4 @@ TEST(ABrokenBound, LeadsToACertificateThatIsRejected) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

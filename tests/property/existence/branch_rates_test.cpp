@@ -12,7 +12,7 @@
 
 #include "runtime/interval/floating_point_scope.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 double determinant_of(std::vector<double> a, std::size_t n) {
@@ -120,4 +120,4 @@ TEST(BranchRates, HoldThoseOfEachMatrix) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 
 #include "tests/support/planted_cases.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -160,4 +160,4 @@ TEST(AnApproximateInverse, IsFoundOrNot) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 TEST(NarrowingByRows, KeepsEverySolutionOfTheBox) {
@@ -60,4 +60,4 @@ TEST(NarrowingByRows, LeavesBothSidesOfAGap) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 
 #include "tests/support/random_source.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 /// A(t) = B + Σ_k (C_k·s_k + D_k·s_k²), s = t − t*, with small whole numbers; B·v* = 0 exactly if `gap` is 0.
@@ -158,4 +158,4 @@ TEST(AFunctionWithoutAValue, IsNotTaken) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -8,7 +8,7 @@
 
 #include "runtime/existence/branch_tube.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// p³ + p for an interval: it increases.
@@ -152,4 +152,4 @@ TEST(SecondOrderTube, FindsNoSolutionWhereThereAreTwoOrNone) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 
 #include "runtime/existence/branch_tube.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Entries = std::vector<Interval>;
@@ -169,4 +169,4 @@ TEST(TubeImage, IsThatOfPlainIntervals) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

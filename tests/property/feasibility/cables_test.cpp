@@ -14,7 +14,7 @@
 #include "runtime/verifier/verify.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 struct Answer {
@@ -361,4 +361,4 @@ TEST(Feasibility, IsRefusedWithoutLimits) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

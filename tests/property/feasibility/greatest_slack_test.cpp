@@ -6,7 +6,7 @@
 
 #include <numeric>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 TEST(GreatestSlack, IsTheLeastBoundWhereNothingCanBeMoved) {
@@ -37,4 +37,4 @@ TEST(GreatestSlack, LiesInTheMiddleOfAnInterval) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

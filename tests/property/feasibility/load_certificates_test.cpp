@@ -16,7 +16,7 @@
 #include "runtime/verifier/verify.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 /// A bead on a rail between two pulleys. J⁻¹ has the rows x + 1 and x − 1.
@@ -380,4 +380,4 @@ TEST(LoadCertificate, IsNeverVerifiedForAFalseClaim) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

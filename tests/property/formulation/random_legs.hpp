@@ -11,7 +11,7 @@
 #include "tests/support/random_source.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 struct Vector {
   double x, y, z;
@@ -80,4 +80,4 @@ inline Model random_robot(const std::string& type, RandomSource& random) {
   return load_model(path);
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -22,7 +22,7 @@
 #include "runtime/regularity/lanes.hpp"
 #include "tests/property/formulation/random_legs.hpp"
 
-namespace regulus::rotary_product {
+namespace regulus::detail::rotary_product {
 
 using Random = test::RandomSource;
 using test::random_robot;
@@ -273,4 +273,4 @@ inline void compare_random(const std::string& type, int robots, std::uint64_t se
   }
 }
 
-}  // namespace regulus::rotary_product
+}  // namespace regulus::detail::rotary_product

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/property/formulation/rotary_product.hpp"
 
-namespace regulus::rotary_product {
+namespace regulus::detail::rotary_product {
 namespace {
 
 TEST(ManyRotaryProducts, AreTheNumericProductOfRandomRobotsWithCranks) {
@@ -22,4 +22,4 @@ TEST(ManyRotaryProducts, AreTheNumericProductOfRandomRobotsOnRails) {
 }
 
 }  // namespace
-}  // namespace regulus::rotary_product
+}  // namespace regulus::detail::rotary_product

@@ -3,7 +3,7 @@
 
 #include "tests/support/trials.hpp"
 
-namespace regulus::rotary_product {
+namespace regulus::detail::rotary_product {
 namespace {
 
 /// K·A at nominal values of what touches one row.
@@ -104,4 +104,4 @@ TEST(RotaryProductProperty, HoldsForUncertainHexapods) {
 }
 
 }  // namespace
-}  // namespace regulus::rotary_product
+}  // namespace regulus::detail::rotary_product

@@ -15,7 +15,7 @@
 #include "tests/support/serial/random_chain.hpp"
 #include "tests/support/serial/same_jacobian.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// Generic poses, and among them some where axes are parallel or cross.
 inline std::vector<double> random_joints(RandomSource& random, std::size_t count) {
@@ -84,4 +84,4 @@ inline void expect_chains(std::uint64_t first, int count, bool is_model,
   EXPECT_LE(refused, count / 10);
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

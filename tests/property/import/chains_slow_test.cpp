@@ -2,7 +2,7 @@
 // Many arms with joints that follow others.
 #include "tests/property/import/chains.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 TEST(ManyRandomChains, HaveTheirTwistsAsModelFiles) {
@@ -22,4 +22,4 @@ TEST(ManyRandomChains, HaveTheirTwistsAsSdf) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

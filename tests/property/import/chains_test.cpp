@@ -2,7 +2,7 @@
 // Arms with joints that follow others.
 #include "tests/property/import/chains.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 TEST(RandomChains, HaveTheirTwistsAsModelFiles) {
@@ -16,4 +16,4 @@ TEST(RandomChains, HaveTheirTwistsAsMjcf) { expect_chains(3000, 20, false, &Rand
 TEST(RandomChains, HaveTheirTwistsAsSdf) { expect_chains(4000, 25, false, &RandomChain::sdf); }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

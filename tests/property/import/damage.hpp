@@ -3,7 +3,7 @@
 
 #include "tests/support/damage.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// Damage inserts these texts into robot files.
 inline const std::vector<std::string> kRobotSplices = {"\"",
@@ -43,4 +43,4 @@ inline std::string damaged_robot(unsigned seed, const std::string& text) {
   return Damage(seed, kRobotSplices).done_to(text);
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

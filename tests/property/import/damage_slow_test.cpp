@@ -13,7 +13,7 @@
 #include "tests/property/import/damage.hpp"
 #include "tests/support/robots/robot_file.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 constexpr unsigned kFiles = 100'000;
@@ -76,4 +76,4 @@ TEST(AHundredThousandDamagedFiles, OfSdfAreReadOrRefused) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

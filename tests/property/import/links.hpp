@@ -12,7 +12,7 @@
 #include "tests/support/loops/compared_closure.hpp"
 #include "tests/support/loops/random_loops.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 struct Compared {
   int robots = 0, refused = 0, drives = 0, ends = 0;
@@ -71,4 +71,4 @@ inline void expect_closures(std::uint64_t first, int count, int drives, Compared
   }
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/property/import/links.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 TEST(RandomClosures, AreTheKinematicsOfManyFiles) {
@@ -12,4 +12,4 @@ TEST(RandomClosures, AreTheKinematicsOfManyFiles) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

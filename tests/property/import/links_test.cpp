@@ -3,7 +3,7 @@
 
 #include "tests/support/trials.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 TEST(RandomClosures, AreTheKinematicsOfTheirFiles) {
@@ -26,4 +26,4 @@ TEST(RandomClosures, HaveTheScrewsOfTheirDifferences) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -11,7 +11,7 @@
 #include "tests/property/import/links.hpp"
 #include "tests/support/loops/urdf_text.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 struct LoopRobot {
   const char* name;
@@ -73,4 +73,4 @@ inline std::string name_of(const testing::TestParamInfo<LoopRobot>& info) {
   return name[0] == '5' ? "five" + name.substr(1) : name;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

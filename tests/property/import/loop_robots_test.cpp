@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/property/import/loop_robots.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 TEST_P(LoopRobots, AreTheKinematicsOfTheirFiles) { expect_robot(GetParam(), 200); }
@@ -9,4 +9,4 @@ TEST_P(LoopRobots, AreTheKinematicsOfTheirFiles) { expect_robot(GetParam(), 200)
 INSTANTIATE_TEST_SUITE_P(Published, LoopRobots, testing::ValuesIn(kLoopRobots), name_of);
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

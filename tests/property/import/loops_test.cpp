@@ -14,7 +14,7 @@
 #include "tests/support/legs/inverse_kinematics.hpp"
 #include "tests/support/random_source.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 std::string words(const Vec& v) {
@@ -162,4 +162,4 @@ TEST(RandomLoops, HaveTheRatesOfTheirMotors) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

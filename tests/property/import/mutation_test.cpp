@@ -11,7 +11,7 @@
 #include "tests/support/robots/robot_file.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 enum class Answer { kModel, kBadFile, kUsage };
@@ -50,4 +50,4 @@ TEST(DamagedSdf, IsReadOrRefused) { expect_answers(robot_text("arm.sdf"), trials
 TEST(DamagedHexapod, IsReadOrRefused) { expect_answers(robot_text("hexapod.mjcf"), 1000); }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

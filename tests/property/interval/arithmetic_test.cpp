@@ -9,7 +9,7 @@
 #include "tests/support/mpfr_bounds.hpp"
 #include "tests/support/ulps.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 constexpr int kCases = 1'000'000;
@@ -207,4 +207,4 @@ TEST(Arithmetic, MidpointAndRadiusCoverTheInterval) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

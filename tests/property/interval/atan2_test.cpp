@@ -8,7 +8,7 @@
 #include "tests/support/corner_inputs.hpp"
 #include "tests/support/ulps.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 constexpr std::uint64_t kBudget = 4;
@@ -70,4 +70,4 @@ TEST(Atan2, EnclosesTheAnglesOfRectangles) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

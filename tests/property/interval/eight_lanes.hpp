@@ -11,7 +11,7 @@
 #include "runtime/interval/x8_backend.hpp"
 #include "tests/property/interval/interval_printing.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// The expected result of one lane of an eight-lane function.
 struct LaneResult {
@@ -59,4 +59,4 @@ void expect_lanes(X8Backend::Function X8Backend::*function, const LaneBlock<kInt
   }
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

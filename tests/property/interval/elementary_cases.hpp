@@ -11,7 +11,7 @@
 #include "tests/support/arb_oracle.hpp"
 #include "tests/support/corner_inputs.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// The tight enclosure of a function over an interval, unless it is undefined somewhere there.
 struct Truth {
@@ -124,4 +124,4 @@ inline std::vector<ElementaryCase> elementary_cases(std::uint64_t seed_base) {
           {"log", log, &X8Backend::log, true_log, positives, 2}};
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -2,7 +2,7 @@
 // The elementary functions on eight million doubles and on a million intervals.
 #include "tests/property/interval/elementary_suite.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using ElementaryMillions = ElementarySuite;
@@ -21,4 +21,4 @@ INSTANTIATE_TEST_SUITE_P(Functions, ElementaryMillions, ::testing::ValuesIn(elem
                          [](const auto& suite) { return suite.param.name; });
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -9,7 +9,7 @@
 #include "tests/property/interval/elementary_cases.hpp"
 #include "tests/support/ulps.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 class ElementarySuite : public ::testing::TestWithParam<ElementaryCase> {
  protected:
@@ -52,4 +52,4 @@ class ElementarySuite : public ::testing::TestWithParam<ElementaryCase> {
   ArbOracle arb_;
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

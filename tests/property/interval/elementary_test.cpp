@@ -3,7 +3,7 @@
 #include "tests/property/interval/elementary_suite.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using Elementary = ElementarySuite;
@@ -22,4 +22,4 @@ INSTANTIATE_TEST_SUITE_P(Functions, Elementary, ::testing::ValuesIn(elementary_c
                          [](const auto& suite) { return suite.param.name; });
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -19,7 +19,7 @@
 #include "tests/property/interval/tracked.hpp"
 #include "tests/support/polynomial_error.hpp"
 
-namespace regulus::test::error_bound {
+namespace regulus::detail::test::error_bound {
 namespace {
 
 namespace el = elementary;
@@ -299,4 +299,4 @@ TEST(ErrorBound, LogarithmIsOneStepFromABound) {
 }
 
 }  // namespace
-}  // namespace regulus::test::error_bound
+}  // namespace regulus::detail::test::error_bound

@@ -10,7 +10,7 @@
 #include "runtime/interval/elementary/trigonometric.hpp"
 #include "tests/support/corner_inputs.hpp"
 
-namespace regulus::test::reduction {
+namespace regulus::detail::test::reduction {
 namespace {
 
 constexpr slong kPrecision = 300;
@@ -98,4 +98,4 @@ TEST(Quotient, OfUnevaluatedSumsIsNearest) {
 }
 
 }  // namespace
-}  // namespace regulus::test::reduction
+}  // namespace regulus::detail::test::reduction

@@ -10,7 +10,7 @@
 #include "runtime/interval/arithmetic.hpp"
 #include "runtime/interval/elementary/exact.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// Every value that a variable of the evaluator may have.
 ///
@@ -142,13 +142,13 @@ inline TrackedParts two_product(const Tracked& a, const Tracked& b) {
   return exact_parts(a.range * b.range, product_error(a, b), a.grid + b.grid);
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test
 
-namespace regulus::elementary {
+namespace regulus::detail::elementary {
 
 template <>
 struct Lanes<test::Tracked> {
   using Mask = std::int64_t;
 };
 
-}  // namespace regulus::elementary
+}  // namespace regulus::detail::elementary

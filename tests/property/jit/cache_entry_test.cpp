@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 const std::string kKey(64, 'a');
@@ -38,4 +38,4 @@ TEST(CacheEntry, DoesNotOpenWithBytesMissingOrAdded) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

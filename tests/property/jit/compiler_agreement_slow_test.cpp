@@ -18,7 +18,7 @@
 #include "tests/support/spawned_compiler.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr int kRounds = 200;
@@ -154,4 +154,4 @@ TEST(CompileLatency, IsPrintedForAKernelOfRealisticSize) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 #include "runtime/machine/self_test_kernel.hpp"
 #include "tests/property/cpp/compiled_kernels.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::Answer;
@@ -99,4 +99,4 @@ INSTANTIATE_TEST_SUITE_P(EveryInstructionSet, Programs, testing::ValuesIn(kAllIs
                          [](const auto& isa) { return std::string(name(isa.param)); });
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "tests/property/kernel/pack_workload.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 /// Groups of eight lanes that are made and evaluated by the oracle at a time.
@@ -99,4 +99,4 @@ INSTANTIATE_TEST_SUITE_P(Packs, PackFunctionTest, ::testing::ValuesIn(elementary
                          test_name);
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

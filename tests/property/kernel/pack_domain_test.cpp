@@ -9,7 +9,7 @@
 #include "runtime/kernel/rounding_scope.hpp"
 #include "tests/property/kernel/pack_workload.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -109,4 +109,4 @@ TEST_F(PackDomainTest, SquareRootReportsNegativeNumbers) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

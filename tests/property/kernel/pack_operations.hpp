@@ -56,7 +56,7 @@
   REGULUS_PARTIAL_OPERATIONS(OPERATION)    \
   REGULUS_ELEMENTARY_FUNCTIONS(OPERATION)
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 #define REGULUS_ENUMERATOR(name, expression) name,
 enum class PackOperation { REGULUS_PACK_OPERATIONS(REGULUS_ENUMERATOR) };
@@ -67,4 +67,4 @@ enum class PackOperation { REGULUS_PACK_OPERATIONS(REGULUS_ENUMERATOR) };
 using EvaluatePack = void (*)(PackOperation operation, unsigned count, const double* boxes,
                               const double* points, double* out, unsigned* undefined);
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using Op = PackOperation;
@@ -168,4 +168,4 @@ std::optional<Tightest> PackOracle::on(Op operation, const Arguments& on) {
   return all;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

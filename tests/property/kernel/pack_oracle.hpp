@@ -9,7 +9,7 @@
 #include "tests/property/kernel/pack_operations.hpp"
 #include "tests/support/mpfr_bounds.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// One real number from each argument of an operation.
 struct Point {
@@ -39,4 +39,4 @@ class PackOracle {
   MpfrNumber x_, y_, z_, result_;
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -8,7 +8,7 @@
 #include "tests/property/kernel/pack_workload.hpp"
 #include "tests/support/ulps.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using Op = PackOperation;
@@ -120,4 +120,4 @@ INSTANTIATE_TEST_SUITE_P(Packs, PackTightnessTest, ::testing::ValuesIn(arithmeti
                          [](const ::testing::TestParamInfo<Op>& i) { return name_of(i.param); });
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -7,7 +7,7 @@
 namespace {
 
 using namespace regulus::pack;
-using regulus::test::PackOperation;
+using regulus::detail::test::PackOperation;
 
 [[maybe_unused]] inline I first_of_sincos(I x) {
   I sine = x, cosine = x;

@@ -4,9 +4,9 @@
 #include <iterator>
 
 extern "C" {
-#define VARIANT(symbol, name, isa, primary)                                                  \
-  void symbol(regulus::test::PackOperation, unsigned, const double*, const double*, double*, \
-              unsigned*);
+#define VARIANT(symbol, name, isa, primary)                                                 \
+  void symbol(regulus::detail::test::PackOperation, unsigned, const double*, const double*, \
+              double*, unsigned*);
 #include "pack_variants.inc"
 #undef VARIANT
 #define UNFLAGGED(symbol, compiler) \
@@ -15,7 +15,7 @@ extern "C" {
 #undef UNFLAGGED
 }
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 std::vector<Variant> variants() {
   std::vector<Variant> found;
@@ -35,4 +35,4 @@ std::span<const Unflagged> unflagged_self_tests() {
   return std::span(kAll).first(std::size(kAll) - 1);
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -9,7 +9,7 @@
 #include "runtime/kernel/isa.hpp"
 #include "tests/property/kernel/pack_operations.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// The packs as one compiler compiled them.
 struct Variant {
@@ -29,4 +29,4 @@ struct Unflagged {
 };
 [[nodiscard]] std::span<const Unflagged> unflagged_self_tests();
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -5,7 +5,7 @@
 
 #include "runtime/kernel/rounding_scope.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 constexpr std::size_t kIntervals = 3, kPoints = 2;
 }
@@ -83,4 +83,4 @@ std::vector<PackOperation> elementary_functions() {
 }
 #undef REGULUS_ELEMENT
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

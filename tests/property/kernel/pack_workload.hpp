@@ -11,7 +11,7 @@
 #include "tests/property/kernel/pack_variants.hpp"
 #include "tests/support/corner_inputs.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// The results of a variant for all arguments.
 struct Results {
@@ -53,4 +53,4 @@ class Workload {
 [[nodiscard]] std::vector<PackOperation> arithmetic_operations();
 [[nodiscard]] std::vector<PackOperation> elementary_functions();
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

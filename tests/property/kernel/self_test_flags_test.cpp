@@ -4,7 +4,7 @@
 #include "runtime/kernel/self_test.hpp"
 #include "tests/property/kernel/pack_variants.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 TEST(SelfTestFlags, FailsForOptimisedCodeCompiledWithoutTheRoundingFlags) {
@@ -15,4 +15,4 @@ TEST(SelfTestFlags, FailsForOptimisedCodeCompiledWithoutTheRoundingFlags) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

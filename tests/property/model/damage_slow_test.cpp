@@ -11,7 +11,7 @@
 #include "codegen/support/errors.hpp"
 #include "tests/support/damage.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 constexpr unsigned kFiles = 100'000;
@@ -120,4 +120,4 @@ TEST(AHundredThousandDamagedModels, OfArmsAreReadOrRefused) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -13,7 +13,7 @@
 #include "codegen/support/errors.hpp"
 #include "tests/support/evaluate.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::kUndefined;
@@ -227,4 +227,4 @@ TEST(WrittenExpression, IsDefinedWhereItsReadingIsAndHasItsValue) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -12,7 +12,7 @@
 #include "tests/support/legs/inverse_kinematics.hpp"
 #include "tests/support/random_source.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 std::string number(double value) {
@@ -180,4 +180,4 @@ TEST(RandomLegs, HaveTheRatesOfTheirJointsWhereTheyEndInAPoint) {
 TEST(RandomLegs, HaveTheRatesOfTheirJointsInThePlane) { expect_rates("planar", 3001, 100); }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -12,7 +12,7 @@
 #include "tests/support/damage.hpp"
 #include "tests/support/example_model.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 const std::vector<std::string> kSplices = {
@@ -82,4 +82,4 @@ TEST(DamagedModel, NoiseGivesAnInputError) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

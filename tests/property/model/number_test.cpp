@@ -14,7 +14,7 @@
 #include "codegen/support/errors.hpp"
 #include "tests/support/random_source.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::RandomSource;
@@ -329,4 +329,4 @@ TEST(Numbers, AfterLettersOfSeveralBytesOnTheLineAreFound) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

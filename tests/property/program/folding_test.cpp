@@ -8,7 +8,7 @@
 #include "codegen/kernel/program/rational_arithmetic.hpp"
 #include "tests/support/random_program.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using Values = std::vector<cln::cl_RA>;
@@ -84,4 +84,4 @@ TEST(Folding, NeverMakesAProgramLonger) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

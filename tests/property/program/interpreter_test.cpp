@@ -13,7 +13,7 @@
 #include "tests/support/ball_containment.hpp"
 #include "tests/support/random_program.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 struct Box {
@@ -156,4 +156,4 @@ TEST(Interpreter, EnclosesConstantsWithinAStepOfArb) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -11,7 +11,7 @@
 #include "tests/support/lane_arrays.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using namespace test;
@@ -194,4 +194,4 @@ INSTANTIATE_TEST_SUITE_P(Shapes, CoupledTerms, testing::Values(Kind::kRanges, Ki
                          });
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

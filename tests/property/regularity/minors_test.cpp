@@ -11,7 +11,7 @@
 #include "runtime/regularity/rohn.hpp"
 #include "tests/support/lane_arrays.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::Exact;
@@ -241,4 +241,4 @@ TEST(Rohn, AgreesWithTheVertexDeterminantsInExactArithmetic) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "runtime/regularity/h_matrix.hpp"
 #include "tests/property/regularity/second_order_cases.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using namespace test;  // the families, and exact arithmetic
@@ -117,4 +117,4 @@ TEST(Orthants, ComeCloseToTheTruthAndNeverPassIt) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

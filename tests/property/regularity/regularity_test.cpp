@@ -9,7 +9,7 @@
 #include "runtime/regularity/rohn.hpp"
 #include "tests/support/lane_arrays.hpp"
 
-namespace regulus::regularity_test {
+namespace regulus::detail::regularity_test {
 namespace {
 
 using test::Exact;
@@ -212,4 +212,4 @@ TEST(Regularity, RohnNeverCertifiesANearlySingularVertexFalsely) {
 }
 
 }  // namespace
-}  // namespace regulus::regularity_test
+}  // namespace regulus::detail::regularity_test

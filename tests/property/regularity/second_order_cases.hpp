@@ -10,7 +10,7 @@
 #include "runtime/regularity/second_order.hpp"
 #include "tests/support/lane_arrays.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 inline constexpr std::size_t kWide = 2;
 
@@ -228,4 +228,4 @@ inline std::vector<Exact> product_with_K(const Family& f, const Inputs& in,
   return KA;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -10,7 +10,7 @@
 #include "runtime/regularity/h_matrix.hpp"
 #include "tests/property/regularity/second_order_cases.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using namespace test;  // the families, and exact arithmetic
@@ -147,4 +147,4 @@ TEST(SecondOrder, LosesNothingOfFirstOrderInThePose) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

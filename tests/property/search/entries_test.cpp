@@ -6,7 +6,7 @@
 #include "tests/support/function_kernel.hpp"
 #include "tests/support/random_matrix.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::Exact;
@@ -132,4 +132,4 @@ TEST(Entries, KeepTheirNaturalEnclosureWhereADerivativeIsUndefined) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/simulations.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 /// 10 002 searches.
@@ -10,4 +10,4 @@ TEST(SimulationOfMany, DelaysLossesRepetitionsAndDeathsChangeNothing) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

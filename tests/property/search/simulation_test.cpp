@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/simulations.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 TEST(Simulation, DelaysLossesRepetitionsAndDeathsChangeNothing) {
@@ -9,4 +9,4 @@ TEST(Simulation, DelaysLossesRepetitionsAndDeathsChangeNothing) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -5,7 +5,7 @@
 #include "tests/support/function_kernel.hpp"
 #include "tests/support/random_matrix.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::Exact;
@@ -233,4 +233,4 @@ TEST(Verdict, UncertainQuantitiesNeverContradictExactDeterminants) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "runtime/solutions/manocha_canny.hpp"
 #include "tests/support/random_source.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 template <class Number>
@@ -297,4 +297,4 @@ TEST(AnArmWithoutNumbers, IsNotComplete) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -3,7 +3,7 @@
 
 #include "tests/support/planted_complex_roots.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 TEST(PlantedComplexRoots, AreNeverTakenForOthers) { expect_no_false_root(1, 10'000); }
@@ -33,4 +33,4 @@ TEST(ARoot, IsProvedWhereItIsSimpleAlone) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

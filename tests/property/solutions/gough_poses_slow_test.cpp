@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/hostile_platforms.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 TEST(ManyHostilePlatforms, AreNeverFalselyComplete) { expect_no_false_list_of_poses(9, 2000); }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -6,7 +6,7 @@
 #include "runtime/solutions/dietmaier.hpp"
 #include "tests/support/hostile_platforms.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 /// Each pose encloses one with these legs, as far as rotation matrices can tell.
@@ -196,4 +196,4 @@ TEST(AnEmptyPlatform, IsNotComplete) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -14,7 +14,7 @@
 #include "tests/property/solve/solved.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::has_near;
@@ -214,4 +214,4 @@ TEST(PublishedSolutions, OfDietmaiersPlatformAreForty) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

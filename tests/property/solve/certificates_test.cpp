@@ -7,7 +7,7 @@
 #include "tests/support/random_source.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 /// Writes the claim and the end that belong to the lines.
@@ -279,4 +279,4 @@ TEST(AListOfPoses, IsComparedWithThePlaceOfTheMotion) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -13,7 +13,7 @@
 #include "tests/property/solve/solved.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 using verifier::Outcome;
 using Lines = std::vector<std::string>;
@@ -122,4 +122,4 @@ inline std::string without_sum(std::string certificate) {
   return certificate.replace(sum, certificate.find('\n', sum) - sum, "-");
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

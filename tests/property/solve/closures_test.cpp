@@ -10,7 +10,7 @@
 
 #include "tests/property/solve/solved.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::has_near;
@@ -233,4 +233,4 @@ TEST(AllSolutions, OfASearchThatALimitEndsAreNotComplete) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "tests/property/solve/certified_lists.hpp"
 #include "tests/support/random_source.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 /// Writes the claim that belongs to the lines.
@@ -111,4 +111,4 @@ TEST(PosesOfRandomPlanarPlatforms, AreVerifiedWithTheirFiles) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

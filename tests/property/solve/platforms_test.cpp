@@ -6,7 +6,7 @@
 #include "tests/support/hostile_platforms.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 PoseList searched(const GoughLegs& legs, std::uint64_t max_boxes = 400'000) {
@@ -299,4 +299,4 @@ TEST(TubesOfPoses, EndWhereTwoMeet) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

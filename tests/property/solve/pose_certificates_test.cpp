@@ -9,7 +9,7 @@
 #include "tests/support/random_source.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 /// Writes the claim that belongs to the lines.
@@ -111,4 +111,4 @@ TEST(SearchedPosesOfFlatPlatforms, AreVerifiedWithTheirFiles) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -7,7 +7,7 @@
 #include "tests/support/random_source.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 /// Writes the claim that belongs to the lines.
@@ -293,4 +293,4 @@ TEST(PosturesOfUsualArms, AreVerifiedWithTheirFiles) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -6,7 +6,7 @@
 
 #include "tests/property/solve/certified_lists.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 /// A forged list of configurations, with the claim that belongs to it.
@@ -251,4 +251,4 @@ x = 0.25
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

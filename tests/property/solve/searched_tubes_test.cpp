@@ -11,7 +11,7 @@
 #include "tests/support/random_source.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus::test::searched_tubes_test {
+namespace regulus::detail::test::searched_tubes_test {
 namespace {
 
 /// A loaded machine needs more than other lists.
@@ -287,4 +287,4 @@ TEST(PosturesThatMeetWithinTolerances, AreNeverAll) {
 }
 
 }  // namespace
-}  // namespace regulus::test::searched_tubes_test
+}  // namespace regulus::detail::test::searched_tubes_test

@@ -5,7 +5,7 @@
 
 #include "codegen/question/solve/solve_run.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// Solves a model at the places "NAME=VALUE", or for its only motion.
 inline Solutions solved(const std::string& text, const std::vector<std::string>& at = {},
@@ -41,4 +41,4 @@ inline bool has_near(const Solutions& solutions, const std::vector<double>& valu
   return false;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -6,7 +6,7 @@
 #include "tests/property/solve/tubes.hpp"
 #include "tests/support/random_source.hpp"
 
-namespace regulus::test::tolerance_certificates_test {
+namespace regulus::detail::test::tolerance_certificates_test {
 namespace {
 
 std::string planar(const std::string& base_tolerance, const std::string& error) {
@@ -159,4 +159,4 @@ TEST(ListsWithTolerancesInSpace, AreVerifiedWithTheirFileAndForgeriesAreNot) {
 }
 
 }  // namespace
-}  // namespace regulus::test::tolerance_certificates_test
+}  // namespace regulus::detail::test::tolerance_certificates_test

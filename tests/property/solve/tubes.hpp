@@ -6,7 +6,7 @@
 
 #include "tests/property/solve/certified_lists.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 using Numbers = std::vector<double>;
 
@@ -105,4 +105,4 @@ struct SpatialRobot {
   }
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

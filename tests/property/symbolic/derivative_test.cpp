@@ -9,7 +9,7 @@
 #include "codegen/kernel/symbolic/rewrite.hpp"
 #include "tests/support/symbolic/exact_values.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 struct Dual {
@@ -158,4 +158,4 @@ TEST_F(InverseFunction, AbsHasTheSlopeOfItsSign) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -14,7 +14,7 @@
 #include "tests/support/symbolic/exact_values.hpp"
 #include "tests/support/symbolic/gough_model.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 /// Returns the determinant by exact elimination.
@@ -140,4 +140,4 @@ TEST(Determinant, IsAFunctionOfTheModule) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

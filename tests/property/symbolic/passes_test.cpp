@@ -9,7 +9,7 @@
 #include "codegen/kernel/symbolic/rewrite.hpp"
 #include "tests/support/symbolic/exact_values.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 class Passes : public ::testing::Test {
@@ -202,4 +202,4 @@ TEST_F(Passes, FormsDoNotDependOnTheOrderOfOperands) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

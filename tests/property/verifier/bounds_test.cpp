@@ -11,7 +11,7 @@
 
 #include "runtime/verifier/touched_rows.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using namespace verifier;
@@ -232,4 +232,4 @@ TEST(ASolutionOfDominatedEquations, IsBounded) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

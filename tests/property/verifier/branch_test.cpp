@@ -10,7 +10,7 @@
 #include "runtime/proof/format.hpp"
 #include "tests/support/planted_system.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 verifier::Question question_about(const PlantedSystem& system) {
@@ -112,4 +112,4 @@ TEST(TubesOfTheVerifier, HoldTheRootsThatNewtonsMethodFinds) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

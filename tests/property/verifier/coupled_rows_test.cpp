@@ -10,7 +10,7 @@
 #include "tests/support/certificate_texts.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using verifier::Outcome;
@@ -163,4 +163,4 @@ INSTANTIATE_TEST_SUITE_P(Shapes, CoupledRowsOfTheVerifier, testing::Bool(), [](c
 });
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

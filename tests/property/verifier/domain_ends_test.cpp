@@ -8,7 +8,7 @@
 
 #include "tests/support/certificate_texts.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using verifier::Outcome;
@@ -119,4 +119,4 @@ TEST(ATouchedZero, IsNotVerified) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

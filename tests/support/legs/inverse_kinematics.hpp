@@ -9,7 +9,7 @@
 
 #include "tests/support/serial/forward_kinematics.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 enum class DrivenBy { kLength, kCrank, kCarriage };
 
@@ -64,4 +64,4 @@ inline std::array<double, 6> rates_of(const PlainLeg& leg, const Frame& platform
   return rates;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -15,7 +15,7 @@
 #include "tests/support/loops/formula_tape.hpp"
 #include "tests/support/random_source.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 class ComparedClosure {
  public:
@@ -162,4 +162,4 @@ class ComparedClosure {
   std::vector<std::size_t> column_of_;  ///< of a passive freedom: its name's, or names_.size()
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -15,7 +15,7 @@
 
 #include "tests/support/serial/forward_kinematics.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 enum class Moves { kNot, kTurns, kSlides, kAsABall };
 
@@ -397,4 +397,4 @@ class FileRobot {
   std::vector<std::vector<char>> carries_{};  ///< by loop and joint: 1 its first link, 2 its second
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

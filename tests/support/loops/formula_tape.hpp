@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// Sums, products, powers, sines and cosines in an order in which each has its operands before it.
 class FormulaTape {
@@ -92,4 +92,4 @@ class FormulaTape {
   std::vector<std::size_t> results_;
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -11,7 +11,7 @@
 #include "tests/support/loops/file_robot.hpp"
 #include "tests/support/random_source.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// One or two loops, in a coordinate plane or in space, of joints that turn or slide, balls and
 /// universal joints, some of which follow a motor. Loops are closed in every way that a file has.
@@ -383,4 +383,4 @@ class RandomLoops {
   ImportOptions options_;
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -13,7 +13,7 @@
 
 #include "tests/support/loops/file_robot.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 inline std::string text_of_file(const std::string& path) {
   std::ifstream stream(path);
@@ -151,4 +151,4 @@ inline FileRobot robot_in(const std::string& folder) {
   return robot;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

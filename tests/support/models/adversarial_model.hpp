@@ -8,7 +8,7 @@
 #include "tests/support/models/model_text.hpp"
 #include "tests/support/random_source.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 class AdversarialModel {
  public:
@@ -290,4 +290,4 @@ class AdversarialModel {
   bool plain_ = false;  ///< the determinant is the factor itself
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -12,7 +12,7 @@
 
 #include "codegen/kernel/program/ball.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 inline constexpr slong kTapeBits = 320;
 
@@ -190,4 +190,4 @@ class ArbTape {
   std::map<GiNaC::ex, Node, GiNaC::ex_is_less> known_;
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

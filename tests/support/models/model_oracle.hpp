@@ -16,7 +16,7 @@
 #include "codegen/question/engine/pipeline.hpp"
 #include "tests/support/models/arb_tape.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 using Parts = std::vector<double>;
 
@@ -258,4 +258,4 @@ class ModelOracle {
   std::vector<ArbTape::Node> entries_, scales_, constraints_, motion_nodes_, matrix_nodes_;
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// A model and the facts known about it beforehand.
 struct ModelText {
@@ -34,4 +34,4 @@ struct ModelText {
   }
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -8,7 +8,7 @@
 #include "tests/support/models/model_text.hpp"
 #include "tests/support/random_source.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 class RandomModel {
  public:
@@ -124,4 +124,4 @@ class RandomModel {
   const std::string weight_ = pick({"0.3", "0.3", "1"});
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -9,7 +9,7 @@
 #include "tests/support/models/model_oracle.hpp"
 #include "tests/support/random_source.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 class Refutation {
  public:
@@ -152,4 +152,4 @@ inline bool certain_segment(const ModelOracle& oracle, const Witness& witness) {
                        oracle.values(witness.points[1].variables), true);
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -13,7 +13,7 @@
 
 #include "tests/support/serial/forward_kinematics.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 inline std::string robot_path(const std::string& file) {
   return std::string(REGULUS_SOURCE_DIR "/tests/support/robots/") + file;
@@ -75,4 +75,4 @@ inline std::vector<ChainJoint> urdf_chain(const std::string& text) {
   return longest;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

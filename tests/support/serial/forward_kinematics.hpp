@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 using Vec = std::array<double, 3>;
 using Mat = std::array<Vec, 3>;  // by rows
@@ -111,4 +111,4 @@ inline Invariants invariants(const Twist& a, const Twist& b) {
   return {inner(a.spin, b.spin), inner(a.velocity, b.spin) + inner(a.spin, b.velocity)};
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -11,7 +11,7 @@
 #include "tests/support/evaluate.hpp"
 #include "tests/support/serial/forward_kinematics.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// Returns the rows that the model has, "rows v_x, v_y, w_z": 0 to 5.
 inline std::vector<std::size_t> kept_rows(const Model& model) {
@@ -57,4 +57,4 @@ inline void expect_same_arm(const std::vector<Twist>& a, const std::vector<Twist
     }
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -11,7 +11,7 @@
 #include "tests/support/random_source.hpp"
 #include "tests/support/serial/forward_kinematics.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 struct RandomFollowing {
   std::size_t leader = 0;
@@ -223,4 +223,4 @@ class RandomChain {
   std::vector<RandomJoint> joints_;
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -13,7 +13,7 @@
 #include "tests/support/evaluate.hpp"
 #include "tests/support/serial/forward_kinematics.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 using Table = std::vector<std::vector<double>>;  ///< by rows
 
@@ -156,4 +156,4 @@ class SameJacobian {
   int compared_ = 0;
 };
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

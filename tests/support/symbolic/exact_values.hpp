@@ -17,7 +17,7 @@
 #include "codegen/kernel/symbolic/evaluate.hpp"
 #include "codegen/kernel/symbolic/print.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 using cln::cl_RA;
 
@@ -195,4 +195,4 @@ class RandomExpressions {
 inline std::vector<std::string> variable_names() { return {"x", "y", "z", "a", "b", "c"}; }
 inline std::vector<std::string> point_names() { return {"k_1_1", "k_1_2", "k_1_3"}; }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

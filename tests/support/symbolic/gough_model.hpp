@@ -8,7 +8,7 @@
 
 #include "codegen/model/model.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 using Anchors = std::array<std::array<int, 3>, 6>;
 
@@ -111,4 +111,4 @@ inline Model robot_2(const GoughOptions& options = {}) {
   return gough_model(kRobot2Base, kRobot2Platform, options);
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -14,7 +14,7 @@
 #include "codegen/question/engine/settings.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using nlohmann::ordered_json;
@@ -221,4 +221,4 @@ TEST(Witness, OfASmallDeterminantLosesNothing) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

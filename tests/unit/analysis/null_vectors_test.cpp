@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Values = std::vector<double>;
@@ -51,4 +51,4 @@ TEST(NullVectors, OfMoreRowsThanColumnsAreThoseOfTheColumns) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 
 #include "codegen/use/api/regulus.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// Returns a robot with det = x² + y² − h², singular on a circle of radius h.
 inline Robot circle() {
@@ -23,4 +23,4 @@ inline SearchOptions interpreted() {
   return options;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

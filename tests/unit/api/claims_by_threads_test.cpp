@@ -12,7 +12,7 @@
 #include "runtime/verifier/verify.hpp"
 #include "tests/unit/api/claims_in_shards.hpp"
 
-namespace regulus::test::claims_in_shards {
+namespace regulus::detail::test::claims_in_shards {
 namespace {
 
 constexpr unsigned kSeveral = 3;
@@ -59,4 +59,4 @@ INSTANTIATE_TEST_SUITE_P(OfEachClaim, ByThreads, testing::ValuesIn(all_claims())
                          [](const auto& which) { return name_of(which.param); });
 
 }  // namespace
-}  // namespace regulus::test::claims_in_shards
+}  // namespace regulus::detail::test::claims_in_shards

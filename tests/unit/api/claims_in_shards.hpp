@@ -16,7 +16,7 @@
 #include "tests/support/temporary_directory.hpp"
 #include "tests/unit/api/circle.hpp"
 
-namespace regulus::test::claims_in_shards {
+namespace regulus::detail::test::claims_in_shards {
 
 // In bytes: every line is a shard, or some forty lines are.
 inline constexpr std::uint64_t kOneLine = 1, kManyLines = 600;
@@ -245,4 +245,4 @@ class AClaim : public testing::TestWithParam<Case> {
   const std::string model_ = folder_.path() / "turn.toml";
 };
 
-}  // namespace regulus::test::claims_in_shards
+}  // namespace regulus::detail::test::claims_in_shards

@@ -11,7 +11,7 @@
 #include "runtime/verifier/verify.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 const std::string kTemplate =
@@ -89,4 +89,4 @@ TEST_F(PageOfPlaces, HasTheFirstProofsOfMany) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -16,8 +16,8 @@ namespace {
 using regulus::Interval;
 using regulus::Question;
 using regulus::Verdict;
-using regulus::test::circle;
-using regulus::test::interpreted;
+using regulus::detail::test::circle;
+using regulus::detail::test::interpreted;
 
 TEST(PreparedQuestion, AnswersOthersThanItWasPreparedFor) {
   const Question outside(circle(), "outside");

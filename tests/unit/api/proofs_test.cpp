@@ -49,7 +49,7 @@ bool is_verified(const std::string& proof) {
 
 class Proofs : public testing::Test {
  protected:
-  regulus::test::TemporaryDirectory folder_;
+  regulus::detail::test::TemporaryDirectory folder_;
   std::string proof_ = folder_.path() / "proof";
 };
 

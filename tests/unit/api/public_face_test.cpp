@@ -17,8 +17,8 @@ using regulus::Claim;
 using regulus::Interval;
 using regulus::Question;
 using regulus::Verdict;
-using regulus::test::circle;
-using regulus::test::interpreted;
+using regulus::detail::test::circle;
+using regulus::detail::test::interpreted;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -85,7 +85,7 @@ TEST(PublicFace, BoundsAQuantity) {
 }
 
 TEST(PublicFace, WritesACertificateThatItVerifies) {
-  const regulus::test::TemporaryDirectory folder;
+  const regulus::detail::test::TemporaryDirectory folder;
   const std::string path = folder.path() / "proof.txt";
   const regulus::Finding finding =
       regulus::check(Question(circle(), "outside"), interpreted(), nullptr, path);
@@ -95,7 +95,7 @@ TEST(PublicFace, WritesACertificateThatItVerifies) {
 
 /// The straight line between the way-points crosses the circle; its ends do not.
 TEST(PublicFace, ChecksEverySegmentBetweenWayPoints) {
-  const regulus::test::TemporaryDirectory folder;
+  const regulus::detail::test::TemporaryDirectory folder;
   const std::string way = folder.path() / "way.csv";
   std::ofstream(way) << "x,y\n2,2\n-2,-2\n";
   const Question along = Question(circle(), "outside").waypoints(way);
@@ -247,7 +247,7 @@ x = [-0.5, 0.5]
 }
 
 TEST(PublicFace, ProvesThatForcesHoldALoad) {
-  const regulus::test::TemporaryDirectory folder;
+  const regulus::detail::test::TemporaryDirectory folder;
   const std::string proof = folder.path() / "proof";
   const regulus::LoadFinding found =
       regulus::check_load(bead(), "push", interpreted(), nullptr, proof);
@@ -263,7 +263,7 @@ TEST(PublicFace, ProvesThatForcesHoldALoad) {
 
 /// At x the forces give at most 10x + 8 and at least 10x − 8, and the load is within ±2.
 TEST(PublicFace, BoundsAndHoldsALoadAlongWayPoints) {
-  const regulus::test::TemporaryDirectory folder;
+  const regulus::detail::test::TemporaryDirectory folder;
   const std::string way = folder.path() / "way.csv", proof = folder.path() / "proof";
   std::ofstream(way) << "t,x\n0,-0.5\n1,0.25\n2,0.5\n";
   const regulus::LoadFinding held =

@@ -21,7 +21,7 @@
 #include "tests/support/simulated_workers.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -314,4 +314,4 @@ TEST_F(QuestionsOfRanks, HaveNoTopicOfAnotherQuestion) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -60,7 +60,7 @@ TEST_P(OptionOfALoad, IsRefusedInTheWordsOfTheTable) {
   SearchOptions search;
   GetParam().make(search);
   std::string expected;
-  for (const regulus::OptionRefusal& row : regulus::option_refusals_of_loads())
+  for (const regulus::detail::OptionRefusal& row : regulus::detail::option_refusals_of_loads())
     if (row.option == std::string_view(GetParam().option))
       expected = GetParam().option + std::string(": ") + std::string(row.why);
   EXPECT_EQ(message_of([&] { static_cast<void>(regulus::check_load(bead(), "push", search)); }),
@@ -198,21 +198,21 @@ TEST(Refusals, OfAClosureReachKernelsAndPreparedQuestions) {
 }
 
 TEST(Refusals, SpeakNoWordOfTheCommandLine) {
-  for (const regulus::Refusal& row : regulus::refusals())
+  for (const regulus::detail::Refusal& row : regulus::detail::refusals())
     EXPECT_THAT(std::string(row.why), testing::Not(HasSubstr("--"))) << name(row.service);
 }
 
 TEST(WhatWorks, IsThePageOfTheManual) {
   std::ostringstream page;
   page << std::ifstream(REGULUS_SOURCE_DIR "/codegen/answer/WHAT_WORKS.md").rdbuf();
-  EXPECT_EQ(page.str(), regulus::what_works())
+  EXPECT_EQ(page.str(), regulus::detail::what_works())
       << "renew it: build/bin/regulus_write_manual --what-works >codegen/answer/WHAT_WORKS.md";
 }
 
 TEST(WhatWorks, GivesEachReasonOnceAndNoneTwiceForOneCell) {
-  for (const regulus::Refusal& row : regulus::refusals())
-    EXPECT_EQ(std::ranges::count_if(regulus::refusals(),
-                                    [&row](const regulus::Refusal& other) {
+  for (const regulus::detail::Refusal& row : regulus::detail::refusals())
+    EXPECT_EQ(std::ranges::count_if(regulus::detail::refusals(),
+                                    [&row](const regulus::detail::Refusal& other) {
                                       return other.kind == row.kind && other.service == row.service;
                                     }),
               1)

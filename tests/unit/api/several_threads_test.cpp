@@ -20,7 +20,7 @@
 #include "codegen/question/engine/settings.hpp"
 #include "codegen/use/api/check.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 static_assert(std::is_same_v<decltype(BallProgram::constants), std::vector<FlintRational>>);
@@ -159,4 +159,4 @@ TEST(Choices, AreRefusedWithTheOneThatWasMeant) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -17,7 +17,7 @@
 #include "runtime/verifier/input_file.hpp"
 #include "tests/unit/api/claims_in_shards.hpp"
 
-namespace regulus::test::claims_in_shards {
+namespace regulus::detail::test::claims_in_shards {
 namespace {
 
 namespace fs = std::filesystem;
@@ -209,4 +209,4 @@ TEST(ShardsOfClaims, AreRefusedWhereThereIsNoProof) {
 }
 
 }  // namespace
-}  // namespace regulus::test::claims_in_shards
+}  // namespace regulus::detail::test::claims_in_shards

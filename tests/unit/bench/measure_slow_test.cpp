@@ -6,7 +6,7 @@
 #include "tests/bench/measure/process.hpp"
 #include "tests/bench/measure/rounds.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 namespace {
 
 using ::testing::HasSubstr;
@@ -93,4 +93,4 @@ TEST(CountInstructions, TellsBoundsFromSelectionsAndMovesInOneSymbol) {
 }
 
 }  // namespace
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

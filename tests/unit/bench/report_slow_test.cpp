@@ -6,7 +6,7 @@
 
 #include "tests/bench/report/writers.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 namespace {
 
 using ::testing::HasSubstr;
@@ -81,4 +81,4 @@ TEST(Markdown, HasALineForEveryRow) {
 }
 
 }  // namespace
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

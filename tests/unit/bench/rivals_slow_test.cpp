@@ -10,7 +10,7 @@
 #include "tests/bench/kernel/batched.hpp"
 #include "tests/bench/kernel/rival.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 namespace {
 
 class Rivals : public ::testing::Test {
@@ -103,4 +103,4 @@ TEST_F(Rivals, WithoutTheirLibrarySayWhichOne) {
 }
 
 }  // namespace
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

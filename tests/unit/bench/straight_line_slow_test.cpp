@@ -4,7 +4,7 @@
 
 #include "tests/bench/kernel/straight_line.hpp"
 
-namespace regulus::bench {
+namespace regulus::detail::bench {
 namespace {
 
 using ::testing::HasSubstr;
@@ -39,4 +39,4 @@ TEST(StraightLineText, RefusesAnOperationThatNotEveryArithmeticHas) {
 }
 
 }  // namespace
-}  // namespace regulus::bench
+}  // namespace regulus::detail::bench

@@ -11,7 +11,7 @@
 #include "codegen/support/errors.hpp"
 #include "tests/support/simulated_workers.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 /// Three rows for two freedoms: no determinant, so no witness is looked for.
@@ -245,4 +245,4 @@ TEST(ABracket, IsTheSameByAnyWorkers) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

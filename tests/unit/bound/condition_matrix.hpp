@@ -15,7 +15,7 @@
 #include "codegen/question/quantity/inverse_in_one_unit.hpp"
 #include "tests/support/search_events.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 /// A rotation with scales of its rows: κ₂ = 5 + (x + z)/8, so no box is much better than others.
 inline constexpr const char* kTurned = R"toml(regulus = 1
@@ -116,4 +116,4 @@ inline Ended run_with_stops(const TestMatrix& matrix, const ConditionSettings& s
   return matrix.run(settings, &*state);
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

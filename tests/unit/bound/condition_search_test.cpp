@@ -7,7 +7,7 @@
 #include "tests/support/damage.hpp"
 #include "tests/unit/bound/condition_matrix.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 /// Undefined near x = 0, so no box there has a bound.
@@ -199,4 +199,4 @@ TEST(ContinuedConditionSearch, OfADamagedStateIsRefusedOrRight) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -5,7 +5,7 @@
 
 #include "codegen/model/file/model_file.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 /// Two velocities and an angular velocity.
@@ -67,4 +67,4 @@ TEST(NormOfAPart, IsNotUsedForAFreedom) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -8,7 +8,7 @@
 #include "tests/support/simulated_workers.hpp"
 #include "tests/unit/bound/condition_matrix.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 /// Long enough for rounds that workers share.
@@ -169,4 +169,4 @@ TEST_F(ConditionUnits, DamagedOnesAreRefused) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

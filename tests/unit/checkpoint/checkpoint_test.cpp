@@ -5,7 +5,7 @@
 
 #include <random>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 class Boxes : public OpenBoxes {
@@ -190,4 +190,4 @@ TEST(Checkpoint, RandomChangesAreReadOrRefused) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

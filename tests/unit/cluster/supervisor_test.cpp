@@ -6,7 +6,7 @@
 
 #include "runtime/cluster/worker.hpp"
 
-namespace regulus::cluster {
+namespace regulus::detail::cluster {
 namespace {
 
 /// A box is a number here. A unit of one box with number n > 0 leaves n − 1 twice.
@@ -196,4 +196,4 @@ TEST(Messages, DamagedOnesAreRefused) {
 }
 
 }  // namespace
-}  // namespace regulus::cluster
+}  // namespace regulus::detail::cluster

@@ -8,7 +8,7 @@
 
 #include "tests/support/elf_builder.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using plugin::flat_code;
@@ -94,4 +94,4 @@ TEST(FlatCode, RefusesWhatIsNoObject) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

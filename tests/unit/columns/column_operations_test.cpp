@@ -9,7 +9,7 @@
 #include "codegen/kernel/symbolic/print.hpp"
 #include "tests/support/symbolic/gough_model.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -106,4 +106,4 @@ TEST(ColumnOperations, AreExplainedWithTheFiguresThatDecided) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

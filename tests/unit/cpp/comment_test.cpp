@@ -7,7 +7,7 @@
 
 #include "tests/support/random_source.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 TEST(CommentText, KeepsWhatFormulasAreWrittenWith) {
@@ -73,4 +73,4 @@ TEST(CommentLines, WrapAtWords) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

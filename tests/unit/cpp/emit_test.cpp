@@ -9,7 +9,7 @@
 
 #include "tests/support/sample_modules.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using testing::HasSubstr;
@@ -228,4 +228,4 @@ TEST(Emit, LeavesOutFunctionsWithoutOutputs) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

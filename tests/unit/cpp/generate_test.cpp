@@ -10,7 +10,7 @@
 #include "codegen/kernel/cpp/words.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using testing::ElementsAre;
@@ -154,4 +154,4 @@ TEST(FreeNames, AreFreeAlways) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

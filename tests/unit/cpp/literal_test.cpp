@@ -9,7 +9,7 @@
 
 #include "tests/support/random_source.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 TEST(Literal, WritesSmallIntegersInDecimals) {
@@ -40,4 +40,4 @@ TEST(Literal, ReadsBackAsTheSameDouble) {
 TEST(Literal, WritesBothBounds) { EXPECT_EQ(constant_literal({0.5, 3}), "constant(0x1p-1, 3.0)"); }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 TEST(IdentifierPart, KeepsLettersDigitsAndSingleUnderscores) {
@@ -34,4 +34,4 @@ TEST(NameTable, NeverGivesANameTwice) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -13,7 +13,7 @@
 #include "codegen/support/write_file.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 namespace fs = std::filesystem;
@@ -90,4 +90,4 @@ TEST(DependencyText, EscapesWhatMakeWouldRead) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

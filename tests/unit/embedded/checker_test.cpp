@@ -16,7 +16,7 @@
 #include "tests/support/exact.hpp"
 #include "tests/support/gough_kernel.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Piece = std::vector<Interval>;
@@ -288,4 +288,4 @@ TEST_F(Embedded, TheCInterfaceSaysTheSame) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 #if defined(__SANITIZE_ADDRESS__)
 inline constexpr bool kCallsAreCounted = false;
@@ -22,4 +22,4 @@ inline constexpr bool kCallsAreCounted = true;
 [[nodiscard]] std::uint64_t allocations() noexcept;
 [[nodiscard]] std::uint64_t locks() noexcept;
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -14,10 +14,10 @@ namespace {
 std::atomic<std::uint64_t> allocation_count{0}, lock_count{0};
 }
 
-namespace regulus::test {
+namespace regulus::detail::test {
 std::uint64_t allocations() noexcept { return allocation_count; }
 std::uint64_t locks() noexcept { return lock_count; }
-}  // namespace regulus::test
+}  // namespace regulus::detail::test
 
 #if !defined(__SANITIZE_ADDRESS__)
 extern "C" {
@@ -59,7 +59,7 @@ int pthread_mutex_lock(pthread_mutex_t* mutex) {
 }  // extern "C"
 #endif
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 TEST(CountedCalls, SeeWhatIsAllocatedAndLocked) {
@@ -76,4 +76,4 @@ TEST(CountedCalls, SeeWhatIsAllocatedAndLocked) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "runtime/interval/interval.hpp"
 #include "runtime/kernel/abi.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 inline Interval range(const double* boxes, std::size_t variable, std::size_t lane) {
   return {boxes[(2 * variable) * REGULUS_LANES + lane],
@@ -52,4 +52,4 @@ inline regulus_kernel static_kernel(regulus_function matrix, unsigned size, cons
   return kernel;
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

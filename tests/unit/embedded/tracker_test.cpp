@@ -9,7 +9,7 @@
 #include "counted_calls.hpp"
 #include "tests/support/hostile_platforms.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using Point = std::array<double, 3>;
@@ -260,4 +260,4 @@ TEST(Tracking, KeepsTheRoundingAndAllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

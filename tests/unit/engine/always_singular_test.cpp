@@ -8,7 +8,7 @@
 #include "codegen/question/engine/settings.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Makes a platform whose hexagon is half that of the base, except for one coordinate.
@@ -106,4 +106,4 @@ TEST(AlwaysSingular, LeavesOtherVerdictsAlone) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -12,7 +12,7 @@
 #include "codegen/question/engine/settings.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::empty_variety {
+namespace regulus::detail::empty_variety {
 namespace {
 
 using testing::HasSubstr;
@@ -113,4 +113,4 @@ TEST(Quaternion, IsUndefinedAtZero) {
 }
 
 }  // namespace
-}  // namespace regulus::empty_variety
+}  // namespace regulus::detail::empty_variety

@@ -10,7 +10,7 @@
 #include "codegen/question/engine/settings.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::enclosed_place {
+namespace regulus::detail::enclosed_place {
 namespace {
 
 /// x in the first range, y in [0.25, 1.3], and perhaps uncertain quantities.
@@ -132,4 +132,4 @@ TEST(EnclosedPlace, IsNotClaimedWhereTheModelIsUndefined) {
 }
 
 }  // namespace
-}  // namespace regulus::enclosed_place
+}  // namespace regulus::detail::enclosed_place

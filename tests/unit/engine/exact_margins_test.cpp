@@ -11,7 +11,7 @@
 #include "codegen/question/engine/settings.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::exact_margins {
+namespace regulus::detail::exact_margins {
 namespace {
 
 /// Makes the matrix [[1, y], [x, x·y + e]], whose determinant is e.
@@ -138,4 +138,4 @@ TEST(AnEndOfAnAxisOfABall, IsNoWitness) {
 }
 
 }  // namespace
-}  // namespace regulus::exact_margins
+}  // namespace regulus::detail::exact_margins

@@ -9,7 +9,7 @@
 #include "codegen/question/engine/settings.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::exact_place {
+namespace regulus::detail::exact_place {
 namespace {
 
 std::string model(const std::string& rows, const std::string& x, const std::string& rest = "") {
@@ -113,4 +113,4 @@ TEST(ExactPlace, OfAThresholdIsNotAsked) {
 }
 
 }  // namespace
-}  // namespace regulus::exact_place
+}  // namespace regulus::detail::exact_place

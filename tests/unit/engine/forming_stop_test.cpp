@@ -16,7 +16,7 @@
 #include "runtime/search/solver.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::forming_stop {
+namespace regulus::detail::forming_stop {
 namespace {
 
 using testing::HasSubstr;
@@ -141,4 +141,4 @@ TEST_F(FormingStop, DoesNotHappenOtherwise) {
 }
 
 }  // namespace
-}  // namespace regulus::forming_stop
+}  // namespace regulus::detail::forming_stop

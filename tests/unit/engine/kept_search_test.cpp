@@ -13,7 +13,7 @@
 #include "tests/support/search_events.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus::kept_search {
+namespace regulus::detail::kept_search {
 namespace {
 
 struct Question {
@@ -112,4 +112,4 @@ TEST(KeptSearch, FollowsAllRangesToTheBit) {
 }
 
 }  // namespace
-}  // namespace regulus::kept_search
+}  // namespace regulus::detail::kept_search

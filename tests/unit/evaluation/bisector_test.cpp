@@ -5,7 +5,7 @@
 
 #include "tests/support/function_kernel.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::FunctionKernel;
@@ -104,4 +104,4 @@ INSTANTIATE_TEST_SUITE_P(WithAndWithoutDerivatives, BisectorTest, ::testing::Boo
                          testing::PrintToStringParamName());
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/answer/keys.hpp"
 #include "codegen/answer/schema.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -145,4 +145,4 @@ TEST(Types, OfThePageAreThoseOfTheSchema) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 #include "tests/support/search_events.hpp"
 #include "tests/support/simulated_workers.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 /// Four cables hold a plate in the plane; an anchor is uncertain. Poses near the middle hold the load.
@@ -281,4 +281,4 @@ TEST(SharedForceSearch, RefusesDamagedFindings) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

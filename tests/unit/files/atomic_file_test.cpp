@@ -15,7 +15,7 @@
 #include "runtime/files/temporary.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 namespace fs = std::filesystem;
@@ -194,4 +194,4 @@ TEST_F(AtomicStreams, SayWhyTheyCouldNotBeWritten) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

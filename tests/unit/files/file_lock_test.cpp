@@ -11,7 +11,7 @@
 
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 namespace fs = std::filesystem;
@@ -72,4 +72,4 @@ TEST_F(FileLocks, DoNotWriteThroughLinks) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 
 #include "runtime/files/sha256_blocks.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 TEST(Sha256, GivesThePublishedDigests) {
@@ -69,4 +69,4 @@ TEST(Sha256, IsTheSameWithAndWithoutInstructionsOfTheProcessor) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include "tests/support/symbolic/gough_model.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -82,4 +82,4 @@ TEST(Explain, SaysNothingOfScalesWhereThereAreNone) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

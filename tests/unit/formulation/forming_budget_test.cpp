@@ -8,7 +8,7 @@
 #include "codegen/model/model.hpp"
 #include "tests/support/symbolic/exact_values.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 /// Makes a dense model: each entry is a product of sums of all variables.
@@ -180,4 +180,4 @@ TEST(FormingBudget, TellsHowFarItIsAndStopsThere) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

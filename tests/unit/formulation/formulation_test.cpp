@@ -13,7 +13,7 @@
 #include "tests/support/symbolic/exact_values.hpp"
 #include "tests/support/symbolic/gough_model.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 Occurrences added(const std::vector<EntryStatistics>& entries,
@@ -268,4 +268,4 @@ TEST(Formulation, RefusesMotionsOfAnotherModel) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -11,7 +11,7 @@
 #include "tests/support/symbolic/exact_values.hpp"
 #include "tests/support/symbolic/gough_model.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 TEST(Lowering, ProgramsComputeTheirExpressions) {
@@ -158,4 +158,4 @@ TEST(Lower, ModulesBecomeKernels) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

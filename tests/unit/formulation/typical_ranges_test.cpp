@@ -9,7 +9,7 @@
 #include "codegen/model/exact/sign.hpp"
 #include "tests/support/random_source.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 struct Ends {
@@ -72,4 +72,4 @@ TEST(TypicalRanges, KeepARangeWithoutAFiniteValue) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "codegen/support/errors.hpp"
 #include "tests/support/robots/robot_file.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using testing::HasSubstr;
@@ -104,4 +104,4 @@ TEST(Hexapod, LeavesOtherLoopsToAMessage) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -6,7 +6,7 @@
 #include "codegen/model/import/import.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using testing::HasSubstr;
@@ -371,4 +371,4 @@ TEST(ClosedLoops, SayTheDistanceByWhichARodIsTooLong) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -4,7 +4,7 @@
 
 #include "codegen/model/import/import.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using testing::HasSubstr;
@@ -42,4 +42,4 @@ TEST(ClosedLoops, OfJointsThatFollowTwoOthersAreRefused) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

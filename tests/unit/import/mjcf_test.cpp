@@ -11,7 +11,7 @@
 #include "tests/support/robots/robot_file.hpp"
 #include "tests/support/serial/model_twists.hpp"
 
-namespace regulus::test::mjcf {
+namespace regulus::detail::test::mjcf {
 namespace {
 
 using testing::HasSubstr;
@@ -145,4 +145,4 @@ TEST(Mjcf, LeavesExactTurnsOfACubeAsTheyAre) {
 }
 
 }  // namespace
-}  // namespace regulus::test::mjcf
+}  // namespace regulus::detail::test::mjcf

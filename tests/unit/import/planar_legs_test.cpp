@@ -9,7 +9,7 @@
 #include "codegen/model/import/import.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::test::planar_legs {
+namespace regulus::detail::test::planar_legs {
 namespace {
 
 using testing::AllOf;
@@ -150,4 +150,4 @@ TEST(AClosedMechanism, OfNoKnownFormAsksForItsMotors) {
 }
 
 }  // namespace
-}  // namespace regulus::test::planar_legs
+}  // namespace regulus::detail::test::planar_legs

@@ -11,7 +11,7 @@
 #include "tests/support/robots/robot_file.hpp"
 #include "tests/support/serial/model_twists.hpp"
 
-namespace regulus::test::sdf {
+namespace regulus::detail::test::sdf {
 namespace {
 
 using testing::HasSubstr;
@@ -110,4 +110,4 @@ TEST(Sdf, MayHaveTheRootOfItsFirstVersions) {
 }
 
 }  // namespace
-}  // namespace regulus::test::sdf
+}  // namespace regulus::detail::test::sdf

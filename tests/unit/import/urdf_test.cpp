@@ -12,7 +12,7 @@
 #include "tests/support/robots/robot_file.hpp"
 #include "tests/support/serial/model_twists.hpp"
 
-namespace regulus::test::urdf {
+namespace regulus::detail::test::urdf {
 namespace {
 
 using testing::HasSubstr;
@@ -306,4 +306,4 @@ TEST(Urdf, DoesNotChooseBetweenFingers) {
 }
 
 }  // namespace
-}  // namespace regulus::test::urdf
+}  // namespace regulus::detail::test::urdf

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 const Interval kZero(0.0);
@@ -119,4 +119,4 @@ TEST(Elementary, ExponentialOverflowsAndUnderflowsOutward) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

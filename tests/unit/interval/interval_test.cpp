@@ -7,7 +7,7 @@
 #include <climits>
 #include <limits>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 const double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -129,4 +129,4 @@ TEST(Power, StaysDefinedWhenTheDenominatorUnderflows) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

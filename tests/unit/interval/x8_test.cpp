@@ -13,7 +13,7 @@
 #include "runtime/interval/floating_point_scope.hpp"
 #include "runtime/interval/interval.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 struct alignas(64) Block {
@@ -136,4 +136,4 @@ TEST(X8, MarksMalformedAndExcessiveLanesAndLeavesTheOthers) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

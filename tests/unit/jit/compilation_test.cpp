@@ -10,7 +10,7 @@
 #include "codegen/kernel/jit/kernel_compilation.hpp"
 #include "regulus/floating_point_flags.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 Compilation small_compilation() {
@@ -67,4 +67,4 @@ TEST(ClangCompiler, IsIdentifiedByItsVersionWithoutBeingOpened) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

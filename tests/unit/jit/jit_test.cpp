@@ -13,7 +13,7 @@
 #include "tests/support/process_maps.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Makes a kernel of two variables x, y and one entry k of K: k·x + y·y, sin(x), x/y.
@@ -192,4 +192,4 @@ INSTANTIATE_TEST_SUITE_P(EveryInstructionSet, JitTest, testing::ValuesIn(kAllIsa
                          [](const auto& isa) { return std::string(name(isa.param)); });
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -16,7 +16,7 @@
 #include "tests/support/cache_entries.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 const std::string kKey(64, 'a');
@@ -184,4 +184,4 @@ TEST(DefaultCacheDirectory, IsEmptyWithoutAHome) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

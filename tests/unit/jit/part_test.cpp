@@ -5,7 +5,7 @@
 
 #include <set>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using machine::PackFunction;
@@ -85,4 +85,4 @@ TEST(PartName, DependsOnTheBytesTheInstructionSetAndTheCompiler) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -20,7 +20,7 @@
 #include "tests/support/sample_modules.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using testing::HasSubstr;
@@ -158,4 +158,4 @@ TEST_F(ProgramTest, LivesAsLongAsOneCopyAndIsNeverWritable) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -15,7 +15,7 @@
 #include "tests/support/process_maps.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr const char* kDirectoryVariable = "REGULUS_TEST_CACHE";
@@ -86,4 +86,4 @@ TEST_F(WarmStart, FollowsOnProcessesThatCompiledTheSameKernelAtOnce) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -13,7 +13,7 @@
 #include "runtime/kernel/buffers.hpp"
 #include "runtime/kernel/rounding_scope.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using ::testing::HasSubstr;
@@ -207,4 +207,4 @@ TEST(Buffers, AreLaidOutAsKernelsRead) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

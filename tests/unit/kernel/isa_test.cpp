@@ -9,7 +9,7 @@
 
 #include "runtime/kernel/abi.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using ::testing::Contains;
@@ -56,4 +56,4 @@ TEST(Isa, OnlyAvx2NeedsUpwardRounding) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 
 #include "runtime/kernel/self_test.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 std::string file_text(const std::string& path) {
@@ -58,4 +58,4 @@ TEST(KernelHeaders, TheSelfTestIncludesOnlyThem) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

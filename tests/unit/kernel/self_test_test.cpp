@@ -14,7 +14,7 @@ unsigned regulus_self_test_avx2(const double*, const double*, double*, const voi
 unsigned regulus_self_test_portable(const double*, const double*, double*, const void*);
 }
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using ::testing::HasSubstr;
@@ -147,4 +147,4 @@ TEST(SelfTest, FailsWhenALaneIsCalledUndefined) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "runtime/kernel/call.hpp"
 #include "runtime/machine/machine_kernel.hpp"
 
-namespace regulus::machine {
+namespace regulus::detail::machine {
 namespace {
 
 using Op = PackOperation;
@@ -74,4 +74,4 @@ TEST(FrameSlots, LeaveNoLaneDefinedWithoutMemory) {
 }
 
 }  // namespace
-}  // namespace regulus::machine
+}  // namespace regulus::detail::machine

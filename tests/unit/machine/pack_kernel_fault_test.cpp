@@ -7,7 +7,7 @@
 #include "runtime/machine/machine_kernel.hpp"
 #include "runtime/machine/pack_file.hpp"
 
-namespace regulus::machine {
+namespace regulus::detail::machine {
 namespace {
 
 using Op = PackOperation;
@@ -156,4 +156,4 @@ TEST(PackKernelFault, IsFoundInWhatASearchWouldTrust) {
 }
 
 }  // namespace
-}  // namespace regulus::machine
+}  // namespace regulus::detail::machine

@@ -12,7 +12,7 @@
 #include "runtime/kernel/call.hpp"
 #include "runtime/machine/machine_kernel.hpp"
 
-namespace regulus::machine::pack_program {
+namespace regulus::detail::machine::pack_program {
 namespace {
 
 using Op = PackOperation;
@@ -144,4 +144,4 @@ TEST(MachineKernel, RefusesAListThatIsFaulty) {
 }
 
 }  // namespace
-}  // namespace regulus::machine::pack_program
+}  // namespace regulus::detail::machine::pack_program

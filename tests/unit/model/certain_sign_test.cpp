@@ -5,7 +5,7 @@
 
 #include "codegen/model/exact/expression_parser.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 CertainSign sign(const char* text) {
@@ -35,4 +35,4 @@ TEST(CertainSign, SeesZeroByAlgebraAlone) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

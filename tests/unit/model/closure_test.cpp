@@ -13,7 +13,7 @@
 #include "codegen/support/errors.hpp"
 #include "tests/support/example_model.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::changed;
@@ -256,4 +256,4 @@ TEST(ClosureStart, IsTheSameForAllThatFollowAParameter) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include <random>
 #include <string>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::numeric;
@@ -128,4 +128,4 @@ TEST(ExactInteger, TakesAll64Bits) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/model/overrides.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using testing::ElementsAre;
@@ -178,4 +178,4 @@ TEST(Degrees, ANumberBeyondATurnInACosineGetsAWarning) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

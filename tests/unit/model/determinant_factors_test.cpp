@@ -12,7 +12,7 @@
 #include "codegen/model/file/model_file.hpp"
 #include "tests/support/evaluate.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using GiNaC::ex;
@@ -200,4 +200,4 @@ TEST(DeterminantFactors, AreOnlyThoseOfSquareMatrices) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

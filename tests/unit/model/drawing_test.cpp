@@ -9,10 +9,10 @@
 
 #include "codegen/model/file/model_file.hpp"
 
-namespace regulus::test::drawing {
+namespace regulus::detail::test::drawing {
 namespace {
 
-using regulus::Point;
+using detail::Point;
 using Kind = Drawing::Kind;
 
 /// The values of a point at a pose, with the nominal geometry.
@@ -96,4 +96,4 @@ TEST(ADrawing, OfATableHasItsPointsAndRows) {
 }
 
 }  // namespace
-}  // namespace regulus::test::drawing
+}  // namespace regulus::detail::test::drawing

@@ -8,7 +8,7 @@
 
 #include "codegen/support/errors.hpp"
 
-namespace regulus::expression_parser_test {
+namespace regulus::detail::expression_parser_test {
 namespace {
 
 using GiNaC::ex;
@@ -222,4 +222,4 @@ TEST(ParseConstant, RefusesWhatNoDoubleCanBound) {
 }
 
 }  // namespace
-}  // namespace regulus::expression_parser_test
+}  // namespace regulus::detail::expression_parser_test

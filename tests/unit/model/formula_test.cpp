@@ -11,7 +11,7 @@
 #include "codegen/support/errors.hpp"
 #include "tests/support/random_source.hpp"
 
-namespace regulus::formula {
+namespace regulus::detail::formula {
 namespace {
 
 using GiNaC::ex;
@@ -89,7 +89,7 @@ struct Pair {
   ex value;
 };
 
-Pair random_pair(regulus::test::RandomSource& random, const std::vector<Pair>& leaves, int depth) {
+Pair random_pair(test::RandomSource& random, const std::vector<Pair>& leaves, int depth) {
   if (depth == 0) return leaves[random.below(leaves.size())];
   const Pair a = random_pair(random, leaves, depth - 1);
   const Pair b = random_pair(random, leaves, depth - 1);
@@ -110,7 +110,7 @@ Pair random_pair(regulus::test::RandomSource& random, const std::vector<Pair>& l
 }
 
 TEST(Formula, MeansWhatGiNaCMakesOfTheSameOperations) {
-  regulus::test::RandomSource random(20260101);
+  test::RandomSource random(20260101);
   const std::vector<GiNaC::realsymbol> symbols = {GiNaC::realsymbol("x"), GiNaC::realsymbol("y")};
   const std::vector<Pair> leaves = {{x, symbols[0]},
                                     {y, symbols[1]},
@@ -152,4 +152,4 @@ TEST(Formula, OfGiNaCIsReadBackAsItWas) {
 }
 
 }  // namespace
-}  // namespace regulus::formula
+}  // namespace regulus::detail::formula

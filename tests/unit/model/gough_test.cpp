@@ -13,7 +13,7 @@
 #include "codegen/model/mechanism/orientation.hpp"
 #include "tests/support/evaluate.hpp"
 
-namespace regulus::gough_test {
+namespace regulus::detail::gough_test {
 namespace {
 
 using Vector = std::array<double, 3>;
@@ -275,4 +275,4 @@ TEST(GoughTolerance, MayBeThatOfOneAnchor) {
 }
 
 }  // namespace
-}  // namespace regulus::gough_test
+}  // namespace regulus::detail::gough_test

@@ -11,7 +11,7 @@
 #include "codegen/support/errors.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::joint_limits {
+namespace regulus::detail::joint_limits {
 namespace {
 
 using testing::ElementsAre;
@@ -103,4 +103,4 @@ TEST(JointLimits, AreOfArmsOnly) {
 }
 
 }  // namespace
-}  // namespace regulus::joint_limits
+}  // namespace regulus::detail::joint_limits

@@ -12,7 +12,7 @@
 #include "tests/support/evaluate.hpp"
 #include "tests/support/example_model.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::changed;
@@ -83,4 +83,4 @@ TEST(AMatrixOfSixLegs, IsNotMadeOfATableWithoutALine) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

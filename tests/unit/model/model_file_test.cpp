@@ -12,7 +12,7 @@
 #include "tests/support/evaluate.hpp"
 #include "tests/support/example_model.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -229,4 +229,4 @@ TEST(ModelFile, TakesWindowsLineEndings) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include "codegen/model/overrides.hpp"
 #include "tests/support/evaluate.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -206,4 +206,4 @@ TEST_F(Planar, CrossingMotionChangesSides) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -6,7 +6,7 @@
 
 #include "codegen/model/file/model_file.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 /// Two axes that are parallel but for a billionth of a radian.
@@ -25,4 +25,4 @@ TEST(AnArm, SaysThatItIsNearlySingular) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -8,7 +8,7 @@
 #include "codegen/support/errors.hpp"
 #include "tests/support/example_model.hpp"
 
-namespace regulus::overrides {
+namespace regulus::detail::overrides {
 namespace {
 
 using GiNaC::ex;
@@ -140,4 +140,4 @@ TEST(SetTolerance, RefusesANegativeOne) {
 }
 
 }  // namespace
-}  // namespace regulus::overrides
+}  // namespace regulus::detail::overrides

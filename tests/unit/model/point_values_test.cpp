@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace regulus::point_values_test {
+namespace regulus::detail::point_values_test {
 namespace {
 
 using GiNaC::ex;
@@ -51,4 +51,4 @@ TEST(PointValues, AreNoNumbersWhereThereIsNone) {
 }
 
 }  // namespace
-}  // namespace regulus::point_values_test
+}  // namespace regulus::detail::point_values_test

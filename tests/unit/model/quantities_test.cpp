@@ -12,7 +12,7 @@
 #include "codegen/model/file/model_file.hpp"
 #include "tests/support/example_model.hpp"
 
-namespace regulus::quantities {
+namespace regulus::detail::quantities {
 namespace {
 
 using test::changed;
@@ -255,4 +255,4 @@ TEST(ArmsInRadians, GetAWarningWithTheLineOfAnAngleBeyondATurn) {
 }
 
 }  // namespace
-}  // namespace regulus::quantities
+}  // namespace regulus::detail::quantities

@@ -5,7 +5,7 @@
 
 #include "codegen/model/names.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 TEST(QuotedText, ShowsLettersOfAnyAlphabetAsTheyAre) { EXPECT_EQ(in_quotes("hälf"), "'hälf'"); }
@@ -29,4 +29,4 @@ TEST(QuotedText, IsCutBetweenCharacters) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include "codegen/model/file/model_file.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 const char* const kGeneralTurns =
@@ -60,4 +60,4 @@ TEST(AReading, OfASmallModelIsNotStopped) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

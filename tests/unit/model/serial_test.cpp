@@ -13,7 +13,7 @@
 #include "tests/support/serial/model_twists.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus::test::serial {
+namespace regulus::detail::test::serial {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -391,4 +391,4 @@ TEST(SingularFactors, NameTheElbowOfAScara) {
 }
 
 }  // namespace
-}  // namespace regulus::test::serial
+}  // namespace regulus::detail::test::serial

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 TEST(SourceLines, CountCharactersAndNotBytes) {
@@ -48,4 +48,4 @@ TEST(SourceLines, FindPlacesOnLongLines) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

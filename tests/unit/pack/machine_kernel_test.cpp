@@ -12,7 +12,7 @@
 #include "runtime/kernel/buffers.hpp"
 #include "runtime/kernel/call.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using machine::MachineKernel;
@@ -141,4 +141,4 @@ TEST(MachineKernelOfAModule, GivesEveryThreadTheSameAnswer) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

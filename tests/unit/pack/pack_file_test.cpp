@@ -6,7 +6,7 @@
 #include "codegen/kernel/pack/select.hpp"
 #include "tests/support/sample_modules.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using machine::PackKernel;
@@ -54,4 +54,4 @@ TEST(PackFile, IsASoundProgramOrNoneWithAnyByteChanged) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 
 #include "tests/support/random_program.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Kind = Step::Kind;
@@ -110,4 +110,4 @@ TEST(FunctionPlan, TakesEntriesOfKAsPoints) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

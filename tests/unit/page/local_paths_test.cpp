@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 ModelOptions model_at(const char* path) {
@@ -65,4 +65,4 @@ TEST(LocalPathsOfAPage, MayNeedQuotes) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

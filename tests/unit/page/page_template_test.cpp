@@ -7,7 +7,7 @@
 #include "codegen/support/errors.hpp"
 #include "runtime/files/sha256.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 const std::string kTemplate =
@@ -48,4 +48,4 @@ TEST(CommandsToProveAgain, AreWordsOfAShell) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -8,7 +8,7 @@
 #include <regex>
 #include <vector>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -72,4 +72,4 @@ TEST(ThePictureOfARobot, IsEmptyWithoutPoints) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -17,7 +17,7 @@
 #include "codegen/kernel/program/arb_arithmetic.hpp"
 #include "codegen/kernel/program/interpreter.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using cln::cl_RA;
@@ -124,4 +124,4 @@ TEST(FlintRational, IsReadBackFromItsTextAndFromNoOther) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 
 #include "codegen/kernel/program/rational_bounds.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Expression = std::function<NodeId(ProgramBuilder&)>;
@@ -99,4 +99,4 @@ TEST(Enclose, RoundsInwardToNothingWhenNoDoubleIsInside) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

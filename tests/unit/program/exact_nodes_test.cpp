@@ -7,7 +7,7 @@
 
 #include "codegen/kernel/program/enclose.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Expression = std::function<NodeId(ProgramBuilder&)>;
@@ -66,4 +66,4 @@ TEST(ExactNodes, AreNoneWhenNothingIsKnownOfTheRows) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 
 #include "codegen/kernel/program/enclose.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 struct Bound {
@@ -75,4 +75,4 @@ TEST(Magnitude, DoesNotTrustSmallFactors) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

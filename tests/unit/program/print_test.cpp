@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 Module small_module() {
@@ -55,4 +55,4 @@ TEST(Print, IsTheSha256OfTheText) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

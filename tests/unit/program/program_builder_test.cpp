@@ -8,7 +8,7 @@
 #include "codegen/kernel/program/print.hpp"
 #include "codegen/kernel/program/program.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Expression = std::function<NodeId(ProgramBuilder&)>;
@@ -180,4 +180,4 @@ TEST(ProgramBuilder, DoesNotWriteOutEnormousPowers) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 
 #include "tests/support/random_source.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Limits = std::numeric_limits<double>;
@@ -96,4 +96,4 @@ TEST(RationalBounds, BoundsTheExponent) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

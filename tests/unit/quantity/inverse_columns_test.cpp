@@ -8,7 +8,7 @@
 #include "codegen/model/file/model_file.hpp"
 #include "codegen/question/quantity/sample_point.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using GiNaC::matrix;
@@ -73,4 +73,4 @@ TEST(InverseColumns, AreTheSameInEveryRun) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

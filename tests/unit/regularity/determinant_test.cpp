@@ -10,7 +10,7 @@
 #include "runtime/regularity/upward_elimination.hpp"
 #include "tests/support/lane_arrays.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 LaneMatrix matrix(std::size_t n, const std::vector<Interval>& entries) {
@@ -163,4 +163,4 @@ TEST(Rohn, RefusesWhatIsTooLarge) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

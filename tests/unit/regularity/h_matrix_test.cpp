@@ -9,7 +9,7 @@
 
 #include "tests/support/lane_arrays.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::intervals;
@@ -132,4 +132,4 @@ TEST(HMatrix, PerronVectorsOfAKnownMatrix) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

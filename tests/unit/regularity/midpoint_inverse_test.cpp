@@ -12,7 +12,7 @@
 #include "runtime/regularity/backend.hpp"
 #include "tests/support/lane_arrays.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::Random;
@@ -180,4 +180,4 @@ TEST(MidpointInverse, InstructionSetsRoundAlike) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

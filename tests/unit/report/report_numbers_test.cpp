@@ -13,7 +13,7 @@
 #include "codegen/question/engine/settings.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using testing::AllOf;
@@ -140,4 +140,4 @@ TEST(ProgressLine, FitsIntoTheTerminal) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "tests/support/example_model.hpp"
 #include "tests/support/model_text.hpp"
 
-namespace regulus::robot_test {
+namespace regulus::detail::robot_test {
 namespace {
 
 /// The example of the model files in C++, with every feature of the format.
@@ -110,4 +110,4 @@ TEST(Robot, WritesLabelsThatTomlWouldMisread) {
 }
 
 }  // namespace
-}  // namespace regulus::robot_test
+}  // namespace regulus::detail::robot_test

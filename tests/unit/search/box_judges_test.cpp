@@ -6,7 +6,7 @@
 
 #include "runtime/search/thread_workers.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 struct MiddleQuestion {
@@ -104,4 +104,4 @@ TEST(Unit, KeepsItsHorizonInAMessage) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 Attempt certified(double value, double seconds = 0.01, std::uint64_t boxes = 1) {
@@ -213,4 +213,4 @@ TEST(ShortDecimal, AboveIsNeverBelowAndNotFarAbove) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

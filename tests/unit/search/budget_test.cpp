@@ -10,7 +10,7 @@
 
 #include "tests/support/function_kernel.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::FunctionKernel;
@@ -329,4 +329,4 @@ TEST(Methods, HaveNamesThatReadBack) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "runtime/evaluation/batch.hpp"
 #include "tests/support/function_kernel.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 constexpr auto kClosedFormLeaves = static_cast<std::size_t>(Rule::kClosedForm);
@@ -147,4 +147,4 @@ TEST(ClosedForm, UndefinedDerivativesDecideNothing) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -7,7 +7,7 @@
 
 #include "tests/support/random_source.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using Box = std::vector<Interval>;
@@ -120,4 +120,4 @@ TEST(Frontier, StaysWithinTheBoundTimesTheBatch) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

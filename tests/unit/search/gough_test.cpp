@@ -6,7 +6,7 @@
 #include "tests/support/exact.hpp"
 #include "tests/support/gough_kernel.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::GoughKernel;
@@ -132,4 +132,4 @@ TEST(Gough, ThresholdsAreOnTheDeterminantOfTheScaledMatrix) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::uint64_t kRun = 1U << 20;
@@ -59,4 +59,4 @@ TEST(Headway, ForgetsWhatWasClosedBeforeACheckpoint) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 #include "tests/support/search_events.hpp"
 #include "tests/support/unit_searches.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::FunctionKernel;
@@ -206,4 +206,4 @@ TEST(KeptSolver, RepeatsASearchOfAPlatform) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

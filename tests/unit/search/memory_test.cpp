@@ -34,7 +34,7 @@ std::atomic<bool> once = false;
 [[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Refuses one allocation, or that one and all later ones.
@@ -121,4 +121,4 @@ TEST(Memory, SearchesForAWitnessNeedNoneOnTheWay) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

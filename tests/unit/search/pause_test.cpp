@@ -8,7 +8,7 @@
 #include "tests/support/function_kernel.hpp"
 #include "tests/support/simulated_workers.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::FunctionKernel;
@@ -264,4 +264,4 @@ TEST(ABudget, LeavesTheWitnessAsItIs) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

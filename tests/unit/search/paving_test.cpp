@@ -8,7 +8,7 @@
 
 #include "tests/support/function_kernel.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::FunctionKernel;
@@ -267,4 +267,4 @@ TEST(Volumes, HaveFractionsBetweenZeroAndOne) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "runtime/search/paving.hpp"
 #include "tests/support/function_kernel.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::FunctionKernel;
@@ -215,4 +215,4 @@ TEST(AlgebraInASearch, WhatOnlySeemsToVanishProvesNothing) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -10,7 +10,7 @@
 #include "runtime/search/solver.hpp"
 #include "tests/support/function_kernel.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::FunctionKernel;
@@ -146,4 +146,4 @@ TEST_F(RetoldTreeTest, RefusesALeafWithoutARule) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

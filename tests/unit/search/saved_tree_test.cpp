@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 TEST(SavedTree, TilesTheVariety) {
@@ -80,4 +80,4 @@ TEST(SavedTree, RefusesOtherTexts) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

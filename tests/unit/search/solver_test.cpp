@@ -6,7 +6,7 @@
 
 #include "tests/support/function_kernel.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::FunctionKernel;
@@ -350,4 +350,4 @@ TEST(Solver, AsksTheOracleWhereDoublesCannotTell) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

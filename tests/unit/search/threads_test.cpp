@@ -10,7 +10,7 @@
 #include "tests/support/gough_kernel.hpp"
 #include "tests/support/search_events.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::FunctionKernel;
@@ -236,4 +236,4 @@ TEST(Threads, NoneOrTooManyAreAFault) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

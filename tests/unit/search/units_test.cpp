@@ -11,7 +11,7 @@
 #include "tests/support/search_events.hpp"
 #include "tests/support/unit_searches.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using test::problem_over;
@@ -177,4 +177,4 @@ TEST(UnitEvents, AreReadAsTheyWereWritten) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

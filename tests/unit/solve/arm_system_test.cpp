@@ -9,7 +9,7 @@
 #include "codegen/model/file/model_file.hpp"
 #include "runtime/interval/floating_point_scope.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::size_t n = kJoints;
@@ -65,4 +65,4 @@ TEST(WholeArm, HasTheSecondDerivativesOfItsEquations) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 
 #include "codegen/model/file/model_file.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -115,4 +115,4 @@ TEST(OwnPose, HasNoAnglesWhereTheModelHasAQuaternion) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -13,7 +13,7 @@
 #include "codegen/question/solve/solve_run.hpp"
 #include "runtime/interval/floating_point_scope.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 Request request_of(const std::string& model, const std::vector<std::string>& at) {
@@ -90,4 +90,4 @@ TEST(RootsOfRanks, HaveAKernelIfTheyAreEquations) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

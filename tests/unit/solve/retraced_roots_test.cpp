@@ -13,7 +13,7 @@
 #include "codegen/question/solve/root_search.hpp"
 #include "runtime/interval/floating_point_scope.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// x² + y² = 5, x·y = p. Of p = 2 the solutions are ±(1, 2) and ±(2, 1), of p = 3 there is none. It is
@@ -188,4 +188,4 @@ TEST_F(RetracedSearch, WithOtherCutsProvesNothing) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 TEST(AWordForAShell, IsQuotedIfAShellWouldChangeIt) {
@@ -21,4 +21,4 @@ TEST(ACommandForAShell, HasItsWords) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

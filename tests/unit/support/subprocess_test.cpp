@@ -8,7 +8,7 @@
 #include <array>
 #include <system_error>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 TEST(Subprocess, ReturnsTheExitCode) {
@@ -50,4 +50,4 @@ TEST(Subprocess, RefusesAProgramThatDoesNotExist) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 TEST(ATimeBudget, IsSharedEqually) {
@@ -44,4 +44,4 @@ TEST(ATimeBudget, OfAnOptionOfZeroHasNoEnd) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

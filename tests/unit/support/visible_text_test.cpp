@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 TEST(VisibleText, IsTextThatATerminalShowsAsItIs) {
@@ -36,4 +36,4 @@ TEST(VisibleText, ShowsBytesThatAreNotUtf8) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -5,7 +5,7 @@
 
 #include "codegen/kernel/symbolic/print.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 Expression rational(int p, int q) { return Expression(cln::cl_RA(p) / q); }
@@ -60,4 +60,4 @@ TEST(Crank, IsNotFoundInWhatOnlyLooksLikeOne) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

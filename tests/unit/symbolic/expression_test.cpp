@@ -9,7 +9,7 @@
 #include "codegen/kernel/symbolic/measure.hpp"
 #include "codegen/kernel/symbolic/print.hpp"
 
-namespace regulus::expression_test {
+namespace regulus::detail::expression_test {
 namespace {
 
 const Expression x = variable("x"), y = variable("y"), k = point("k_1_1");
@@ -176,4 +176,4 @@ TEST(Substitute, ReplacesWhereverItOccurs) {
 }
 
 }  // namespace
-}  // namespace regulus::expression_test
+}  // namespace regulus::detail::expression_test

@@ -6,7 +6,7 @@
 #include "codegen/kernel/symbolic/print.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex, GiNaC::numeric, GiNaC::pow;
@@ -83,4 +83,4 @@ TEST_F(FromGinac, RefusesWhatIsNotExact) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

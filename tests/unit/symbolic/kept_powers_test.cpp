@@ -5,7 +5,7 @@
 
 #include "codegen/kernel/symbolic/print.hpp"
 
-namespace regulus::kept_powers {
+namespace regulus::detail::kept_powers {
 namespace {
 
 const Expression x = variable("x"), y = variable("y");
@@ -46,4 +46,4 @@ TEST(KeptPowers, CancelInversesThatMustBeDefined) {
 }
 
 }  // namespace
-}  // namespace regulus::kept_powers
+}  // namespace regulus::detail::kept_powers

@@ -5,7 +5,7 @@
 
 #include "codegen/kernel/symbolic/print.hpp"
 
-namespace regulus::rewrite {
+namespace regulus::detail::rewrite {
 namespace {
 
 const Expression x = variable("x"), y = variable("y"), z = variable("z");
@@ -121,4 +121,4 @@ TEST(Rewrite, ExpansionsThatExplodeAreGivenUp) {
 }
 
 }  // namespace
-}  // namespace regulus::rewrite
+}  // namespace regulus::detail::rewrite

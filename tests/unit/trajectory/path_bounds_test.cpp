@@ -7,7 +7,7 @@
 
 #include "codegen/kernel/program/rational_bounds.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 using GiNaC::ex;
@@ -89,4 +89,4 @@ TEST(PathBounds, EncloseGroupsOfPieces) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

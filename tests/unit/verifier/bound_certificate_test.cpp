@@ -9,7 +9,7 @@
 #include "tests/support/trials.hpp"
 #include "tests/unit/verifier/bound_claims.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using verifier::Outcome;
@@ -282,4 +282,4 @@ TEST(AnOldBoundCertificate, ProvesNoNumber) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

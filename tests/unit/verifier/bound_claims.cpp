@@ -8,7 +8,7 @@
 
 #include "runtime/proof/format.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using Matrix2 = std::array<Vector2, 2>;
@@ -226,4 +226,4 @@ std::string witness_of(const BoundClaim& c, const Place& place) {
   return text + "path segment\nend\n";
 }
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

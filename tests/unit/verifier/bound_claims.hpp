@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace regulus::test {
+namespace regulus::detail::test {
 
 using Vector2 = std::array<double, 2>;
 
@@ -46,4 +46,4 @@ struct Place {
 /// Returns the proof by two points, next to a place.
 [[nodiscard]] std::string witness_of(const BoundClaim& claim, const Place& place);
 
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

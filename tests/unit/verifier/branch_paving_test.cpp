@@ -10,7 +10,7 @@
 
 #include "tests/support/certificate_texts.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using testing::HasSubstr;
@@ -121,4 +121,4 @@ TEST(APavingOfABranch, HasNoOtherQuantity) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -9,7 +9,7 @@
 
 #include "tests/support/certificate_texts.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using verifier::Outcome;
@@ -133,4 +133,4 @@ TEST(ABoundOverABranch, HasTheDerivativesByEachMotor) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

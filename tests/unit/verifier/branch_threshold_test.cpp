@@ -10,7 +10,7 @@
 
 #include "tests/support/certificate_texts.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using testing::HasSubstr;
@@ -133,4 +133,4 @@ TEST(AThresholdOverABranch, IsNotExceededWhereTheBranchEnds) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

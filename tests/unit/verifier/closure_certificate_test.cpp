@@ -9,7 +9,7 @@
 #include "tests/support/damage.hpp"
 #include "tests/support/random_source.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 TEST(ACertificateOfAClosure, IsVerified) {
@@ -359,4 +359,4 @@ TEST(AForgedBranch, OfAFalseClaimIsNotVerifiedAfterDamage) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

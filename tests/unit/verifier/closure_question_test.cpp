@@ -5,7 +5,7 @@
 #include "runtime/formal/coq_proof.hpp"
 #include "tests/support/closure_cases.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 TEST(AForgedClosure, WithAChangedQuestionIsNotVerified) {
@@ -229,4 +229,4 @@ TEST(AQuestionAboutAClosure, MayBeginWhereAFormulaDoes) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

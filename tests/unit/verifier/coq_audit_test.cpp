@@ -9,7 +9,7 @@
 #include "runtime/formal/coq_theorem.hpp"
 #include "runtime/verifier/proof.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -359,4 +359,4 @@ TEST(AnAudit, AllowsTheAxiomsOfTheLibraryAlone) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -10,7 +10,7 @@
 #include "runtime/formal/coq_proof.hpp"
 #include "runtime/verifier/proof.hpp"
 
-namespace regulus::test::coq_distance_test {
+namespace regulus::detail::test::coq_distance_test {
 namespace {
 
 using testing::HasSubstr;
@@ -63,4 +63,4 @@ TEST(ATheoremAboutAFiniteError, HasNaturalNumbersInItsListAlone) {
 }
 
 }  // namespace
-}  // namespace regulus::test::coq_distance_test
+}  // namespace regulus::detail::test::coq_distance_test

@@ -10,7 +10,7 @@
 #include "runtime/formal/coq_proof.hpp"
 #include "runtime/formal/coq_real.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -220,4 +220,4 @@ TEST(AReal, HasTheParenthesesThatCoqNeeds) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

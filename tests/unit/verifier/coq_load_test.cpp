@@ -12,7 +12,7 @@
 #include "runtime/formal/coq_proof.hpp"
 #include "runtime/verifier/proof.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -222,4 +222,4 @@ TEST(ATheoremAboutAQuantityOverABranch, IsRefusedForOtherQuantitiesAndNoLoad) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -10,7 +10,7 @@
 #include "runtime/formal/coq_expression.hpp"
 #include "runtime/verifier/expression.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -241,4 +241,4 @@ TEST(ATheorem, AboutAForceIsRefusedForOtherQuestions) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

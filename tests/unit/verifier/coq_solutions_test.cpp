@@ -12,7 +12,7 @@
 #include "runtime/formal/coq_proof.hpp"
 #include "runtime/verifier/proof.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -85,4 +85,4 @@ TEST(ATheoremAboutAllSolutions, IsNotWrittenOfSixLegs) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -10,7 +10,7 @@
 #include "tests/support/certificate_texts.hpp"
 #include "tests/support/random_source.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using verifier::Outcome;
@@ -211,4 +211,4 @@ TEST(ManyEnclosedZeros, AreVerifiedOnlyWithTheRoot) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -4,7 +4,7 @@
 
 #include "tests/support/certificate_texts.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using verifier::Outcome;
@@ -318,4 +318,4 @@ TEST(ADeterminantNextToAConstraint, IsNotReducedByItsNegative) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

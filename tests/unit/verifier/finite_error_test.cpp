@@ -13,7 +13,7 @@
 
 #include "tests/support/certificate_texts.hpp"
 
-namespace regulus::test::finite_error_test {
+namespace regulus::detail::test::finite_error_test {
 namespace {
 
 using verifier::Outcome;
@@ -168,4 +168,4 @@ TEST(AFiniteError, HasOneSideAndAnUnknownOfTheFile) {
 }
 
 }  // namespace
-}  // namespace regulus::test::finite_error_test
+}  // namespace regulus::detail::test::finite_error_test

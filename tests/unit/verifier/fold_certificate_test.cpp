@@ -6,7 +6,7 @@
 #include "tests/support/closure_cases.hpp"
 #include "tests/support/damage.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 const char kAlong[] = "arc 0 0x0p+0 : 0x1p-2 0x1p-3 0x1.bb67aep-1 -0x1.279a74p+0 0x1p-4\n";
@@ -155,4 +155,4 @@ TEST(AForgedFold, OfAFalseClaimIsNotVerifiedAfterDamage) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -10,7 +10,7 @@
 #include "tests/support/certificate_texts.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using testing::HasSubstr;
@@ -193,4 +193,4 @@ TEST(AClaimAboutOnePiece, IsNotOneAboutTheTrajectory) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

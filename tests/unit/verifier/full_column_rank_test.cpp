@@ -7,7 +7,7 @@
 #include "runtime/verifier/linear_algebra.hpp"
 #include "tests/support/certificate_texts.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using verifier::Ball;
@@ -133,4 +133,4 @@ TEST(IndependentRows, CountOnlyWhatHoldsForEveryMember) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -11,7 +11,7 @@
 namespace regulus::verifier {
 namespace {
 
-using test::RandomSource;
+using detail::test::RandomSource;
 
 constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
 constexpr double kLargest = std::numeric_limits<double>::max();
@@ -34,7 +34,8 @@ TEST(AStep, ReachesTheNextDoubleFromEveryOne) {
 }
 
 Interval random_interval(RandomSource& random) {
-  const double a = test::corner_double(random, 40), b = test::corner_double(random, 40);
+  const double a = detail::test::corner_double(random, 40),
+               b = detail::test::corner_double(random, 40);
   return random.one_in(4) ? point(a) : Interval{std::min(a, b), std::max(a, b)};
 }
 

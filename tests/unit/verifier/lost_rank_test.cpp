@@ -4,7 +4,7 @@
 
 #include "tests/support/certificate_texts.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using verifier::Outcome;
@@ -74,4 +74,4 @@ TEST(LostRank, IsTheOnlyReasonForMoreRowsThanColumns) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -6,7 +6,7 @@
 #include "runtime/verifier/model/model_file.hpp"
 #include "tests/support/certificate_texts.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using verifier::Outcome;
@@ -203,4 +203,4 @@ TEST(TheReaderOfToml, KeepsTheBytesOfNumbers) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -9,7 +9,7 @@
 
 #include "tests/support/certificate_texts.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 using verifier::Outcome;
@@ -251,4 +251,4 @@ TEST(ExceptionsThatStopTheProcess, AreMaskedForTheTimeOfTheCheck) {
 #endif
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

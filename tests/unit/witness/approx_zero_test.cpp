@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 /// Looks as often as that narrows, at most six times.
@@ -60,4 +60,4 @@ TEST(ApproxZero, IsHalvedWhileOneHalfHasIt) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 #include "runtime/witness/point_witness.hpp"
 #include "tests/support/fixture_kernel.hpp"
 
-namespace regulus::test {
+namespace regulus::detail::test {
 namespace {
 
 /// det = a − x²/2, or its negative.
@@ -89,4 +89,4 @@ TEST(Growth, IsLinearBetweenItsTwoValues) {
 }
 
 }  // namespace
-}  // namespace regulus::test
+}  // namespace regulus::detail::test

@@ -8,7 +8,7 @@
 
 #include "tests/support/random_source.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr double kCenter[] = {0.1, -7.3, 1e6};
@@ -102,4 +102,4 @@ TEST(ToleranceBalls, AreNoneWithoutAMiddle) {
 }
 
 }  // namespace
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -9,7 +9,7 @@
 #include <cstring>
 #include <system_error>
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 std::filesystem::path absolute_path_in(const char* variable) {
@@ -58,4 +58,4 @@ CacheDirectory open_cache_directory(const std::filesystem::path& directory) {
   return {std::move(descriptor), {}};
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -7,7 +7,7 @@
 
 #include "codegen/support/file_descriptor.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Returns $XDG_CACHE_HOME/regulus, or ~/.cache/regulus; empty if neither variable is an absolute
 /// path.
@@ -26,4 +26,4 @@ struct CacheDirectory {
 ///           of the directory has no effect.
 [[nodiscard]] CacheDirectory open_cache_directory(const std::filesystem::path& directory);
 
-}  // namespace regulus
+}  // namespace regulus::detail

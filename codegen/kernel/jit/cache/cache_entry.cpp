@@ -7,7 +7,7 @@
 
 #include "runtime/files/sha256.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::string_view kMagic = "regulus object\n";
@@ -40,4 +40,4 @@ std::optional<std::string> open_cache_entry(std::string_view key, std::string_vi
   return std::string(object);
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Shape     no padding: the bytes in memory are the bytes in the file.
 struct CacheEntryHeader {
@@ -29,4 +29,4 @@ static_assert(sizeof(CacheEntryHeader) == 16 + 8 + 64 + 8 + 64);
 [[nodiscard]] std::optional<std::string> open_cache_entry(std::string_view key,
                                                           std::string_view bytes);
 
-}  // namespace regulus
+}  // namespace regulus::detail

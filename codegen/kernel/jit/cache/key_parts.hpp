@@ -8,7 +8,7 @@
 
 #include "runtime/files/sha256.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// Concatenates parts, each preceded by its length, so that different lists of parts give different
 /// bytes.
@@ -31,4 +31,4 @@ class KeyParts {
   std::string bytes_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

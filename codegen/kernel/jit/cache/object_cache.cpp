@@ -19,7 +19,7 @@
 #include "runtime/files/atomic_file.hpp"
 #include "runtime/files/temporary.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::string_view kEntrySuffix = ".object";
@@ -174,4 +174,4 @@ std::string ObjectCache::write_entry(const NamedObject& named) const {
   return {};
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -11,7 +11,7 @@
 
 #include "codegen/kernel/jit/cache/cache_directory.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 
 /// A directory of objects and other results, each in a file named by its key. Any number of
 /// processes may use it at once: an entry appears whole or not at all, and one process replaces
@@ -57,4 +57,4 @@ class ObjectCache {
   std::uint64_t limit_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

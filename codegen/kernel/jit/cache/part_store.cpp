@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/kernel/jit/cache/part_store.hpp"
 
-namespace regulus {
+namespace regulus::detail {
 namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{64} << 20;
@@ -23,4 +23,4 @@ void PartStore::add(const std::string& name, const std::string& code) {
   if (code_of_.emplace(name, code).second) size_ += code.size();
 }
 
-}  // namespace regulus
+}  // namespace regulus::detail

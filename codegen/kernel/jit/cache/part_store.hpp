@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace regulus {
+namespace regulus::detail {
 
 /// The machine code of parts that this process has compiled or read, by name, for kernels that
 /// differ only a little from earlier ones. Any number of threads may use one.
@@ -24,4 +24,4 @@ class PartStore {
   std::map<std::string, std::string> code_of_;
 };
 
-}  // namespace regulus
+}  // namespace regulus::detail

@@ -12,7 +12,7 @@
 #include "codegen/kernel/jit/llvm/front_end.hpp"
 #include "codegen/kernel/jit/llvm/object_linker.hpp"
 
-namespace regulus::plugin {
+namespace regulus::detail::plugin {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -43,7 +43,7 @@ bool compile(const regulus_clang_request& request, Diagnostics& diagnostics,
 }
 
 }  // namespace
-}  // namespace regulus::plugin
+}  // namespace regulus::detail::plugin
 
 extern "C" [[gnu::visibility("default")]] int regulus_clang_interface(void) {
   return REGULUS_CLANG_INTERFACE;
@@ -51,7 +51,7 @@ extern "C" [[gnu::visibility("default")]] int regulus_clang_interface(void) {
 
 extern "C" [[gnu::visibility("default")]] int regulus_clang_compile(
     const regulus_clang_request* request, const regulus_clang_sink* sink) try {
-  using namespace regulus::plugin;
+  using namespace regulus::detail::plugin;
   initialise_llvm();
   const FileSystem files = make_file_system(*request);
   Diagnostics diagnostics(*files);
@@ -73,8 +73,8 @@ extern "C" [[gnu::visibility("default")]] int regulus_clang_load(regulus_bytes o
                                                                  std::size_t external_count,
                                                                  const regulus_clang_sink* sink,
                                                                  regulus_loaded* loaded) try {
-  using regulus::plugin::LinkedObject;
-  regulus::plugin::initialise_llvm();
+  using regulus::detail::plugin::LinkedObject;
+  regulus::detail::plugin::initialise_llvm();
   auto linked =
       std::make_unique<LinkedObject>(llvm::StringRef(object.data, object.size),
                                      llvm::ArrayRef<regulus_external>(externals, external_count));

@@ -17,7 +17,7 @@
 #include <new>
 #include <utility>
 
-namespace regulus::plugin {
+namespace regulus::detail::plugin {
 namespace {
 
 /// Ends the process as an internal fault. LLVM's own handler would exit with status 1, which is a
@@ -112,4 +112,4 @@ bool generate_code(llvm::Module& module, llvm::TargetMachine& machine,
   return true;
 }
 
-}  // namespace regulus::plugin
+}  // namespace regulus::detail::plugin

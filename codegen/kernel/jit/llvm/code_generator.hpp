@@ -10,7 +10,7 @@
 #include <memory>
 #include <string>
 
-namespace regulus::plugin {
+namespace regulus::detail::plugin {
 
 /// Call it once per process. A fatal error of LLVM ends the process as an internal fault.
 void initialise_llvm();
@@ -39,4 +39,4 @@ enum class Repeated { kAsTheyAre, kJoined };
                                  llvm::SmallVectorImpl<char>& object, llvm::raw_ostream& errors,
                                  Repeated repeated = Repeated::kAsTheyAre);
 
-}  // namespace regulus::plugin
+}  // namespace regulus::detail::plugin

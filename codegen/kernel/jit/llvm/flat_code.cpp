@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace regulus::plugin {
+namespace regulus::detail::plugin {
 namespace {
 
 using llvm::object::ELFSectionRef;
@@ -114,4 +114,4 @@ std::string flat_code(llvm::StringRef object, llvm::StringRef entry, std::uint64
   refuse("that does not begin with its function");
 }
 
-}  // namespace regulus::plugin
+}  // namespace regulus::detail::plugin

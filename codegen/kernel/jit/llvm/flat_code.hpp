@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-namespace regulus::plugin {
+namespace regulus::detail::plugin {
 
 /// Returns the code of an object, followed by its constants, valid at every address that is a
 /// multiple of `alignment`. So it is loaded by a copy, without LLVM.
@@ -18,4 +18,4 @@ namespace regulus::plugin {
 [[nodiscard]] std::string flat_code(llvm::StringRef object, llvm::StringRef entry,
                                     std::uint64_t alignment);
 
-}  // namespace regulus::plugin
+}  // namespace regulus::detail::plugin

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace regulus::plugin {
+namespace regulus::detail::plugin {
 namespace {
 
 llvm::StringRef view(regulus_bytes bytes) { return {bytes.data, bytes.size}; }
@@ -84,4 +84,4 @@ std::string features_of(const clang::TargetOptions& target) {
   return features;
 }
 
-}  // namespace regulus::plugin
+}  // namespace regulus::detail::plugin

@@ -20,7 +20,7 @@
 
 static_assert(LLVM_VERSION_MAJOR >= 19, "LLVM 19 or newer is needed");
 
-namespace regulus::plugin {
+namespace regulus::detail::plugin {
 
 using FileSystem = llvm::IntrusiveRefCntPtr<llvm::vfs::InMemoryFileSystem>;
 
@@ -77,4 +77,4 @@ class Diagnostics {
 /// Returns the features of the `-target-feature` options in the form for a target machine.
 [[nodiscard]] std::string features_of(const clang::TargetOptions& target);
 
-}  // namespace regulus::plugin
+}  // namespace regulus::detail::plugin

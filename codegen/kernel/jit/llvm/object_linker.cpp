@@ -21,7 +21,7 @@
 #include <string>
 #include <utility>
 
-namespace regulus::plugin {
+namespace regulus::detail::plugin {
 namespace {
 
 using namespace llvm::orc;
@@ -128,4 +128,4 @@ void* LinkedObject::find(llvm::StringRef name, std::uint64_t size) const {
   return found != symbols_.end() && found->second.size >= size ? found->second.address : nullptr;
 }
 
-}  // namespace regulus::plugin
+}  // namespace regulus::detail::plugin

@@ -13,7 +13,7 @@
 
 #include "codegen/kernel/jit/clang_interface.h"
 
-namespace regulus::plugin {
+namespace regulus::detail::plugin {
 
 /// An object in memory: code readable and executable, constants read-only, variables writable, and
 /// nothing ever writable and executable at once. Unmapped by the destructor.
@@ -51,4 +51,4 @@ class LinkedObject {
   End end_{session_};
 };
 
-}  // namespace regulus::plugin
+}  // namespace regulus::detail::plugin

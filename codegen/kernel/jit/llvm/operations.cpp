@@ -12,7 +12,7 @@
 
 #include "runtime/machine/step.hpp"
 
-namespace regulus::builder {
+namespace regulus::detail::builder {
 namespace {
 
 constexpr std::uint64_t kAlignment = 64;
@@ -186,4 +186,4 @@ void Operations::write_components(llvm::IRBuilder<>& code, const Object& object,
                             alignment_of(component.value->getType(), packs_.getDataLayout()));
 }
 
-}  // namespace regulus::builder
+}  // namespace regulus::detail::builder

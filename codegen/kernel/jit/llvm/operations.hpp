@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <variant>
 
-namespace regulus::builder {
+namespace regulus::detail::builder {
 
 /// A vector or number of an object, at its offset in the object's type.
 struct Component {
@@ -75,4 +75,4 @@ class Operations {
   llvm::SmallVector<Part, 4> layout_;  ///< of an interval
 };
 
-}  // namespace regulus::builder
+}  // namespace regulus::detail::builder

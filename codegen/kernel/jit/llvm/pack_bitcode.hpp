@@ -4,10 +4,10 @@
 #include <span>
 #include <string_view>
 
-namespace regulus::plugin {
+namespace regulus::detail::plugin {
 
 /// Returns pack_operations.hpp compiled for an instruction set, as LLVM's bitcode; nothing for
 /// another name.
 [[nodiscard]] std::span<const unsigned char> pack_bitcode(std::string_view isa) noexcept;
 
-}  // namespace regulus::plugin
+}  // namespace regulus::detail::plugin

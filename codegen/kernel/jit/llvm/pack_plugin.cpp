@@ -25,7 +25,7 @@
 #include "codegen/kernel/jit/llvm/pack_bitcode.hpp"
 #include "codegen/kernel/jit/llvm/part_builder.hpp"
 
-namespace regulus::plugin {
+namespace regulus::detail::plugin {
 namespace {
 
 // With fewer parts a second thread costs more than it saves; more threads do not help.
@@ -135,7 +135,7 @@ Result compile_all(const regulus_parts_request& request) {
 }
 
 }  // namespace
-}  // namespace regulus::plugin
+}  // namespace regulus::detail::plugin
 
 extern "C" [[gnu::visibility("default")]] int regulus_clang_interface(void) {
   return REGULUS_CLANG_INTERFACE;
@@ -144,6 +144,7 @@ extern "C" [[gnu::visibility("default")]] int regulus_clang_interface(void) {
 extern "C" [[gnu::visibility("default")]] int regulus_parts_compile(
     const regulus_parts_request* request, const regulus_clang_sink* sink) try {
   using namespace regulus;
+  using namespace regulus::detail;
   plugin::initialise_llvm();
   const plugin::Result result = plugin::compile_all(*request);
   sink->seconds(sink->state, result.seconds);

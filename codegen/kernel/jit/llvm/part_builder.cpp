@@ -12,7 +12,7 @@
 #include "codegen/kernel/jit/part_code.hpp"
 #include "runtime/machine/step.hpp"
 
-namespace regulus::builder {
+namespace regulus::detail::builder {
 namespace {
 
 using machine::Frame;
@@ -246,4 +246,4 @@ void build_part(const PartProgram& part, Operations& packs, llvm::Module& module
   PartBuilder(part, packs, module).run();
 }
 
-}  // namespace regulus::builder
+}  // namespace regulus::detail::builder

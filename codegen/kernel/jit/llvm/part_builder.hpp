@@ -6,7 +6,7 @@
 #include "codegen/kernel/jit/llvm/operations.hpp"
 #include "codegen/kernel/jit/part.hpp"
 
-namespace regulus::builder {
+namespace regulus::detail::builder {
 
 /// Adds the part to the module as the function kPartSymbol, a PartFunction (part_code.hpp). An
 /// operation without a straight form in `packs` becomes a call of the vector machine's step, with
@@ -16,4 +16,4 @@ namespace regulus::builder {
 /// Throws    std::runtime_error.
 void build_part(const PartProgram& part, Operations& packs, llvm::Module& module);
 
-}  // namespace regulus::builder
+}  // namespace regulus::detail::builder
