@@ -31,8 +31,9 @@ constexpr std::string_view kNoTheorem =
     "Coq has theorems about the rank of a matrix, and none about this; regulus-verify proves it";
 constexpr std::string_view kNoTheoremOfSolutions =
     "Coq proves lists of poses: in the plane that they are all; in space that they are all if the "
-    "complex ones are counted, given the theorem about their number, and otherwise that there are "
-    "at least these; it has no theorem about postures; regulus-verify proves all lists";
+    "complex ones are counted, given the theorem about their number, and of INCOMPLETE ones that "
+    "there are at least these; it has no theorem about lists in space that were searched and about "
+    "postures; regulus-verify proves all lists";
 constexpr std::string_view kNoTheoremAlongWay =
     "along way-points Coq proves lists of poses in the plane, and none in space or of postures; "
     "regulus-verify proves all lists";

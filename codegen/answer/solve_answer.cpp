@@ -110,7 +110,7 @@ class SolutionsAtPlaces final : public SolveAnswer {
     services.tell(text_of_facts([this](Facts& facts) { tell_head(facts); }));
     share(model, run, services.places);
     if (!is_first) {
-      checkpoint_->finish(false);
+      checkpoint_->finish(is_stopped_);
       return;
     }
     for (std::size_t k = 0; k < rows_.size(); ++k) {
@@ -229,6 +229,7 @@ class SolutionsAtPlaces final : public SolveAnswer {
     if (shared.parts < 2) return;
     for (std::size_t k = shared.part; k < rows_.size(); k += shared.parts) {
       const Found found = found_at(request_at(rows_[k], model), run(k));
+      is_stopped_ = is_stopped_ || found.solutions.stopped_by.has_value();
       cluster::ByteWriter bytes;
       bytes.put_text(sha256_);
       put(bytes, found.solutions);
@@ -306,6 +307,7 @@ class SolutionsAtPlaces final : public SolveAnswer {
   AskSolve asked_;
   std::optional<LinesFile> lines_;
   std::optional<SearchCheckpoint> checkpoint_;
+  bool is_stopped_ = false;  ///< at a place of this process, which the file goes on with
   bool tells_at_once_;
   std::vector<PlaceRow> rows_;
   std::string sha256_, time_unit_;

@@ -64,7 +64,11 @@ class PlatformWriter {
 
   std::string text() {
     for (const SolutionLine& line : q_.solutions->solutions) add_pose(line);
-    const bool is_counted = q_.solutions->verdict != format::kIncomplete && read_roots();
+    const bool is_counted = q_.solutions->verdict != format::kIncomplete;
+    if (is_counted && !read_roots())
+      throw Unfinished(
+          "there is no theorem yet that poses in space are all which were searched, or whose legs "
+          "meet in points that are written in two ways; regulus-verify proves it");
     const std::string most = is_in_pairs_ ? "sixteen_poses" : "forty_poses",
                       check = is_counted ? most : "some_poses",
                       claim = is_counted ? most + " -> all_poses" : check;

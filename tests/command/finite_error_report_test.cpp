@@ -16,9 +16,9 @@ TEST(FiniteErrorReport, NamesThePoseAndNoLegsOfLength0) {
   const CommandResult result =
       regulus({"bound", model_path("octahedral"), "level_89", "error", "--finite", "--tolerance",
                "base=0.001", "--freedom", "z_deviation"});
-  EXPECT_THAT(result.output, HasSubstr("finite error")) << result.errors;
-  EXPECT_THAT(result.output, HasSubstr("\n           z = "));
-  EXPECT_THAT(result.output, Not(HasSubstr("leg_1 = 0")));
+  EXPECT_THAT(result.errors, HasSubstr("finite error"));
+  EXPECT_THAT(result.errors, HasSubstr("\n           z = "));
+  EXPECT_THAT(result.errors, Not(HasSubstr("leg_1 = 0")));
 }
 
 }  // namespace

@@ -99,7 +99,7 @@ TEST(ATheoremAboutALoad, IsRefusedForNoLoadAndOtherVerdicts) {
                    load, kLimits, "", "", "INFEASIBLE",
                    "at some pose of the variety, no forces within the limits hold some wrench of "
                    "the load")),
-               verifier::Unfinished);
+               verifier::Rejection);  // it has no pose and direction
   EXPECT_THROW((void)proof_of(load_certificate(load, kLimits, "", "", "FEASIBLE", "it holds")),
                verifier::Rejection);
 }

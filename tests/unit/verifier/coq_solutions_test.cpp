@@ -75,7 +75,7 @@ TEST(ATheoremAboutAllSolutions, HasAnEquationForEachLegInThePlane) {
   EXPECT_THAT(text, HasSubstr("(* _phi_ *) (768/1024, pi)]"));
 }
 
-TEST(ATheoremAboutAllSolutions, IsNotWrittenOfSixLegs) {
+TEST(ATheoremAboutAllSolutions, IsNotWrittenOfSixLegsThatWereSearched) {
   std::string legs;
   for (int leg = 0; leg < 6; ++leg) legs += "leg 0 | 0 | 0 | 0 | 0 | 0 | 1\n";
   EXPECT_THROW(
