@@ -31,9 +31,10 @@ struct LinesRequest {
 /// number from 0 is `part` modulo `parts`. The first one answers, and solves what the others have not.
 struct SharedPlaces {
   std::size_t part = 0, parts = 1;
-  /// Called once, with an item for each place, which is empty unless this process has solved it. That
-  /// of the first process completes the list.
-  std::function<void(std::vector<std::string>& found)> exchange{};
+  /// Called once, with an item for each place, which is empty unless this process has solved it, and
+  /// with whether it was interrupted. That of the first process completes the list. Returns whether
+  /// the first process was not interrupted.
+  std::function<bool(std::vector<std::string>& found, bool is_interrupted)> exchange{};
 };
 
 struct Services {

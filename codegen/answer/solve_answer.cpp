@@ -108,7 +108,7 @@ class SolutionsAtPlaces final : public SolveAnswer {
     open_checkpoint(services, digest);
     noun = noun_of(*first_);
     services.tell(text_of_facts([this](Facts& facts) { tell_head(facts); }));
-    share(model, run, services.places);
+    share(model, run, services);
     if (!is_first) {
       checkpoint_->finish(is_stopped_);
       return;
@@ -224,7 +224,8 @@ class SolutionsAtPlaces final : public SolveAnswer {
   }
 
   /// Solves the part of this process, and gets that of others.
-  void share(const Model& model, const NewRun& run, const SharedPlaces& shared) {
+  void share(const Model& model, const NewRun& run, const Services& services) {
+    const SharedPlaces& shared = services.places;
     found_.resize(rows_.size());
     if (shared.parts < 2) return;
     for (std::size_t k = shared.part; k < rows_.size(); k += shared.parts) {
@@ -236,7 +237,8 @@ class SolutionsAtPlaces final : public SolveAnswer {
       put(bytes, found.proof);
       found_[k] = bytes.take();
     }
-    shared.exchange(found_);
+    const bool is_interrupted = services.interrupt != nullptr && services.interrupt->load();
+    is_stopped_ = !shared.exchange(found_, is_interrupted) || is_stopped_;
   }
 
   [[nodiscard]] Found take_found(const std::string& bytes) const {
@@ -307,7 +309,7 @@ class SolutionsAtPlaces final : public SolveAnswer {
   AskSolve asked_;
   std::optional<LinesFile> lines_;
   std::optional<SearchCheckpoint> checkpoint_;
-  bool is_stopped_ = false;  ///< at a place of this process, which the file goes on with
+  bool is_stopped_ = false;  ///< so that the file of this process is kept
   bool tells_at_once_;
   std::vector<PlaceRow> rows_;
   std::string sha256_, time_unit_;

@@ -15,9 +15,11 @@ using testing::Not;
 TEST(FiniteErrorReport, NamesThePoseAndNoLegsOfLength0) {
   const CommandResult result =
       regulus({"bound", model_path("octahedral"), "level_89", "error", "--finite", "--tolerance",
-               "base=0.001", "--freedom", "z_deviation"});
+               "base=0.001", "--freedom", "z_deviation", "--range", "x=0", "--range", "y=0",
+               "--range", "z=10", "--range", "yaw=0.3"});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_THAT(result.errors, HasSubstr("finite error"));
-  EXPECT_THAT(result.errors, HasSubstr("\n           z = "));
+  EXPECT_THAT(result.errors, HasSubstr("\n           z = 10 cm"));
   EXPECT_THAT(result.errors, Not(HasSubstr("leg_1 = 0")));
 }
 

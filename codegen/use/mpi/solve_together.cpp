@@ -18,13 +18,14 @@ class PlaceExchange {
  public:
   explicit PlaceExchange(Communicator& communicator) : communicator_(communicator) {}
 
-  void run(std::vector<std::string>& found) {
+  bool run(std::vector<std::string>& found, bool is_interrupted) {
     is_done_ = true;
     cluster::ByteWriter own;
     own.put_text("");
     own.put_each(found, [&own](const std::string& place) { own.put_text(place); });
     const auto all = gather_parts(communicator_, communicator_.is_first() ? "" : own.bytes(), 0);
     for (std::size_t rank = 1; rank < all.size(); ++rank) take(rank, all[rank].value_or(""), found);
+    return communicator_.broadcast(is_interrupted ? "" : kGoesOn) == kGoesOn;
   }
 
   /// `why`: this rank has found nothing.
@@ -33,9 +34,12 @@ class PlaceExchange {
     cluster::ByteWriter own;
     own.put_text(why);
     static_cast<void>(gather_parts(communicator_, own.bytes(), 0));
+    static_cast<void>(communicator_.broadcast(""));
   }
 
  private:
+  static constexpr const char* kGoesOn = "goes on";  ///< of rank 0
+
   static void take(std::size_t rank, const std::string& bytes, std::vector<std::string>& found) {
     if (bytes.empty()) return;
     cluster::ByteReader reader(bytes);
@@ -61,9 +65,10 @@ int solve_together(Communicator& communicator, const SolveCommand& command,
   unblock_signals();
   PlaceExchange exchange(communicator);
   CommandQuestion question = question_of(command);
-  question.services.places = {
-      communicator.rank(), communicator.size(),
-      [&exchange](std::vector<std::string>& found) { exchange.run(found); }};
+  question.services.places = {communicator.rank(), communicator.size(),
+                              [&exchange](std::vector<std::string>& found, bool is_interrupted) {
+                                return exchange.run(found, is_interrupted);
+                              }};
   int code = 0;
   try {
     if (communicator.is_first()) {
