@@ -41,7 +41,10 @@ expect_proved(branch_within_limits limits.txt FEASIBLE check --load pull --certi
 expect_proved(branch_within deflection.y.safe WITHIN bound deflection --load pull --freedom y --limit 1/4 --certificate
               deflection)
 expect_proved(branch_determinant det.safe WITHIN bound determinant --limit 4 --certificate det)
-expect_proved(branch_determinant alpha "NO SINGULARITY" check --alpha 4 --certificate alpha)
+execute_process(COMMAND ${REGULUS} check five_bar.toml work --alpha 4 --certificate alpha --quiet
+                WORKING_DIRECTORY ${WORK_DIR} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+expect_answer(PROVED 0 ${WORK_DIR} --theorem alpha --model five_bar.toml --allow-options)
+expect_answer(PROVED 0 ${WORK_DIR} --audit alpha.v)
 expect_proved(branch_determinant det_max.safe WITHIN bound determinant-max --limit 8 --certificate det_max)
 expect_proved(branch_condition condition.safe WITHIN bound condition --limit 4 --certificate condition)
 
