@@ -97,11 +97,12 @@ TEST_F(SolvingRanks, ShareTheBoxesOfOnePlace) {
     EXPECT_EQ(found(run_command(ranks(count, solve))), one) << count << " ranks";
 }
 
-/// Each rank has the places that it solves in a file of its own.
+/// Each rank has the places that it solves in a file of its own. So many take longer than mpiexec needs to
+/// end the job.
 TEST_F(SolvingRanks, GoOnWithTheirPlaces) {
   std::ofstream table(file("lengths.csv"));
   table << "rho_1, rho_2, rho_3\n";
-  for (int k = 0; k < 60; ++k) table << "14.98, 15." << 30 + k % 10 << ", 12\n";
+  for (int k = 0; k < 400; ++k) table << "14.98, 15." << 30 + k % 10 << ", 12\n";
   table.close();
   const Words solve = {"solve",         model("rpr_6"), "--waypoints", file("lengths.csv"),
                        "--certificate", file("proof")};
