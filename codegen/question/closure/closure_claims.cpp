@@ -10,6 +10,7 @@
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/place_text.hpp"
 #include "codegen/answer/report/plain_words.hpp"
+#include "codegen/answer/report/question_report.hpp"
 #include "codegen/answer/report/search_facts.hpp"
 #include "codegen/model/degrees.hpp"
 #include "codegen/question/closure/branch_threshold.hpp"
