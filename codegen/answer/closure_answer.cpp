@@ -23,7 +23,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What a checkpoint calls the search of the branch.
+/// A checkpoint calls the search of the branch by this name.
 constexpr const char* kTree = "tree";
 
 /// The answer for a mechanism whose configuration is a solution of equations.

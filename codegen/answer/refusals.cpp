@@ -184,9 +184,8 @@ constexpr std::string_view kIntroduction =
     "shows its progress on\na terminal. Of bounds, Coq proves those of forces, and over the branch "
     "of a [closure]\nthose of errors, also finite ones, speeds, deflections, determinants and "
     "condition numbers in\nthe maximum norm; of loads, that forces within limits hold them, or "
-    "that "
-    "at some pose none\ndo; of pavings of loads and of branches, where they hold it and where the "
-    "branch is certain.\n"
+    "that at some pose none\ndo; of pavings of loads and of branches, where they hold it and where "
+    "the branch is certain.\n"
     "Along way-points `solve` answers at each of them, and says nothing of the way between "
     "them.\n\n";
 

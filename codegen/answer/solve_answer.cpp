@@ -29,9 +29,9 @@ namespace {
 using KeepRoots = decltype(SolveRun::keep);
 
 /// Keeps the searches at a place in the file, which has them by its name and their number.
-KeepRoots keep_in(const std::optional<SearchCheckpoint>& checkpoint, const std::string& place) {
-  if (!checkpoint || checkpoint->file() == nullptr) return {};
-  const KeptPieces kept{checkpoint->file(), checkpoint->interval(), place + "search "};
+KeepRoots keep_in(const SearchCheckpoint& checkpoint, const std::string& place) {
+  if (checkpoint.file() == nullptr) return {};
+  const KeptPieces kept{checkpoint.file(), checkpoint.interval(), place + "search "};
   return [kept, number = std::make_shared<int>(0)](const RootSettings& settings,
                                                    const RootSearch& search) {
     return kept.run(settings, search, std::to_string(++*number));
@@ -46,8 +46,8 @@ class FoundSolutions final : public SolveAnswer {
         request_(read_solve_request(asked.model, watch_of(services, search_))) {
     set_outputs_aside(asked.model, asked.search, services);
     const SolveAsked about{request_, search_, held_};
-    std::optional<SearchCheckpoint> checkpoint(
-        std::in_place, services.checkpoint, [&] { return checkpointed_question(about, ""); }, true);
+    SearchCheckpoint checkpoint(
+        services.checkpoint, [&] { return checkpointed_question(about, ""); }, true);
     SearchDisplay display(display_of(services));
     SolveRun run{search_,
                  watch_of(services, search_),
@@ -58,8 +58,8 @@ class FoundSolutions final : public SolveAnswer {
                  keep_in(checkpoint, "")};
     noun = noun_of(request_);
     solutions = solve(request_, run);
-    write_beside([&] { checkpoint->finish(solutions.stopped_by.has_value()); });
-    checkpoint_line_ = checkpoint->line();
+    write_beside([&] { checkpoint.finish(solutions.stopped_by.has_value()); });
+    checkpoint_line_ = checkpoint.line();
     proof = certify_solutions(services.certificate, request_, solutions);
     if (proof.is_lost()) lost.push_back(proof.obstacle());
   }
@@ -101,7 +101,7 @@ class SolutionsAtPlaces final : public SolveAnswer {
                       display.observer(),
                       [&services] { services.begin_search(); },
                       asked.held,
-                      keep_in(checkpoint_, name_of(rows_[row].line) + ", ")};
+                      keep_in(*checkpoint_, name_of(rows_[row].line) + ", ")};
     };
     const std::string digest = read_places_of(model);
     first_ = request_at(rows_.front(), model);

@@ -117,7 +117,7 @@ class BranchWriter {
     text_.arguments = " the_motors the_measure the_vectors the_limit";
   }
 
-  /// Of the derivatives of the equations by the unknowns.
+  /// Writes the bound of the derivatives of the equations by the unknowns.
   void write_bound_of_slopes() {
     if (claimed_.kind == format::kCondition) {
       define(

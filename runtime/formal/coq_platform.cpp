@@ -23,9 +23,9 @@ constexpr long kMostBitsOfPoses = 1024;
 constexpr std::size_t kRotation = 9;  ///< unknowns before those of the position, row by row
 /// The numbers of a pose for Coq: the position, then the first and the second column of the rotation.
 constexpr auto kNumbersOfPose = std::to_array<std::size_t>({9, 10, 11, 0, 3, 6, 1, 4, 7});
-/// What the errors of the equations in doubles are, in parts of their terms.
+/// The errors of the equations in doubles are smaller than this part of their terms.
 constexpr double kErrorOfTerms = 0x1p-45;
-/// Where a root that is not real is looked for: in this part of its size.
+/// A root that is not real is looked for within this part of its size.
 constexpr double kAboutRoot = 0x1p-24;
 /// A line is wider than the places of its pose by this factor.
 constexpr double kMoreThanPlaces = 1.25;

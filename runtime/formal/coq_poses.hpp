@@ -15,7 +15,7 @@ struct ListedConfigurations {
   std::vector<std::string> lines;
 };
 
-/// Whether the squared lengths of the legs stand in the equations, or are constants.
+/// The squared lengths of the legs stand in the equations, or are constants beside them.
 enum class SquaresOfLegs { kInEquations, kConstants };
 
 /// Returns what a certificate lists, if that is configurations of a closure. The poses of a platform on

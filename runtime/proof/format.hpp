@@ -220,7 +220,7 @@ struct ClaimedBound {
   return branch + value + beyond + b.bound + place;
 }
 
-/// What a threshold of a closure is compared with.
+/// A threshold of a closure is compared with this value.
 inline constexpr const char* kDeterminantOfClosure =
     "|det of the equations' derivatives by the unknowns|";
 

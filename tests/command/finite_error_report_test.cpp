@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a person reads about finite errors of a platform on legs.
+// The report tells a person the finite errors of a platform on legs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -123,17 +123,27 @@ class BranchGoal {
     return chosen ? std::optional(from + *chosen) : std::nullopt;
   }
 
-  /// A bit for each time that it was asked. An answer that ends the search, or that a limit cuts, is
+  /// The occasions of asking where the branch ends, as bits; a checkpoint has those that were used.
+  enum Occasion : std::uint64_t {
+    kNothing = 0,
+    kLost = 1,
+    kSmallLost = 2,
+    kSmall = 4,
+    kAnywhere = 8
+  };
+
+  /// It asks once for each occasion. An answer that ends the search, or that a limit cuts, is
   /// none: the box stays open, so that a search which continues asks again.
   [[nodiscard]] bool is_answered(const TreeBox& box, bool is_lost) {
     const bool is_small = box.depth >= kSplitsBeforeAsking * std::max<std::size_t>(parameters_, 1);
-    std::uint64_t ask = 0;
-    if (is_lost && box.depth >= kSplitsBeforeDoubt) ask = 1;
-    if (is_small) ask = is_lost ? 2 : 4;
-    if (course_.boxes() >= kBoxesBeforeAsking && (asked_ & 8) == 0) ask = 8;
-    if (ask == 0 || (asked_ & ask) != 0 || !settings_.ask || result_.is_refuted) return true;
+    std::uint64_t ask = kNothing;
+    if (is_lost && box.depth >= kSplitsBeforeDoubt) ask = kLost;
+    if (is_small) ask = is_lost ? kSmallLost : kSmall;
+    if (course_.boxes() >= kBoxesBeforeAsking && (asked_ & kAnywhere) == 0) ask = kAnywhere;
+    if (ask == kNothing || (asked_ & ask) != 0 || !settings_.ask || result_.is_refuted) return true;
     std::vector<double> place;
-    for (std::size_t k = 0; ask != 8 && k < variables_; ++k) place.push_back(mid(box.box[k]));
+    for (std::size_t k = 0; ask != kAnywhere && k < variables_; ++k)
+      place.push_back(mid(box.box[k]));
     result_.is_refuted = settings_.ask(place, is_lost);
     if (result_.is_refuted || course_.must_pause()) return false;
     asked_ |= ask;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is claimed of a branch, in words, and the configuration where it fails.
+// The claim about a branch has words; where it fails, a configuration shows so.
 #pragma once
 
 #include <optional>

@@ -101,7 +101,7 @@ using PieceForceListener =
                                                     const PiecesRun& run,
                                                     const PieceForceListener& listener);
 
-/// What is found over a place of a piece.
+/// The values that a search finds over a place of a piece.
 struct ValuesAtPlace {
   std::vector<Interval> unknowns;               ///< encloses the configuration
   Interval determinant{-kInfinity, kInfinity};  ///< of Φ_p

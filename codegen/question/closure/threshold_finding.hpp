@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is shown of the threshold of a motion over a branch: is |det Φ_p| more than it?
+// A finding says whether |det Φ_p| is more than a threshold all over a branch.
 #pragma once
 
 #include <cstdint>

@@ -193,22 +193,16 @@ class ValuePavingGoal {
   void note_value(BoxId id, const ValueFinding& finding) {
     if (result_.place || !finding.middle || !(finding.attained >= *aim_.from)) return;
     const BranchTube& tube = *finding.middle;
-    std::vector<Interval> place;
-    for (std::size_t k = 0; k < tube.at.size(); ++k) {
-      const std::optional<Interval>& inner = question_.problem.inner[k];
-      place.push_back(inner ? Interval(tube.at[k]) : question_.problem.outer[k]);
-      if (inner && !certain_subset(place[k], *inner)) return;
-    }
-    std::vector<Interval> point = place;
-    for (const Interval& p : enclose(tube, place)) point.push_back(p);
-    if (!is_possible_(point)) return;
-    const std::vector<std::size_t> leaves = branch_.branch.tree.leaves_at(place);
+    std::optional<std::vector<Interval>> place =
+        possible_place(question_.problem, tube, is_possible_);
+    if (!place) return;
+    const std::vector<std::size_t> leaves = branch_.branch.tree.leaves_at(*place);
     if (leaves.empty() || !std::ranges::all_of(leaves, [&](std::size_t leaf) {
           return is_on_branch(leaf) && is_of_leaf(tube, leaf);
         }))
       return;
     result_.place = tube;
-    result_.at = std::move(place);
+    result_.at = std::move(*place);
     shown_in_ = id;
   }
 

@@ -251,23 +251,17 @@ class ValueGoal {
   void note_value(const ValueFinding& finding, BoxId id, std::size_t corner) {
     if (!finding.middle || !(finding.attained > result_.attained)) return;
     const BranchTube& tube = *finding.middle;
-    std::vector<Interval> place;
-    for (std::size_t k = 0; k < ranges_.size(); ++k) {
-      const std::optional<Interval>& inner = question_.problem.inner[k];
-      place.push_back(inner ? Interval(tube.at[k]) : question_.problem.outer[k]);
-      if (inner && !certain_subset(place[k], *inner)) return;
-    }
-    std::vector<Interval> point = place;
-    for (const Interval& p : enclose(tube, place)) point.push_back(p);
-    if (!is_possible_(point)) return;
-    const std::vector<std::size_t> leaves = branch_.leaves_at(place);
+    std::optional<std::vector<Interval>> place =
+        possible_place(question_.problem, tube, is_possible_);
+    if (!place) return;
+    const std::vector<std::size_t> leaves = branch_.leaves_at(*place);
     const bool is_of_branch = !leaves.empty() && std::ranges::all_of(leaves, [&](std::size_t leaf) {
       return branch_.leaves()[leaf].tube && is_on_branch(tube, leaf);
     });
     if (!is_of_branch) return;
     result_.attained = finding.attained;
     result_.place = tube;
-    result_.at = std::move(place);
+    result_.at = std::move(*place);
     corner_shown_ = corner;
     shown_in_ = corner == 0 ? id + 1 : 0;
   }
@@ -302,6 +296,19 @@ bool ValueAim::is_met(double attained_now, double upper) const {
   return std::isfinite(upper) &&
          upper - attained_now <=
              gap * std::max({std::fabs(upper), std::fabs(attained_now), negligible});
+}
+
+std::optional<std::vector<Interval>> possible_place(const Problem& problem, const BranchTube& tube,
+                                                    const IsPossible& is_possible) {
+  std::vector<Interval> place;
+  for (std::size_t k = 0; k < tube.at.size(); ++k) {
+    const std::optional<Interval>& inner = problem.inner[k];
+    place.push_back(inner ? Interval(tube.at[k]) : problem.outer[k]);
+    if (inner && !certain_subset(place[k], *inner)) return std::nullopt;
+  }
+  std::vector<Interval> point = place;
+  for (const Interval& p : enclose(tube, place)) point.push_back(p);
+  return is_possible(point) ? std::optional(std::move(place)) : std::nullopt;
 }
 
 ValueBracket search_value(const ValueQuestion& question, const BranchTree& branch,

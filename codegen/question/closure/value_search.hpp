@@ -36,6 +36,12 @@ struct ValueAim {
 /// True if values at this place, of the variables and then the unknowns, are values of the motion.
 using IsPossible = std::function<bool(const std::vector<Interval>& point)>;
 
+/// Returns the box at the tube's x₀: its coordinates there, and the ranges of the problem's tolerances.
+/// None if it is not within the inner ranges, or if values of the tube over it are not possible.
+[[nodiscard]] std::optional<std::vector<Interval>> possible_place(const Problem& problem,
+                                                                  const BranchTube& tube,
+                                                                  const IsPossible& is_possible);
+
 /// `branch`: every box has a tube or is outside. `progress` may be null.
 ///
 /// Throws    the exceptions of the workers.

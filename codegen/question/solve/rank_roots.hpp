@@ -2,6 +2,7 @@
 // The systems of the searches for solutions at a place, for a process that judges boxes of another one.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
