@@ -89,11 +89,11 @@ Formed about_values(PreparedClosure closed, BranchValue of) {
   return question;
 }
 
-Formed about_equations(PreparedSystem system) {
+Formed about_equations(PreparedSystem system, std::size_t number) {
   Formed question{std::move(system.preparation), system.problem};
   const auto prepared = std::make_shared<const PreparedSystem>(std::move(system));
-  question.judges = [prepared](const Problem& problem, const Settings&) {
-    return unit_judges<RootJudge>(question_of_system(problem, *prepared));
+  question.judges = [prepared, number](const Problem& problem, const Settings&) {
+    return unit_judges<RootJudge>(question_of_system(problem, *prepared, number));
   };
   return question;
 }
@@ -201,7 +201,8 @@ class Topics {
     const Request request = read_solve_request(asked.model, {});
     if (auto equations = kernel_request(request))
       return about_equations(prepare_system(*std::move(equations), 0, forming(asked.search), {},
-                                            DerivativesBy::kUnknowns));
+                                            DerivativesBy::kUnknowns),
+                             topic_.piece.value_or(0));
     return about_roots(systems_of(request, asked.held, topic_.piece.value_or(0)));
   }
 

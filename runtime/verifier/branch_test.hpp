@@ -74,6 +74,10 @@ class BranchTest {
   /// is known.
   [[nodiscard]] const std::vector<double>& shares() const noexcept { return shares_; }
 
+  /// Ensures   true only if the equations and what must be defined have values all over the boxes, and
+  ///           the derivatives by the unknowns exist and are a regular matrix there.
+  [[nodiscard]] bool is_regular(const Box& places, const Box& unknowns);
+
   /// Returns a small box in which the equations have exactly one solution at each place of `place`,
   /// a small box. It is looked for near `start`, to a small part of `scale`.
   [[nodiscard]] std::optional<SolutionBox> solution_near(const Box& place,

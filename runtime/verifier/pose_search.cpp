@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 
 #include "runtime/verifier/box_search.hpp"
@@ -30,6 +31,16 @@ std::vector<double> middles(const Box& box) {
   std::vector<double> result;
   for (const Interval x : box) result.push_back(mid(x));
   return result;
+}
+
+Box negative_turn(Box pose) {
+  for (std::size_t i = kPlaces; i < pose.size(); ++i) pose[i] = -pose[i];
+  return pose;
+}
+
+/// True only if all poses of the box, with one of the two signs of their quaternions, are in the line.
+bool is_pose_in(const Box& pose, const SolutionLine& line) {
+  return is_in(pose, line.values) || is_in(negative_turn(pose), line.values);
 }
 
 /// A chart with its search.
@@ -81,21 +92,37 @@ struct Chart {
 
   /// BoxSearch::Rest for boxes of the search.
   [[nodiscard]] bool has_rest(Box& box) {
-    Box near = unknowns_of_legs(box);
-    if (near.empty()) return true;
-    if (is_in_one(near, reaches)) return false;
-    if (std::ranges::any_of(std::span(box).first(kPlaces),
-                            [](const Interval x) { return x.hi - x.lo > kNearPose; }))
-      return true;
-    if (!legs.test().narrow_to_solutions(places_, near) || is_in_one(near, reaches)) return false;
-    std::copy_n(near.begin(), kPlaces, box.begin());
-    return true;
+    return has_rest(box, [this](const Box& near) { return is_in_one(near, reaches); });
+  }
+
+  /// The same while poses are followed: known are those that are regular and within a line.
+  [[nodiscard]] bool has_rest(Box& box, const std::vector<SolutionLine>& within) {
+    return has_rest(box, [&](const Box& near) {
+      const Box at = pose_of(near);
+      return !at.empty() && std::ranges::any_of(within, [&](const SolutionLine& line) {
+        return is_pose_in(at, line);
+      }) && legs.test().is_regular(places_, near);
+    });
   }
 
  private:
   static Box joined(Box places, const Box& unknowns) {
     places.insert(places.end(), unknowns.begin(), unknowns.end());
     return places;
+  }
+
+  /// `are_known`: says of a box of the legs' unknowns that all poses in it are.
+  template <class AreKnown>
+  [[nodiscard]] bool has_rest(Box& box, const AreKnown& are_known) {
+    Box near = unknowns_of_legs(box);
+    if (near.empty()) return true;
+    if (are_known(near)) return false;
+    if (std::ranges::any_of(std::span(box).first(kPlaces),
+                            [](const Interval x) { return x.hi - x.lo > kNearPose; }))
+      return true;
+    if (!legs.test().narrow_to_solutions(places_, near) || are_known(near)) return false;
+    std::copy_n(near.begin(), kPlaces, box.begin());
+    return true;
   }
 
   const Box& places_;  ///< of the uncertain quantities and errors
@@ -117,11 +144,6 @@ bool are_different(const Box& a, const Box& b) {
   return false;
 }
 
-Box negative_turn(Box pose) {
-  for (std::size_t i = kPlaces; i < pose.size(); ++i) pose[i] = -pose[i];
-  return pose;
-}
-
 class PoseSearch {
  public:
   PoseSearch(Lines& lines, const Question& q, const Box& places, const Options& options,
@@ -132,9 +154,10 @@ class PoseSearch {
   }
 
   void check() {
-    for (const SolutionLine& line : claim_.solutions) {
+    for (std::size_t k = 0; k < claim_.solutions.size(); ++k) {
+      const SolutionLine& line = claim_.solutions[k];
       lines_.name_line(line.line);
-      prove(line);
+      prove(line, claim_.from.empty() ? middles(line.values) : claim_.from[k]);
     }
     lines_.name_line(0);
     for (std::size_t c = 0; c < charts_.size() && claim_.verdict != format::kIncomplete; ++c)
@@ -143,22 +166,36 @@ class PoseSearch {
     result_.real_roots = result_.roots = proved_.size();
   }
 
+  /// Shows that at each place all poses are regular and within the lines, which are apart.
+  void follow() {
+    const std::vector<SolutionLine>& all = claim_.solutions;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      lines_.name_line(all[k].line);
+      for (std::size_t i = 0; i < k; ++i)
+        if (!are_different(all[k].values, all[i].values))
+          throw Unfinished("the pose may be that of line " + std::to_string(all[i].line));
+    }
+    lines_.name_line(0);
+    for (const std::unique_ptr<Chart>& chart : charts_)
+      chart->search.search([&](Box& box) { return chart->has_rest(box, all); }, [](const Box&) {});
+  }
+
  private:
-  /// Shows that a pose is within the line, and is that of no other line.
-  void prove(const SolutionLine& line) {
+  /// Shows that a pose is within the line, and is that of no other line. It is looked for from `start`.
+  void prove(const SolutionLine& line, const std::vector<double>& start) {
     clock_.tick();
     std::size_t c = 0;
     for (std::size_t part = 1; part < kParts; ++part)
-      if (mag(line.values[kPlaces + part]) > mag(line.values[kPlaces + c])) c = part;
+      if (std::fabs(start[kPlaces + part]) > std::fabs(start[kPlaces + c])) c = part;
     Chart& chart = *charts_[c];
-    const auto found = chart.solution_near(start_of(line.values, c));
+    const auto found = chart.solution_near(unknowns_at(start, c));
     if (!found) throw Unfinished("no pose was found near this line");
     ProvedPose proved{c, box_of(*found), {}};
     proved.pose = chart.pose_of(proved.unknowns);
     if (proved.pose.empty()) throw Unfinished("the pose has no certain values");
-    const Box turned = negative_turn(proved.pose);
-    if (!is_in(proved.pose, line.values) && !is_in(turned, line.values)) {
-      if (are_disjoint(proved.pose, line.values) && are_disjoint(turned, line.values))
+    if (!is_pose_in(proved.pose, line)) {
+      if (are_disjoint(proved.pose, line.values) &&
+          are_disjoint(negative_turn(proved.pose), line.values))
         throw Rejection("no pose was found within this line");
       throw Unfinished("the pose is not shown to be within this line");
     }
@@ -167,9 +204,8 @@ class PoseSearch {
     for (std::size_t other = 0; other < charts_.size(); ++other) add_reach(other);
   }
 
-  /// The unknowns of the legs near the pose of a line.
-  static std::vector<double> start_of(const std::vector<Interval>& values, std::size_t c) {
-    const std::vector<double> at = middles(values);
+  /// The unknowns of the legs at a pose.
+  static std::vector<double> unknowns_at(const std::vector<double>& at, std::size_t c) {
     std::vector<double> result;
     for (std::size_t part = 0; part < kParts; ++part)
       if (part != c) result.push_back(at[kPlaces + part] / at[kPlaces + c]);
@@ -239,7 +275,12 @@ class PoseSearch {
 
 void search_poses(Lines& lines, const Question& question, const Box& places, const Options& options,
                   Verification& result) {
-  PoseSearch(lines, question, places, options, result).check();
+  const SolutionLines& claim = *question.solutions;
+  if (claim.from.empty()) return PoseSearch(lines, question, places, options, result).check();
+  Box middle;
+  for (const Interval x : places) middle.push_back(point(mid(x)));
+  PoseSearch(lines, question, middle, options, result).check();
+  PoseSearch(lines, question, places, options, result).follow();
 }
 
 }  // namespace regulus::verifier

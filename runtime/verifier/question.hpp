@@ -170,6 +170,9 @@ struct SolutionLines {
   std::vector<LegLine> legs;
   std::optional<ArmLines> arm;
   std::vector<SolutionLine> solutions;
+  /// Of the proof, by solution: about where it is at the middles of what is uncertain. Empty: one test
+  /// shows each solution at all values.
+  std::vector<std::vector<double>> from{};
 };
 
 /// An expression with its line.

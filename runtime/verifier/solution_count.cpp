@@ -7,6 +7,7 @@
 #include "runtime/verifier/planar_platform.hpp"
 #include "runtime/verifier/pose_search.hpp"
 #include "runtime/verifier/proof.hpp"
+#include "runtime/verifier/solution_lines.hpp"
 #include "runtime/verifier/solution_search.hpp"
 #include "runtime/verifier/variety.hpp"
 #include "runtime/verifier/work_clock.hpp"
@@ -14,6 +15,7 @@
 namespace regulus::verifier {
 namespace {
 
+constexpr std::size_t kNumbersOfPose = 7;
 constexpr long kMostBitsOfCount = 1024;  // Numbers of the question are enclosed with some more.
 
 /// The first line of the proof has been read.
@@ -150,7 +152,10 @@ void check_solutions(Lines& lines, Question& question, const Options& options,
   if (!lines.next()) throw Rejection("the file ends before the line 'end' of the proof");
   question.alpha = question.graph.number("0");
   const Box places = enclose_variety(question).outer;
-  if (lines.text() != "end") return SolutionCount(lines, question, places, options, result).check();
+  read_from_lines(lines, *question.solutions, kNumbersOfPose);
+  if (question.solutions->from.empty() && lines.text() != "end")
+    return SolutionCount(lines, question, places, options, result).check();
+  if (lines.text() != "end") throw Rejection("expected 'end' after the lines 'from'");
   if (lines.next()) throw Rejection("there is text after the line 'end'");
   search_poses(lines, question, places, options, result);
 }

@@ -177,4 +177,19 @@ void read_solution_lines(Lines& lines, Question& question) {
   SolutionReader(lines, question).read();
 }
 
+void read_from_lines(Lines& lines, SolutionLines& claim, std::size_t numbers) {
+  while (lines.text().starts_with("from ")) {
+    const auto words = words_of(lines.text());
+    if (words.size() != 1 + numbers)
+      throw Rejection("expected " + std::to_string(numbers) + " numbers after 'from'");
+    if (claim.verdict != format::kComplete || claim.from.size() == claim.solutions.size())
+      throw Rejection("a line 'from' is of a line 'solution' of COMPLETE");
+    std::vector<double>& at = claim.from.emplace_back();
+    for (std::size_t i = 1; i < words.size(); ++i) at.push_back(read_double(words[i]));
+    if (!lines.next()) throw Rejection("the file ends before the line 'end'");
+  }
+  if (!claim.from.empty() && claim.from.size() != claim.solutions.size())
+    throw Rejection("expected a line 'from' for each line 'solution'");
+}
+
 }  // namespace regulus::verifier

@@ -7,6 +7,7 @@
 #include "runtime/verifier/arm_equations.hpp"
 #include "runtime/verifier/box_search.hpp"
 #include "runtime/verifier/proof.hpp"
+#include "runtime/verifier/solution_lines.hpp"
 #include "runtime/verifier/variety.hpp"
 
 namespace regulus::verifier {
@@ -23,6 +24,7 @@ class SolutionSearch {
       : lines_(lines),
         q_(q),
         claim_(*q.solutions),
+        options_(options),
         clock_(options, result),
         result_(result),
         places_(enclose_variety(q).outer),
@@ -41,6 +43,7 @@ class SolutionSearch {
     if (!Evaluation(q_, q_.motion_defined).run(places_))
       throw Unfinished("an expression of the motion has no certain value");
     enclose_ranges();
+    if (!claim_.from.empty()) return follow();
     for (const SolutionLine& line : claim_.solutions) {
       lines_.name_line(line.line);
       prove(line);
@@ -67,6 +70,7 @@ class SolutionSearch {
       if (!is_bounded(lower) || !is_bounded(upper)) throw Unfinished("a range is too large");
       outer_.push_back({lower.lo, upper.hi});
       inner_.push_back({lower.hi, upper.lo});
+      scale_.push_back(kNarrowPart * (upper.hi - lower.lo));
     }
     all_.set_range(outer_);
     in_search().set_range(searched(outer_));
@@ -102,6 +106,61 @@ class SolutionSearch {
     reach_.push_back(reach.value_or(Box(searched_.size(), {kInfinity, -kInfinity})));
   }
 
+  /// Shows that there is one solution within each line, and no other, at the middles of the places; and
+  /// that at no place a solution is outside of the lines, or singular.
+  void follow() {
+    Box middles;
+    for (const Interval x : places_) middles.push_back(point(mid(x)));
+    BoxSearch at_middles(q_, {}, middles, clock_, options_, result_);
+    at_middles.set_range(outer_);
+    std::vector<Box> lines;
+    for (std::size_t k = 0; k < claim_.solutions.size(); ++k) {
+      const SolutionLine& line = claim_.solutions[k];
+      lines_.name_line(line.line);
+      require_room(line.values, lines);
+      lines.push_back(line.values);
+      const auto found = at_middles.test().solution_near(middles, claim_.from[k], scale_);
+      if (!found) throw Unfinished("no solution was found where this line is followed from");
+      if (!is_in(box_of(*found), line.values))
+        throw Rejection("the solution that this line is followed from is not within it");
+      const auto reach = at_middles.reach_of(found->middle, found->radius);
+      if (!reach) throw Unfinished("other solutions may be near this line");
+      reach_.push_back(*reach);
+    }
+    lines_.name_line(0);
+    at_middles.search([this](const Box& box) { return !is_in_one(box, reach_); },
+                      [&](const Box& box) {
+                        std::vector<double> start;
+                        for (const Interval x : box) start.push_back(mid(x));
+                        reject_other_near(at_middles, middles, start);
+                      });
+    all_.search(
+        [&](const Box& box) {
+          return !is_in_one(box, lines) || !all_.test().is_regular(places_, box);
+        },
+        [](const Box&) {});
+    result_.real_roots = result_.roots = reach_.size();
+  }
+
+  /// A solution that moves on cannot go from this line to another one, or leave the ranges.
+  void require_room(const Box& line, const std::vector<Box>& others) const {
+    if (!is_in(line, inner_)) throw Unfinished("the line may not be within the ranges");
+    for (std::size_t i = 0; i < line.size(); ++i)
+      if (!(outer_[i].lo < line[i].lo && line[i].hi < outer_[i].hi))
+        throw Unfinished("the line is at the end of a range");
+    for (std::size_t k = 0; k < others.size(); ++k)
+      if (!are_disjoint(line, others[k]))
+        throw Unfinished("the solution may be that of line " +
+                         std::to_string(claim_.solutions[k].line));
+  }
+
+  static Box box_of(const SolutionBox& solution) {
+    Box box;
+    for (std::size_t i = 0; i < solution.middle.size(); ++i)
+      box.push_back(point(solution.middle[i]) + Interval{-solution.radius[i], solution.radius[i]});
+    return box;
+  }
+
   template <class T>
   [[nodiscard]] std::vector<T> searched(const std::vector<T>& all) const {
     std::vector<T> result;
@@ -120,11 +179,8 @@ class SolutionSearch {
   /// Rejects the claim if a solution is found near the box that is in the ranges, and in no line. The
   /// unknowns that are not searched may be anywhere.
   void look_for_other(const Box& box) {
-    std::vector<double> start, scale;
-    for (const Interval range : outer_) {
-      start.push_back(range.lo);
-      scale.push_back(kNarrowPart * (range.hi - range.lo));
-    }
+    std::vector<double> start;
+    for (const Interval range : outer_) start.push_back(range.lo);
     for (std::size_t k = 0; k < searched_.size(); ++k) start[searched_[k]] = mid(box[k]);
     std::vector<std::size_t> others;
     for (std::size_t i = 0; i < outer_.size(); ++i)
@@ -138,16 +194,15 @@ class SolutionSearch {
                    (double(rest % kStarts) + 0.5) * (outer_[i].hi - outer_[i].lo) / double(kStarts);
         rest /= kStarts;
       }
-      reject_other_near(start, scale);
+      reject_other_near(all_, places_, start);
     }
   }
 
-  void reject_other_near(const std::vector<double>& start, const std::vector<double>& scale) {
-    const auto found = all_.test().solution_near(places_, start, scale);
+  /// Rejects the claim if one is found near `start`, at all of `places`.
+  void reject_other_near(BoxSearch& search, const Box& places, const std::vector<double>& start) {
+    const auto found = search.test().solution_near(places, start, scale_);
     if (!found) return;
-    Box solution;
-    for (std::size_t i = 0; i < start.size(); ++i)
-      solution.push_back(point(found->middle[i]) + Interval{-found->radius[i], found->radius[i]});
+    const Box solution = box_of(*found);
     const bool is_other = std::ranges::all_of(claim_.solutions, [&](const SolutionLine& line) {
       return are_disjoint(solution, line.values);
     });
@@ -158,6 +213,7 @@ class SolutionSearch {
   Lines& lines_;
   Question& q_;
   const SolutionLines& claim_;
+  const Options& options_;
   WorkClock clock_;
   Verification& result_;
   const Box places_;  ///< of the uncertain quantities and the errors
@@ -167,8 +223,9 @@ class SolutionSearch {
   std::optional<BoxSearch> some_;
   std::optional<Evaluation> trace_;
   NodeId trace_node_ = kNoNode;
-  Box outer_, inner_;       ///< contain the ranges of the unknowns, are within them
-  std::vector<Box> reach_;  ///< by line, of the searched unknowns
+  Box outer_, inner_;          ///< contain the ranges of the unknowns, are within them
+  std::vector<double> scale_;  ///< a small part of each range
+  std::vector<Box> reach_;     ///< by line, of the searched unknowns
 };
 
 }  // namespace
@@ -182,6 +239,7 @@ void search_solutions(Lines& lines, Question& question, const Options& options,
   };
   if (!lines.next()) throw Rejection("the file ends before the proof");
   if (!question.solutions->arm) {
+    read_from_lines(lines, *question.solutions, question.closure->names.size());
     expect_end();
     return SolutionSearch(lines, question, nullptr, options, result).check();
   }

@@ -134,6 +134,7 @@ void follow(Solutions& solutions, const Request& request, const GoughLegs& legs,
   for (std::size_t i = 0; i < poses.size(); ++i) {
     if (!tubes.tubes[i]) continue;
     CertainSolution& solution = solutions.found.emplace_back(solution_at(legs, poses[i]));
+    for (const Interval& value : solution.values) solution.middle.push_back(mid(value));
     solution.values = values_of(*tubes.tubes[i]);
   }
   sort_by_values(solutions.found);

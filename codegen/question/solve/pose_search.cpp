@@ -2,9 +2,9 @@
 #include "codegen/question/solve/pose_search.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <utility>
 
+#include "codegen/question/solve/followed_boxes.hpp"
 #include "runtime/kernel/buffers.hpp"
 #include "runtime/solutions/pose_equations.hpp"
 #include "runtime/solutions/pose_narrowing.hpp"
@@ -189,26 +189,6 @@ GoughPose hull_of(const GoughPose& a, const GoughPose& b) {
   return both;
 }
 
-/// What can be reached from a pose through boxes that touch; nullopt: an open one, too.
-std::optional<GoughPose> tube_about(const GoughPose& pose, std::vector<GoughPose> boxes,
-                                    const std::vector<GoughPose>& open) {
-  GoughPose tube = pose;
-  std::vector<GoughPose> reached = {pose};
-  while (!reached.empty()) {
-    const GoughPose from = reached.back();
-    reached.pop_back();
-    const auto touches = [&](const GoughPose& box) { return may_touch(from, box); };
-    if (std::ranges::any_of(open, touches)) return std::nullopt;
-    const auto near = std::partition(boxes.begin(), boxes.end(), std::not_fn(touches));
-    for (auto box = near; box != boxes.end(); ++box) {
-      tube = hull_of(tube, *box);
-      reached.push_back(*box);
-    }
-    boxes.erase(near, boxes.end());
-  }
-  return tube;
-}
-
 /// At a pose of some legs of the set, the leg of `at` from anchor to anchor has a square from ρ² + this.
 std::array<Interval, 6> deviations_of(const GoughLegs& at, const GoughLegs& legs) {
   std::array<Interval, 6> result;
@@ -224,11 +204,6 @@ std::array<Interval, 6> deviations_of(const GoughLegs& at, const GoughLegs& legs
   }
   return result;
 }
-
-/// Parts of the ranges, and then of boxes, down to which these are split.
-constexpr double kFirstWidth = 0x1p-9, kNextWidth = 0x1p-3;
-constexpr int kLevels = 8;
-constexpr std::size_t kMostUndecided = 200;
 
 class PoseFollowing {
  public:
@@ -248,29 +223,17 @@ class PoseFollowing {
     // A chart that was not searched is open all over.
     const bool is_whole = searched_ == kChartsOfRotations;
     for (std::size_t i = 0; is_whole && i < poses.size(); ++i)
-      if (const auto tube = tube_about(poses[i], boxes_, result_.open))
+      if (const auto tube = reach_from(poses[i], boxes_, result_.open, may_touch, hull_of))
         result_.tubes[i] = narrow_poses(legs_, *tube).poses;
     result_.are_all = is_whole && result_.open.empty();
     return std::move(result_);
   }
 
  private:
-  /// Boxes that are not decided are searched again, down to smaller parts, as long as they are few.
   void search(int chart) {
-    settings_.min_relative_width = kFirstWidth;
-    std::vector<std::vector<Interval>> undecided = search(chart, equations_.ranges());
-    settings_.min_relative_width = kNextWidth;
-    for (int level = 1; level < kLevels && undecided.size() <= kMostUndecided; ++level) {
-      std::vector<std::vector<Interval>> next;
-      while (!undecided.empty() && next.size() <= kMostUndecided) {
-        const std::vector<Interval> box = std::move(undecided.back());
-        undecided.pop_back();
-        const auto parts = search(chart, box);
-        next.insert(next.end(), parts.begin(), parts.end());
-      }
-      next.insert(next.end(), undecided.begin(), undecided.end());
-      undecided = std::move(next);
-    }
+    const auto undecided = search_in_levels(
+        equations_.ranges(), settings_,
+        [this, chart](const std::vector<Interval>& box) { return search(chart, box); });
     for (const auto& box : undecided) result_.open.push_back(equations_.pose_of(chart, box));
   }
 

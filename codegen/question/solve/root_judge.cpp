@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "runtime/existence/branch_tube.hpp"
 #include "runtime/existence/narrowing.hpp"
@@ -99,6 +100,24 @@ bool is_near_unit(std::span<const Interval> A, std::span<const Interval> steps) 
     if (!(sum < mag(steps[i]))) return false;
   }
   return true;
+}
+
+/// True if that holds for some r > 0, which the powers of |I − A| lead to.
+bool is_near_unit(std::span<const Interval> A, std::size_t n) {
+  constexpr int kMostPowers = 8;
+  constexpr double kLeastPart = 0x1p-20;
+  std::vector<double> r(n, 1.0);
+  for (int step = 0; step < kMostPowers; ++step) {
+    std::vector<double> next(n, 0.0);
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j)
+        next[i] = add_ru(next[i], mul_ru(mag(A[i * n + j] - Interval(i == j ? 1.0 : 0.0)), r[j]));
+    if (std::ranges::equal(next, r, std::less())) return true;
+    const double largest = std::ranges::max(next);
+    if (!std::isfinite(largest)) return false;
+    std::ranges::transform(next, r.begin(), [&](double x) { return x / largest + kLeastPart; });
+  }
+  return false;
 }
 
 /// Encloses the values, or K times them.
@@ -303,10 +322,7 @@ void RootJudge::test_regularity(std::span<Trial> trials) {
     const auto over = regular_->at(i);
     const auto K = over ? approx_inverse_of(middles(over->by_unknown), n) : std::nullopt;
     if (!K) continue;
-    std::vector<Interval> steps;
-    for (const Interval& x : trial.unknowns(question_.shape))
-      steps.emplace_back(std::fmax(rad_ru(x), least_radius(mid(x))));
-    trial.finding->is_regular = is_near_unit(product(*K, over->by_unknown, n), steps);
+    trial.finding->is_regular = is_near_unit(product(*K, over->by_unknown, n), n);
   }
 }
 

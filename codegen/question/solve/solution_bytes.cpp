@@ -40,6 +40,7 @@ void put(ByteWriter& to, const CertainSolution& solution) {
   to.put(solution.sign);
   to.put(solution.limits);
   to.put_text(solution.beyond);
+  put_numbers(to, solution.middle);
 }
 
 CertainSolution take_solution(ByteReader& from) {
@@ -49,6 +50,7 @@ CertainSolution take_solution(ByteReader& from) {
   solution.sign = from.take<int>();
   solution.limits = take_word(from, WithinLimits::kUnknown);
   solution.beyond = from.take_text();
+  solution.middle = from.take_list<double>();
   return solution;
 }
 

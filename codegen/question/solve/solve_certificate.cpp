@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <sstream>
 
@@ -38,7 +39,8 @@ constexpr const char* kAtBorder = "a solution may be at the end of the range of 
 constexpr double kWiderRelative = 0x1p-51, kWiderAbsolute = 0x1p-60;
 /// Parts of the width of a tube, which the verifier finds in another way.
 constexpr double kWiderTube = 8;
-constexpr double kWiderForSearch = 0x1p-36, kUsualCondition = 0x1p-10, kWiderWidth = 0.5;
+constexpr double kWiderForSearch = 0x1p-36, kUsualCondition = 0x1p-10, kWiderWidth = 0.5,
+                 kLeastWider = 0x1p-12;
 
 ex width_of(const Closure& closure, std::size_t unknown) {
   return closure.ranges[unknown].hi - closure.ranges[unknown].lo;
@@ -98,8 +100,8 @@ std::string root_lines(const std::vector<std::vector<Complex>>& roots) {
   return lines + fmt::format("end {}\n", roots.size());
 }
 
-std::string head_of(const Solutions& solutions, const std::string& claim,
-                    const std::string& question, const std::string& lines) {
+std::string head_with(const Solutions& solutions, const std::string& claim,
+                      const std::string& question, const std::string& lines) {
   return head_text(verdict_of(solutions), claim, question + lines);
 }
 
@@ -108,7 +110,7 @@ std::string head_of_robot(const Request& request, const Solutions& solutions, co
                           std::size_t uncertain = 0) {
   const Model& model = request.model;
   const bool is_arm = model.arm != nullptr;
-  return head_of(
+  return head_with(
       solutions,
       format::describe_solutions_claim({verdict_of(solutions), robot, is_arm ? "posture" : "pose",
                                         is_arm ? "postures" : "poses", solutions.found.size(),
@@ -160,14 +162,67 @@ Request searched_request(const Request& request) {
   return searched;
 }
 
-/// Wider than the enclosure, so that the verifier's doubles can show that one solution is in it.
+/// The values of solutions in the lines of a list.
+struct Listed {
+  std::vector<std::vector<Interval>> tubes;  ///< by solution and unknown
+  std::vector<double> sizes;                 ///< a usual size of each unknown
+  /// Of solutions that were followed: where they are at the middles of what is uncertain.
+  std::vector<std::vector<double>> middles{};
+};
+
+/// Wider than the enclosures, so that the verifier's doubles can show that one solution is in each.
 ///
-/// Requires  MXCSR at nearest. size: a usual size of this unknown.
-std::string searched_line(const Interval& x, double size, const CertainSolution& solution) {
-  const double worse = std::max(1.0, solution.condition * kUsualCondition),
-               step = std::max(kWiderWidth * width_ru(x), kWiderForSearch * worse * size);
-  const Interval wider = x + Interval(-step, step);
-  return fmt::format(" {:a}:{:a}", wider.lo, wider.hi);
+/// Requires  MXCSR at nearest.
+std::vector<std::vector<Interval>> widened(const Solutions& solutions, const Listed& listed,
+                                           double part) {
+  std::vector<std::vector<Interval>> tubes = listed.tubes;
+  for (std::size_t k = 0; k < tubes.size(); ++k) {
+    const double worse = std::max(1.0, solutions.found[k].condition * kUsualCondition);
+    for (std::size_t i = 0; i < tubes[k].size(); ++i) {
+      const double step =
+          std::max(part * width_ru(tubes[k][i]), kWiderForSearch * worse * listed.sizes[i]);
+      tubes[k][i] += Interval(-step, step);
+    }
+  }
+  return tubes;
+}
+
+bool are_disjoint(const std::vector<std::vector<Interval>>& tubes) {
+  for (std::size_t a = 0; a < tubes.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      if (std::ranges::equal(tubes[a], tubes[b], [](const Interval& x, const Interval& y) {
+            return !certain_disjoint(x, y);
+          }))
+        return false;
+  return true;
+}
+
+/// Returns the lines `solution`. Those of solutions that were followed are only so much wider that they
+/// stay apart.
+std::string lines_of(const Solutions& solutions, const Listed& listed) {
+  std::vector<std::vector<Interval>> tubes = widened(solutions, listed, kWiderWidth);
+  for (double part = kWiderWidth / 4; !listed.middles.empty() && part > kLeastWider; part /= 4) {
+    if (are_disjoint(tubes)) break;
+    tubes = widened(solutions, listed, part);
+  }
+  std::string lines;
+  for (const auto& tube : tubes) {
+    lines += "solution";
+    for (const Interval& x : tube) lines += fmt::format(" {:a}:{:a}", x.lo, x.hi);
+    lines += '\n';
+  }
+  return lines;
+}
+
+/// Returns the proof of a search: empty but for where solutions were followed from.
+std::string proof_of(const Listed& listed) {
+  std::string lines;
+  for (const auto& middle : listed.middles) {
+    lines += "from";
+    for (const double x : middle) lines += fmt::format(" {}", x);
+    lines += '\n';
+  }
+  return lines + "end\n";
 }
 
 /// The values of an unknown that turns, in radians, within less than a turn if they are not all around.
@@ -192,17 +247,24 @@ std::vector<Interval> angles_of(const Solutions& solutions, std::size_t unknown)
   return angles;
 }
 
-std::string planar_lines(const Request& request, const Solutions& solutions) {
+/// Returns x moved by whole periods to be near another number.
+double moved_near(double x, double other, double period) {
+  return x - std::round((x - other) / period) * period;
+}
+
+Listed planar_list(const Request& request, const Solutions& solutions) {
   const std::vector<Interval> angles = angles_of(solutions, 2);
-  const double size = size_of(request, solutions);
-  std::string lines;
+  const double size = size_of(request, solutions), turn = 2 * std::numbers::pi;
+  Listed listed{{}, {size, size, 1}};
   for (std::size_t k = 0; k < angles.size(); ++k) {
     const CertainSolution& solution = solutions.found[k];
-    lines += "solution" + searched_line(solution.values[0], size, solution) +
-             searched_line(solution.values[1], size, solution) +
-             searched_line(angles[k], 1, solution) + '\n';
+    listed.tubes.push_back({solution.values[0], solution.values[1], angles[k]});
+    if (solution.middle.empty()) continue;
+    const double angle = solution.middle[2] * turn / solutions.unknowns[2].period;
+    listed.middles.push_back(
+        {solution.middle[0], solution.middle[1], moved_near(angle, mid(angles[k]), turn)});
   }
-  return lines;
+  return listed;
 }
 
 // An arm.
@@ -250,68 +312,87 @@ std::string arm_lines(const Request& request, const Solutions& solutions) {
          expressions(request.motion.tool) + '\n';
 }
 
-std::string posture_lines(const Solutions& solutions) {
+Listed posture_list(const Solutions& solutions) {
   std::vector<std::vector<Interval>> angles;
   for (std::size_t i = 0; i < solutions.unknowns.size(); ++i)
     angles.push_back(angles_of(solutions, i));
-  std::string lines;
+  Listed listed{{}, std::vector<double>(angles.size(), 1)};
   for (std::size_t k = 0; k < solutions.found.size(); ++k) {
-    lines += "solution";
-    for (const auto& of_joint : angles) lines += searched_line(of_joint[k], 1, solutions.found[k]);
-    lines += '\n';
+    auto& tube = listed.tubes.emplace_back();
+    for (const auto& of_joint : angles) tube.push_back(of_joint[k]);
   }
-  return lines;
+  return listed;
 }
 
-std::string head_of_arm(const Request& request, const Solutions& solutions) {
-  return head_of_robot(request, solutions, format::kOfArm, arm_lines(request, solutions),
-                       posture_lines(solutions), uncertain_names(request).size());
+std::string head_of_arm(const Request& request, const Solutions& solutions,
+                        const std::string& lines) {
+  return head_of_robot(request, solutions, format::kOfArm, arm_lines(request, solutions), lines,
+                       uncertain_names(request).size());
+}
+
+// A platform in space.
+
+Listed pose_list(const Request& request, const Solutions& solutions) {
+  const double size = size_of(request, solutions);
+  Listed listed{{}, {size, size, size, 1, 1, 1, 1}};
+  for (const CertainSolution& solution : solutions.found) {
+    listed.tubes.push_back(solution.values);
+    if (!solution.middle.empty()) listed.middles.push_back(solution.middle);
+  }
+  return listed;
 }
 
 // A closure.
 
-std::string pose_lines(const Request& request, const Solutions& solutions) {
-  const double size = size_of(request, solutions);
-  std::string lines;
-  for (const CertainSolution& solution : solutions.found) {
-    lines += "solution";
-    for (std::size_t i = 0; i < solution.values.size(); ++i)
-      lines += searched_line(solution.values[i], i < 3 ? size : 1, solution);
-    lines += '\n';
-  }
-  return lines;
-}
-
-std::string searched_lines(const Request& searched, const Solutions& solutions) {
+Listed configuration_list(const Request& request, const Solutions& solutions) {
+  const Request searched = searched_request(request);
   const Closure& closure = *searched.model.closure;
-  const std::size_t n = closure.unknowns.size();
-  const std::vector<double> size = usual_sizes(solutions);
-  std::string lines;
-  for (const CertainSolution& solution : solutions.found) {
-    lines += "solution";
-    for (std::size_t i = 0; i < n; ++i) {
-      Interval x = solution.values[i];
-      if (turns(closure, i)) {
-        const Interval period = enclose_constant(period_of(closure, i), "a period");
-        const double middle = mid(enclose_constant(closure.start[i], "a range"));
-        x -= Interval(std::round((mid(x) - middle) / mid(period))) * period;
-      }
-      lines += searched_line(x, size[i], solution);
-    }
-    lines += '\n';
+  std::vector<Interval> periods;  // 0: it does not turn
+  std::vector<double> middles;    // of the ranges
+  for (std::size_t i = 0; i < closure.unknowns.size(); ++i) {
+    periods.push_back(turns(closure, i) ? enclose_constant(period_of(closure, i), "a period")
+                                        : Interval(0.0));
+    middles.push_back(mid(enclose_constant(closure.start[i], "a range")));
   }
-  return lines;
+  Listed listed{{}, usual_sizes(solutions)};
+  for (const CertainSolution& solution : solutions.found) {
+    std::vector<Interval> tube = solution.values;
+    std::vector<double> middle = solution.middle;
+    for (std::size_t i = 0; i < tube.size(); ++i) {
+      if (periods[i] == Interval(0.0)) continue;
+      const double period = mid(periods[i]);
+      tube[i] -= Interval(std::round((mid(tube[i]) - middles[i]) / period)) * periods[i];
+      if (!middle.empty()) middle[i] = moved_near(middle[i], mid(tube[i]), period);
+    }
+    listed.tubes.push_back(std::move(tube));
+    if (!middle.empty()) listed.middles.push_back(std::move(middle));
+  }
+  return listed;
 }
 
-std::string head_of_equations(const Request& request, const Solutions& solutions) {
+std::string head_of_equations(const Request& request, const Solutions& solutions,
+                              const std::string& lines) {
   const Request searched = searched_request(request);
   const std::set<std::string> uncertain = uncertain_names(searched);
   const std::size_t count = claimed_set(searched, uncertain).uncertain;
-  return head_of(
+  return head_with(
       solutions,
       format::describe_solutions_claim({verdict_of(solutions), format::kOfUnknowns, "configuration",
                                         "configurations", solutions.found.size(), count}),
-      certified_question(searched, uncertain).text, searched_lines(searched, solutions));
+      certified_question(searched, uncertain).text, lines);
+}
+
+std::string head_of(const Request& request, const Solutions& solutions, const std::string& lines) {
+  if (request.model.arm) return head_of_arm(request, solutions, lines);
+  if (request.model.closure) return head_of_equations(request, solutions, lines);
+  return head_of_platform(request, solutions,
+                          is_in_plane(request) ? format::kOfThreeLegs : format::kOfSixLegs, lines);
+}
+
+Listed list_of(const Request& request, const Solutions& solutions) {
+  if (request.model.arm) return posture_list(solutions);
+  if (request.model.closure) return configuration_list(request, solutions);
+  return is_in_plane(request) ? planar_list(request, solutions) : pose_list(request, solutions);
 }
 
 std::string obstacle_of(const Request& request, const Solutions& solutions) {
@@ -360,33 +441,29 @@ ListProof prove_list(const Request& request, const Solutions& solutions) {
   ListProof list;
   list.obstacle = obstacle_of(request, solutions);
   if (!list.obstacle.empty()) return list;
-  const bool is_arm = request.model.arm != nullptr, is_closure = request.model.closure.has_value(),
-             varies = has_tolerances(request),
-             is_counted =
-                 !is_arm && !is_closure && !is_in_plane(request) &&
-                 (solutions.completeness != Completeness::kComplete || solutions.is_counted);
-  list.head = is_arm                 ? head_of_arm(request, solutions)
-              : is_closure           ? head_of_equations(request, solutions)
-              : is_in_plane(request) ? head_of_platform(request, solutions, format::kOfThreeLegs,
-                                                        planar_lines(request, solutions))
-              : is_counted || varies
-                  ? head_of_platform(request, solutions, format::kOfSixLegs,
-                                     solution_lines(solutions, size_of(request, solutions), varies))
-                  : head_of_platform(request, solutions, format::kOfSixLegs,
-                                     pose_lines(request, solutions));
-  list.obstacle = obstacle_of_head(list.head);
-  if (!list.obstacle.empty()) return list;
-  list.proof = is_arm       ? fmt::format("opposite {}\nend\n", solutions.opposite)
-               : is_counted ? root_lines(roots_of(solutions))
-                            : "end\n";
-  Trial trial = trial_of(list.head, list.proof);
-  if (is_counted && varies && !trial.is_verified) {
-    // A search proves wider tubes. And legs that meet in the middle of the tolerances have 16 complex poses there, and
-    // others elsewhere.
-    list.proof = "end\n";
-    trial = trial_of(list.head, list.proof);
-  }
-  list.doubt = trial.doubt;
+  const bool is_arm = request.model.arm != nullptr, varies = has_tolerances(request),
+             is_complete = solutions.completeness == Completeness::kComplete,
+             is_in_space = !is_arm && !request.model.closure && !is_in_plane(request),
+             is_counted = is_in_space && (!is_complete || solutions.is_counted);
+  Listed listed = list_of(request, solutions);
+  if (!is_complete) listed.middles.clear();
+  const auto try_proof = [&](const std::string& lines, const std::string& proof) {
+    list.head = head_of(request, solutions, lines);
+    list.proof = proof;
+    list.obstacle = obstacle_of_head(list.head);
+    if (!list.obstacle.empty()) return true;
+    const Trial trial = trial_of(list.head, list.proof);
+    list.doubt = trial.doubt;
+    return trial.is_verified;
+  };
+  if (is_counted && (try_proof(solution_lines(solutions, size_of(request, solutions), varies),
+                               root_lines(roots_of(solutions))) ||
+                     listed.middles.empty()))
+    return list;
+  // A search proves wider tubes. And legs that meet in the middle of the tolerances have 16 complex
+  // poses there, and others elsewhere.
+  try_proof(lines_of(solutions, listed),
+            (is_arm ? fmt::format("opposite {}\n", solutions.opposite) : "") + proof_of(listed));
   return list;
 }
 

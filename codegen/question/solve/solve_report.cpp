@@ -22,17 +22,18 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kMostDigits = 12;
+constexpr int kFewestDigits = 3;  ///< fewer say less than the ends of the enclosure
 constexpr std::size_t kMostOpenBoxes = 8;
 
 /// Returns the value with the digits that all numbers of the enclosure have when rounded to them;
-/// both ends if there are none.
+/// both ends if these are few.
 std::string certain_text(const Interval& x) {
-  for (int digits = kMostDigits; digits >= 1; --digits) {
+  for (int digits = kMostDigits; digits >= kFewestDigits; --digits) {
     const std::string lo = fmt::format("{:.{}g}", x.lo, digits);
     if (lo == fmt::format("{:.{}g}", x.hi, digits)) return lo;
   }
   // About 0 the digits before the first that differs are zeros.
-  for (int places = kMostDigits; places >= 0; --places) {
+  for (int places = kMostDigits; places >= kFewestDigits; --places) {
     const std::string lo = fmt::format("{:.{}f}", x.lo + 0.0, places);
     const std::string hi = fmt::format("{:.{}f}", x.hi + 0.0, places);
     const auto is_zero = [](const std::string& text) {

@@ -12,6 +12,7 @@
 #include "codegen/model/degrees.hpp"
 #include "codegen/model/exact/certain_sign.hpp"
 #include "codegen/question/condition/singular_vectors.hpp"
+#include "codegen/question/solve/followed_solutions.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus::detail {
@@ -23,6 +24,10 @@ using GiNaC::ex;
 constexpr double kOverlap = 0x1p-10;
 /// The same for a range.
 constexpr double kOverlapOfRange = 0x1p-20;
+/// Where quantities are uncertain, solutions that one search does not tell apart are followed.
+constexpr std::uint64_t kBoxesBeforeFollowing = 500;
+constexpr double kWidthBeforeFollowing = 0x1p-16;  ///< a part of the range
+constexpr std::size_t kNumberOfFollowed = 1;       ///< RootQuestion::number
 
 ex turn_of(const std::string& unit) { return is_in_degrees(unit) ? ex(360) : 2 * GiNaC::Pi; }
 
@@ -111,15 +116,15 @@ std::string place_text(const std::vector<SolvedUnknown>& unknowns,
   return text;
 }
 
-/// `is_wide`: the variables have ranges.
-std::string obstacle_of(const RootList& list, const Solutions& solutions, bool is_wide) {
+/// `varies`: something is uncertain.
+std::string obstacle_of(const RootList& list, const Solutions& solutions, bool varies) {
   if (list.is_complete) return "";
   if (list.stopped_by) return describe(*list.stopped_by);
   const std::string place = place_text(solutions.unknowns, solutions.open.front());
   if (list.is_undefined)
     return "an expression of the equations is not certainly defined near " + place;
   if (list.is_doubtful) return "two solutions are not told apart near " + place;
-  if (is_wide)
+  if (varies)
     return "the uncertain quantities and errors are too large to tell solutions apart near " +
            place;
   return "several solutions meet, or there are infinitely many, near " + place;
@@ -152,6 +157,7 @@ class SystemSolver {
     const std::vector<Interval> ranges = enclose_ranges(closure);
     for (std::size_t i = 0; i < ranges.size(); ++i) {
       ranges_.push_back(search_range(closure, i, ranges[i]));
+      periods_.push_back(ranges_.back().period);
       problem_.outer[prepared.shape.variables + i] = ranges_.back().searched;
       problem_.inner[prepared.shape.variables + i] = ranges_.back().searched;
       const PoseParameter& unknown = closure.unknowns[i];
@@ -159,49 +165,121 @@ class SystemSolver {
     }
   }
 
-  Solutions solve(const RootSettings& settings, Observer* progress) {
-    std::vector<Interval> periods;
-    for (const SearchRange& range : ranges_) periods.push_back(range.period);
-    RootList list =
-        search_roots(question_of_system(problem_, prepared_), periods, settings, progress);
-    for (Root& root : list.roots) {
-      turn_back(root.values, ranges_);
-      if (const auto place = place_in(root.values, ranges_))
-        solutions_.found.push_back(solution(root, *place));
+  Solutions solve(RootSettings settings, Observer* progress) {
+    const bool varies = uncertain_count(prepared_.preparation) > 0;
+    RootSettings first = settings;
+    if (varies) {
+      first.boxes_after_problem = kBoxesBeforeFollowing;
+      first.min_relative_width = kWidthBeforeFollowing;
+    }
+    const RootList list = search(problem_, first, progress);
+    for (const Root& root : list.roots) add(root, nullptr, solutions_.found);
+    solutions_.open = joined(list.open);
+    if (list.is_complete) solutions_.completeness = Completeness::kComplete;
+    solutions_.how = describe_search(list.boxes);
+    solutions_.obstacle = obstacle_of(list, solutions_, varies);
+    if (varies && !list.is_complete && !list.stopped_by) {
+      leave(settings, list);
+      follow(std::move(settings), progress);
     }
     sort_by_values(solutions_.found);
-    solutions_.open = joined(list.open);
-    solutions_.completeness =
-        list.is_complete ? Completeness::kComplete : Completeness::kIncomplete;
-    solutions_.boxes = list.boxes;
-    solutions_.seconds = list.seconds;
-    solutions_.stopped_by = list.stopped_by;
-    solutions_.how = fmt::format("by a search of {} box{}", in_thousands(list.boxes),
-                                 list.boxes == 1 ? "" : "es");
-    solutions_.obstacle = obstacle_of(list, solutions_, uncertain_count(prepared_.preparation) > 0);
     return std::move(solutions_);
   }
 
  private:
-  CertainSolution solution(const Root& root, WithinLimits place) {
+  RootList search(const Problem& problem, const RootSettings& settings, Observer* progress) {
+    RootList list =
+        search_roots(question_of_system(problem, prepared_), periods_, settings, progress);
+    count(list);
+    return list;
+  }
+
+  /// `found`: by a search.
+  template <class Found>
+  void count(const Found& found) {
+    solutions_.boxes += found.boxes;
+    solutions_.seconds += found.seconds;
+    solutions_.stopped_by = found.stopped_by;
+  }
+  /// The settings get what a search has left of its limits.
+  static void leave(RootSettings& settings, const RootList& list) {
+    settings.max_boxes -= std::min(settings.max_boxes, list.boxes);
+    settings.time_limit -= list.seconds;
+  }
+
+  /// Finds the solutions at the middles of what is uncertain, and follows them to its other values.
+  void follow(RootSettings settings, Observer* progress) {
+    const RootList list = search(at_middles(problem_, prepared_.shape), settings, progress);
+    if (list.stopped_by) solutions_.obstacle = describe(*list.stopped_by);
+    if (!list.is_complete) return;
+    leave(settings, list);
+    std::vector<std::vector<Interval>> middles;
+    for (const Root& root : list.roots) middles.push_back(root.values);
+    const SolutionTubes tubes =
+        follow_solutions(problem_, prepared_, periods_, middles, std::move(settings), progress);
+    count(tubes);
+    std::vector<CertainSolution> found;
+    for (std::size_t i = 0; i < list.roots.size(); ++i)
+      if (tubes.tubes[i]) add(list.roots[i], &*tubes.tubes[i], found);
+    if (tubes.are_all) solutions_.completeness = Completeness::kComplete;
+    solutions_.how = fmt::format(
+        "{} with all that is uncertain in the middle of its range, and by one of {} boxes all over "
+        "these ranges, none of which has a singular solution",
+        describe_search(list.boxes), in_thousands(tubes.boxes));
+    solutions_.obstacle = why_left(tubes, list.roots.size());
+    // The first search may have told more of them apart.
+    if (!tubes.are_all && found.size() < solutions_.found.size()) return;
+    solutions_.found = std::move(found);
+    solutions_.open = joined(tubes.open);
+  }
+
+  [[nodiscard]] std::string why_left(const SolutionTubes& tubes, std::size_t count) const {
+    if (tubes.are_all) return "";
+    if (tubes.stopped_by) return describe(*tubes.stopped_by);
+    return fmt::format(
+        "with all that is uncertain in the middle of its range {} all; elsewhere two may meet, or "
+        "one may leave its range, near {}",
+        count == 1 ? "1 solution is" : fmt::format("{} solutions are", count),
+        place_text(solutions_.unknowns, tubes.open.front()));
+  }
+
+  static std::string describe_search(std::uint64_t boxes) {
+    return fmt::format("by a search of {} box{}", in_thousands(boxes), boxes == 1 ? "" : "es");
+  }
+
+  /// Adds a solution, unless it is certainly not within the ranges. `tube`: where it is at other values
+  /// of what is uncertain, if `root` has it at the middles; otherwise null.
+  void add(const Root& root, const std::vector<Interval>* tube,
+           std::vector<CertainSolution>& found) {
+    CertainSolution result{tube != nullptr ? *tube : root.values, 0, root.sign};
+    turn_back(result.values, ranges_);
+    const auto place = place_in(result.values, ranges_);
+    if (!place) return;
+    result.limits = *place;
+    result.condition = condition_at(root.values);
+    if (tube != nullptr)
+      for (const Interval& value : root.values) result.middle.push_back(mid(value));
+    found.push_back(std::move(result));
+  }
+
+  [[nodiscard]] double condition_at(const std::vector<Interval>& values) const {
     const std::size_t n = prepared_.shape.unknowns, m = prepared_.shape.variables;
-    CertainSolution result{root.values, 0, root.sign, place};
     SystemBoxes system(prepared_.problem, prepared_.scaling, prepared_.shape);
     std::vector<SystemBoxes::Box> point(1);
     point[0].assign(problem_.outer.begin(), problem_.outer.begin() + std::ptrdiff_t(m));
-    for (const Interval& value : root.values) point[0].emplace_back(mid(value));
+    for (const Interval& value : values) point[0].emplace_back(mid(value));
     system.evaluate(point);
-    if (const auto at = system.at(0)) {
-      std::vector<double> matrix;
-      for (const Interval& entry : at->by_unknown) matrix.push_back(mid(entry));
-      result.condition = approx_condition(matrix, n);
-    }
-    return result;
+    const auto at = system.at(0);
+    if (!at) return 0;
+    std::vector<double> matrix;
+    for (const Interval& entry : at->by_unknown) matrix.push_back(mid(entry));
+    return approx_condition(matrix, n);
   }
 
   const PreparedSystem& prepared_;
   Problem problem_;
   std::vector<SearchRange> ranges_;
+  std::vector<Interval> periods_;
   Solutions solutions_;
 };
 
@@ -229,6 +307,19 @@ void require_values(const Request& request) {
 RootQuestion question_of_system(const Problem& problem, const PreparedSystem& prepared) {
   return {problem, prepared.shape,
           [&problem, &prepared] { return std::make_unique<KernelSystem>(problem, prepared); }};
+}
+
+RootQuestion question_of_followed(const Problem& problem, const PreparedSystem& prepared) {
+  RootQuestion question = question_of_system(problem, prepared);
+  question.regular = question.system;
+  question.number = kNumberOfFollowed;
+  return question;
+}
+
+RootQuestion question_of_system(const Problem& problem, const PreparedSystem& prepared,
+                                std::size_t number) {
+  return number == kNumberOfFollowed ? question_of_followed(problem, prepared)
+                                     : question_of_system(problem, prepared);
 }
 
 Solutions solve_system(const PreparedSystem& prepared, const RootSettings& settings,

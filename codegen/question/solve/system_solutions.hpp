@@ -18,6 +18,12 @@ void require_values(const Request& request);
 /// Returns the question of a search with the ranges of `problem` and a kernel; both must outlive it.
 [[nodiscard]] RootQuestion question_of_system(const Problem& problem,
                                               const PreparedSystem& prepared);
+/// The same of boxes all over which the derivatives are regular.
+[[nodiscard]] RootQuestion question_of_followed(const Problem& problem,
+                                                const PreparedSystem& prepared);
+/// Returns the one of these with this number, which another process has named.
+[[nodiscard]] RootQuestion question_of_system(const Problem& problem,
+                                              const PreparedSystem& prepared, std::size_t number);
 
 /// Searches the whole circle of an unknown whose range has a whole period, and otherwise the range.
 ///
