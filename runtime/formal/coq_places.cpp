@@ -15,6 +15,7 @@
 #include "runtime/formal/coq_solutions.hpp"
 #include "runtime/proof/format.hpp"
 #include "runtime/verifier/proof.hpp"
+#include "runtime/verifier/solution_lines.hpp"
 
 namespace regulus::verifier {
 namespace {
@@ -174,7 +175,10 @@ void read_parts(Lines& lines, Add add) {
     read_question(lines, question);
     if (!question.solutions) throw Rejection("a part of it lists no solutions");
     add(k, question, lines.take_kept());
-    while (!is_next()) advance();
+    while (!is_next()) {
+      if (lines.text().starts_with(kFromLine)) throw Unfinished(kNoTheoremOfFollowed);
+      advance();
+    }
   }
   if (k == 0 || lines.text() != format::kPlaces + std::to_string(k) || lines.next())
     throw Rejection("expected the next place, or the number of all in a line 'places'");

@@ -20,6 +20,7 @@
 #include "runtime/verifier/pieces.hpp"
 #include "runtime/verifier/proof.hpp"
 #include "runtime/verifier/question.hpp"
+#include "runtime/verifier/solution_lines.hpp"
 
 namespace regulus::verifier {
 namespace {
@@ -265,9 +266,10 @@ std::string read_and_write(Lines& lines, CoqStatement statement, Question& quest
   read_question(lines, question);
   if (question.solutions) {
     kept = lines.take_kept();
-    return question.closure || question.solutions->legs.size() != kLegsInSpace
-               ? solutions_theorem(question, kept)
-               : platform_theorem(lines, question, kept);
+    if (!question.closure && question.solutions->legs.size() == kLegsInSpace)
+      return platform_theorem(lines, question, kept);
+    if (lines.next() && lines.text().starts_with(kFromLine)) throw Unfinished(kNoTheoremOfFollowed);
+    return solutions_theorem(question, kept);
   }
   if (statement == CoqStatement::kForce && question.closure && !question.quantity)
     throw Unfinished("this certificate of a closure states no force");

@@ -9,6 +9,10 @@
 
 namespace regulus::verifier {
 
+inline constexpr const char* kNoTheoremOfFollowed =
+    "there is no theorem yet about solutions that one test does not show at all values of what is "
+    "uncertain; regulus-verify follows them";
+
 /// Returns the lines `solution` of a claim about all solutions of a closure, as decimals. `margin` begins
 /// each line but the first.
 ///

@@ -69,8 +69,8 @@ std::optional<Box> BoxSearch::reach_of(const std::vector<double>& middle,
   return std::nullopt;
 }
 
-void BoxSearch::search(const Rest& has_rest,
-                       const std::function<void(const Box&)>& look_for_other) {
+void BoxSearch::search(const Rest& has_rest, const std::function<void(const Box&)>& look_for_other,
+                       const char* what) {
   std::vector<Box> waiting{range_};
   while (!waiting.empty()) {
     Box box = std::move(waiting.back());
@@ -79,7 +79,8 @@ void BoxSearch::search(const Rest& has_rest,
     const std::size_t widest = widest_of(box), i = to_halve(box, widest);
     const double at = mid(box[i]);
     if (part(box, widest) < kNarrowPart) look_for_other(box);
-    if (!(part(box, widest) > kNarrowest) || !(box[i].lo < at && at < box[i].hi)) give_up(box);
+    if (!(part(box, widest) > kNarrowest) || !(box[i].lo < at && at < box[i].hi))
+      give_up(box, what);
     waiting.push_back(box);
     waiting.back()[i].lo = at;
     box[i].hi = at;
@@ -124,8 +125,8 @@ std::size_t BoxSearch::to_halve(const Box& box, std::size_t widest) const {
   return result;
 }
 
-void BoxSearch::give_up(const Box& box) const {
-  throw Unfinished("it was not shown that there is no other solution near " + place_of(box));
+void BoxSearch::give_up(const Box& box, const char* what) const {
+  throw Unfinished("it was not shown that " + std::string(what) + " near " + place_of(box));
 }
 
 std::string BoxSearch::place_of(const Box& box) const {

@@ -18,6 +18,9 @@ namespace regulus::verifier {
 /// Parts of the range: a box that is narrower may be shown to hold another solution.
 inline constexpr double kNarrowPart = 0x1p-16;
 
+/// What a search shows while solutions are followed.
+inline constexpr const char* kFollowed = "each solution is regular, and within a line,";
+
 class BoxSearch {
  public:
   /// Searches for solutions of the equations in question.closure at any place of `places`. `also`: more
@@ -38,9 +41,10 @@ class BoxSearch {
   /// Narrows a box to a part with all of its solutions that are not known; false: there are none.
   using Rest = std::function<bool(Box&)>;
 
-  /// Shows that all solutions in the range are known. Throws Unfinished if it cannot. `look_for_other` is called
-  /// for a box that has become narrow, and may throw.
-  void search(const Rest& has_rest, const std::function<void(const Box&)>& look_for_other);
+  /// Shows that all solutions in the range are known. Throws Unfinished if it cannot: "it was not shown that", `what`.
+  /// `look_for_other` is called for a box that has become narrow, and may throw.
+  void search(const Rest& has_rest, const std::function<void(const Box&)>& look_for_other,
+              const char* what = "there is no other solution");
 
   /// "x = 1.5, y = 2".
   [[nodiscard]] std::string place_of(const Box& box) const;
@@ -53,7 +57,7 @@ class BoxSearch {
   [[nodiscard]] bool is_left(Box& box, const Rest& has_rest);
   [[nodiscard]] std::size_t widest_of(const Box& box) const;
   [[nodiscard]] std::size_t to_halve(const Box& box, std::size_t widest) const;
-  [[noreturn]] void give_up(const Box& box) const;
+  [[noreturn]] void give_up(const Box& box, const char* what) const;
 
   const Question& q_;
   const Box places_;

@@ -177,7 +177,8 @@ class PoseSearch {
     }
     lines_.name_line(0);
     for (const std::unique_ptr<Chart>& chart : charts_)
-      chart->search.search([&](Box& box) { return chart->has_rest(box, all); }, [](const Box&) {});
+      chart->search.search([&](Box& box) { return chart->has_rest(box, all); }, [](const Box&) {},
+                           kFollowed);
   }
 
  private:

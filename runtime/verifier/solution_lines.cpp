@@ -178,7 +178,7 @@ void read_solution_lines(Lines& lines, Question& question) {
 }
 
 void read_from_lines(Lines& lines, SolutionLines& claim, std::size_t numbers) {
-  while (lines.text().starts_with("from ")) {
+  while (lines.text().starts_with(kFromLine)) {
     const auto words = words_of(lines.text());
     if (words.size() != 1 + numbers)
       throw Rejection("expected " + std::to_string(numbers) + " numbers after 'from'");

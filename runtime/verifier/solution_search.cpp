@@ -138,7 +138,7 @@ class SolutionSearch {
         [&](const Box& box) {
           return !is_in_one(box, lines) || !all_.test().is_regular(places_, box);
         },
-        [](const Box&) {});
+        [](const Box&) {}, kFollowed);
     result_.real_roots = result_.roots = reach_.size();
   }
 

@@ -16,8 +16,15 @@ struct SolutionTubes {
   double seconds = 0;
 };
 
-/// Returns the problem in which each variable is in the middle of its range. It has `shape`.
+/// Returns the problem in which all that is uncertain is in the middle of its range. It has `shape`.
 [[nodiscard]] Problem at_middles(Problem problem, const ClosedShape& shape);
+
+/// Returns the problem with what is uncertain at ends of its ranges at which a solution is nearer to a
+/// singular one, by one step each, than it is at the middles. Points in balls stay in the middle.
+///
+/// Shape     solution: by unknown, at the middles.
+[[nodiscard]] Problem towards_singular(const Problem& problem, const PreparedSystem& prepared,
+                                       const std::vector<Interval>& solution);
 
 /// Follows the solutions at some values of the variables to all others.
 ///

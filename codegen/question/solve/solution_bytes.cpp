@@ -67,6 +67,7 @@ void put(ByteWriter& to, const Solutions& s) {
   to.put(s.completeness);
   to.put_text(s.how);
   to.put_text(s.obstacle);
+  to.put(s.changes);
   put_lists(to, s.open);
   to.put(s.is_counted);
   to.put(s.complex_found.has_value());
@@ -92,6 +93,7 @@ Solutions take_solutions(ByteReader& from) {
   s.completeness = take_word(from, Completeness::kIncomplete);
   s.how = from.take_text();
   s.obstacle = from.take_text();
+  s.changes = from.take_flag();
   s.open = take_lists<Interval>(from);
   s.is_counted = from.take_flag();
   const bool is_known = from.take_flag();

@@ -54,6 +54,7 @@ struct Solutions {
   std::string how;
   /// Why it is not shown; empty if it is: "infinitely many solutions, or one of several, near x = 3".
   std::string obstacle;
+  bool changes = false;  ///< their number is not the same at all values of what is uncertain
   /// Boxes that may hold others, by unknown; of a search that was not completed.
   std::vector<std::vector<Interval>> open{};
   bool is_counted = false;  ///< they are complete by a count of the complex ones

@@ -218,10 +218,12 @@ std::string describe_claim(const Solutions& solutions, const SolvedNoun& noun) {
   }
   const std::size_t count = solutions.found.size();
   if (solutions.completeness == Completeness::kIncomplete)
-    return fmt::format("{} certain; whether there are others is not shown: {}",
+    return fmt::format("{} certain; {}: {}",
                        count == 0   ? "none is"
                        : count == 1 ? fmt::format("1 {} is", noun.one)
                                     : fmt::format("{} {} are", count, noun.many),
+                       solutions.changes ? "the number is not always the same"
+                                         : "whether there are others is not shown",
                        solutions.obstacle);
   if (count == 0) return fmt::format("there is no {}, {}", noun.one, solutions.how);
   return count == 1 ? fmt::format("this {} is the only one, {}", noun.one, solutions.how)

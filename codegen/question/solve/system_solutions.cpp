@@ -202,9 +202,10 @@ class SystemSolver {
     solutions_.stopped_by = found.stopped_by;
   }
   /// The settings get what a search has left of its limits.
-  static void leave(RootSettings& settings, const RootList& list) {
-    settings.max_boxes -= std::min(settings.max_boxes, list.boxes);
-    settings.time_limit -= list.seconds;
+  template <class Found>
+  static void leave(RootSettings& settings, const Found& found) {
+    settings.max_boxes -= std::min(settings.max_boxes, found.boxes);
+    settings.time_limit -= found.seconds;
   }
 
   /// Finds the solutions at the middles of what is uncertain, and follows them to its other values.
@@ -216,21 +217,73 @@ class SystemSolver {
     std::vector<std::vector<Interval>> middles;
     for (const Root& root : list.roots) middles.push_back(root.values);
     const SolutionTubes tubes =
-        follow_solutions(problem_, prepared_, periods_, middles, std::move(settings), progress);
+        follow_solutions(problem_, prepared_, periods_, middles, settings, progress);
     count(tubes);
+    leave(settings, tubes);
     std::vector<CertainSolution> found;
     for (std::size_t i = 0; i < list.roots.size(); ++i)
       if (tubes.tubes[i]) add(list.roots[i], &*tubes.tubes[i], found);
-    if (tubes.are_all) solutions_.completeness = Completeness::kComplete;
-    solutions_.how = fmt::format(
-        "{} with all that is uncertain in the middle of its range, and by one of {} boxes all over "
-        "these ranges, none of which has a singular solution",
-        describe_search(list.boxes), in_thousands(tubes.boxes));
-    solutions_.obstacle = why_left(tubes, list.roots.size());
-    // The first search may have told more of them apart.
-    if (!tubes.are_all && found.size() < solutions_.found.size()) return;
+    if (tubes.are_all) {
+      solutions_.completeness = Completeness::kComplete;
+      solutions_.how = fmt::format(
+          "{} with all that is uncertain in the middle of its range, and by one of {} boxes all "
+          "over these ranges, none of which has a singular solution",
+          describe_search(list.boxes), in_thousands(tubes.boxes));
+    } else {
+      solutions_.obstacle = why_left(tubes, list.roots.size());
+      if (!tubes.stopped_by) look_for_change(list, tubes, std::move(settings), progress);
+      // The first search may have told more of them apart.
+      if (found.size() < solutions_.found.size()) return;
+    }
     solutions_.found = std::move(found);
     solutions_.open = joined(tubes.open);
+  }
+
+  /// Looks for values of what is uncertain at which there are more or fewer solutions than at the middles.
+  void look_for_change(const RootList& list, const SolutionTubes& tubes, RootSettings settings,
+                       Observer* progress) {
+    constexpr int kMostTrials = 4;
+    const auto at_middles = number_of(list);
+    int trials = 0;
+    for (std::size_t i = 0; i < list.roots.size() && at_middles && trials < kMostTrials; ++i) {
+      if (tubes.tubes[i]) continue;
+      ++trials;
+      const Problem elsewhere = towards_singular(problem_, prepared_, list.roots[i].values);
+      const RootList other =
+          search_roots(question_of_system(elsewhere, prepared_), periods_, settings, progress);
+      leave(settings, other);
+      solutions_.boxes += other.boxes;
+      solutions_.seconds += other.seconds;
+      const auto number = number_of(other);
+      if (!number || number == at_middles) continue;
+      solutions_.changes = true;
+      solutions_.obstacle = fmt::format(
+          "there are {} with all that is uncertain in the middle of its range, and {} with {}",
+          *at_middles, *number, values_text(elsewhere));
+      return;
+    }
+  }
+
+  /// Returns how many are within the ranges, if that is certain.
+  [[nodiscard]] std::optional<std::size_t> number_of(const RootList& list) const {
+    std::size_t number = 0;
+    for (const Root& root : list.roots) {
+      const auto place = place_in(root.values, ranges_);
+      if (place == WithinLimits::kUnknown) return std::nullopt;
+      number += place.has_value();
+    }
+    return list.is_complete ? std::optional(number) : std::nullopt;
+  }
+
+  /// "a2_1 = 10.05, l1 = 7.3 cm", of what is uncertain.
+  [[nodiscard]] std::string values_text(const Problem& values) const {
+    std::string text;
+    const std::vector<VariableLabel>& labels = prepared_.preparation.labels.variables;
+    for (std::size_t k = prepared_.shape.parameters; k < prepared_.shape.variables; ++k)
+      if (problem_.outer[k].lo < problem_.outer[k].hi)
+        text += fmt::format("{}{} = {}{}", text.empty() ? "" : ", ", labels[k].name,
+                            shortest_text(values.outer[k].lo), unit_suffix(labels[k].unit));
+    return text;
   }
 
   [[nodiscard]] std::string why_left(const SolutionTubes& tubes, std::size_t count) const {

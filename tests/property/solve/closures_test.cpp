@@ -8,6 +8,7 @@
 #include <numbers>
 #include <random>
 
+#include "tests/property/solve/planar_platform.hpp"
 #include "tests/property/solve/solved.hpp"
 
 namespace regulus::detail {
@@ -15,6 +16,7 @@ namespace {
 
 using test::has_near;
 using test::is_complete;
+using test::PlanarPlatform;
 using test::solved;
 
 /// A model with these equations; each unknown starts at 0 and has the range [-reach, reach].
@@ -33,83 +35,29 @@ std::string system_of(const std::vector<std::string>& unknowns, const std::strin
       declared, listed, starts, ranges);
 }
 
-/// A planar platform on three legs by its anchors.
-struct Platform {
-  std::array<std::array<double, 2>, 3> base, platform;
-  std::array<double, 3> legs;
-
-  [[nodiscard]] std::array<double, 3> legs_at(double x, double y, double phi) const {
-    std::array<double, 3> lengths{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto [u, v] = point(i, phi);
-      lengths[i] = std::hypot(x + u, y + v);
-    }
-    return lengths;
+std::string text_of(const PlanarPlatform& robot) {
+  std::string let, equations;
+  for (std::size_t i = 0; i < 3; ++i) {
+    let += fmt::format("u{0} = \"x + ({1:.17g})*cos(phi) - ({2:.17g})*sin(phi) - ({3:.17g})\"\n", i,
+                       robot.platform[i][0], robot.platform[i][1], robot.base[i][0]);
+    let += fmt::format("v{0} = \"y + ({1:.17g})*sin(phi) + ({2:.17g})*cos(phi) - ({3:.17g})\"\n", i,
+                       robot.platform[i][0], robot.platform[i][1], robot.base[i][1]);
+    equations += fmt::format("\"u{0}^2 + v{0}^2 - l{0}^2\", ", i);
   }
-
-  /// The poses, by the angle: the differences of the equations are linear in x and y, and a root of
-  /// the rest is between two angles of a fine grid. Negative: two roots may be between two of them.
-  [[nodiscard]] int count() const {
-    constexpr int kSteps = 200'000;
-    int roots = 0;
-    double before = rest(0), before_that = rest(-2 * std::numbers::pi / kSteps);
-    for (int i = 1; i <= kSteps; ++i) {
-      const double now = rest(2 * std::numbers::pi * i / kSteps);
-      if ((now < 0) != (before < 0)) ++roots;
-      const bool touches = std::fabs(before) < std::fabs(now) &&
-                           std::fabs(before) < std::fabs(before_that) &&
-                           (now < 0) == (before < 0) && (before_that < 0) == (before < 0);
-      if (touches && std::fabs(before) < 10 * std::fabs(now - before)) return -1;
-      before_that = before, before = now;
-    }
-    return roots;
-  }
-
-  [[nodiscard]] std::string text() const {
-    std::string let, equations;
-    for (std::size_t i = 0; i < 3; ++i) {
-      let += fmt::format("u{0} = \"x + ({1:.17g})*cos(phi) - ({2:.17g})*sin(phi) - ({3:.17g})\"\n",
-                         i, platform[i][0], platform[i][1], base[i][0]);
-      let += fmt::format("v{0} = \"y + ({1:.17g})*sin(phi) + ({2:.17g})*cos(phi) - ({3:.17g})\"\n",
-                         i, platform[i][0], platform[i][1], base[i][1]);
-      equations += fmt::format("\"u{0}^2 + v{0}^2 - l{0}^2\", ", i);
-    }
-    return fmt::format(
-        "regulus = 1\nname = \"3-RPR\"\n[pose]\nl0 = \"1\"\nl1 = \"1\"\nl2 = \"1\"\n[let]\n{}"
-        "[closure]\nunknowns = {{ x = \"1\", y = \"1\", phi = \"rad\" }}\nequations = [{}]\n"
-        "start = {{ l0 = 1, l1 = 1, l2 = 1, x = 0, y = 0, phi = 0 }}\n"
-        "[motion.only]\nl0 = \"{:.17g}\"\nl1 = \"{:.17g}\"\nl2 = \"{:.17g}\"\n",
-        let, equations, legs[0], legs[1], legs[2]);
-  }
-
- private:
-  /// From an anchor of the base to that of the platform at the origin.
-  [[nodiscard]] std::array<double, 2> point(std::size_t i, double phi) const {
-    const double c = std::cos(phi), s = std::sin(phi);
-    return {platform[i][0] * c - platform[i][1] * s - base[i][0],
-            platform[i][0] * s + platform[i][1] * c - base[i][1]};
-  }
-
-  /// The first equation times the square of the determinant of the other two, at their x and y.
-  [[nodiscard]] double rest(double phi) const {
-    std::array<double, 3> u{}, v{}, w{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto [a, b] = point(i, phi);
-      u[i] = a, v[i] = b, w[i] = a * a + b * b - legs[i] * legs[i];
-    }
-    const double a1 = 2 * (u[1] - u[0]), b1 = 2 * (v[1] - v[0]), c1 = w[0] - w[1];
-    const double a2 = 2 * (u[2] - u[0]), b2 = 2 * (v[2] - v[0]), c2 = w[0] - w[2];
-    const double det = a1 * b2 - a2 * b1, x = c1 * b2 - c2 * b1, y = a1 * c2 - a2 * c1;
-    return x * x + y * y + 2 * det * (u[0] * x + v[0] * y) + w[0] * det * det;
-  }
-};
+  return fmt::format(
+      "regulus = 1\nname = \"3-RPR\"\n[pose]\nl0 = \"1\"\nl1 = \"1\"\nl2 = \"1\"\n[let]\n{}"
+      "[closure]\nunknowns = {{ x = \"1\", y = \"1\", phi = \"rad\" }}\nequations = [{}]\n"
+      "start = {{ l0 = 1, l1 = 1, l2 = 1, x = 0, y = 0, phi = 0 }}\n"
+      "[motion.only]\nl0 = \"{:.17g}\"\nl1 = \"{:.17g}\"\nl2 = \"{:.17g}\"\n",
+      let, equations, robot.legs[0], robot.legs[1], robot.legs[2]);
+}
 
 TEST(AllPosesOfRandomPlanarPlatforms, AreAsManyAsAGridOfAnglesCounts) {
   std::mt19937 random(42);
   std::uniform_real_distribution<double> place(-1, 1), angle(-3, 3);
   int counted = 0, most = 0;
   for (int trial = 0; trial < 60; ++trial) {
-    Platform robot{};
+    PlanarPlatform robot{};
     for (auto* points : {&robot.base, &robot.platform})
       for (auto& point : *points)
         for (double& coordinate : point) coordinate = place(random);
@@ -117,7 +65,7 @@ TEST(AllPosesOfRandomPlanarPlatforms, AreAsManyAsAGridOfAnglesCounts) {
     robot.legs = robot.legs_at(x, y, phi);
     const int count = robot.count();
     if (count < 0) continue;
-    const Solutions solutions = solved(robot.text());
+    const Solutions solutions = solved(text_of(robot));
     EXPECT_TRUE(is_complete(solutions)) << trial << ": " << solutions.obstacle;
     EXPECT_EQ(int(solutions.found.size()), count) << "trial " << trial;
     EXPECT_TRUE(has_near(solutions, {x, y, phi}, 1e-6)) << "trial " << trial;

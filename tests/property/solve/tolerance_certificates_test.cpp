@@ -15,24 +15,6 @@ std::string planar(const std::string& base_tolerance, const std::string& error) 
       "[motion.legs]", "[motion.legs]\nerror = { legs = " + error + " }");
 }
 
-/// Anchors of the library's 3-RPR, moved, and its lengths.
-struct PlanarRobot {
-  std::array<std::array<double, 2>, 3> a{{{0, 0}, {15.91, 0}, {0, 10}}},
-      b{{{0, 0}, {17.04, 0}, {20.84 * std::cos(0.8826031098), 20.84 * std::sin(0.8826031098)}}};
-  std::array<double, 3> length{14.98, 15.38, 12};
-
-  Numbers operator()(const Numbers& x) const {
-    Numbers value;
-    const double c = std::cos(x[2]), s = std::sin(x[2]);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double u = x[0] + c * b[i][0] - s * b[i][1] - a[i][0],
-                   v = x[1] + s * b[i][0] + c * b[i][1] - a[i][1];
-      value.push_back(u * u + v * v - length[i] * length[i]);
-    }
-    return value;
-  }
-};
-
 TEST(PlanarListsWithTolerances, HaveAPoseInEachTubeAtEachCorner) {
   constexpr double kTolerance = 0.002, kError = 0.001;
   const Certified made = certified(planar("0.002", "0.001"));

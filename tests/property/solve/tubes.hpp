@@ -78,6 +78,24 @@ inline Numbers middle_of(const std::vector<Interval>& tube) {
   return x;
 }
 
+/// Anchors of the library's 3-RPR, moved, and its lengths.
+struct PlanarRobot {
+  std::array<std::array<double, 2>, 3> a{{{0, 0}, {15.91, 0}, {0, 10}}},
+      b{{{0, 0}, {17.04, 0}, {20.84 * std::cos(0.8826031098), 20.84 * std::sin(0.8826031098)}}};
+  std::array<double, 3> length{14.98, 15.38, 12};
+
+  Numbers operator()(const Numbers& x) const {
+    Numbers value;
+    const double c = std::cos(x[2]), s = std::sin(x[2]);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double u = x[0] + c * b[i][0] - s * b[i][1] - a[i][0],
+                   v = x[1] + s * b[i][0] + c * b[i][1] - a[i][1];
+      value.push_back(u * u + v * v - length[i] * length[i]);
+    }
+    return value;
+  }
+};
+
 /// A platform on six legs, in doubles.
 struct SpatialRobot {
   using Points = std::array<std::array<double, 3>, 6>;
