@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// How boxes are narrowed to the solutions in them.
+// How boxes are narrowed to the solutions in them, and shown to have regular ones alone.
 #include <algorithm>
 
 #include "runtime/verifier/branch_test.hpp"
 #include "runtime/verifier/quotients.hpp"
+#include "runtime/verifier/rounding.hpp"
+#include "runtime/verifier/slopes.hpp"
 
 namespace regulus::verifier {
 
@@ -49,6 +51,39 @@ BranchTest::Values BranchTest::mean_derivatives(const std::vector<Interval>& ste
       M.push_back(over);
     }
   return M;
+}
+
+/// |I − KΦ_p|r < r in every component, with r > 0 and K an inverse in the middle. Any r would be as sound:
+/// the powers of the matrix lead to one that is nearly an eigenvector.
+bool BranchTest::is_regular(const Box& places, const Box& unknowns) {
+  constexpr int kMostPowers = 8;
+  constexpr double kLeastPart = 0x1p-20;
+  whole_ = places;
+  whole_.insert(whole_.end(), unknowns.begin(), unknowns.end());
+  tube_ = nullptr;
+  has_rates_ = false;
+  if (!take(*over_, first_, whole_, first_values_)) return false;
+  std::vector<double> A, E, r(n_, 1.0);
+  for (std::size_t j = 0; j < n_; ++j)
+    for (std::size_t l = 0; l < n_; ++l) A.push_back(mid(first_values_[j * all_ + m_ + l]));
+  if (!approx_left_inverse(A, n_, n_, K_) || !is_moderate(K_)) return false;
+  for (std::size_t i = 0; i < n_; ++i)
+    for (std::size_t l = 0; l < n_; ++l) E.push_back(left_side(i, first_values_, m_ + l));
+  if (!is_moderate(E)) return false;
+  for (int step = 0; step < kMostPowers; ++step) {
+    std::vector<double> next;
+    bool is_less = true;
+    for (std::size_t i = 0; i < n_; ++i) {
+      Interval sum;
+      for (std::size_t l = 0; l < n_; ++l) sum = sum + point(E[i * n_ + l]) * point(r[l]);
+      is_less = is_less && sum.hi < r[i];
+      next.push_back(sum.hi);
+    }
+    if (is_less) return true;
+    const double largest = std::ranges::max(next);
+    for (std::size_t i = 0; i < n_; ++i) r[i] = next[i] / largest + kLeastPart;
+  }
+  return false;
 }
 
 }  // namespace regulus::verifier

@@ -15,8 +15,6 @@ namespace {
 constexpr int kMostSteps = 30;
 constexpr double kSmallStep = 0x1p-36;    ///< of Newton's method, in parts of the scale
 constexpr double kSmallRadius = 0x1p-20;  ///< of a small box, in parts of the scale
-constexpr int kMostPowers = 8;
-constexpr double kLeastWeightOfPower = 0x1p-20;
 
 std::vector<Interval> points_of(const std::vector<double>& numbers) {
   std::vector<Interval> result;
@@ -303,36 +301,6 @@ bool BranchTest::narrow_to_solutions(const Box& places, Box& unknowns) {
   for (std::size_t i = 0; i < n_; ++i)
     for (std::size_t l = 0; l < n_; ++l) product.push_back(times_inverse(i, M, n_, l));
   return narrow_by_rows(value_, product, center, unknowns);
-}
-
-/// |I − KΦ_p|r < r in every component, with r > 0 and K an inverse in the middle. Any r would be as sound:
-/// the powers of the matrix lead to one that is nearly an eigenvector.
-bool BranchTest::is_regular(const Box& places, const Box& unknowns) {
-  whole_ = joined(places, unknowns);
-  tube_ = nullptr;
-  has_rates_ = false;
-  if (!take(*over_, first_, whole_, first_values_)) return false;
-  std::vector<double> A, E, r(n_, 1.0);
-  for (std::size_t j = 0; j < n_; ++j)
-    for (std::size_t l = 0; l < n_; ++l) A.push_back(mid(first_values_[j * all_ + m_ + l]));
-  if (!approx_left_inverse(A, n_, n_, K_) || !is_moderate(K_)) return false;
-  for (std::size_t i = 0; i < n_; ++i)
-    for (std::size_t l = 0; l < n_; ++l) E.push_back(left_side(i, first_values_, m_ + l));
-  if (!is_moderate(E)) return false;
-  for (int step = 0; step < kMostPowers; ++step) {
-    std::vector<double> next;
-    bool is_less = true;
-    for (std::size_t i = 0; i < n_; ++i) {
-      Interval sum;
-      for (std::size_t l = 0; l < n_; ++l) sum = sum + point(E[i * n_ + l]) * point(r[l]);
-      is_less = is_less && sum.hi < r[i];
-      next.push_back(sum.hi);
-    }
-    if (is_less) return true;
-    const double largest = std::ranges::max(next);
-    for (std::size_t i = 0; i < n_; ++i) r[i] = next[i] / largest + kLeastWeightOfPower;
-  }
-  return false;
 }
 
 bool BranchTest::has_one_solution(const Box& place, const std::vector<double>& middle,

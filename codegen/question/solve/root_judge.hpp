@@ -93,9 +93,6 @@ struct RootFinding {
   std::vector<double> impact{};      ///< by variable and unknown; empty: not known
 };
 
-/// Returns the sign of the determinants of an n×n matrix, by elimination; 0: not shown.
-[[nodiscard]] int sign_of_determinant(std::vector<Interval> matrix, std::size_t n);
-
 /// A judge of boxes (runtime/search/box_judges.hpp). Each thread has its own.
 class RootJudge {
  public:

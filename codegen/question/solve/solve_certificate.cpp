@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <set>
 #include <sstream>
 
@@ -15,6 +13,7 @@
 #include "codegen/model/degrees.hpp"
 #include "codegen/model/mechanism/serial.hpp"
 #include "codegen/question/solve/leg_lines.hpp"
+#include "codegen/question/solve/listed_solutions.hpp"
 #include "codegen/question/solve/nominal.hpp"
 #include "codegen/question/solve/platform_legs.hpp"
 #include "codegen/question/solve/system_solutions.hpp"
@@ -39,12 +38,6 @@ constexpr const char* kAtBorder = "a solution may be at the end of the range of 
 constexpr double kWiderRelative = 0x1p-51, kWiderAbsolute = 0x1p-60;
 /// Parts of the width of a tube, which the verifier finds in another way.
 constexpr double kWiderTube = 8;
-constexpr double kWiderForSearch = 0x1p-36, kUsualCondition = 0x1p-10, kWiderWidth = 0.5,
-                 kLeastWider = 0x1p-12;
-
-ex width_of(const Closure& closure, std::size_t unknown) {
-  return closure.ranges[unknown].hi - closure.ranges[unknown].lo;
-}
 
 const char* verdict_of(const Solutions& solutions) {
   if (solutions.completeness == Completeness::kIncomplete) return format::kIncomplete;
@@ -66,17 +59,6 @@ std::string solution_lines(const Solutions& solutions, double size, bool varies)
     lines += '\n';
   }
   return lines;
-}
-
-/// How far the platform may be from the base.
-double size_of(const Request& request, const Solutions& solutions) {
-  double size = 0;
-  for (const ex& square : squared_lengths(request))
-    size = std::max(size, mag(sqrt(enclose_constant(square, "a length"))));
-  for (const CertainSolution& solution : solutions.found)
-    for (std::size_t i = 0; i < (is_in_plane(request) ? 2U : 3U); ++i)
-      size = std::max(size, mag(solution.values[i]));
-  return size;
 }
 
 /// The roots of the count; without a count the solutions themselves, roughly.
@@ -126,147 +108,6 @@ std::string head_of_platform(const Request& request, const Solutions& solutions,
   return head_of_robot(request, solutions, platform, legs.lines, lines, legs.uncertain);
 }
 
-/// True if the unknown is looked for all around.
-bool turns(const Closure& closure, std::size_t unknown) {
-  const ex period = period_of(closure, unknown), width = width_of(closure, unknown);
-  return !period.is_zero() &&
-         !(enclose_constant(width, "a range").hi < enclose_constant(period, "a period").lo);
-}
-
-/// Pose parameters have the values of the place. Other parameters become constants.
-void fix_parameters(Request& request) {
-  Motion& motion = request.motion;
-  GiNaC::exmap values;
-  for (const MotionParameter& p : motion.parameters)
-    if (std::ranges::any_of(request.model.pose,
-                            [&](const PoseParameter& q) { return q.symbol.is_equal(p.symbol); }))
-      values[p.symbol] = p.range.lo;
-    else
-      request.model.geometry.push_back({p.symbol, p.name, p.range.lo, 0, "", -1});
-  for (ex& x : motion.pose) x = x.subs(values);
-  motion.parameters.clear();
-}
-
-/// The question at one place: an unknown that turns is looked for within half a turn of the middle of
-/// its range, another one in its range.
-Request searched_request(const Request& request) {
-  Request searched = request;
-  searched.motion.alpha = 0;
-  Closure& closure = *searched.model.closure;
-  for (std::size_t i = 0; i < closure.unknowns.size(); ++i) {
-    closure.start[i] = (closure.ranges[i].lo + closure.ranges[i].hi) / 2;
-    closure.start_radius[i] =
-        (turns(closure, i) ? period_of(closure, i) : width_of(closure, i)) / 2;
-  }
-  fix_parameters(searched);
-  return searched;
-}
-
-/// The values of solutions in the lines of a list.
-struct Listed {
-  std::vector<std::vector<Interval>> tubes;  ///< by solution and unknown
-  std::vector<double> sizes;                 ///< a usual size of each unknown
-  /// Of solutions that were followed: where they are at the middles of what is uncertain.
-  std::vector<std::vector<double>> middles{};
-};
-
-/// Wider than the enclosures, so that the verifier's doubles can show that one solution is in each.
-///
-/// Requires  MXCSR at nearest.
-std::vector<std::vector<Interval>> widened(const Solutions& solutions, const Listed& listed,
-                                           double part) {
-  std::vector<std::vector<Interval>> tubes = listed.tubes;
-  for (std::size_t k = 0; k < tubes.size(); ++k) {
-    const double worse = std::max(1.0, solutions.found[k].condition * kUsualCondition);
-    for (std::size_t i = 0; i < tubes[k].size(); ++i) {
-      const double step =
-          std::max(part * width_ru(tubes[k][i]), kWiderForSearch * worse * listed.sizes[i]);
-      tubes[k][i] += Interval(-step, step);
-    }
-  }
-  return tubes;
-}
-
-bool are_disjoint(const std::vector<std::vector<Interval>>& tubes) {
-  for (std::size_t a = 0; a < tubes.size(); ++a)
-    for (std::size_t b = 0; b < a; ++b)
-      if (std::ranges::equal(tubes[a], tubes[b], [](const Interval& x, const Interval& y) {
-            return !certain_disjoint(x, y);
-          }))
-        return false;
-  return true;
-}
-
-/// Returns the lines `solution`. Those of solutions that were followed are only so much wider that they
-/// stay apart.
-std::string lines_of(const Solutions& solutions, const Listed& listed) {
-  std::vector<std::vector<Interval>> tubes = widened(solutions, listed, kWiderWidth);
-  for (double part = kWiderWidth / 4; !listed.middles.empty() && part > kLeastWider; part /= 4) {
-    if (are_disjoint(tubes)) break;
-    tubes = widened(solutions, listed, part);
-  }
-  std::string lines;
-  for (const auto& tube : tubes) {
-    lines += "solution";
-    for (const Interval& x : tube) lines += fmt::format(" {:a}:{:a}", x.lo, x.hi);
-    lines += '\n';
-  }
-  return lines;
-}
-
-/// Returns the proof of a search: empty but for where solutions were followed from.
-std::string proof_of(const Listed& listed) {
-  std::string lines;
-  for (const auto& middle : listed.middles) {
-    lines += "from";
-    for (const double x : middle) lines += fmt::format(" {}", x);
-    lines += '\n';
-  }
-  return lines + "end\n";
-}
-
-/// The values of an unknown that turns, in radians, within less than a turn if they are not all around.
-std::vector<Interval> angles_of(const Solutions& solutions, std::size_t unknown) {
-  const Interval turn = Interval(2.0) * enclose_constant(GiNaC::Pi, "pi");
-  const Interval unit = turn / Interval(solutions.unknowns[unknown].period);
-  std::vector<Interval> angles;
-  std::vector<double> order;
-  for (const CertainSolution& solution : solutions.found) {
-    const Interval angle = solution.values[unknown] * unit;
-    angles.push_back(angle - Interval(std::floor(mid(angle) / mid(turn))) * turn);
-    order.push_back(mid(angles.back()));
-  }
-  std::ranges::sort(order);
-  double first = 0, gap = -1;  // the angle after the widest gap
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const double before = i == 0 ? order.back() - mid(turn) : order[i - 1];
-    if (order[i] - before > gap) gap = order[i] - before, first = order[i];
-  }
-  for (Interval& angle : angles)
-    if (mid(angle) < first) angle += turn;
-  return angles;
-}
-
-/// Returns x moved by whole periods to be near another number.
-double moved_near(double x, double other, double period) {
-  return x - std::round((x - other) / period) * period;
-}
-
-Listed planar_list(const Request& request, const Solutions& solutions) {
-  const std::vector<Interval> angles = angles_of(solutions, 2);
-  const double size = size_of(request, solutions), turn = 2 * std::numbers::pi;
-  Listed listed{{}, {size, size, 1}};
-  for (std::size_t k = 0; k < angles.size(); ++k) {
-    const CertainSolution& solution = solutions.found[k];
-    listed.tubes.push_back({solution.values[0], solution.values[1], angles[k]});
-    if (solution.middle.empty()) continue;
-    const double angle = solution.middle[2] * turn / solutions.unknowns[2].period;
-    listed.middles.push_back(
-        {solution.middle[0], solution.middle[1], moved_near(angle, mid(angles[k]), turn)});
-  }
-  return listed;
-}
-
 // An arm.
 
 std::string expressions(const std::vector<ex>& values) {
@@ -312,62 +153,10 @@ std::string arm_lines(const Request& request, const Solutions& solutions) {
          expressions(request.motion.tool) + '\n';
 }
 
-Listed posture_list(const Solutions& solutions) {
-  std::vector<std::vector<Interval>> angles;
-  for (std::size_t i = 0; i < solutions.unknowns.size(); ++i)
-    angles.push_back(angles_of(solutions, i));
-  Listed listed{{}, std::vector<double>(angles.size(), 1)};
-  for (std::size_t k = 0; k < solutions.found.size(); ++k) {
-    auto& tube = listed.tubes.emplace_back();
-    for (const auto& of_joint : angles) tube.push_back(of_joint[k]);
-  }
-  return listed;
-}
-
 std::string head_of_arm(const Request& request, const Solutions& solutions,
                         const std::string& lines) {
   return head_of_robot(request, solutions, format::kOfArm, arm_lines(request, solutions), lines,
                        uncertain_names(request).size());
-}
-
-// A platform in space.
-
-Listed pose_list(const Request& request, const Solutions& solutions) {
-  const double size = size_of(request, solutions);
-  Listed listed{{}, {size, size, size, 1, 1, 1, 1}};
-  for (const CertainSolution& solution : solutions.found) {
-    listed.tubes.push_back(solution.values);
-    if (!solution.middle.empty()) listed.middles.push_back(solution.middle);
-  }
-  return listed;
-}
-
-// A closure.
-
-Listed configuration_list(const Request& request, const Solutions& solutions) {
-  const Request searched = searched_request(request);
-  const Closure& closure = *searched.model.closure;
-  std::vector<Interval> periods;  // 0: it does not turn
-  std::vector<double> middles;    // of the ranges
-  for (std::size_t i = 0; i < closure.unknowns.size(); ++i) {
-    periods.push_back(turns(closure, i) ? enclose_constant(period_of(closure, i), "a period")
-                                        : Interval(0.0));
-    middles.push_back(mid(enclose_constant(closure.start[i], "a range")));
-  }
-  Listed listed{{}, usual_sizes(solutions)};
-  for (const CertainSolution& solution : solutions.found) {
-    std::vector<Interval> tube = solution.values;
-    std::vector<double> middle = solution.middle;
-    for (std::size_t i = 0; i < tube.size(); ++i) {
-      if (periods[i] == Interval(0.0)) continue;
-      const double period = mid(periods[i]);
-      tube[i] -= Interval(std::round((mid(tube[i]) - middles[i]) / period)) * periods[i];
-      if (!middle.empty()) middle[i] = moved_near(middle[i], mid(tube[i]), period);
-    }
-    listed.tubes.push_back(std::move(tube));
-    if (!middle.empty()) listed.middles.push_back(std::move(middle));
-  }
-  return listed;
 }
 
 std::string head_of_equations(const Request& request, const Solutions& solutions,
@@ -387,12 +176,6 @@ std::string head_of(const Request& request, const Solutions& solutions, const st
   if (request.model.closure) return head_of_equations(request, solutions, lines);
   return head_of_platform(request, solutions,
                           is_in_plane(request) ? format::kOfThreeLegs : format::kOfSixLegs, lines);
-}
-
-Listed list_of(const Request& request, const Solutions& solutions) {
-  if (request.model.arm) return posture_list(solutions);
-  if (request.model.closure) return configuration_list(request, solutions);
-  return is_in_plane(request) ? planar_list(request, solutions) : pose_list(request, solutions);
 }
 
 std::string obstacle_of(const Request& request, const Solutions& solutions) {

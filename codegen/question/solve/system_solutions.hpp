@@ -8,10 +8,6 @@
 
 namespace regulus::detail {
 
-/// Returns by how much an unknown of a closure can move without a change of the equations: by a turn,
-/// if it is an angle in sines and cosines alone. 0: by nothing that is known.
-[[nodiscard]] GiNaC::ex period_of(const Closure& closure, std::size_t unknown);
-
 /// Throws    UsageError if a parameter of the motion has a range and not a value.
 void require_values(const Request& request);
 

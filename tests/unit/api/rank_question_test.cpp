@@ -257,11 +257,17 @@ TEST_F(QuestionsOfRanks, PaveAWayForALoad) { expect_same(AskLoadPaving{model("di
 
 /// The equations of a platform in the plane have a kernel, those of one in space have none.
 TEST_F(QuestionsOfRanks, SolveAtOnePlace) {
-  AskSolve plane{{}, search()}, space{{}, search()};
-  plane.model.path = REGULUS_SOURCE_DIR "/models/rpr_6.toml";
-  plane.model.tolerances = {"base=0.3"};
-  plane.search.max_boxes = 17500;
-  expect_same(plane);
+  AskSolve plane{{}, search()}, followed{{}, search()}, space{{}, search()};
+  plane.model.text =
+      "regulus = 1\nname = \"parallelogram\"\n[legs]\ntype = \"RPR\"\nleg = [\n"
+      "{ base = [0, 0], platform = [0, 0] },\n{ base = [3, 0], platform = [3, 0] },\n"
+      "{ base = [1, 2], platform = [1, 2] },\n]\n[motion.curve]\nlegs = [1, 1, 1]\n";
+  plane.search.max_boxes = 19000;
+  for (const SearchTopic& topic : expect_same(plane)) EXPECT_EQ(topic.piece, 0U);
+  followed.model.path = REGULUS_SOURCE_DIR "/models/rpr_6.toml";
+  followed.model.tolerances = {"base=0.5"};
+  followed.search.max_boxes = 21000;
+  EXPECT_EQ(expect_same(followed).back().piece, 1U);
   space.model.path = REGULUS_SOURCE_DIR "/models/robot_1.toml";
   space.model.at = {"x=1", "y=2", "z=47", "psi=0.1", "theta=0.12", "phi=0.05"};
   space.model.tolerances = {"base=0.01"};
