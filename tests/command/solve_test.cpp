@@ -58,6 +58,31 @@ TEST_F(AllSolutionsByCommand, TakeTheLengthsOfTheLegsByName) {
             "121/10");
 }
 
+/// The errors of a motion by lengths are of the legs, and not of a pose.
+TEST_F(AllSolutionsByCommand, NameTheErrorsOfTheLegs) {
+  const auto errors_of = [this](const std::string& legs, const std::string& lengths) {
+    return report(
+        {file("robot.toml", "regulus = 1\nname = \"robot\"\n" + legs +
+                                "[motion.l]\nlegs = " + lengths + "\nerror = { legs = 0.01 }\n"),
+         "l"})["question"]["uncertain"];
+  };
+  const json plane = errors_of(
+      "[legs]\nunit = \"mm\"\nleg = [\n{ type = \"RPR\", base = [0, 0], platform = [0, 0] },\n"
+      "{ type = \"RPR\", base = [300, 20], platform = [120, 0] },\n"
+      "{ type = \"RPR\", base = [50, 280], platform = [30, 90] },\n]\n",
+      "[210, 230, 190]");
+  ASSERT_EQ(plane.size(), 3U);
+  EXPECT_EQ(plane[1]["name"], "rho_2_error");
+  EXPECT_EQ(plane[1]["tolerance_exact"], "1/100");
+  EXPECT_EQ(plane[1]["unit"], "mm");
+  const json space = errors_of(
+      "[gough]\norientation = \"euler-zxz\"\nbase = "
+      "[[-9,9,0],[9,9,0],[12,-3,0],[3,-13,0],[-3,-13,0],[-12,-3,0]]\n"
+      "platform = [[-3,7,0],[3,7,0],[7,-1,0],[4,-6,0],[-4,-6,0],[-7,-1,0]]\n",
+      "[47.5, 48.25, 48.125, 47.75, 47.25, 47.875]");
+  EXPECT_EQ(space.size(), 6U);
+}
+
 TEST_F(AllSolutionsByCommand, TakeTheLengthsOfAHexapodByName) {
   const json poses =
       report({"dietmaier", "--at", "rho_1=1", "--at", "rho_2=0.645275", "--at", "rho_3=1.086284",

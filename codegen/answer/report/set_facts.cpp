@@ -14,6 +14,7 @@
 #include "codegen/answer/report/place_text.hpp"
 #include "codegen/answer/report/question_report.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
+#include "codegen/model/place.hpp"
 
 namespace regulus::detail {
 namespace {
@@ -82,14 +83,33 @@ Motion at_one_pose_if_along_waypoints(Motion motion) {
   return motion;
 }
 
+void add_errors_of_lengths(const Request& request, AskedSet& set) {
+  const std::vector<PlaceName> names = length_names(request.model);
+  for (std::size_t i = 0; i < request.motion.legs.size(); ++i) {
+    const GiNaC::ex& error = request.motion.error[i];
+    if (error.is_zero()) continue;
+    const Variable variable{
+        names[i].name + "_error", names[i].unit, VariableKind::kControl, {-error, error}};
+    const Interval size = enclose_constant(error, variable.name);
+    set.subject.labels.variables.push_back({variable.name, variable.unit, variable.kind});
+    set.subject.variety.outer.emplace_back(-size.hi, size.hi);
+    set.subject.variety.inner.emplace_back(Interval(-size.lo, size.lo));
+    set.exact.push_back(variable);
+  }
+}
+
 }  // namespace
 
 AskedSet set_of(const Request& request) {
-  const Motion motion = at_one_pose_if_along_waypoints(request.motion);
+  Motion motion = at_one_pose_if_along_waypoints(request.motion);
+  // Errors of lengths are no errors of a pose.
+  if (!motion.legs.empty()) std::ranges::fill(motion.error, 0);
   const Formulation shape = formulate_shape(request.model, motion);
-  return {{report_labels(request, shape), request.model.path,
-           enclose_variety(request.model, motion, shape.variables), false},
-          shape.variables};
+  AskedSet set{{report_labels(request, shape), request.model.path,
+                enclose_variety(request.model, motion, shape.variables), false},
+               shape.variables};
+  add_errors_of_lengths(request, set);
+  return set;
 }
 
 void say_poses(const SearchSubject& subject, const Request& request, Facts& facts) {

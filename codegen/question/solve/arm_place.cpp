@@ -86,6 +86,14 @@ ArmAtPlace arm_at_place(const Request& request, const std::vector<std::string>& 
   return arm;
 }
 
+std::vector<std::size_t> opposite_systems(const ArmChain& chain) {
+  const auto sliding = std::ranges::count(chain, false, &ArmJoint::turns);
+  if (sliding > 1) return {};
+  if (sliding == 0) return {0, 1, 2};
+  const auto slide = std::ranges::find(chain, false, &ArmJoint::turns) - chain.begin();
+  return {(std::size_t(slide) + kJoints - 2) % kJoints};  // it is the third joint of the loop
+}
+
 std::pair<ArmChain, LinkFrame> loop_from(const ArmAtPlace& arm, std::size_t number) {
   auto loop = rotated_loop(arm.chain, arm.target, number);
   move_origins(loop.first, loop.second);

@@ -12,6 +12,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/model/place.hpp"
 #include "codegen/question/solve/arm_place.hpp"
+#include "codegen/question/solve/arm_slides.hpp"
 #include "codegen/question/solve/arm_system.hpp"
 #include "codegen/question/solve/platform_legs.hpp"
 #include "codegen/question/solve/root_search.hpp"
@@ -47,7 +48,10 @@ class ArmSolver {
         geometry_(at_.geometry),
         chain_(at_.chain),
         target_(at_.target),
-        free_(at_.free) {
+        free_(at_.free),
+        slides_(slide_ranges(at_, request)),
+        systems_(opposite_systems(chain_)),
+        all_turn_(std::ranges::all_of(chain_, &ArmJoint::turns)) {
     for (const std::size_t i : free_)
       solutions_.unknowns.push_back({model_.pose[i].name, model_.pose[i].unit,
                                      !turns(i)       ? 0
@@ -60,8 +64,7 @@ class ArmSolver {
     settings_ = root_settings_of(run_);
     settings_.boxes_after_problem = kBoxesAfterProblem;
     const FloatingPointScope nearest(FloatingPointRounding::kNearest);
-    const bool all_turn = std::ranges::all_of(chain_, &ArmJoint::turns);
-    Attempt best = all_turn ? by_opposite_axes() : by_all_joints();
+    Attempt best = systems_.empty() ? by_all_joints() : by_opposite_axes();
     for (Root& root : best.postures) add(root);
     sort_by_values(solutions_.found);
     for (std::vector<Interval>& box : best.open)
@@ -73,12 +76,23 @@ class ArmSolver {
     solutions_.stopped_by = best.stopped_by;
     solutions_.how = is_counted_
                          ? kTheorem
-                         : fmt::format("by a search of {} box{}", in_thousands(solutions_.boxes),
-                                       solutions_.boxes == 1 ? "" : "es");
+                         : fmt::format("by a search of {} box{}{}", in_thousands(solutions_.boxes),
+                                       solutions_.boxes == 1 ? "" : "es", searched_ranges());
     return std::move(solutions_);
   }
 
  private:
+  /// Says where joints that slide were looked for, if postures may be elsewhere.
+  [[nodiscard]] std::string searched_ranges() const {
+    std::string text;
+    for (const auto& [k, slide] : slides_)
+      if (!slide.has_all)
+        text += fmt::format("{}{} in {}{}", text.empty() ? ", of those with " : ", ",
+                            solutions_.unknowns[k].name, short_interval(slide.range),
+                            unit_suffix(solutions_.unknowns[k].unit));
+    return text;
+  }
+
   struct Attempt {
     std::vector<Root> postures;  ///< of all six joints, in radians
     std::vector<std::vector<Interval>> open;
@@ -116,7 +130,7 @@ class ArmSolver {
 
   /// All postures, if as many as the theorem allows are certain among complex numbers.
   std::optional<Attempt> by_counting() {
-    if (varies()) return std::nullopt;
+    if (varies() || !all_turn_) return std::nullopt;
     ArmToEnd arm;
     for (std::size_t k = 0; k < kJoints; ++k)
       arm.joints[k] = {{chain_[k].origin.R, chain_[k].origin.d}, chain_[k].axis};
@@ -140,16 +154,16 @@ class ArmSolver {
     Attempt best;
     const std::uint64_t all = settings_.max_boxes;
     for (const std::uint64_t most : {std::min(all, kFirstBoxes), all}) {
-      for (std::size_t first = 0; first < kWholeArm; ++first) {
+      for (const std::size_t first : systems_) {
         settings_.max_boxes = most;
         Attempt attempt = by_opposite_axes(first);
         const bool is_last = attempt.obstacle.empty() ||
                              attempt.stopped_by == Reason::kInterrupted ||
                              attempt.stopped_by == Reason::kTimeBudget;
-        if (first == 0 || attempt.obstacle.empty() ||
+        if (first == systems_.front() || attempt.obstacle.empty() ||
             attempt.postures.size() > best.postures.size()) {
           best = std::move(attempt);
-          solutions_.opposite = (first + kFollowing[0]) % kWholeArm + 1;
+          solutions_.opposite = (first + kFollowing[0]) % kOppositePairs + 1;
         }
         if (is_last) return best;
       }
@@ -219,13 +233,10 @@ class ArmSolver {
     Problem problem;
     std::vector<Interval> periods;
     for (std::size_t k = 0; k < kJoints; ++k) {
-      const std::size_t i = free_[k];
-      periods.push_back(turns(i) ? kTurn : Interval(0.0));
-      if (!turns(i) && model_.limits.empty())
-        throw UsageError("where joints slide, give each joint of the arm a range");
-      problem.outer.push_back(turns(i)
+      periods.push_back(chain_[k].turns ? kTurn : Interval(0.0));
+      problem.outer.push_back(chain_[k].turns
                                   ? Interval(-mid(kPi) - kOverlapOfTurn, mid(kPi) + kOverlapOfTurn)
-                                  : limits_of(i));
+                                  : slides_.at(k).range);
     }
     const RootSystems systems = systems_of_arm(at_, kWholeArm);
     const RootList list =
@@ -272,9 +283,11 @@ class ArmSolver {
   }
 
   /// A box of four joints as one of all six.
-  [[nodiscard]] static std::vector<Interval> all_joints(const std::vector<Interval>& four,
-                                                        std::size_t first) {
+  [[nodiscard]] std::vector<Interval> all_joints(const std::vector<Interval>& four,
+                                                 std::size_t first) const {
     std::vector<Interval> all(kJoints, Interval(-kPi.hi, kPi.hi));
+    for (std::size_t k = 0; k < kJoints; ++k)
+      if (!chain_[k].turns) all[k] = slides_.at(k).range;
     for (std::size_t i = 0; i < kSearched.size(); ++i)
       all[(kSearched[i] + first) % kJoints] = four[i];
     return all;
@@ -331,6 +344,9 @@ class ArmSolver {
   const ArmChain& chain_;
   const LinkFrame& target_;
   const std::vector<std::size_t>& free_;
+  const std::map<std::size_t, SlideRange> slides_;
+  const std::vector<std::size_t> systems_;  ///< of four joints
+  const bool all_turn_;
   const Problem problem_{};
   RootSettings settings_;
   Solutions solutions_;

@@ -97,6 +97,28 @@ Form rotated(const Form& form, Angle angle, const Vector3& axis, double sign) {
   return result;
 }
 
+/// A point and a direction, seen from a frame.
+struct Line {
+  Form point, direction;
+};
+
+/// Returns both sides of the equations of lines of which a slide along k carries one to the other. `before`
+/// is seen from a frame in which the slide's has the rotation R.
+std::array<std::array<Bilinear, 2>, 5> slide_along(const Vector3& k, const Matrix3& R,
+                                                   const Line& before, const Line& behind) {
+  std::size_t least = 0;
+  for (std::size_t i = 1; i < 3; ++i)
+    if (mag(k[i]) < mag(k[least])) least = i;
+  Vector3 unit = {0.0, 0.0, 0.0};
+  unit[least] = Interval(1.0);
+  const Vector3 e = cross(k, unit), f = cross(k, e);
+  const auto both = [&](const Vector3& u, Form Line::*of) {
+    return std::array<Bilinear, 2>{dot(times(R, u), before.*of), dot(u, behind.*of)};
+  };
+  return {both(e, &Line::point), both(f, &Line::point), both(e, &Line::direction),
+          both(f, &Line::direction), both(k, &Line::direction)};
+}
+
 /// (1, cos, sin) and its derivatives.
 std::array<Vector3, 3> powers(const Interval& angle) {
   const SinCos t = sincos(angle);
@@ -215,6 +237,10 @@ OppositeAxes::OppositeAxes(const ArmChain& chain, const LinkFrame& target) {
       sum(sum(constant(dot(d4, d4) + dot(d5, d5) + dot(d6, d6)), dot(d5, D), 2), dot(d4, W), 2);
   equations_[3].right = sum(sum(constant(dot(d6, a6)), dot(d4, U)), dot(d5, u));
   equations_[4].right = dot(k, cross(d4, U) + C);
+  if (chain[2].turns) return;
+  const auto slide =
+      slide_along(k, frame(3).R, {Q + Form(Vector3{0, 0, 0} - d3), M}, {Form(d4) + W, U});
+  for (std::size_t e = 0; e < kEquations; ++e) equations_[e] = {slide[e][0], slide[e][1]};
 }
 
 std::optional<RootSystem::Values> OppositeAxes::at(std::size_t lane) const {
@@ -259,7 +285,9 @@ std::array<double, 2> OppositeAxes::approx_others(const ArmChain& chain, const L
   const auto by_place = approx_angle(k, middle(after.d), middle(seen.d));
   const auto by_direction =
       approx_angle(k, middle(times(after.R, chain[5].axis)), middle(times(seen.R, chain[5].axis)));
-  const double third = by_place.second > by_direction.second ? by_place.first : by_direction.first;
+  const double third = !chain[2].turns ? approx_dot(k, middle(seen.d - after.d))
+                       : by_place.second > by_direction.second ? by_place.first
+                                                               : by_direction.first;
   const LinkFrame last =
       compose(inverse(compose(compose(before, chain[2].moved(Interval(third))), after)), target);
   const Point3 a = middle(chain[5].axis);

@@ -42,7 +42,8 @@ class WholeArm final : public RootSystem {
 /// Σ k_ij·u_i·v_j with u = (1, cos a, sin a) and v = (1, cos b, sin b).
 using Bilinear = std::array<std::array<Interval, 3>, 3>;
 
-/// Four of six joints that turn, in a closed loop J₁B₁…J₆B₆ = I of rotations J_i and fixed frames B_i.
+/// Four of six joints in a closed loop J₁B₁…J₆B₆ = I of movements J_i and fixed frames B_i. All turn, but
+/// for the third, which may slide.
 ///
 /// Seen from axis 3, the line of axis 6 is in the place P with direction L by the joints 1 and 2, and
 /// in p, l by 4 and 5; rotations about axis 3 = k carry one to the other. So
@@ -51,10 +52,14 @@ using Bilinear = std::array<std::array<Interval, 3>, 3>;
 ///
 /// four equations in q₁, q₂, q₄, q₅, each bilinear in the sines and cosines on either side; and
 /// k·(P × L) = k·(p × l). All five together say that a rotation about k is there: q₃; the rest of the
-/// orientation is q₆.
+/// orientation is q₆. If joint 3 slides, p becomes P along k, and l stays: with e, f across k,
+///
+///     e·P = e·p,   f·P = f·p,   e·L = e·l,   f·L = f·l,
+///
+/// bilinear, too, and k·L = k·l, because L and l are as long.
 class OppositeAxes final : public RootSystem {
  public:
-  /// Requires  six joints that turn.
+  /// Requires  six joints that turn, or all but the third.
   OppositeAxes(const ArmChain& chain, const LinkFrame& target);
 
   void evaluate(std::span<const Box> boxes, bool has_rates) override {

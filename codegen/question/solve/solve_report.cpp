@@ -11,10 +11,12 @@
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/question_report.hpp"
 #include "codegen/answer/report/search_facts.hpp"
+#include "codegen/answer/report/set_facts.hpp"
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/model/place.hpp"
 #include "codegen/question/solve/own_pose.hpp"
+#include "codegen/question/solve/platform_legs.hpp"
 
 namespace regulus::detail {
 namespace {
@@ -293,7 +295,10 @@ void tell_solutions(const SolveAsked& asked, const Solutions& solutions, const S
                     Facts& facts) {
   facts.add("verdict", word_of(solutions));
   tell_model(asked.request, facts);
-  if (facts.are_for_people()) facts.say("at", describe_place(placed_values(asked.request)));
+  if (facts.are_for_people()) {
+    facts.say("at", describe_place(placed_values(asked.request)));
+    if (has_tolerances(asked.request)) say_uncertain(set_of(asked.request).subject, facts);
+  }
   say_held(asked, facts);
   for (const std::string& note : asked.request.notes) facts.say("note", note);
   facts.add("notes", asked.request.notes);

@@ -63,9 +63,10 @@ TEST(RootsOfRanks, AreThoseOfTheArm) {
   const FloatingPointScope nearest(FloatingPointRounding::kNearest);
   const Request request = arm();
   const ArmAtPlace place = arm_at_place(request, {});
-  for (std::size_t number = 0; number <= kWholeArm; ++number)
+  for (const std::size_t number : {std::size_t{0}, std::size_t{1}, std::size_t{2}, kWholeArm})
     expect_same(systems_of(request, {}, number), systems_of_arm(place, number));
-  EXPECT_EQ(systems_of(request, {}, kWholeArm + 1).unknowns, 0U);
+  for (const std::size_t number : {kOppositePairs, kWholeArm - 1, kWholeArm + 1})
+    EXPECT_EQ(systems_of(request, {}, number).unknowns, 0U);
 }
 
 TEST(RootsOfRanks, AreThoseOfThePlatform) {
