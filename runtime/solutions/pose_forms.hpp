@@ -5,7 +5,7 @@
 
 namespace regulus::detail {
 
-inline constexpr int kMostFreeNumbers = 3;
+inline constexpr int kMostFreeNumbers = 6;
 inline constexpr int kMostPoseUnknowns = 3 + kMostFreeNumbers;
 /// The number of further expressions that are 0 at a pose.
 inline constexpr int kPoseExtras = 10;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr long kBitsOfLegs = 128;
 constexpr std::size_t kSixLegs = 6, kNumbers = 7, kTerms = 17, kRotation = 8, kConstant = 7;
-constexpr std::size_t kLeastPivots = 4;
+constexpr std::size_t kLeastPivots = 1;
 constexpr double kLeastPivot = 0.02;  ///< beside the first
 
 /// The factors of |t|², Rᵀt and t, of 1, and of the nine entries of R, row by row, in a sum that is 0.

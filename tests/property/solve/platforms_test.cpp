@@ -117,6 +117,40 @@ TEST(PosesOfAThreefoldPlatform, HasNoOthers) {
   EXPECT_GE(complete, 3);
 }
 
+/// Base and platform are flat and similar, one of them perhaps mirrored: the legs are linear in few of the
+/// numbers that the search eliminates.
+TEST(PosesOfASimilarPlatform, HasNoOthers) {
+  RandomSource random(29);
+  int complete = 0;
+  for (int round = 0; round < 6; ++round) {
+    Platform robot;
+    const double size = random.between(0.3, 0.8), sign = round % 2 == 0 ? 1 : -1;
+    for (std::size_t i = 0; i < 6; ++i) {
+      const double angle = double(i) + random.between(0, 0.8), radius = random.between(0.7, 1);
+      robot.base[i] = {radius * std::cos(angle), radius * std::sin(angle), 0};
+      robot.platform[i] = {size * robot.base[i][0], sign * size * robot.base[i][1], 0};
+    }
+    const Pose<double> planted = random_pose(random, 1);
+    const GoughLegs legs = robot.at(planted);
+    const PoseList list = searched(legs);
+    EXPECT_TRUE(list.is_searched);
+    if (!list.is_complete) continue;
+    ++complete;
+    expect_all(robot, legs, planted, list, random, 200);
+  }
+  EXPECT_GE(complete, 4);
+}
+
+/// All anchors of the platform are on a line, about which it turns: there are infinitely many poses.
+TEST(PosesOfACollinearPlatform, AreNeverAll) {
+  RandomSource random(30);
+  Platform robot = Platform::random(random);
+  for (std::size_t i = 0; i < 6; ++i) robot.platform[i] = {random.between(-1, 1), 0, 0};
+  const PoseList list = searched(robot.at(random_pose(random, 1)), 20'000);
+  EXPECT_TRUE(list.is_searched);
+  EXPECT_FALSE(list.is_complete);
+}
+
 /// The same platform in another frame of the base, in another chart for each pose.
 TEST(PosesOfATurnedPlatform, AreAsMany) {
   RandomSource random(24);

@@ -110,5 +110,23 @@ TEST(SearchedPosesOfFlatPlatforms, AreVerifiedWithTheirFiles) {
   EXPECT_GE(counts[true], trials(0, 1));
 }
 
+/// A flat hexagon and its mirror image at half its size.
+TEST(PosesOfASimilarPlatform, AreVerifiedWithTheirFile) {
+  const std::string model =
+      "regulus = 1\nname = \"mirrored\"\n[gough]\norientation = \"roll-pitch-yaw\"\n"
+      "base = [[100,0,0],[60,80,0],[-50,85,0],[-100,10,0],[-40,-80,0],[50,-90,0]]\n"
+      "platform = [[50,0,0],[30,-40,0],[-25,-42.5,0],[-50,-5,0],[-20,40,0],[25,45,0]]\n"
+      "[motion.at]\nx = 5\ny = 8\nz = 100\nroll = 0.2\npitch = -0.1\nyaw = 0.3\n";
+  const Certified made = certified(model);
+  ASSERT_EQ(made.solutions.found.size(), 8U);
+  ASSERT_TRUE(is_complete(made.solutions)) << made.solutions.obstacle;
+  EXPECT_EQ(verified(made.text, model).outcome, Outcome::kVerified);
+  Lines fewer = lines_of(made.text);
+  fewer.erase(fewer.begin() + std::ptrdiff_t(first(fewer, "solution")));
+  std::string seven = joined(fewer);
+  seven.replace(seven.find("exactly 8"), 9, "exactly 7");
+  EXPECT_EQ(outcome(seven), Outcome::kRejected);
+}
+
 }  // namespace
 }  // namespace regulus::detail::test
