@@ -206,6 +206,8 @@ test("A segment says which part of it has which claim", async (browser) => {
   assert.ok(begin < 2 + 2 / 3 && 2 + 2 / 3 < end && end - begin < 0.01, claims[2]);
   assert.equal(await page.$$eval(".legend .dashed", (keys) => keys[0].parentElement.textContent), "dashed: det as sampled, not proved; the line is 0");
   assert.equal((await page.$$(".legend .sampled")).length, 0);
+  const widths = await page.$$eval(".way-strip .singular", (boxes) => boxes.map((box) => Number(box.getAttribute("width"))));
+  assert.ok(widths.length === 1 && widths[0] >= 3, widths.join());
   assert.match(await textOf(page, ".sliders output"), /^segment 3, t = 2.667/); // the singular pose
   assert.deepEqual(faults, []);
 });

@@ -11,6 +11,7 @@ const WIDTH = 800;
 const HEIGHT = 120;
 const SAMPLES = 600;
 const MOST_ROWS = 2000;
+const LEAST_WIDTH = 3;
 const MOST_PARTS = 4; // of a segment with the same claim
 
 interface Stripe {
@@ -65,14 +66,23 @@ function sampledCurve(way: Way): SVGElement[] {
   ];
 }
 
+/** What is not free is drawn wide enough to be seen. */
+function shownEnds(x: (u: number) => number, { claim, begin, end }: Stripe): [number, number] {
+  const [left, right] = [x(begin), x(end)];
+  const more = claim === "free" ? 0 : Math.max(0, LEAST_WIDTH - (right - left)) / 2;
+  return [Math.max(0, left - more), Math.min(WIDTH, right + more)];
+}
+
 function strip(way: Way, stripes: readonly Stripe[]): HTMLElement {
   const x = (u: number): number => (u / way.count) * WIDTH;
   const cross = svg("path", { class: "cross" });
   const picture = svg(
     "svg",
     { viewBox: `0 -2 ${WIDTH} ${HEIGHT + 4}`, role: "img", "aria-label": "The way from its beginning to its end", preserveAspectRatio: "none" },
-    ...stripes.map(({ claim, begin, end }) =>
-      svg("rect", { x: x(begin).toFixed(2), y: 0, width: (x(end) - x(begin)).toFixed(2), height: HEIGHT, class: `box ${claim}` })),
+    ...[...stripes].sort((a, b) => Number(b.claim === "free") - Number(a.claim === "free")).map((stripe) => {
+      const [left, right] = shownEnds(x, stripe);
+      return svg("rect", { x: left.toFixed(2), y: 0, width: (right - left).toFixed(2), height: HEIGHT, class: `box ${stripe.claim}` });
+    }),
     ...sampledCurve(way),
     cross,
   );
