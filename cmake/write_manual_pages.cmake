@@ -42,6 +42,7 @@ endfunction()
 set(style "body{max-width:60rem;margin:2rem auto;padding:0 1rem;font:16px/1.5 sans-serif;color:#1b1f24;background:#fff}
 pre{background:#f4f5f7;padding:.8rem;overflow-x:auto}code{font-size:90%}
 table{border-collapse:collapse}td,th{border:1px solid #c9ced6;padding:.3rem .6rem;text-align:left;vertical-align:top}
+.wide{overflow-x:auto}p,li,h1,h2,h3{overflow-wrap:anywhere}
 img{max-width:100%}
 @media(prefers-color-scheme:dark){body{color:#dde1e7;background:#16181d}pre{background:#22252c}a{color:#8ab4ff}}")
 
@@ -59,6 +60,9 @@ foreach(page IN LISTS PAGES)
   execute_process(COMMAND ${CMARK} --extension table ${FOLDER}/${name} OUTPUT_VARIABLE html COMMAND_ERROR_IS_FATAL ANY)
   string(REGEX REPLACE "href=\"([A-Za-z_]+)\\.md" "href=\"\\1.html" html "${html}")
   name_headings("${html}" html)
+  # On a narrow screen a table scrolls, and the page does not.
+  string(REPLACE "<table>" "<div class=\"wide\" tabindex=\"0\"><table>" html "${html}")
+  string(REPLACE "</table>" "</table></div>" html "${html}")
   string(REGEX MATCH "^# ([^\n]*)" title "${text}")
   set(title "${CMAKE_MATCH_1}")
   get_filename_component(stem ${name} NAME_WE)

@@ -111,8 +111,11 @@ constexpr Key kWayMatrix[] = {
     {"max_frontier", "count", "the most boxes that waited"},
 };
 constexpr Key kSegment[] = {{"segment", "segment?", "the segment that decides"}};
-constexpr Key kEndOfBranch[] = {
-    {"segment?", "segment?", "of a closure: where its branch ends; null: nowhere"}};
+constexpr Key kEndOfWay[] = {
+    {"segment?", "segment?",
+     "the first one that is singular; of a closure where its branch ends; null: none"},
+    {"witness?", "witness?", "the proof of a singularity"},
+};
 constexpr Key kExcluded[] = {
     {"excluded", "count", "segments without a pose that the claim is about"}};
 constexpr Key kStretches[] = {
@@ -193,7 +196,7 @@ std::vector<ObjectKind> kinds_of_searches() {
        kOfMatrix},
       {"path_paving",
        "locate of a motion along way-points",
-       {kReason, kWay, kWayMatrix, kMethod, kStretches, kClosure, kEndOfBranch, kCertificate},
+       {kReason, kWay, kWayMatrix, kMethod, kStretches, kClosure, kEndOfWay, kCertificate},
        kOfMatrix},
   };
 }

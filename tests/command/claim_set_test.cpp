@@ -103,9 +103,20 @@ TEST_F(ClaimSet, HasTheLimitOfTheBound) {
                           HasSubstr("proved     |force under pull| < 5.5 N, for every pose")));
 }
 
-TEST_F(ClaimSet, LeavesOutWhatGrows) {
-  const std::string tolerance = report({"margin", "box", "--tolerance", "h=0:2"});
-  EXPECT_THAT(tolerance, AllOf(HasSubstr("y = 0.25 m\n"), Not(HasSubstr("\nuncertain"))));
+TEST_F(ClaimSet, SaysWhatGrows) {
+  const auto grows = HasSubstr("uncertain  1 quantity: h ±v; v grows\n");
+  EXPECT_THAT(report({"margin", "box", "--tolerance", "h=0:2"}),
+              AllOf(HasSubstr("y = 0.25 m\n"), grows));
+  EXPECT_THAT(report({"margin", "box", "--waypoints", way(), "--tolerance", "h=0:2"}), grows);
+  const std::string limit = "5.5";
+  EXPECT_THAT(
+      report({"margin", "box", "--tolerance", "h=0:2", "--quantity", "force", "--limit", limit}),
+      grows);
+  EXPECT_THAT(report({"margin", "box", "--waypoints", way(), "--tolerance", "h=0:2", "--quantity",
+                      "force", "--limit", limit}),
+              grows);
+  EXPECT_THAT(report({"margin", "box", "--tube", "x=0:2"}),
+              HasSubstr("uncertain  2 quantities: h ±0.01, x_error ±v; v grows\n"));
   EXPECT_THAT(report({"margin", "box", "--grow", "x=0:3"}),
               AllOf(HasSubstr("x in [0, v] m, v grows\n"), HasSubstr("y = 0.25 m\n"),
                     Not(HasSubstr("x in [0, 1] m"))));

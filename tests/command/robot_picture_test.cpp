@@ -71,14 +71,19 @@ void expect_near(const Place& found, const Place& expected) {
       << found[0] << ' ' << found[1] << ", expected " << expected[0] << ' ' << expected[1];
 }
 
-/// A model that a test has written; `extra` are options.
-std::string commands_for_model(const std::string& model, std::vector<std::string> extra) {
+/// A model that a test has written; `words` are options.
+std::string commands_for_text(const std::string& model, std::vector<std::string> words) {
   const TemporaryDirectory folder;
   const std::string path = folder.path() / "model.toml";
   std::ofstream(path) << model;
-  extra.insert(extra.begin(), path);
+  words.insert(words.begin(), path);
+  return commands_for(words);
+}
+
+/// The same with the robot, over few boxes; `extra` are options.
+std::string commands_for_model(const std::string& model, std::vector<std::string> extra) {
   extra.insert(extra.end(), {"--robot", "--resolution", "1", "--max-boxes", "8"});
-  return commands_for(extra);
+  return commands_for_text(model, std::move(extra));
 }
 
 /// A crank, an actuator and a carriage, in the middle of the motion: the lengths are those of the
@@ -221,6 +226,77 @@ TEST(PictureOfARobot, HasFewNumbersAlongItsAxes) {
       {kPlanar, "crossing", "--resolution", "1/4", "--slices", "y=4", "--axes", "x,phi"});
   EXPECT_THAT(slices,
               AllOf(HasSubstr("set xtics 2\n"), HasSubstr("set yrange [-15:60]\nset ytics 30\n")));
+}
+
+/// Colours that cover the map in part would be none of the legend.
+TEST(PictureOfARobot, LeavesTheColoursOfTheMap) {
+  const std::string text =
+      commands_for({kPlanar, "regular", "--range", "phi=0", "--resolution", "1/4", "--robot"});
+  EXPECT_THAT(text, AllOf(Not(HasSubstr("transparent")), Not(HasSubstr("filledcurves"))));
+}
+
+/// Returns the number behind a word that stands once.
+double number_after(const std::string& commands, const std::string& word) {
+  const std::size_t at = commands.find(word);
+  EXPECT_TRUE(at != std::string::npos && commands.find(word, at + 1) == std::string::npos) << word;
+  return std::stod(commands.substr(at + word.size()));
+}
+
+/// A map of some claims, whose legend has a text for each.
+std::string commands_for_stage() {
+  return commands_for_text(R"(regulus = 1
+name = "planar stage"
+[legs]
+unit = "mm"
+leg = [
+  { type = "RRR", base = [0, 0], platform = [-30, -20], crank = 120, rod = 150, mode = "+", range = ["-90deg", "200deg"] },
+  { type = "RPR", base = [300, 0], platform = [30, -20], range = [80, 220] },
+  { type = "PRR", base = [0, 300], platform = [0, 40], axis = [1, 0], rod = 160, mode = "-", range = [0, 150] }]
+[motion]
+whole = { x = [0, 300], y = [0, 300], phi = 0, where = "within-ranges" }
+)",
+                           {"--resolution", "1/16"});
+}
+
+std::size_t count_of(const std::string& text, const std::string& word) {
+  std::size_t count = 0;
+  for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; ++at) ++count;
+  return count;
+}
+
+TEST(Legend, HasRoomForAllOfItsRows) {
+  const std::string few = commands_for({kPlanar, "regular", "--range", "phi=0"});
+  EXPECT_EQ(count_of(few, "keyentry"), 1U);
+  EXPECT_EQ(number_after(few, "set bmargin "), 7);
+  const std::string many = commands_for_stage();
+  const std::size_t texts = count_of(many, "keyentry");
+  EXPECT_GE(texts, 4U);
+  const double columns = number_after(many, " maxcols ");
+  EXPECT_EQ(number_after(many, "set bmargin "), 6 + std::ceil(double(texts) / columns));
+}
+
+/// Below many panels each text has a line of its own.
+TEST(Legend, HasRoomBelowPanels) {
+  const auto foot = [](std::vector<std::string> more) {
+    more.insert(more.begin(), {kPlanar, "crossing", "--resolution", "1/8", "--slices", "phi=4"});
+    const std::string text = commands_for(more);
+    EXPECT_EQ(text.find("\nset key", text.find("\nunset key")), std::string::npos);
+    return number_after(text, "margins screen 0.113,0.97,");
+  };
+  EXPECT_LT(foot({"--range", "x=0:0.1"}), foot({}));
+}
+
+TEST(Legend, StandsUnderTheMap) {
+  EXPECT_THAT(commands_for({kPlanar, "regular", "--range", "phi=0"}),
+              HasSubstr("set key at graph 0.5, screen 0.02 "));
+}
+
+/// A map of equal scales that is higher than wide has few numbers along its narrow side.
+TEST(NumbersAlongAnAxis, HaveRoom) {
+  const std::string text = commands_for({kPlanar, "regular", "--range", "phi=0", "--range",
+                                         "x=-1:1", "--range", "y=14:18", "--resolution", "1/4"});
+  EXPECT_THAT(text, AllOf(HasSubstr("set size ratio -1"), HasSubstr("set xtics 1\n"),
+                          HasSubstr("set ytics 0.5\n")));
 }
 
 }  // namespace

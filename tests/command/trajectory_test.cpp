@@ -272,6 +272,12 @@ TEST_F(Trajectories, AreDividedIntoStretches) {
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_THAT(run.errors, HasSubstr("free       segments 1 to 117, t from 0 to 1.169"));
   EXPECT_THAT(run.errors, HasSubstr("singular   segment 117, t from 1.169"));
+  EXPECT_THAT(run.errors, HasSubstr("\npose       singular in segment 117, t = 1.169"));
+  EXPECT_THAT(run.errors, HasSubstr("\nwitness    s = "));
+  EXPECT_THAT(run.errors, HasSubstr("\nmeaning    free: at no pose of the stretch"));
+  EXPECT_THAT(run.errors,
+              HasSubstr("\nclaim      free: the full 2×2 matrix has full rank at every pose of the "
+                        "stretch\n           singular: the full 2×2 matrix is singular at some"));
   std::vector<std::string> kinds;
   std::ifstream lines(path("stretches.jsonl"));
   double end = 0;

@@ -4,7 +4,8 @@
 import assert from "node:assert/strict";
 import { createHash } from "node:crypto";
 import { execFileSync } from "node:child_process";
-import { mkdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
+import { existsSync, mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
+import { dirname, join } from "node:path";
 import { drawn, inBrowser, makePage, open, pageOf, regulus, requireAccessible, secondProof, source, textOf, work } from "./browser.mjs";
 
 mkdirSync(work, { recursive: true });
@@ -197,6 +198,49 @@ test("A way into a singularity shows it, and what is certified beside it", async
   assert.deepEqual(faults, []);
 });
 
+test("A segment says which part of it has which claim", async (browser) => {
+  const { page, faults } = await open(browser, pageOf("stretches", ["locate", cart([[1, 1], [2, 1.5], [3, 1], [2, -0.5]])]));
+  const claims = await page.$$eval("#segments tbody tr", (rows) => rows.map((row) => row.lastElementChild.textContent));
+  assert.deepEqual(claims.slice(0, 2), Array(2).fill("certified: no singularity"));
+  const [, begin, end] = /^certified: no singularity; except from ([\d.]+) to ([\d.]+): certified: holds a singularity$/.exec(claims[2]).map(Number);
+  assert.ok(begin < 2 + 2 / 3 && 2 + 2 / 3 < end && end - begin < 0.01, claims[2]);
+  assert.equal(await page.$$eval(".legend .dashed", (keys) => keys[0].parentElement.textContent), "dashed: det as sampled, not proved; the line is 0");
+  assert.equal((await page.$$(".legend .sampled")).length, 0);
+  const widths = await page.$$eval(".way-strip .singular", (boxes) => boxes.map((box) => Number(box.getAttribute("width"))));
+  assert.ok(widths.length === 1 && widths[0] >= 3, widths.join());
+  assert.match(await textOf(page, ".sliders output"), /^segment 3, t = 2.667/); // the singular pose
+  assert.deepEqual(faults, []);
+});
+
+test("A page of a margin says what grows, and in which unit", async (browser) => {
+  const motion = [robot, "table4_1"];
+  const cases = [
+    [["--tolerance", "base,platform=0:0.5"], /Uncertainbase, platform: ±v, v from 0 cm to 0\.5 cm\.$/],
+    [["--tolerance", "base=0:", "--tolerance", "platform=0.001"], /Uncertainbase: ±v, v from 0 cm on; platform ±0\.001 cm \(18 quantities\)\.$/],
+    [["--tube", "x,y=0:0.5"], /Uncertaincontrol error of x, y: ±v, v from 0 cm to 0\.5 cm\.$/],
+    [["--scale", "0:1"], /each range times v, v from 0 to 1\.Uncertainnothing: geometry and control are taken as exact\.$/],
+    [["--grow", "x=0:1"], /the range of x grows with v, v from 0 cm to 1 cm\.Uncertainnothing/],
+  ];
+  for (const [words, asked] of cases) {
+    const { page, faults } = await open(browser, pageOf("growing", ["margin", ...motion, ...words, "--gap", "0.9"]));
+    assert.match(await textOf(page, "#asked"), asked);
+    assert.equal(await secondProof(page), "Quoted: this page has no proof of this answer.");
+    assert.match(await textOf(page, "main"), /(Proved at [\d.]+( cm)?: |Nothing is proved)/);
+    assert.doesNotMatch(await textOf(page, "main"), words[0] === "--scale" ? /^$/ : /(Proved at|At) [\d.]+:/);
+    assert.deepEqual(faults, []);
+  }
+});
+
+test("No page of the manual scrolls sideways on a phone", async (browser) => {
+  const manual = join(dirname(regulus), "../share/doc/regulus/manual");
+  const pages = existsSync(manual) ? readdirSync(manual).filter((name) => name.endsWith(".html")) : [];
+  for (const name of pages) { // none without cmark-gfm
+    const { page } = await open(browser, join(manual, name), { width: 375 });
+    assert.ok((await page.evaluate(() => document.scrollingElement.scrollWidth)) <= 375, name);
+    await page.close();
+  }
+});
+
 test("Legs have the colours of their forces, by a bound in the page", async (browser) => {
   const file = pageOf("force", ["bound", robot, "wide_15", "force", "--range", "x=0:1", "--range", "y=0:1", "--gap", "0.5"]);
   const { page, faults } = await open(browser, file);
@@ -369,6 +413,8 @@ test("A platform in the plane is drawn in all its poses", async (browser) => {
 test("A platform on six legs is drawn in all its forty poses", async (browser) => {
   const { page, faults } = await open(browser, pageOf("forty", ["solve", `${source}/models/dietmaier.toml`]), { width: 390 });
   assert.match(await textOf(page, "main"), /The robot in all 40 poses/);
+  const caption = await page.$eval(".solutions .caption", (words) => words.getBoundingClientRect().right);
+  assert.ok(caption <= 390, `the caption ends at ${caption}`);
   await eachSolution(page, 40, (points, i) => requireLengths(points, [1, 0.645275, 1.086284, 1.503439, 1.281933, 0.771071], i));
   assert.ok((await page.evaluate(() => document.scrollingElement.scrollWidth)) <= 390);
   await requireAccessible(page, "forty poses");
@@ -540,6 +586,15 @@ test("Paper takes two sheets", async (browser) => {
     const sheets = pdf.match(/\/Type\s*\/Page[^s]/g).length;
     assert.ok(sheets <= 2, `${sheets} sheets of ${file}`);
   }
+  const { page } = await open(browser, safe);
+  await secondProof(page);
+  await page.emulateMediaType("print");
+  await page.setViewport({ width: 711, height: 1040 }); // 188 mm by 275 mm
+  await drawn(page);
+  const ends = await page.$eval(".slices", (slices) => slices.getBoundingClientRect().bottom);
+  assert.ok(ends < 1040, `the slices end ${ends} pixels below the top of the first sheet`);
+  assert.equal(await page.$eval("section:has(.slices)", (part) => getComputedStyle(part).breakInside), "avoid-page");
+  assert.doesNotMatch(await textOf(page, "main"), /at the end of this page/);
 });
 
 test("Without a verdict, the page goes to the pose nearest to a singularity", async (browser) => {
@@ -588,6 +643,7 @@ test("It is readable in the dark, on a phone, on paper and without scripts", asy
   await requireAccessible(dark, "dark");
   const width = await dark.evaluate(() => document.scrollingElement.scrollWidth);
   assert.ok(width <= 390, `${width} pixels wide`);
+  assert.equal(await dark.$eval(".leg-legend .scale", (scale) => scale.getClientRects().length), 1);
   await dark.emulateMediaType("print");
   const shown = await dark.evaluate(() => [".robot-view canvas", ".robot-drawing"].map((name) => getComputedStyle(document.querySelector(name)).display));
   assert.deepEqual(shown, ["none", "block"]);

@@ -64,7 +64,7 @@ std::string curve_commands(const PreparedSearch& p, const PictureOptions& option
   add_legends(plot, options, volumes);
   return (has_determinants ? "set ylabel " + Gnuplot::quoted(plot.up().label()) + '\n'
                            : "unset ytics\n") +
-         plot.commands();
+         plot.legend_commands() + plot.commands();
 }
 
 }  // namespace regulus::detail

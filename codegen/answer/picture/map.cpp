@@ -2,6 +2,7 @@
 // Maps: a plane of tiles over two ranges.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -34,6 +35,15 @@ void add_tiles(Plot& plot, const Canvas& canvas, const std::vector<TileRectangle
   for (const TileRectangle& r : rectangles)
     plot.add_rectangle(part_of(x, r.left, r.right, canvas.columns()),
                        overlapping(part_of(y, r.bottom, r.top, canvas.rows()), y, canvas.rows()));
+}
+
+/// Height of the room of a map by its width. A map of equal scales may fill a part of either.
+constexpr double kShape = 0.75;
+
+/// Returns the most ticks that have room along a part of an axis for `whole` of them.
+int ticks_of_part(int whole, double part) {
+  constexpr int kLeast = 3;
+  return std::clamp(int(std::lround(whole * std::min(part, 1.0))), kLeast, whole);
 }
 
 /// The most frequent kind is one rectangle below the others.
@@ -86,19 +96,18 @@ void add_share_legends(Plot& plot, const PictureOptions& options, const Volumes&
 
 std::string map_commands(const PreparedSearch& p, const PictureOptions& options,
                          const Volumes& volumes, const Canvas& canvas, bool has_legend) {
-  const int most_ticks = options.slices.empty() ? 8 : 4;
   std::optional<RobotInMap> robot;
   if (options.robot) robot.emplace(p, options);
-  const auto axis = [&](std::size_t k) {
-    return axis_of(p, options.drawn[k], most_ticks,
-                   robot ? std::optional(robot->extent(k)) : std::nullopt);
+  const auto shown = [&](std::size_t k) {
+    return robot ? robot->extent(k) : p.variety.outer[options.drawn[k]];
   };
-  Plot plot(axis(0), axis(1));
-  const VariableLabel& across = p.labels.variables[options.drawn[0]];
-  const VariableLabel& up = p.labels.variables[options.drawn[1]];
-  const Interval x = plot.across().shown(), y = plot.up().shown();
+  const auto unit = [&](std::size_t k) { return p.labels.variables[options.drawn[k]].unit; };
+  const Interval x = shown(0), y = shown(1);
   const double ratio = (y.hi - y.lo) / (x.hi - x.lo);
-  const bool equal = across.unit == up.unit && (robot || (ratio > 0.4 && ratio < 2.5));
+  const bool equal = unit(0) == unit(1) && (robot || (ratio > 0.4 && ratio < 2.5));
+  const int most_ticks = options.slices.empty() ? 8 : 4;
+  Plot plot(axis_of(p, options.drawn[0], ticks_of_part(most_ticks, equal ? kShape / ratio : 1), x),
+            axis_of(p, options.drawn[1], ticks_of_part(most_ticks, equal ? ratio / kShape : 1), y));
   if (options.shade == Shade::kShare) {
     add_shares(plot, canvas);
     if (has_legend) add_share_legends(plot, options, volumes);
@@ -107,8 +116,12 @@ std::string map_commands(const PreparedSearch& p, const PictureOptions& options,
     if (has_legend) add_legends(plot, options, volumes);
   }
   if (robot) robot->add_to(plot, canvas.slice(), has_legend);
+  // Any setting of a legend shows it.
+  const std::string legend = options.slices.empty() ? plot.legend_commands()
+                             : has_legend           ? "set key maxcols 1\n"
+                                                    : "";
   return "set xlabel " + Gnuplot::quoted(plot.across().label()) + "\nset ylabel " +
-         Gnuplot::quoted(plot.up().label()) + '\n' + (equal ? "set size ratio -1\n" : "") +
+         Gnuplot::quoted(plot.up().label()) + '\n' + (equal ? "set size ratio -1\n" : "") + legend +
          plot.commands();
 }
 

@@ -30,8 +30,10 @@ std::string terminal(const std::string& file, Grid grid) {
   const double across = grid.columns == 1 ? 1 : 0.5 * grid.columns + 0.15;
   const double up = grid.columns == 1 ? 1 : 0.5 * grid.rows + 0.3;
   if (file.ends_with(".png"))
-    return fmt::format("set terminal pngcairo size {:.0f},{:.0f} font 'Sans,18' noenhanced\n",
-                       1280 * across, 1000 * up);
+    return fmt::format(
+        "set terminal pngcairo size {:.0f},{:.0f} font 'Sans,18' linewidth 1.8 pointscale "
+        "1.8 noenhanced\n",
+        1280 * across, 1000 * up);
   if (file.ends_with(".pdf"))
     return fmt::format("set terminal pdfcairo size {:.2f}in,{:.2f}in font 'Sans,11' noenhanced\n",
                        5.6 * across, 4.5 * up);
@@ -92,21 +94,37 @@ std::string key_title(const PictureOptions& options) {
 
 std::string single_picture(const PreparedSearch& p, const PictureOptions& options,
                            const Volumes& volumes, const Canvas& canvas) {
-  return "set title " + title(p, options) + "set bmargin 7\n" +
+  return "set title " + title(p, options) +
          (canvas.is_flat() ? curve_commands(p, options, volumes, canvas)
                            : map_commands(p, options, volumes, canvas, true));
+}
+
+/// Below one panel of many the texts of a legend stand one below the other.
+std::size_t rows_of_legend(const PictureOptions& options, const Volumes& volumes) {
+  constexpr std::size_t kShares = 3;
+  const bool is_share = options.shade == Shade::kShare;
+  std::size_t rows = (is_share ? kShares : 0) + (options.robot ? 1 : 0);
+  for (const Claim claim : kDrawingOrder) {
+    const bool is_told = !is_share || claim == Claim::kOutside || claim == Claim::kUnreachable;
+    if (is_told && volumes.of(claim).boxes > 0) ++rows;
+  }
+  return rows;
 }
 
 /// The first panel has the legend of all.
 std::string slice_pictures(const PreparedSearch& p, const PictureOptions& options,
                            const Volumes& volumes, const std::deque<Canvas>& canvases, Grid grid) {
-  std::string text =
-      fmt::format(
-          "set multiplot layout {},{} margins screen 0.08,0.97,{:.3f},{:.3f} "
-          "spacing screen {:.3f},{:.3f} title ",
-          grid.rows, grid.columns, 0.26 / (0.5 * grid.rows + 0.3),
-          1 - 0.15 / (0.5 * grid.rows + 0.3), 0.20 / grid.columns, 0.28 / grid.rows) +
-      title(p, options);
+  // In heights of a picture of one panel.
+  constexpr double kAxis = 0.2, kHead = 0.12, kLine = 0.035, kLeft = 0.13;
+  const double width = 0.5 * grid.columns + 0.15, height = 0.5 * grid.rows + 0.3;
+  const double foot = kAxis + kLine * double(rows_of_legend(options, volumes));
+  const double head = kHead + kLine * double(1 + wrapped(describe_others(p, options)).size());
+  std::string text = fmt::format(
+                         "set multiplot layout {},{} margins screen {:.3f},0.97,{:.3f},{:.3f} "
+                         "spacing screen {:.3f},{:.3f} title ",
+                         grid.rows, grid.columns, kLeft / width, foot / height, 1 - head / height,
+                         0.20 / grid.columns, 0.34 / grid.rows) +
+                     title(p, options);
   for (const Canvas& canvas : canvases) {
     const VariableLabel& variable = p.labels.variables[canvas.slice()->axis];
     text += "set title " + Gnuplot::quoted(drawn_text(variable, Interval(canvas.slice()->value))) +

@@ -11,9 +11,22 @@
 namespace regulus::detail {
 namespace {
 
-std::string line_style(double width, double dots) {
-  return fmt::format("linespoints linewidth {} pointtype 7 pointsize {} linecolor rgb '#202020'",
-                     width, dots);
+constexpr const char* kInk = "#202020";
+constexpr const char* kPaper = "#ffffff";
+
+std::string line_style(double width, double dots, const char* colour, bool broken = false) {
+  return fmt::format("linespoints linewidth {}{} pointtype 7 pointsize {} linecolor rgb '{}'",
+                     width, broken ? " dashtype (12,6)" : "", dots, colour);
+}
+
+/// In pixels of the narrowest picture, an SVG of 720, by gnuplot's own guess of the width of its texts.
+constexpr double kRoomOfLegend = 625, kWidthOfLetter = 9.8, kWidthOfSample = 45;
+
+/// Returns how many texts of a legend stand side by side, the longest of which has that many letters.
+std::size_t columns_of_legend(std::size_t longest) {
+  constexpr std::size_t kMost = 3;
+  const double width = kWidthOfSample + kWidthOfLetter * double(longest);
+  return std::clamp(std::size_t(kRoomOfLegend / width), std::size_t(1), kMost);
 }
 
 }  // namespace
@@ -55,25 +68,39 @@ void Plot::add_path(std::vector<PlacePoint> points, PathStyle path) {
   for (const PlacePoint& p : points)
     blocks_ += fmt::format("{:.6g} {:.6g}\n", p.across * across_.factor(), p.up * up_.factor());
   blocks_ += "EOD\n";
-  if (is_body)
-    parts_.push_back(fmt::format(
-        "{} with filledcurves closed fillcolor rgb '{}' fillstyle transparent solid 0.5 noborder "
-        "notitle",
-        block, path == PathStyle::kBase ? "#404040" : "#ffffff"));
+  // Edges in the colour of the paper keep the line apart from every colour of the map.
+  constexpr double kEdges = 2.5, kEdgeOfDot = 0.35;
+  const double width = is_body || path == PathStyle::kRail ? 1.5 : 3;
+  const double dots = path == PathStyle::kPlace ? 1.2 : 0.6;
   parts_.push_back(fmt::format("{} with {} notitle", block,
-                               line_style(is_body || path == PathStyle::kRail ? 1.5 : 3,
-                                          path == PathStyle::kPlace ? 1.2 : 0.6)));
+                               line_style(width + kEdges, dots + kEdgeOfDot, kPaper)));
+  parts_.push_back(fmt::format("{} with {} notitle", block,
+                               line_style(width, dots, kInk, path == PathStyle::kBase)));
 }
 
 void Plot::add_rod_legend(const std::string& text) {
-  parts_.push_back(
-      fmt::format("keyentry with {} title {}", line_style(3, 0.6), Gnuplot::quoted(text)));
+  add_to_legend("keyentry with " + line_style(3, 0.6, kInk), text);
 }
 
 void Plot::add_legend(const std::string& colour, const std::string& text) {
-  parts_.push_back(fmt::format(
-      "keyentry with boxes fillcolor rgb '{}' fillstyle solid 1 border rgb '#404040' title {}",
-      colour, Gnuplot::quoted(text)));
+  add_to_legend(fmt::format("keyentry with boxes fillcolor rgb '{}' fillstyle solid 1 border rgb "
+                            "'#404040'",
+                            colour),
+                text);
+}
+
+void Plot::add_to_legend(const std::string& sample, const std::string& text) {
+  parts_.push_back(sample + " title " + Gnuplot::quoted(text));
+  ++texts_of_legend_;
+  longest_of_legend_ = std::max(longest_of_legend_, text.size());
+}
+
+std::string Plot::legend_commands() const {
+  // Ticks, the axis, a gap and the title of the legend.
+  constexpr std::size_t kLinesAboveTexts = 6;
+  const std::size_t columns = columns_of_legend(longest_of_legend_);
+  return fmt::format("set key at graph 0.5, screen 0.02 maxcols {}\nset bmargin {}\n", columns,
+                     kLinesAboveTexts + (texts_of_legend_ + columns - 1) / columns);
 }
 
 std::string Plot::commands() const {

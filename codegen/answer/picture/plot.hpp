@@ -33,7 +33,8 @@ class Plot {
 
   /// Adds a horizontal line; a broken one if `broken`.
   void add_level(double y, bool broken);
-  /// Adds a line through points, with a dot on each; the edge of a body is closed and shaded.
+  /// Adds a line through points, with a dot on each; the edge of a body is closed, that of the base
+  /// broken.
   void add_path(std::vector<PlacePoint> points, PathStyle path);
   /// Adds a line of the legend.
   void add_legend(const std::string& colour, const std::string& text);
@@ -43,13 +44,18 @@ class Plot {
   [[nodiscard]] const Axis& across() const noexcept { return across_; }
   [[nodiscard]] const Axis& up() const noexcept { return up_; }
   [[nodiscard]] std::string commands() const;
+  /// Returns the commands for the legend of a picture of one plot: its columns, its place below the
+  /// middle of the plot, and a margin that has room for all of its rows.
+  [[nodiscard]] std::string legend_commands() const;
 
  private:
+  void add_to_legend(const std::string& sample, const std::string& text);
+
   Axis across_, up_;
   std::string name_, colour_, lines_;  ///< of the layer that is open
   std::string blocks_;
   std::vector<std::string> parts_;
-  std::size_t paths_ = 0;
+  std::size_t paths_ = 0, texts_of_legend_ = 0, longest_of_legend_ = 0;
 };
 
 /// Returns the colour of a claim, after Okabe and Ito, for readers who cannot distinguish red and

@@ -135,9 +135,9 @@ std::string way_picture_commands(const std::string& file, const DrawnStretches& 
   add_legends(plot, paving);
   return picture_head(file, plot.across().label(),
                       trajectory.has_time ? "parts of the time" : "parts of the segments") +
-         "set title " + Gnuplot::quoted(paving.title) + "\nset bmargin 7\nset ylabel " +
-         Gnuplot::quoted(plot.up().label()) + "\nset ytics (" + tics(trajectory, rows) + ")\n" +
-         plot.commands();
+         "set title " + Gnuplot::quoted(paving.title) + '\n' + plot.legend_commands() +
+         "set ylabel " + Gnuplot::quoted(plot.up().label()) + "\nset ytics (" +
+         tics(trajectory, rows) + ")\n" + plot.commands();
 }
 
 }  // namespace regulus::detail

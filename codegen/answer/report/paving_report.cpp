@@ -167,7 +167,7 @@ void tell_volumes(const SearchSubject& p, const Volumes& volumes, const Result& 
 }
 
 void tell_claims(const SearchSubject& p, Facts& facts) {
-  tell_meaning_of_boxes(p, facts);
+  tell_meaning_of_parts(p, "box", facts);
   const std::string free = "free: " + describe_claim(p, Claim::kFree);
   const std::string singular = "singular: " + describe_claim(p, Claim::kSingular);
   facts.tell("claim", free + "; " + singular, "claim", free + '\n' + singular);

@@ -111,13 +111,14 @@ void tell_meaning(const SearchSubject& subject, Verdict verdict, Reason reason, 
   tell_meaning(plain_words(subject, verdict, reason), facts);
 }
 
-void tell_meaning_of_boxes(const SearchSubject& subject, Facts& facts) {
+void tell_meaning_of_parts(const SearchSubject& subject, const char* part, Facts& facts) {
   if (subject.variety.alpha.hi > 0) {
     facts.add("meaning", nullptr);
     return;
   }
-  const std::string words = fmt::format("free: {}\nsingular: {}", held(subject, "of the box"),
-                                        lost(subject, "at some pose", "of the box"));
+  const std::string of_part = fmt::format("of the {}", part);
+  const std::string words = fmt::format("free: {}\nsingular: {}", held(subject, of_part),
+                                        lost(subject, "at some pose", of_part));
   std::string in_one_line = words;
   in_one_line.replace(in_one_line.find('\n'), 1, "; ");
   facts.tell("meaning", in_one_line, "meaning", words);

@@ -18,8 +18,8 @@ void tell_meaning(const SearchSubject& subject, Verdict verdict, Reason reason, 
 /// The same for words of another question; empty: nothing is proved.
 void tell_meaning(const std::string& words, Facts& facts);
 
-/// Tells what the colours of a paving mean; null with a threshold.
-void tell_meaning_of_boxes(const SearchSubject& subject, Facts& facts);
+/// Tells what the colours of a paving mean; null with a threshold. `part`: what has a colour.
+void tell_meaning_of_parts(const SearchSubject& subject, const char* part, Facts& facts);
 
 /// Returns the claim of a question that is left open.
 [[nodiscard]] std::string nothing_proved(const std::string& reason);

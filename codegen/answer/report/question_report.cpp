@@ -183,13 +183,27 @@ Json json_asked(const AskedQuestion& asked, const SearchOptions& search) {
   return question;
 }
 
-/// Returns "base ±0.05": six digits, for people.
-std::string describe_tolerance(const SearchSubject& p, std::size_t index) {
-  const VariableLabel& variable = p.labels.variables[index];
-  const Interval& range = p.variety.outer[index];
-  return fmt::format("{} ±{:.6g}{}{}", variable.group.empty() ? variable.name : variable.group,
-                     (range.hi - range.lo) / 2, unit_suffix(variable.unit),
+/// Returns "base ±0.05", of a `size` with its unit.
+std::string describe_tolerance(const VariableLabel& variable, const std::string& size) {
+  return fmt::format("{} ±{}{}", variable.group.empty() ? variable.name : variable.group, size,
                      variable.in_ball ? " in balls" : "");
+}
+
+/// Returns the tolerance with its unit: six digits, for people.
+std::string size_of_tolerance(const SearchSubject& p, std::size_t index) {
+  const Interval& range = p.variety.outer[index];
+  return fmt::format("{:.6g}{}", (range.hi - range.lo) / 2,
+                     unit_suffix(p.labels.variables[index].unit));
+}
+
+std::string describe_counts(const Counts& tolerances) {
+  std::vector<std::string> words;
+  for (const auto& [tolerance, count] : tolerances.all())
+    words.push_back(count == 1 ? tolerance : fmt::format("{} of {}", count, tolerance));
+  const std::size_t left = words.size() > kDescribed ? words.size() - kDescribed : 0;
+  words.resize(words.size() - left);
+  return fmt::format("{}{}", fmt::join(words, ", "),
+                     left > 0 ? fmt::format(" and {} more", left) : "");
 }
 
 }  // namespace
@@ -245,15 +259,23 @@ std::string describe_groups(const ReportLabels& labels) {
 
 std::string describe_tolerances(const SearchSubject& p) {
   Counts tolerances;
-  for (std::size_t i = 0; i < p.labels.variables.size(); ++i)
-    if (!is_motion(p.labels.variables[i])) tolerances.add(describe_tolerance(p, i));
-  std::vector<std::string> words;
-  for (const auto& [tolerance, count] : tolerances.all())
-    words.push_back(count == 1 ? tolerance : fmt::format("{} of {}", count, tolerance));
-  const std::size_t left = words.size() > kDescribed ? words.size() - kDescribed : 0;
-  words.resize(words.size() - left);
-  return fmt::format("{}{}", fmt::join(words, ", "),
-                     left > 0 ? fmt::format(" and {} more", left) : "");
+  const auto& variables = p.labels.variables;
+  for (std::size_t i = 0; i < variables.size(); ++i)
+    if (!is_motion(variables[i]))
+      tolerances.add(describe_tolerance(variables[i], size_of_tolerance(p, i)));
+  return describe_counts(tolerances);
+}
+
+std::string describe_growing_tolerances(const SearchSubject& grown, const SearchSubject& before) {
+  Counts tolerances;
+  const auto& variables = grown.labels.variables;
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    if (is_motion(variables[i])) continue;
+    const bool grows = std::ranges::find(before.labels.variables, variables[i].name,
+                                         &VariableLabel::name) == before.labels.variables.end();
+    tolerances.add(describe_tolerance(variables[i], grows ? "v" : size_of_tolerance(grown, i)));
+  }
+  return describe_counts(tolerances) + "; v grows";
 }
 
 }  // namespace regulus::detail

@@ -43,4 +43,11 @@ namespace regulus::detail {
 /// Requires  some quantity is uncertain.
 [[nodiscard]] std::string describe_tolerances(const SearchSubject& preparation);
 
+/// Returns "18 of base ±v, 6 of joints ±0.01 deg; v grows": the groups while those quantities grow that are
+/// not in `before`.
+///
+/// Requires  some quantity is uncertain.
+[[nodiscard]] std::string describe_growing_tolerances(const SearchSubject& grown,
+                                                      const SearchSubject& before);
+
 }  // namespace regulus::detail

@@ -154,6 +154,13 @@ void say_uncertain(const SearchSubject& p, Facts& facts) {
   if (count <= kMostListed) say_variables(p, false, facts);
 }
 
+void say_growing(const SearchSubject& before, const SearchSubject& grown, Facts& facts) {
+  facts.say("uncertain",
+            fmt::format("{}: {}", counted(uncertain_count(grown), "quantity", "quantities"),
+                        describe_growing_tolerances(grown, before)));
+  if (uncertain_count(grown) <= kMostListed) say_variables(before, false, facts);
+}
+
 void say_set(const Request& request, Facts& facts) {
   if (!facts.are_for_people()) return;
   const SearchSubject subject = set_of(request).subject;

@@ -28,6 +28,8 @@ void say_constraints(const Motion& motion, Facts& facts);
 /// Tells people that poses out of reach are left out, if they are.
 void say_where(const SearchSubject& subject, Facts& facts);
 void say_uncertain(const SearchSubject& subject, Facts& facts);
+/// Tells people the same while those quantities grow that are uncertain in `grown` alone.
+void say_growing(const SearchSubject& before, const SearchSubject& grown, Facts& facts);
 
 /// Tells people the whole set of a request whose motion does not follow way-points.
 void say_set(const Request& request, Facts& facts);

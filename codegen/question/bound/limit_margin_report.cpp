@@ -10,6 +10,7 @@
 #include "codegen/question/bound/limit_margin.hpp"
 #include "codegen/question/bound/quantity_report.hpp"
 #include "codegen/question/margin/margin_report.hpp"
+#include "codegen/question/way/trajectory_margin.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 
 namespace regulus::detail {
@@ -86,7 +87,9 @@ void tell_limit_margin(const Request& request, const MarginQuestion& question,
   const std::string limit = describe_limit(margin.quantity, settings.limit);
   if (request.motion.trajectory) {
     add_model(request, facts);
-    if (facts.are_for_people()) facts.say_lines(describe_request(before_growth(request, question)));
+    if (facts.are_for_people())
+      facts.say_lines(
+          text_of_facts([&](Facts& lines) { tell_growing_way(request, question, lines); }));
   } else {
     tell_model(request, facts);
     say_set(request, question, facts);

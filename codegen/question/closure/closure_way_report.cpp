@@ -18,6 +18,7 @@
 #include "codegen/model/way/trajectory.hpp"
 #include "codegen/question/closure/closure_claims.hpp"
 #include "codegen/question/margin/margin_report.hpp"
+#include "codegen/question/way/trajectory_margin.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 
 namespace regulus::detail {
@@ -160,27 +161,25 @@ void tell_way_paving(const PreparedWay& prepared, const SearchOptions& search, d
                                                     Claim::kUndecided, Claim::kOutside};
   tell_question(prepared, search, found, facts);
   const std::string poses = words_of_poses(prepared, "stretch", " and of the tube around it");
-  facts.add("claim",
-            fmt::format("free: {}, for {}", describe_regular_branch(prepared.common), poses) +
-                (found.threshold ? fmt::format("; singular: {}, for {}",
-                                               describe_threshold(prepared.common, false), poses)
-                                 : ""));
   facts.add("resolution", resolution);
   const std::span<const Claim> claims = found.threshold ? std::span<const Claim>(kClaimsOfThreshold)
                                                         : std::span<const Claim>(kClaimsOfBranch);
   tell_stretches(*prepared.request.motion.trajectory, stretches, claims, word_of_claim, facts);
   tell_segment(prepared, found, facts);
+  const std::string free =
+      fmt::format("free: {}, for {}", describe_regular_branch(prepared.common), poses);
+  const std::string singular =
+      found.threshold
+          ? fmt::format("singular: {}, for {}", describe_threshold(prepared.common, false), poses)
+          : "";
+  facts.tell("claim", singular.empty() ? free : free + "; " + singular, "claim",
+             singular.empty() ? free : free + '\n' + singular);
 }
 
 void tell_way_margin(const PreparedWay& prepared, const SearchOptions& search,
                      const WayFinding& found, const MarginQuestion& question, const Margin& margin,
                      double gap_wanted, Facts& facts) {
-  const Request before = before_growth(prepared.request, question);
-  tell_way(before, facts);
-  const SearchSubject geometry = geometry_along_way(before);
-  // A tolerance that grows is uncertain, too.
-  if (question.quantity != MarginQuantity::kTolerance || uncertain_count(geometry) > 0)
-    say_uncertain_geometry(geometry, facts);
+  tell_growing_way(prepared.request, question, facts);
   tell_begin(prepared, found, facts);
   tell_work(prepared, search, found, facts);
   facts.say("margin", fmt::format("{}: {} at {}", describe_range(question),

@@ -322,9 +322,12 @@ Request grown(const Request& nominal, const MarginQuestion& question, const Marg
 }
 
 Request before_growth(const Request& nominal, const MarginQuestion& question) {
-  const bool grows_from_0 =
-      question.quantity == MarginQuantity::kTolerance || question.quantity == MarginQuantity::kTube;
-  return grows_from_0 ? grown(nominal, question, decimal_value(0)) : nominal;
+  return grows_from_0(question) ? grown(nominal, question, decimal_value(0)) : nominal;
+}
+
+bool grows_from_0(const MarginQuestion& question) {
+  return question.quantity == MarginQuantity::kTolerance ||
+         question.quantity == MarginQuantity::kTube;
 }
 
 void MarginRequest::replan(PreparedSearch& p, const MarginValue& value) const {

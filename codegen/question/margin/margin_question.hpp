@@ -103,6 +103,8 @@ class MarginRequest {
 /// Returns the request with the tolerance or the control error that grows at 0. Ranges and threshold are
 /// those of the request.
 [[nodiscard]] Request before_growth(const Request& nominal, const MarginQuestion& question);
+/// True if before_growth() has it at 0: it is no quantity of the request then.
+[[nodiscard]] bool grows_from_0(const MarginQuestion& question);
 /// Returns "psi in [-1, v] deg, v grows": the range of a parameter that grows.
 [[nodiscard]] std::string describe_growing_range(const Request& nominal,
                                                  const MarginQuestion& question);

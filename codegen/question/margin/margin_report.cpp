@@ -164,9 +164,9 @@ void say_set(const Request& nominal, const MarginQuestion& question, Facts& fact
   }
   say_poses(set, nominal, facts);
   say_where(set, facts);
-  // The quantity that grows is uncertain, too.
-  if (uncertain_count(set) > 0 || (question.quantity != MarginQuantity::kTolerance &&
-                                   question.quantity != MarginQuantity::kTube))
+  if (grows_from_0(question))
+    say_growing(set, set_of(grown(nominal, question, forming_value(question))).subject, facts);
+  else
     say_uncertain(set, facts);
 }
 

@@ -18,7 +18,7 @@ namespace regulus::detail {
 
 /// Returns "tolerance of base, from 0 to 1".
 [[nodiscard]] std::string describe_range(const MarginQuestion& question);
-/// Tells people the poses and the uncertain values, apart from what grows. The motion does not follow
+/// Tells people the poses and the uncertain values, with what grows. The motion does not follow
 /// way-points.
 void say_set(const Request& nominal, const MarginQuestion& question, Facts& facts);
 /// Tells the bracket to programs: `claim`, `verdict`, both ends, the steps.

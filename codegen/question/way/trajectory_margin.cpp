@@ -7,6 +7,7 @@
 
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/place_text.hpp"
+#include "codegen/answer/report/set_facts.hpp"
 #include "codegen/question/margin/margin_report.hpp"
 #include "codegen/question/way/path_attempts.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
@@ -28,16 +29,22 @@ TrajectoryMargin margin_of_trajectory(const MarginRequest& request, const Margin
   return found;
 }
 
+void tell_growing_way(const Request& request, const MarginQuestion& question, Facts& facts) {
+  const Request before = before_growth(request, question);
+  tell_way(before, facts);
+  const SearchSubject geometry = geometry_along_way(before);
+  if (question.quantity == MarginQuantity::kTolerance)
+    say_growing(geometry, geometry_along_way(grown(request, question, forming_value(question))),
+                facts);
+  else
+    say_uncertain_geometry(geometry, facts);
+}
+
 void tell_trajectory_margin(const TrajectoryMargin& found, const MarginQuestion& question,
                             const SearchOptions& search, double gap, Facts& facts) {
   const Margin& margin = found.margin;
   const TrajectoryCheck& shown = found.refuted ? *found.refuted : found.last;
-  const Request before = before_growth(shown.request, question);
-  tell_way(before, facts);
-  const SearchSubject geometry = geometry_along_way(before);
-  // A tolerance that grows is uncertain, too.
-  if (question.quantity != MarginQuantity::kTolerance || uncertain_count(geometry) > 0)
-    say_uncertain_geometry(geometry, facts);
+  tell_growing_way(shown.request, question, facts);
   tell_trajectory_work(shown, search, facts);
   facts.say("margin", fmt::format("{}: {} at {}", describe_range(question),
                                   counted(margin.boxes, "box", "boxes"),

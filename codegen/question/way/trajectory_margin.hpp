@@ -26,6 +26,9 @@ struct TrajectoryMargin {
     const MarginRequest& request, const MarginQuestion& question, const SearchOptions& search,
     double gap, const OutputOptions& output, BracketSettings settings, EndProofs proofs = {});
 
+/// Tells the motion, and people which quantities of the geometry are uncertain, with a tolerance that
+/// grows.
+void tell_growing_way(const Request& request, const MarginQuestion& question, Facts& facts);
 /// Tells the bracket and the check at its unsafe end.
 void tell_trajectory_margin(const TrajectoryMargin& found, const MarginQuestion& question,
                             const SearchOptions& search, double gap, Facts& facts);

@@ -6,7 +6,9 @@
 
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/place_text.hpp"
+#include "codegen/answer/report/plain_words.hpp"
 #include "codegen/answer/report/search_facts.hpp"
+#include "codegen/answer/report/witness_report.hpp"
 #include "codegen/question/way/trajectory_paving.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 
@@ -52,20 +54,36 @@ std::string percentage(double share) {
   return fmt::format("{:.3g} %", std::clamp(100 * share, 0.001, 99.9));
 }
 
-/// Returns what the kinds of stretches claim.
-std::string describe_claims(const PathPaving& paving) {
+/// Tells what the kinds of stretches claim.
+void tell_claims(const PathPaving& paving, Facts& facts) {
   const PreparedSearch& p = paving.check.hull;
   const Interval& alpha = p.variety.alpha;
   const std::string size = describe_size(p), poses = describe_poses_on_way(paving.check);
   const bool is_uncertain = uncertain_count(p) > 0;
-  return fmt::format(
-      "free: {} at every {} of the stretch{}; singular: {} at some {} of the stretch{}",
-      alpha.hi > 0 ? "|det J⁻¹| > " + threshold_text(alpha, true)
-                   : fmt::format("the {} has full rank", size),
-      poses, is_uncertain ? ", for every value of the uncertain quantities" : "",
-      alpha.hi > 0 ? "|det J⁻¹| ≤ " + threshold_text(alpha, false)
-                   : fmt::format("the {} is singular", size),
-      poses, is_uncertain ? ", for some value of the uncertain quantities" : "");
+  const std::string free =
+      fmt::format("free: {} at every {} of the stretch{}",
+                  alpha.hi > 0 ? "|det J⁻¹| > " + threshold_text(alpha, true)
+                               : fmt::format("the {} has full rank", size),
+                  poses, is_uncertain ? ", for every value of the uncertain quantities" : "");
+  const std::string singular =
+      fmt::format("singular: {} at some {} of the stretch{}",
+                  alpha.hi > 0 ? "|det J⁻¹| ≤ " + threshold_text(alpha, false)
+                               : fmt::format("the {} is singular", size),
+                  poses, is_uncertain ? ", for some value of the uncertain quantities" : "");
+  tell_meaning_of_parts(p, "stretch", facts);
+  facts.tell("claim", free + "; " + singular, "claim", free + '\n' + singular);
+}
+
+/// Tells the pose of the first piece that was shown to be singular.
+void tell_singular_pose(const PathPaving& paving, Facts& facts) {
+  facts.add("segment", nullptr).add("witness", nullptr);
+  if (!paving.singular) return;
+  const DecidingPiece& piece = *paving.singular;
+  const Trajectory& t = trajectory_of(paving);
+  const std::optional<Interval> s = parameter_of(piece);
+  facts.tell("segment", json_segment(t, piece.index, s), "pose",
+             "singular in " + describe_segment(t, piece.index, s));
+  tell_witness(*piece.preparation, piece.result, facts);
 }
 
 }  // namespace
@@ -92,10 +110,12 @@ void tell_stretches(const Trajectory& trajectory, const std::vector<PathStretch>
 
 void tell_path_paving(const PathPaving& paving, const SearchOptions& search, Facts& facts) {
   facts.add("verdict", json_name(paving.check.verdict));
-  facts.add("reason", describe(paving.check.reason)).add("claim", describe_claims(paving));
+  facts.add("reason", describe(paving.check.reason));
   tell_trajectory_question(paving.check, search, facts);
   facts.add("resolution", paving.resolution);
   tell_stretches(trajectory_of(paving), paving.stretches, kClaimsInOrder, word_of_claim, facts);
+  tell_singular_pose(paving, facts);
+  tell_claims(paving, facts);
 }
 
 Json json_stretch_of(const Trajectory& t, const PathStretch& stretch, ClaimWord word) {

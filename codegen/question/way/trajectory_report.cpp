@@ -31,18 +31,6 @@ double approx(const GiNaC::ex& rational) {
   return GiNaC::ex_to<GiNaC::numeric>(rational).to_double();
 }
 
-/// Returns s of the witness, or of the box that blocks; nullopt if neither is known.
-std::optional<Interval> parameter_of(const DecidingPiece& deciding) {
-  const Result& result = deciding.result;
-  if (result.witness) {
-    const WitnessPoint& point =
-        result.witness->near ? *result.witness->near : result.witness->points.front();
-    return point.variables.front();
-  }
-  if (!result.blocking_box.empty()) return result.blocking_box.front();
-  return std::nullopt;
-}
-
 /// Approximate: for people; nullopt if the file has no times.
 std::optional<double> time_of(const Trajectory& trajectory, const TrajectoryPiece& piece,
                               const std::optional<Interval>& s) {
@@ -123,6 +111,17 @@ std::string describe_path(const Trajectory& t) {
 }
 
 }  // namespace
+
+std::optional<Interval> parameter_of(const DecidingPiece& deciding) {
+  const Result& result = deciding.result;
+  if (result.witness) {
+    const WitnessPoint& point =
+        result.witness->near ? *result.witness->near : result.witness->points.front();
+    return point.variables.front();
+  }
+  if (!result.blocking_box.empty()) return result.blocking_box.front();
+  return std::nullopt;
+}
 
 std::string describe_poses_on_way(const TrajectoryCheck& check) {
   const Motion& motion = check.request.motion;

@@ -28,6 +28,9 @@ void say_uncertain_geometry(const SearchSubject& subject, Facts& facts);
 [[nodiscard]] nlohmann::ordered_json json_segment(const Trajectory& trajectory, std::size_t piece,
                                                   const std::optional<Interval>& s);
 
+/// Returns s of the witness, or of the box that blocks; nullopt if neither is known.
+[[nodiscard]] std::optional<Interval> parameter_of(const DecidingPiece& deciding);
+
 /// Tells the question and the work.
 void tell_trajectory_question(const TrajectoryCheck& check, const SearchOptions& search,
                               Facts& facts);

@@ -130,8 +130,9 @@ function claimsOf(margin: any): string {
   const [below, above] = margin.limit
     ? ["the limit holds at every pose", "it is exceeded at some pose"]
     : [margin.certified_claim, margin.refuted_claim];
-  const lower = margin.certified_exact ? `Proved at ${margin.certified_exact}: ${below}.` : "Nothing is proved at the lower end.";
-  return margin.refuted_exact ? `${lower} At ${margin.refuted_exact}: ${above}.` : lower;
+  const at = (value: string): string => withUnit(value, margin.margin.unit ?? "");
+  const lower = margin.certified_exact ? `Proved at ${at(margin.certified_exact)}: ${below}.` : "Nothing is proved at the lower end.";
+  return margin.refuted_exact ? `${lower} At ${at(margin.refuted_exact)}: ${above}.` : lower;
 }
 
 function barOf({ margin, certified, refuted }: any): Bar {

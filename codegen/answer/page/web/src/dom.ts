@@ -50,7 +50,7 @@ export function table(head: string[], rows: (Node | string)[][], caption?: strin
     h(
       "table",
       {},
-      caption ? h("caption", {}, caption) : null,
+      caption ? h("caption", {}, h("span", { class: "caption" }, caption)) : null,
       h("thead", {}, h("tr", {}, ...cells("th", head, "col"))),
       h("tbody", {}, ...rows.map((row) => h("tr", {}, ...cells("td", row)))),
     ),

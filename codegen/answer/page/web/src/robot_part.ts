@@ -31,7 +31,8 @@ function legend(scale: LegScale): HTMLElement {
   if (!(scale.hi > scale.lo)) return h("p", { class: "leg-legend" }, `${scale.label}: ${withUnit(shortNumber(scale.hi), scale.unit)} in every leg`);
   const bar = h("span", { class: "gradient", "aria-hidden": "true" });
   bar.style.background = `linear-gradient(to right, ${[0, 1 / 3, 2 / 3, 1].map(scaleColour).join(", ")})`;
-  return h("p", { class: "leg-legend" }, `${scale.label}: ${shortNumber(scale.lo)} `, bar, withUnit(` ${shortNumber(scale.hi)}`, scale.unit));
+  const ends = h("span", { class: "scale" }, `${shortNumber(scale.lo)} `, bar, withUnit(` ${shortNumber(scale.hi)}`, scale.unit));
+  return h("p", { class: "leg-legend" }, `${scale.label}: `, ends);
 }
 
 /** How large the robot is, and what its lines are. */

@@ -20,6 +20,9 @@ function commandsOf(data: PageData): string {
   return (data.kind === "check" || data.kind === "closure" || !data.command ? data.again.slice(0, 1) : [data.command]).join("\n");
 }
 
+/** A search evaluates more boxes than its proof has: a box that it splits is none of the proof. */
+const LABELS = { method: "method", boxes: "boxes evaluated, split ones too", reason: "reason" };
+
 export function sourcePart(data: PageData): HTMLElement {
   const licence = document.getElementById("licence")?.textContent ?? "";
   const file = fileName(data.model.file);
@@ -35,7 +38,7 @@ export function sourcePart(data: PageData): HTMLElement {
         ["Regulus", data.version],
         ...(data.command ? [["page made by", data.command]] : []),
         ["SHA-256 of the model", data.report.model_sha256],
-        ...(["method", "boxes", "reason"] as const).filter((key) => (data.report[key] ?? null) !== null).map((key) => [key, String(data.report[key])]),
+        ...(["method", "boxes", "reason"] as const).filter((key) => (data.report[key] ?? null) !== null).map((key) => [LABELS[key], String(data.report[key])]),
       ],
       "Versions and hashes",
     ),

@@ -12,6 +12,15 @@ export function withUnit(text: string, unit: string | undefined): string {
   return unit && unit !== "1" ? `${text} ${unit}` : text;
 }
 
+/** Six digits, rounded to one side. A number that has no more stays, although its double is not exactly it. */
+export function roundedTo(x: number, round: (y: number) => number): string {
+  if (x === 0) return "0";
+  const unit = 10 ** (5 - Math.floor(Math.log10(Math.abs(x))));
+  const scaled = x * unit;
+  const nearest = Math.round(scaled);
+  return shortNumber((Math.abs(scaled - nearest) < 1e-6 ? nearest : round(scaled)) / unit);
+}
+
 const rounded = (x: number, digits: number): string => shortNumber(Number(x.toPrecision(digits)));
 
 /** Radians as degrees. */

@@ -92,8 +92,49 @@ function obstacle({ report, units }: PageData): HTMLElement | null {
   return h("p", {}, `Reason: ${report.reason}.`, ranges.length > 0 ? ` The box that blocks: ${ranges.join(", ")}.` : "");
 }
 
+/** What grows in a margin: the values are v, from `low` to `high`, or to where the answer ends. */
+interface Growing {
+  readonly kind: "tolerance" | "alpha" | "scale" | "parameter" | "tube";
+  readonly groups?: string;
+  readonly parameter?: string;
+  readonly parameters?: string;
+  readonly unit: string | null;
+  readonly low: string;
+  readonly high: string | null;
+}
+
+/** What grows on a page of a margin; null on other pages. */
+const growingOf = (data: PageData): Growing | null => (data.kind === "margin" ? data.margins[0].margin : null);
+
+/** "v from 0 cm on" */
+function values({ low, high, unit }: Growing): string {
+  const told = (value: string): string => withUnit(value, unit ?? undefined);
+  return high === null ? `v from ${told(low)} on` : `v from ${told(low)} to ${told(high)}`;
+}
+
+/** What grows of the motion, in a sentence; null if its ranges stay as they are. */
+function growingMotion(growing: Growing | null): string | null {
+  if (growing?.kind === "scale") return `each range times v, ${values(growing)}`;
+  return growing?.kind === "parameter" ? `the range of ${growing.parameter} grows with v, ${values(growing)}` : null;
+}
+
+/** What grows of the uncertain quantities; null if it is none of them. */
+function growingTolerance(growing: Growing | null, isBall: boolean): string | null {
+  if (growing?.kind === "tolerance") return `${growing.groups!.split(",").join(", ")}: ${isBall ? "in balls of radius v" : "±v"}, ${values(growing)}`;
+  if (growing?.kind !== "tube") return null;
+  return `control error of ${growing.parameters?.split(",").join(", ") || "every pose parameter"}: ±v, ${values(growing)}`;
+}
+
+/** True of a quantity whose tolerance is what grows. */
+function grows(growing: Growing | null, kind: string, group: string, name: string): boolean {
+  if (growing?.kind === "tube") return kind === "control" && (!growing.parameters || growing.parameters.split(",").some((p) => name === p || name.startsWith(`${p}_error`)));
+  const groups = growing?.kind === "tolerance" ? growing.groups!.split(",") : [];
+  return groups.includes(group) || groups.includes(name);
+}
+
 /** The ranges and tolerances that were asked about, in a sentence each. */
 function asked(data: PageData, question: Question): HTMLElement {
+  const growing = growingOf(data);
   const ranges = question.parameters.map(({ name, range: { lo, hi } }) => {
     const [least, most] = [lo, hi].map((end, i) => describeEnd(end, data.report.question?.ranges_exact?.[name]?.[i], data.units[name]));
     return least === most ? `${name} = ${least}` : `${name} from ${least} to ${most}`;
@@ -101,18 +142,22 @@ function asked(data: PageData, question: Question): HTMLElement {
   const formulas = Object.entries(data.report.question?.pose_exact ?? {}).map(([name, text]) =>
     withUnit(`${name} = ${text.length > 120 ? `${text.slice(0, 120)} …` : text}`, data.units[name]));
   const groups = new Map<string, number>();
-  for (const { name, group, shape, tolerance_exact, radius_exact, unit } of data.report.question?.uncertain ?? []) {
+  const quantities = data.report.question?.uncertain ?? [];
+  const isGrowingBall = quantities.some(({ kind, group, name, shape }) => shape === "ball" && grows(growing, kind, group, name));
+  for (const { kind, name, group, shape, tolerance_exact, radius_exact, unit } of quantities) {
     const size = radius_exact ?? tolerance_exact;
-    if (size === undefined || tolerance_exact === "0") continue;
+    if (size === undefined || tolerance_exact === "0" || grows(growing, kind, group, name)) continue;
     const told = (unit === "rad" ? exactDegrees(size) : null) ?? withUnit(exactDecimal(size), unit);
     const words = `${group || name} ${shape === "ball" ? `in balls of radius ${told}` : `±${told}`}`;
     groups.set(words, (groups.get(words) ?? 0) + 1);
   }
-  const uncertain = [...groups].map(([words, count]) => (count === 1 ? words : `${words} (${count} quantities)`));
-  const motion = data.way ? `${question.pieces} segments along ${data.way.file}` : [...ranges, ...formulas].join("; ");
+  const uncertain = [growingTolerance(growing, isGrowingBall), ...[...groups].map(([words, count]) => (count === 1 ? words : `${words} (${count} quantities)`))]
+    .filter((words) => words !== null);
+  const growth = growingMotion(growing);
+  const motion = data.way ? `${question.pieces} segments along ${data.way.file}` : [...ranges, ...formulas, ...(growth ? [growth] : [])].join("; ");
   return h("dl", { id: "asked" },
     h("dt", {}, "Motion"), h("dd", {}, `${data.report.motion}: ${motion}.`),
-    h("dt", {}, "Uncertain"), h("dd", {}, uncertain.length > 0 ? `${uncertain.join("; ")}.` : "nothing: the model's numbers are taken as exact."));
+    h("dt", {}, "Uncertain"), h("dd", {}, uncertain.length > 0 ? `${uncertain.join("; ")}.` : "nothing: geometry and control are taken as exact."));
 }
 
 /** The report for people; of solutions that are all in the table below it only repeats them. */
@@ -133,7 +178,7 @@ export function verdictPart(data: PageData, question: Question): HTMLElement {
       "ul",
       {},
       ...(isCheck ? LIMITS[verdictOf(data)] : [data.certificate === null ? quoted(data) : held(data)]).map((text) => h("li", {}, text)),
-      h("li", {}, "It is about the robot as the model at the end of this page describes it: these numbers, these tolerances. It cannot know the robot on your floor."),
+      h("li", {}, "It is about the robot as the model describes it: these numbers, these tolerances. It cannot know the robot on your floor."),
       h("li", {}, "Collisions, joint limits that the model does not state, and dynamics are no part of it."),
     ),
     h("p", {}, `Regulus is a program that proves or refutes that a robot meets a singular pose; its proofs can be checked without it${isCheck ? ", as this page does" : ""}.`),
@@ -236,7 +281,7 @@ export function proveAgain(data: PageData, question: Question, certificate: Cert
       ? "Quoted: this page does not run the proof that it has; regulus verify does."
       : data.certificate_note
       ? "Quoted: this answer has no proof in a file."
-      : "Quoted: this page has no proof of this answer; regulus verify proves its certificate.", "partly");
+      : "Quoted: this page has no proof of this answer.", "partly");
   if (verdictOf(data) === "possible-problem") {
     colour("possible-problem");
     return say("Nothing is claimed, so there is nothing to prove again.", "partly");

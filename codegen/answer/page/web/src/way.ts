@@ -7,7 +7,7 @@ import { Damage } from "./expression";
 import { middleOf, originAt, Shown } from "./pose";
 import { Question } from "./question";
 import { Drawable, Robot, Vector } from "./robot";
-import { describeValue, shortNumber, withUnit } from "./units";
+import { describeValue, roundedTo, shortNumber, withUnit } from "./units";
 
 const STEPS = 100; // of a slider, in each piece
 const MOST_PLACES = 64;
@@ -48,6 +48,14 @@ export class Way implements Shown {
     const segment = `segment ${this.split(u).piece + 1}`;
     const { time_unit } = this.about;
     return time_unit === null ? segment : `${segment}, t = ${withUnit(shortNumber(Number(this.time(u).toPrecision(4))), time_unit)}`;
+  }
+
+  /** "from 0.17 to 0.18 s": a part of a piece, not narrower than it is. */
+  describePart(piece: number, begin: number, end: number): string {
+    const { time_unit } = this.about;
+    const [lo, hi] = [begin, end].map((s) => (time_unit === null ? s : this.about.pieces[piece].times[0] + s * (this.about.pieces[piece].times[1] - this.about.pieces[piece].times[0])));
+    const ends = `from ${roundedTo(lo, Math.floor)} to ${roundedTo(hi, Math.ceil)}`;
+    return time_unit === null ? `${ends} of its length` : withUnit(ends, time_unit);
   }
 
   listen(listener: () => void): void {

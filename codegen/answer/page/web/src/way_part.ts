@@ -11,6 +11,8 @@ const WIDTH = 800;
 const HEIGHT = 120;
 const SAMPLES = 600;
 const MOST_ROWS = 2000;
+const LEAST_WIDTH = 3;
+const MOST_PARTS = 4; // of a segment with the same claim
 
 interface Stripe {
   readonly claim: Claim;
@@ -64,14 +66,23 @@ function sampledCurve(way: Way): SVGElement[] {
   ];
 }
 
+/** What is not free is drawn wide enough to be seen. */
+function shownEnds(x: (u: number) => number, { claim, begin, end }: Stripe): [number, number] {
+  const [left, right] = [x(begin), x(end)];
+  const more = claim === "free" ? 0 : Math.max(0, LEAST_WIDTH - (right - left)) / 2;
+  return [Math.max(0, left - more), Math.min(WIDTH, right + more)];
+}
+
 function strip(way: Way, stripes: readonly Stripe[]): HTMLElement {
   const x = (u: number): number => (u / way.count) * WIDTH;
   const cross = svg("path", { class: "cross" });
   const picture = svg(
     "svg",
     { viewBox: `0 -2 ${WIDTH} ${HEIGHT + 4}`, role: "img", "aria-label": "The way from its beginning to its end", preserveAspectRatio: "none" },
-    ...stripes.map(({ claim, begin, end }) =>
-      svg("rect", { x: x(begin).toFixed(2), y: 0, width: (x(end) - x(begin)).toFixed(2), height: HEIGHT, class: `box ${claim}` })),
+    ...[...stripes].sort((a, b) => Number(b.claim === "free") - Number(a.claim === "free")).map((stripe) => {
+      const [left, right] = shownEnds(x, stripe);
+      return svg("rect", { x: left.toFixed(2), y: 0, width: (right - left).toFixed(2), height: HEIGHT, class: `box ${stripe.claim}` });
+    }),
     ...sampledCurve(way),
     cross,
   );
@@ -85,12 +96,26 @@ function strip(way: Way, stripes: readonly Stripe[]): HTMLElement {
   return h("figure", { class: "slice way-strip" }, picture, h("figcaption", {}, `${way.about.file}: ${way.describe(0)} to ${way.describe(way.count)}`));
 }
 
+/** "certified: no singularity, except from 0.17 to 0.18 s: certified: holds a singularity": the claims of a segment, each with its part. */
+function describeClaims(way: Way, piece: number, stripes: readonly Stripe[]): string {
+  const here = stripes.flatMap(({ claim, begin, end }) => {
+    const [first, last] = [Math.max(begin, piece), Math.min(end, piece + 1)];
+    return first < last ? [{ claim, first, last }] : [];
+  });
+  const widthOf = (claim: Claim): number => here.reduce((sum, part) => (part.claim === claim ? sum + part.last - part.first : sum), 0);
+  const claims = [...new Set(here.map(({ claim }) => claim))].sort((a, b) => widthOf(b) - widthOf(a));
+  const partsOf = (claim: Claim): string => {
+    const parts = here.filter((part) => part.claim === claim);
+    const told = parts.slice(0, MOST_PARTS).map(({ first, last }) => way.describePart(piece, first - piece, last - piece));
+    return told.join(", ") + (parts.length > told.length ? `, and ${parts.length - told.length} more parts` : "");
+  };
+  const [most, ...others] = claims;
+  return [CLAIM_WORDS[most], ...others.map((claim) => `except ${partsOf(claim)}: ${CLAIM_WORDS[claim]}`)].join("; ");
+}
+
 function segments(way: Way, stripes: readonly Stripe[], trees: readonly Tree[] | null): HTMLElement {
   const unit = way.about.time_unit;
-  const claimOf = (piece: number): string => {
-    const here = new Set(stripes.filter(({ begin, end }) => begin < piece + 1 && piece < end).map(({ claim }) => claim));
-    return [...here].map((claim) => CLAIM_WORDS[claim]).join("; ");
-  };
+  const claimOf = (piece: number): string => describeClaims(way, piece, stripes);
   const columns: { head: string; of: (piece: number) => Node | string }[] = [
     { head: "segment", of: (piece) => h("button", { type: "button", class: "row", click: () => way.set(piece + 0.5) }, String(piece + 1)) },
     { head: "lines of the file", of: (piece) => [...new Set(way.about.pieces[piece].lines)].join(", ") },
@@ -112,12 +137,13 @@ export function wayPart(way: Way, trees: readonly Tree[] | null): HTMLElement {
     "ul",
     { class: "legend" },
     ...claims.map((claim) => h("li", {}, h("span", { class: `key ${claim}` }), CLAIM_WORDS[claim])),
-    way.question(0).hasDeterminant ? h("li", {}, h("span", { class: "key sampled" }), "dashed: det as sampled, not proved; the line is 0") : null,
+    way.question(0).hasDeterminant ? h("li", {}, h("span", { class: "key dashed" }), "dashed: det as sampled, not proved; the line is 0") : null,
   );
   const about = trees || way.data.paving?.stretches || way.data.kind === "closure"
     ? "From left to right, the way from its first to its last way-point; colours are certified."
     : way.question(0).isClosure
     ? "From left to right, the way from its first to its last way-point. A paving says what is certified of its parts."
     : "The proof is about one pose of the way. Add --paving for what is certified of the rest; the samples below prove nothing.";
-  return section("Along the way-points", h("p", {}, `${about} Click, or choose a segment, ${way.data.drawing ? "to move the robot there" : "for the pose there"}.`), legend, strip(way, stripes), segments(way, stripes, trees));
+  const hint = h("span", { class: "on-screen" }, ` Click, or choose a segment, ${way.data.drawing ? "to move the robot there" : "for the pose there"}.`);
+  return section("Along the way-points", h("p", {}, about, hint), legend, strip(way, stripes), segments(way, stripes, trees));
 }
