@@ -484,8 +484,8 @@ Definition vector_product (n : nat) (v : list (list F.type)) (i j : nat) : inter
 Definition direction_forms (m n : nat) (v : list (list F.type)) (a : forms) : forms :=
   tabulate m n (fun i j => form_sum n (fun l => scale_form (point (get v j l)) (form_at a i l))).
 
-(** A left inverse of Y over the box, where K is one in the middle. With K Y = I + E, the linear part
-    L of E, and E' = E - L - L E, it is the matrix Z with (I + E') Z = (I - L) K. It is
+(** A left inverse of Y over the box, where K is one in the middle. With K Y = I + E, the linear
+    part L of E, and E' = E - L - L E, it is the matrix Z with (I + E') Z = (I - L) K. It is
     K - (L + E') K - E' (Z - K), and column h of Z is within y_h of that of (I - L) K. *)
 Section Left_inverse.
   Variables (m n : nat) (k : list (list F.type)) (y : forms).
@@ -649,7 +649,8 @@ Section Left_inverse_correct.
           apply linear_form_encloses, at_is_enclosed; assumption.
         * apply constant_form_encloses, (spread_encloses _
             (sum n (fun f => Rabs (E' i f) * (Rabs (S f h) + b h f)))).
-          -- apply interval_sum_encloses. intros f F. apply multiply_encloses; [apply PE; assumption|].
+          -- apply interval_sum_encloses. intros f F.
+             apply multiply_encloses; [apply PE; assumption|].
              apply add_encloses; [apply SE; assumption|apply point_encloses].
           -- rewrite Rabs_Ropp. eapply Rle_trans; [apply sum_abs|]. apply sum_le. intros f F.
              rewrite Rabs_mult. apply Rmult_le_compat_l; [apply Rabs_pos|].
@@ -665,7 +666,8 @@ Section Left_inverse_correct.
   Qed.
 End Left_inverse_correct.
 
-(** Z^T V^T V. The columns of V are nearly orthogonal, so all terms but one of each sum are small. *)
+(** Z^T V^T V. The columns of V are nearly orthogonal, so all terms but one of each sum are
+    small. *)
 Definition weighted_forms (m n : nat) (v : list (list F.type)) (z : forms) : forms :=
   let ranges := map (map form_range) z in
   let weights := tabulate n n (vector_product n v) in
@@ -677,7 +679,8 @@ Definition weighted_forms (m n : nat) (v : list (list F.type)) (z : forms) : for
 
 (** The products of the columns of a matrix with each other. *)
 Definition product_forms (m n : nat) (y : forms) : forms :=
-  lower_triangle n (fun i j => form_sum m (fun h => multiply_forms (form_at y h i) (form_at y h j))).
+  lower_triangle n (fun i j =>
+    form_sum m (fun h => multiply_forms (form_at y h i) (form_at y h j))).
 
 (** c V^T V - P^T P, with the vectors in an order in which the pivot that is next to 0 comes last; g
     has P^T P. *)
@@ -694,8 +697,8 @@ Definition same_order (i : nat) : nat := i.
 Definition inverse_of_form (f : form) : form :=
   polynomial (enclose_inverse (Enclosure (form_range f) f)).
 
-(** A polynomial between 1 / s^2 and N^2 / S^2, where s is the least singular value, S the largest one
-    and N the limit. Any polynomial would do. *)
+(** A polynomial between 1 / s^2 and N^2 / S^2, where s is the least singular value, S the largest
+    one and N the limit. Any polynomial would do. *)
 Definition level (n : nat) (square_of_limit : interval) (g h : forms) : form :=
   exact_form (scale_form (divide one (integer 2)) (add_forms (form_at h 0 0)
     (scale_form square_of_limit (inverse_of_form (form_at g (n - 1) (n - 1)))))).
