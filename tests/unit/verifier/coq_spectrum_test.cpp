@@ -96,7 +96,7 @@ TEST(ATheoremAboutSingularValues, OverABranchHasFactorsAndNoMotors) {
       "factors of its columns| < 7 at every pose of the variety\nmodel slider\nsha256 -\nmotion "
       "small\nalpha 0\nparameter x in -1/4 : 1/4\npose x = x\nunknown p = 1 +- 1/2\nstart "
       "0\nequation p^2 - x - 1\nquantity condition-2\nside absolute\nfactor 3\nbound 7\nproof\n"
-      "l 1 tube 0 1 0x1p-1 0x1p-4\nend 1\n");
+      "l 0 tube 0 1 0x1p-1 0x1p-4\nend 1\n");
   EXPECT_THAT(text, HasSubstr("Closures Tubes Branches Rates Slopes.\n"));
   EXPECT_THAT(text, HasSubstr("Definition the_factors : list expression := [3].\n"));
   EXPECT_THAT(text, HasSubstr("Theorem the_claim : branch_condition_2 the_closure the_factors "
