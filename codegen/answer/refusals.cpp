@@ -27,8 +27,6 @@ constexpr std::string_view kNoProofOfTexts =
 constexpr std::string_view kNoPageOfTexts =
     "a page proves again what the model says, and not the text of a kernel; leave one of the two "
     "out";
-constexpr std::string_view kNoTheorem =
-    "Coq has theorems about the rank of a matrix, and none about this; regulus-verify proves it";
 constexpr std::string_view kNoTheoremOfSolutions =
     "Coq proves lists of poses: in the plane that they are all; in space that they are all if the "
     "complex ones are counted, given the theorem about their number, and of INCOMPLETE ones that "
@@ -46,12 +44,8 @@ using enum Kind;
 using enum Service;
 
 constexpr Refusal kRefusals[] = {
-    {kCondition2, kTheorem, kNoTheorem},
-    {kWayCondition2, kTheorem, kNoTheorem},
-    {kClosureCondition2, kTheorem, kNoTheorem},
     {kWaySolve, kTheorem, kNoTheoremAlongWay},
     {kWaySolve, kPicture, kNoBoxesOfSolutions, false},
-    {kClosureWayCondition2, kTheorem, kNoTheorem},
     {kClosureWaySolve, kPicture, kNoBoxesOfSolutions, false},
     {kSolve, kTheorem, kNoTheoremOfSolutions},
     {kSolve, kPicture, kNoBoxesOfSolutions, false},
@@ -181,11 +175,12 @@ constexpr std::string_view kIntroduction =
     "Python "
     "ask the same\nquestions as the command. Every search takes limits, threads and an interrupt, "
     "and "
-    "shows its progress on\na terminal. Of bounds, Coq proves those of forces, and over the branch "
-    "of a [closure]\nthose of errors, also finite ones, speeds, deflections, determinants and "
-    "condition numbers in\nthe maximum norm; of loads, that forces within limits hold them, or "
-    "that at some pose none\ndo; of pavings of loads and of branches, where they hold it and where "
-    "the branch is certain.\n"
+    "shows its progress on\na terminal. Of bounds, Coq proves those of forces, singular values and "
+    "condition numbers in\nthe 2-norm; over the branch of a [closure] also those of errors, finite "
+    "ones too, speeds,\ndeflections, determinants and condition numbers in the maximum norm; of "
+    "loads, that forces within\nlimits hold them, or that at some pose none do; of pavings of "
+    "loads "
+    "and of branches, where\nthey hold it and where the branch is certain.\n"
     "Along way-points `solve` answers at each of them, and says nothing of the way between "
     "them.\n\n";
 

@@ -71,6 +71,28 @@ Proof.
   - intros j _. rewrite Rmult_comm, <- sum_scale. apply sum_ext. intros. ring.
 Qed.
 
+Lemma cauchy n (x y : nat -> R) :
+  sum n (fun k => x k * y k) * sum n (fun k => x k * y k)
+  <= sum n (fun k => x k * x k) * sum n (fun k => y k * y k).
+Proof.
+  assert (P : forall n x, 0 <= sum n (fun k => x k * x k)).
+  { clear. intros n x. induction n as [|n IH]; simpl; [lra|]. nra. }
+  induction n as [|n IH]; [simpl; lra|]. simpl.
+  set (s := sum n (fun k => x k * y k)) in *. set (p := sum n (fun k => x k * x k)) in *.
+  set (q := sum n (fun k => y k * y k)) in *. set (a := x n). set (b := y n).
+  assert (0 <= p) by apply P. assert (0 <= q) by apply P.
+  enough (2 * (s * (a * b)) <= p * (b * b) + q * (a * a)) by nra.
+  destruct (Rle_dec (2 * (s * (a * b))) (p * (b * b) + q * (a * a))) as [H1|H1]; [exact H1|].
+  exfalso. set (g := p * (b * b) + q * (a * a)) in *. set (h := 2 * (s * (a * b))) in *.
+  assert (0 <= g) by (unfold g; nra).
+  assert (G : 4 * ((p * q) * ((a * b) * (a * b))) <= g * g).
+  { unfold g. pose proof (Rle_0_sqr (p * (b * b) - q * (a * a))) as Q. unfold Rsqr in Q. lra. }
+  assert (Hh : h * h <= 4 * ((p * q) * ((a * b) * (a * b)))).
+  { unfold h. pose proof (Rle_0_sqr (a * b)) as Q. unfold Rsqr in Q.
+    pose proof (Rmult_le_compat_r _ _ _ Q IH). lra. }
+  assert (g * g < h * h) by (apply Rmult_le_0_lt_compat; lra). lra.
+Qed.
+
 (** One of finitely many numbers is the largest. *)
 Lemma largest n (f : nat -> R) :
   (0 < n)%nat -> exists k, (k < n)%nat /\ forall i, (i < n)%nat -> f i <= f k.

@@ -442,28 +442,6 @@ End Solved.
 
 (** ** Bounds over a set of vectors *)
 
-Lemma cauchy n (x y : nat -> R) :
-  sum n (fun k => x k * y k) * sum n (fun k => x k * y k)
-  <= sum n (fun k => x k * x k) * sum n (fun k => y k * y k).
-Proof.
-  assert (P : forall n x, 0 <= sum n (fun k => x k * x k)).
-  { clear. intros n x. induction n as [|n IH]; simpl; [lra|]. nra. }
-  induction n as [|n IH]; [simpl; lra|]. simpl.
-  set (s := sum n (fun k => x k * y k)) in *. set (p := sum n (fun k => x k * x k)) in *.
-  set (q := sum n (fun k => y k * y k)) in *. set (a := x n). set (b := y n).
-  assert (0 <= p) by apply P. assert (0 <= q) by apply P.
-  enough (2 * (s * (a * b)) <= p * (b * b) + q * (a * a)) by nra.
-  destruct (Rle_dec (2 * (s * (a * b))) (p * (b * b) + q * (a * a))) as [H1|H1]; [exact H1|].
-  exfalso. set (g := p * (b * b) + q * (a * a)) in *. set (h := 2 * (s * (a * b))) in *.
-  assert (0 <= g) by (unfold g; nra).
-  assert (G : 4 * ((p * q) * ((a * b) * (a * b))) <= g * g).
-  { unfold g. pose proof (Rle_0_sqr (p * (b * b) - q * (a * a))) as Q. unfold Rsqr in Q. lra. }
-  assert (Hh : h * h <= 4 * ((p * q) * ((a * b) * (a * b)))).
-  { unfold h. pose proof (Rle_0_sqr (a * b)) as Q. unfold Rsqr in Q.
-    pose proof (Rmult_le_compat_r _ _ _ Q IH). lra. }
-  assert (g * g < h * h) by (apply Rmult_le_0_lt_compat; lra). lra.
-Qed.
-
 Lemma root_bound x y r : 0 <= y -> x * x <= y * (r * r) -> Rabs x <= sqrt y * Rabs r.
 Proof.
   intros Y H. apply Rsqr_incr_0_var.
@@ -670,20 +648,48 @@ Section Over_tube.
   (** What encloses the matrix over a tube. *)
   Variable find : tube -> box -> option (nat -> nat -> form).
 
-  (** The property is shown over the tube, or over each half of the box. With `&&` and `||` Coq
-      would compute both sides. *)
+  (** A tube about the configurations as they are over this box, if they are shown to be in it. *)
+  Fixpoint first_leading (candidates : list tube) (t : tube) (b : box) : option tube :=
+    match candidates with
+    | [] => None
+    | u :: others => if leads c full b u t then Some u else first_leading others t b
+    end.
+  Definition refitted (t : tube) (b : box) : option tube :=
+    match first_leading (Fit.narrow c full b t) t b with
+    | Some u => Some (tightest 3 u b)
+    | None => None
+    end.
+
+  (** The same tube, twice as wide. What is nearly as narrow as can be over a box may be too narrow
+      for the test of a part of it, whose middle is another one. *)
+  Definition loosened (t : tube) : tube :=
+    let s := Fit.widened t (PrimFloat.add PrimFloat.one PrimFloat.one) in
+    if forallb (fun i => is_not_positive
+         (subtract (point (number (reach t) i)) (point (number (reach s) i)))) (seq 0 n)
+    then s else t.
+
+  Definition is_shown_over (good : (nat -> nat -> form) -> bool) (t : tube) (b : box) : bool :=
+    if is_tested c full t b then match find t b with Some F => good F | None => false end
+    else false.
+
+  (** The property is shown over the tube, over a better one, or over each half of the box. With
+      `&&` and `||` Coq would compute both sides. *)
   Fixpoint shown (good : (nat -> nat -> form) -> bool) (fuel : nat) (t : tube) (b : box) : bool :=
     let s := tightest 3 t b in
     if is_tested c full s b then
-      if match find s b with Some F => good F | None => false end then true
+      if is_shown_over good s b then true
       else
-        match fuel, largest_of (map (fun i => PrimFloat.sub (I.upper i) (I.lower i)) b) with
-        | S fuel', Some k =>
-            let p := I.midpoint (nth k b I.nai) in
-            if shown good fuel' s (lower_part b k p) then shown good fuel' s (upper_part b k p)
-            else false
-        | _, _ => false
-        end
+        let better := refitted s b in
+        if match better with Some u => is_shown_over good u b | None => false end then true
+        else
+          let u := loosened match better with Some u => u | None => s end in
+          match fuel, largest_of (map (fun i => PrimFloat.sub (I.upper i) (I.lower i)) b) with
+          | S fuel', Some k =>
+              let p := I.midpoint (nth k b I.nai) in
+              if shown good fuel' u (lower_part b k p) then shown good fuel' u (upper_part b k p)
+              else false
+          | _, _ => false
+          end
     else false.
 
   (** ** Why it is right *)
@@ -809,6 +815,45 @@ Section Over_tube.
     (forall j k, (j < n)%nat -> (k < d)%nat -> form_encloses s (F j k) (J j k)) ->
     good F = true -> holds J.
 
+  Lemma refitted_holds t b v x p u : test_tube c full t b = Some v -> in_box b x ->
+    in_tube n t x p -> solves c x p -> refitted t b = Some u -> in_tube n u x p.
+  Proof.
+    intros V B P S. unfold refitted.
+    destruct (first_leading (Fit.narrow c full b t) t b) as [w|] eqn:F; [|discriminate].
+    intros E. replace u with (tightest 3 w b) by congruence. clear E.
+    apply tightest_holds; [exact B|exact S|].
+    revert F. induction (Fit.narrow c full b t) as [|y l IH]; simpl; [discriminate|].
+    destruct (leads c full b y t) eqn:L; [|exact IH]. intros [= <-].
+    pose proof L as W. unfold leads, leads_to in W.
+    destruct (test_tube c full y b) as [z|] eqn:Z; [clear W|discriminate].
+    pose proof (solution_in_tube c full y b z x Z B) as Q.
+    rewrite (only_solution c full t b v x V B p P S).
+    rewrite <- (leads_correct c full b y t v x _ L B Q
+      (tube_solution_solves c full y b z x Z B) b V B).
+    exact Q.
+  Qed.
+
+  Lemma loosened_holds t x p : in_tube n t x p -> in_tube n (loosened t) x p.
+  Proof.
+    unfold loosened. intros P. destruct forallb eqn:F; [|exact P]. rewrite forallb_forall in F.
+    split; [apply P|]. intros i I. specialize (F i ltac:(apply in_seq; lia)).
+    pose proof (is_not_positive_correct _ _ F
+      (subtract_encloses _ _ _ _ (point_encloses _) (point_encloses _))).
+    pose proof (proj2 P i I) as D.
+    set (two := PrimFloat.add PrimFloat.one PrimFloat.one) in *.
+    change (axis (Fit.widened t two) x i) with (axis t x i). lra.
+  Qed.
+
+  Lemma is_shown_over_correct t b x p : is_shown_over good t b = true -> in_box b x ->
+    in_tube n t x p -> exists J, has x p J /\ holds J.
+  Proof.
+    unfold is_shown_over, is_tested. intros H B P.
+    destruct (test_tube c full t b) as [v|] eqn:V; [|discriminate].
+    destruct (find t b) as [F|] eqn:E; [|discriminate].
+    destruct (found t b v x p F V B P E) as (J & u & HJ & K & U & N).
+    exists J. split; [exact HJ|]. exact (good_holds u F J U K N H).
+  Qed.
+
   Lemma shown_correct fuel x p : solves c x p -> forall t b,
     shown good fuel t b = true -> in_box b x -> in_tube n t x p ->
     exists J, has x p J /\ holds J.
@@ -816,21 +861,22 @@ Section Over_tube.
     intros S. induction fuel as [|fuel IH]; intros t b H B P;
       pose proof (tightest_holds 3 b x p B S t P) as P1;
       cbn [shown] in H; cbv zeta in H; set (s := tightest 3 t b) in *;
-      destruct (is_tested c full s b) eqn:H1; try discriminate.
-    all: assert (Now : match find s b with Some F => good F | None => false end = true ->
-                       exists J, has x p J /\ holds J).
-    1, 3: intros G; destruct (find s b) as [F|] eqn:E; [|discriminate];
-      unfold is_tested in H1; destruct (test_tube c full s b) as [v|] eqn:V; [|discriminate];
-      destruct (found s b v x p F V B P1 E) as (J & u & HJ & K & U & N);
-      exists J; split; [exact HJ|]; exact (good_holds u F J U K N G).
-    all: destruct (match find s b with Some F => good F | None => false end);
-      [exact (Now eq_refl)|]; clear Now.
-    - discriminate.
-    - destruct largest_of as [k|]; [|discriminate].
-      destruct (shown good fuel s _) eqn:HL; [|discriminate].
+      destruct (is_tested c full s b) eqn:H1; try discriminate;
+      (destruct (is_shown_over good s b) eqn:G;
+        [exact (is_shown_over_correct s b x p G B P1)|]);
+      unfold is_tested in H1; destruct (test_tube c full s b) as [v|] eqn:V; try discriminate;
+      destruct (refitted s b) as [u|] eqn:R.
+    all: try (pose proof (refitted_holds s b v x p u V B P1 S R) as P2;
+      destruct (is_shown_over good u b) eqn:G2;
+        [exact (is_shown_over_correct u b x p G2 B P2)|]).
+    all: try discriminate.
+    all: destruct largest_of as [k|]; [|discriminate];
+      destruct (shown good fuel _ (lower_part _ _ _)) eqn:HL; [|discriminate];
       destruct (parts_cover b x k (I.midpoint (nth k b I.nai)) B) as [D|D].
-      + exact (IH s _ HL D P1).
-      + exact (IH s _ H D P1).
+    - exact (IH _ _ HL D (loosened_holds u x p P2)).
+    - exact (IH _ _ H D (loosened_holds u x p P2)).
+    - exact (IH _ _ HL D (loosened_holds s x p P1)).
+    - exact (IH _ _ H D (loosened_holds s x p P1)).
   Qed.
 End Over_tube.
 

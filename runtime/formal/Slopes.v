@@ -5,6 +5,7 @@ From Coq Require Import Reals QArith Lra Lia List Arith Bool.
 From Regulus Require Import Sizes.
 From Regulus Require Import Expressions Intervals Forms Evaluation Boxes Hints Regularity.
 From Regulus Require Import LinearAlgebra Determinants Questions Search Threshold Limits.
+From Regulus Require Import SingularValues.
 From Regulus Require Import Closures Tubes Parts Branches Ways Rates.
 Import ListNotations.
 Open Scope R_scope.
@@ -60,6 +61,31 @@ Definition branch_condition (c : closure) :=
   condition_over (fun P => over_branch has_slopes P c) (unknowns c).
 Definition branch_condition_along (c : list expression -> closure) pieces :=
   condition_over (fun P => over_branch_along has_slopes P c pieces) (unknowns_along c pieces).
+
+(** The bounds of singular values and of the condition number in the 2-norm that SingularValues.v
+    defines, of a diag(f). *)
+Definition spectrum_over (bound : nat -> nat -> R -> (nat -> nat -> R) -> Prop)
+    (over : ((nat -> nat -> R) -> Prop) -> Prop) (n : nat) (factors : list expression)
+    (limit : expression) : Prop :=
+  defined [] limit /\ length factors = n /\
+  Forall (fun e => defined [] e /\ 0 < value [] e) factors /\
+  over (fun a => bound n n (value [] limit) (with_factors (value_of [] factors) a)).
+
+Definition branch_singular_values_above (c : closure) :=
+  spectrum_over values_are_above (fun P => over_branch has_slopes P c) (unknowns c).
+Definition branch_singular_values_below (c : closure) :=
+  spectrum_over values_are_below (fun P => over_branch has_slopes P c) (unknowns c).
+Definition branch_condition_2 (c : closure) :=
+  spectrum_over ratio_is_below (fun P => over_branch has_slopes P c) (unknowns c).
+Definition branch_singular_values_above_along (c : list expression -> closure) pieces :=
+  spectrum_over values_are_above (fun P => over_branch_along has_slopes P c pieces)
+    (unknowns_along c pieces).
+Definition branch_singular_values_below_along (c : list expression -> closure) pieces :=
+  spectrum_over values_are_below (fun P => over_branch_along has_slopes P c pieces)
+    (unknowns_along c pieces).
+Definition branch_condition_2_along (c : list expression -> closure) pieces :=
+  spectrum_over ratio_is_below (fun P => over_branch_along has_slopes P c pieces)
+    (unknowns_along c pieces).
 
 (** ** The checks *)
 
@@ -264,3 +290,91 @@ Proof.
   exact (check_condition_over_correct _ _ _ factors limit
     (shown_over_way _ _ _ _ find_slopes_correct c pieces m gs)).
 Qed.
+
+(** ** Singular values *)
+
+Definition check_spectrum_over (what : spectral) (tests : ((nat -> nat -> form) -> bool) -> bool)
+    (n : nat) (factors : list expression) (limit : expression) : bool :=
+  let l := range_or_none (evaluate [] limit) in
+  let f := bounds_of_limits factors in
+  fits_bound what l && is_known (evaluate [] limit) && Nat.eqb (length factors) n
+  && forallb (fun e => is_positive (range_or_none (evaluate [] e))) factors
+  && tests (fun F =>
+       let x := as_lists n (fun i j => scale_form (nth j f I.nai) (F i j)) in
+       are_definite n (definite_forms what n n l x)).
+
+Lemma check_spectrum_over_correct what tests over valid n factors limit :
+  shows tests over valid n n -> check_spectrum_over what tests n factors limit = true ->
+  spectrum_over (spectral_bound what) over n factors limit.
+Proof.
+  unfold check_spectrum_over. intros S H. apply andb_prop in H as [H C].
+  apply andb_prop in H as [H P]. apply andb_prop in H as [H L]. apply andb_prop in H as [B K].
+  apply Nat.eqb_eq in L. rewrite forallb_forall in P.
+  split; [exact (closed_value _ K)|]. split; [exact L|]. split.
+  { apply Forall_forall. intros e He. apply positive_value, P, He. }
+  refine (S _ _ _ C). intros t F J T _ E G.
+  refine (definite_forms_correct what t n n _ _ _ _ T _ _ B G).
+  - apply (as_lists_enclose t n (fun i j =>
+      scale_form (nth j (bounds_of_limits factors) I.nai) (F i j))).
+    intros i j I J'. unfold with_factors. rewrite Rmult_comm.
+    apply scale_form_encloses; [|exact (E i j I J')]. apply bound_of_limit; [lia|].
+    apply Forall_forall. intros e He. specialize (P e He).
+    destruct (evaluate [] e); [reflexivity|discriminate].
+  - destruct (evaluate [] limit) as [v|] eqn:V; [|discriminate].
+    exact (proj2 (threshold_known _ _ V)).
+Qed.
+
+Definition check_branch_spectrum what c factors limit m g : bool :=
+  check_spectrum_over what (over_ranges find_slopes c m g) (unknowns c) factors limit.
+Definition check_branch_spectrum_along what c pieces factors limit m gs : bool :=
+  check_spectrum_over what (over_way find_slopes c pieces m gs) (unknowns_along c pieces) factors
+    limit.
+
+Lemma check_branch_spectrum_correct what c factors limit m g :
+  check_branch_spectrum what c factors limit m g = true ->
+  spectrum_over (spectral_bound what) (fun P => over_branch has_slopes P c) (unknowns c) factors
+    limit.
+Proof.
+  exact (check_spectrum_over_correct what _ _ _ _ factors limit
+    (shown_over_ranges _ _ _ _ find_slopes_correct c m g)).
+Qed.
+Lemma check_branch_spectrum_along_correct what c pieces factors limit m gs :
+  check_branch_spectrum_along what c pieces factors limit m gs = true ->
+  spectrum_over (spectral_bound what) (fun P => over_branch_along has_slopes P c pieces)
+    (unknowns_along c pieces) factors limit.
+Proof.
+  exact (check_spectrum_over_correct what _ _ _ _ factors limit
+    (shown_over_way _ _ _ _ find_slopes_correct c pieces m gs)).
+Qed.
+
+Definition check_branch_singular_values_above := check_branch_spectrum Values_above.
+Definition check_branch_singular_values_below := check_branch_spectrum Values_below.
+Definition check_branch_condition_2 := check_branch_spectrum Ratio_below.
+Definition check_branch_singular_values_above_along := check_branch_spectrum_along Values_above.
+Definition check_branch_singular_values_below_along := check_branch_spectrum_along Values_below.
+Definition check_branch_condition_2_along := check_branch_spectrum_along Ratio_below.
+
+Theorem check_branch_singular_values_above_correct c factors limit m g :
+  check_branch_singular_values_above c factors limit m g = true ->
+  branch_singular_values_above c factors limit.
+Proof. exact (check_branch_spectrum_correct Values_above c factors limit m g). Qed.
+Theorem check_branch_singular_values_below_correct c factors limit m g :
+  check_branch_singular_values_below c factors limit m g = true ->
+  branch_singular_values_below c factors limit.
+Proof. exact (check_branch_spectrum_correct Values_below c factors limit m g). Qed.
+Theorem check_branch_condition_2_correct c factors limit m g :
+  check_branch_condition_2 c factors limit m g = true -> branch_condition_2 c factors limit.
+Proof. exact (check_branch_spectrum_correct Ratio_below c factors limit m g). Qed.
+
+Theorem check_branch_singular_values_above_along_correct c pieces factors limit m gs :
+  check_branch_singular_values_above_along c pieces factors limit m gs = true ->
+  branch_singular_values_above_along c pieces factors limit.
+Proof. exact (check_branch_spectrum_along_correct Values_above c pieces factors limit m gs). Qed.
+Theorem check_branch_singular_values_below_along_correct c pieces factors limit m gs :
+  check_branch_singular_values_below_along c pieces factors limit m gs = true ->
+  branch_singular_values_below_along c pieces factors limit.
+Proof. exact (check_branch_spectrum_along_correct Values_below c pieces factors limit m gs). Qed.
+Theorem check_branch_condition_2_along_correct c pieces factors limit m gs :
+  check_branch_condition_2_along c pieces factors limit m gs = true ->
+  branch_condition_2_along c pieces factors limit.
+Proof. exact (check_branch_spectrum_along_correct Ratio_below c pieces factors limit m gs). Qed.

@@ -18,12 +18,13 @@ using Kind = CoqToken::Kind;
 constexpr std::string_view kLibrary =
     "From Regulus Require Import Expressions Questions Search Singularity Threshold Forces";
 /// In its place, of a closure, along a way, of a quantity over its branch, of a finite error, and
-/// of its solutions; of forces within limits; and the file more of a paving.
+/// of its solutions; of forces within limits, and of singular values; and the file more of a paving.
 constexpr std::string_view kClosureImport =
     "From Regulus Require Import Expressions Questions Search Closures Tubes Branches";
 constexpr auto kMoreOfClosures = std::to_array<std::string_view>(
     {"", " Ways", " Rates", " Rates Slopes", " Distances", " Solutions", " Poses"});
-constexpr std::string_view kMoreOfLimits = " Limits", kMoreOfPavings = " Parts";
+constexpr auto kMoreOfLibrary = std::to_array<std::string_view>({" Limits", " SingularValues"});
+constexpr std::string_view kMoreOfPavings = " Parts";
 
 /// The definitions of a file, but for those of its names.
 constexpr auto kDefinitions =
@@ -87,7 +88,10 @@ constexpr auto kClaims = std::to_array<Claim>(
      {"force_below", " the_row the_load the_limit"},
      {"forces_within_limits", " the_scales the_load the_limits", "Limits"},
      {"no_forces_within_limits", " the_scales the_load the_limits", "Limits"},
-     {"forces_within_limits_in", " the_parts the_scales the_load the_limits", "Limits"}});
+     {"forces_within_limits_in", " the_parts the_scales the_load the_limits", "Limits"},
+     {"condition_2_below", " the_scales the_factors the_limit", "SingularValues"},
+     {"singular_values_above", " the_scales the_factors the_limit", "SingularValues"},
+     {"singular_values_below", " the_scales the_factors the_limit", "SingularValues"}});
 
 /// The claims about a closure.
 constexpr auto kBranchClaims = std::to_array<Claim>(
@@ -110,6 +114,12 @@ constexpr auto kBranchClaims = std::to_array<Claim>(
       "Slopes"},
      {"branch_condition", " the_factors the_limit", "Slopes"},
      {"branch_condition_along", " pieces the_factors the_limit", "Slopes"},
+     {"branch_condition_2", " the_factors the_limit", "Slopes"},
+     {"branch_condition_2_along", " pieces the_factors the_limit", "Slopes"},
+     {"branch_singular_values_above", " the_factors the_limit", "Slopes"},
+     {"branch_singular_values_above_along", " pieces the_factors the_limit", "Slopes"},
+     {"branch_singular_values_below", " the_factors the_limit", "Slopes"},
+     {"branch_singular_values_below_along", " pieces the_factors the_limit", "Slopes"},
      {"one_branch_in", " the_parts", "Branches"},
      {"one_branch_along_in", " pieces the_parts", "Ways"},
      {"branch_within_limits_in", " the_parts the_feasible_parts the_motors the_vectors the_limits",
@@ -174,9 +184,9 @@ class PlainReader {
     if (rest.ends_with(kMoreOfPavings)) rest.remove_suffix(kMoreOfPavings.size());
     is_closure_ = rest.starts_with(kClosureImport) &&
                   is_one_of(rest.substr(kClosureImport.size()), kMoreOfClosures);
-    const bool is_of_limits = rest.starts_with(kLibrary) && rest.ends_with(kMoreOfLimits) &&
-                              rest.size() == kLibrary.size() + kMoreOfLimits.size();
-    if (!is_closure_ && !is_of_limits) return sentences_.expect(kLibrary);
+    const bool has_more =
+        rest.starts_with(kLibrary) && is_one_of(rest.substr(kLibrary.size()), kMoreOfLibrary);
+    if (!is_closure_ && !has_more) return sentences_.expect(kLibrary);
     sentences_.next();
   }
 

@@ -6,6 +6,7 @@
 #include "runtime/formal/coq_expression.hpp"
 #include "runtime/formal/coq_load.hpp"
 #include "runtime/formal/coq_question.hpp"
+#include "runtime/verifier/branch_singular_values.hpp"
 #include "runtime/verifier/proof.hpp"
 
 namespace regulus::verifier {
@@ -119,12 +120,17 @@ class BranchWriter {
 
   /// Writes the bound of the derivatives of the equations by the unknowns.
   void write_bound_of_slopes() {
-    if (claimed_.kind == format::kCondition) {
-      define(
-          "The factors of the columns of the derivatives, and the limit of their condition "
-          "number.",
-          "the_factors : list expression", expressions_of("factor"));
-      text_.claim = "branch_condition", text_.arguments = " the_factors the_limit";
+    const bool is_spectrum = is_singular_value(claimed_.kind);
+    if (is_spectrum || claimed_.kind == format::kCondition) {
+      const bool is_ratio = !is_spectrum || claimed_.kind == format::kCondition2;
+      define("The factors of the columns of the derivatives, and the limit of their " +
+                 std::string(is_ratio ? "condition number." : "singular values."),
+             "the_factors : list expression", expressions_of("factor"));
+      text_.claim = !is_spectrum                         ? "branch_condition"
+                    : is_ratio                           ? "branch_condition_2"
+                    : claimed_.kind == format::kSigmaMin ? "branch_singular_values_above"
+                                                         : "branch_singular_values_below";
+      text_.arguments = " the_factors the_limit";
     } else {
       define(
           "On which side of the limit the determinant, or with Within and Beyond its magnitude, "
@@ -195,7 +201,8 @@ class BranchWriter {
 bool is_about_slopes_of_branch(const Question& question) {
   const auto is = [&](const char* kind) { return question.quantity->kind == kind; };
   return question.closure && question.quantity &&
-         (is(format::kCondition) || is(format::kDeterminant) || is(format::kDeterminantMax));
+         (is(format::kCondition) || is(format::kDeterminant) || is(format::kDeterminantMax) ||
+          is_singular_value(question.quantity->kind));
 }
 
 BranchQuantityText split_branch(const Question& question, const std::vector<std::string>& lines) {

@@ -3,6 +3,7 @@
 
 #include "runtime/formal/coq_branch.hpp"
 #include "runtime/formal/coq_expression.hpp"
+#include "runtime/formal/coq_spectrum.hpp"
 #include "runtime/verifier/branch_quantity.hpp"
 
 namespace regulus::verifier {
@@ -23,7 +24,10 @@ std::string imports(const Question& q) {
                                            : "") +
            parts;
   return std::string("Expressions Questions Search Singularity Threshold Forces") +
-         (q.load ? " Limits" : "") + parts;
+         (q.load                 ? " Limits"
+          : is_about_spectrum(q) ? " SingularValues"
+                                 : "") +
+         parts;
 }
 
 }  // namespace

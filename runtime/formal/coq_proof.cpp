@@ -17,6 +17,7 @@
 #include "runtime/formal/coq_platform.hpp"
 #include "runtime/formal/coq_question.hpp"
 #include "runtime/formal/coq_solutions.hpp"
+#include "runtime/formal/coq_spectrum.hpp"
 #include "runtime/verifier/pieces.hpp"
 #include "runtime/verifier/proof.hpp"
 #include "runtime/verifier/question.hpp"
@@ -162,6 +163,26 @@ std::string force(const Question& bordered, const std::vector<std::string>& line
                            !of_pieces.empty());
 }
 
+/// The theorem about singular values. `certified`: the question of the certificate, or that of its
+/// first piece.
+std::string spectrum(const Question& certified, const std::vector<std::string>& lines,
+                     const Pieces& pieces) {
+  const SpectrumQuestion split = split_spectrum(certified, lines);
+  std::istringstream text(split.question);
+  Lines plain(text);
+  Question question;
+  read_question(plain, question);
+  std::vector<std::string> with_factors = lines_of(split.question);
+  with_factors.insert(with_factors.end(), split.more.begin(), split.more.end());
+  const CoqQuestion coq = coq_question(with_factors, question, pieces.names);
+  const std::string of_pieces = pieces_text(pieces, question.graph);
+  return coq_heading(certified) + coq.text +
+         "Definition the_limit : expression := " + coq_expression(split.limit, {}) + ".\n" +
+         of_pieces + method(coq) +
+         theorem_of_pieces(split.claim, "check_" + split.claim, " the_scales the_factors the_limit",
+                           !of_pieces.empty());
+}
+
 /// The parts that the theorem about a paving of a load keeps.
 std::string feasible_parts(Lines& lines, const Question& paved, const VariablesOfCoq& variables) {
   if (paved.is_index)
@@ -245,6 +266,8 @@ std::string trajectory(Lines& lines, CoqStatement statement) {
   if (question.closure) return coq_heading(question) + coq_closure(lines, question, kept, pieces);
   if (question.singular) throw Rejection("a singular pose lies on one piece: there are several");
   if (question.load) return limits(lines, question, kept, pieces);
+  if (is_about_spectrum(question) && statement == CoqStatement::kClaim)
+    return spectrum(question, kept, pieces);
   if (question.quantity || statement == CoqStatement::kForce) return force(question, kept, pieces);
   const CoqQuestion coq = coq_question(kept, question, pieces.names);
   const std::string of_pieces = pieces_text(pieces, question.graph);
@@ -282,6 +305,8 @@ std::string read_and_write(Lines& lines, CoqStatement statement, Question& quest
     const std::vector<std::string> own = lines.take_kept();
     return limits(lines, question, own, {});
   }
+  if (is_about_spectrum(question) && statement == CoqStatement::kClaim)
+    return spectrum(question, lines.take_kept(), {});
   if (question.quantity || statement == CoqStatement::kForce)
     return force(question, lines.take_kept(), {});
   kept = lines.take_kept();
@@ -325,6 +350,12 @@ std::string coq_proof(std::istream& certificate, CoqStatement statement, const C
     robot.reason =
         "there is no theorem about a model file with [closure] yet: the_claim states the equations "
         "of the certificate";
+    return text;
+  }
+  if (is_about_spectrum(question)) {
+    robot.reason =
+        "there is no theorem about the singular values of a model file yet: the_claim states the "
+        "matrix, its scales and its factors from the certificate";
     return text;
   }
   if (question.quantity || question.load) {

@@ -91,6 +91,7 @@ class QuestionWriter {
     text += "  " + matrix() + "\n  " + std::to_string(q_.columns) + ".\n";
     if (q_.has_threshold) text += threshold();
     if (!limits_.empty()) return text + limits();
+    if (!factors_.empty()) return text + factors();
     return loads_.empty() ? text : text + load();
   }
 
@@ -263,6 +264,8 @@ class QuestionWriter {
       scales_.push_back({"", coq_expression(rest, actual_)});
     else if (key == "load")
       loads_.push_back({"", coq_expression(rest, actual_)});
+    else if (key == "factor")
+      factors_.push_back({"", coq_expression(rest, {})});
     else if (key == "limits")
       limits_.push_back(limits_of_row(rest));
     else if (key == "defined")
@@ -356,6 +359,13 @@ class QuestionWriter {
            coq_list(limits_, "   ") + ".\n";
   }
 
+  [[nodiscard]] std::string factors() const {
+    return "\n(** The scales of the rows, and the factors of the columns. *)\n"
+           "Definition the_scales : list expression :=\n  " +
+           coq_list(scales_, "   ") + ".\nDefinition the_factors : list expression :=\n  " +
+           coq_list(factors_, "   ") + ".\n";
+  }
+
   [[nodiscard]] std::string load() const {
     return "\n(** The load, divided by the scale of the row. *)\n"
            "Definition the_load : list expression :=\n  " +
@@ -386,7 +396,7 @@ class QuestionWriter {
   std::vector<CoqItem> further_, equations_, also_, near_;  ///< of a closure
   std::vector<std::string> starts_;
   std::vector<CoqItem> ranges_, definitions_, constraints_, defined_, entries_, scales_, loads_,
-      limits_;
+      factors_, limits_;
 };
 
 }  // namespace

@@ -42,7 +42,7 @@ struct CoqQuestion {
 
 /// Returns the definitions of a question that has been read without a fault. Lines `load EXPRESSION`
 /// are not part of a certificate, and may follow: the load on the robot, by column; then lines
-/// `limits E : E`, by row.
+/// `limits E : E`, by row. Or lines `factor E`, by column.
 ///
 /// `piece_names`: the constants that each piece of a trajectory gives a value; or names that stand for
 /// whole numbers of the lines `constant`, `uncertain`, `pose` and `unknown`.

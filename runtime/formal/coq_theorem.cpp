@@ -48,6 +48,7 @@ std::string theorem_anew(const std::string& name, const std::string& type) {
 std::string statements_anew(const PlainTheorem& theorem) {
   std::string text = std::string(
                          "Require Coq.Lists.List Regulus.Questions Regulus.Closures Regulus.Limits "
+                         "Regulus.SingularValues "
                          "Regulus.Branches Regulus.Ways Regulus.Rates Regulus.Slopes "
                          "Regulus.Distances Regulus.Poses ") +
                      kAuditedFolder + '.' + kAuditedFile + ".\n" +

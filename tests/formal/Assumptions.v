@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 From Regulus Require Import Search Singularity Threshold Forces Geometry Matrices Legs.
-From Regulus Require Import Existence Branches Ways Limits Rates Slopes Distances Solutions Poses.
+From Regulus Require Import Existence Branches Ways Limits SingularValues Rates Slopes Distances Solutions Poses.
 From Regulus Require Import Arms.
 Definition theorems := (check_correct, check_tree_correct, check_pieces_correct,
   check_piece_trees_correct, check_singularity_correct, check_determinant_correct,
@@ -23,6 +23,15 @@ Definition theorems := (check_correct, check_tree_correct, check_pieces_correct,
   check_branch_determinant_correct, check_branch_determinant_along_correct,
   check_branch_determinant_in_correct, check_branch_determinant_along_in_correct,
   check_branch_condition_correct, check_branch_condition_along_correct,
+  check_singular_values_above_correct, check_singular_values_above_tree_correct,
+  check_singular_values_above_pieces_correct, check_singular_values_above_piece_trees_correct,
+  check_singular_values_below_correct, check_singular_values_below_tree_correct,
+  check_singular_values_below_pieces_correct, check_singular_values_below_piece_trees_correct,
+  check_condition_2_below_correct, check_condition_2_below_tree_correct,
+  check_condition_2_below_pieces_correct, check_condition_2_below_piece_trees_correct,
+  check_branch_singular_values_above_correct, check_branch_singular_values_above_along_correct,
+  check_branch_singular_values_below_correct, check_branch_singular_values_below_along_correct,
+  check_branch_condition_2_correct, check_branch_condition_2_along_correct,
   check_no_forces_correct, determinant_of_arm, determinant_of_rows, dependent_arm, large_of_claim, small_of_certificate,
   check_all_solutions_correct, check_some_solutions_correct, check_solutions_at_correct,
   check_some_poses_correct, check_forty_poses_correct, check_sixteen_poses_correct,

@@ -47,9 +47,13 @@ expect_answer(PROVED 0 ${WORK_DIR} --theorem alpha --model five_bar.toml --allow
 expect_answer(PROVED 0 ${WORK_DIR} --audit alpha.v)
 expect_proved(branch_determinant det_max.safe WITHIN bound determinant-max --limit 8 --certificate det_max)
 expect_proved(branch_condition condition.safe WITHIN bound condition --limit 4 --certificate condition)
+expect_proved(branch_condition_2 kappa.safe "BETWEEN 2.28899 AND 2.30605" bound condition --norm 2 --threads 1 --certificate
+              kappa)
+expect_proved(branch_singular_values_above least.safe WITHIN bound sigma-min --limit 1.4 --certificate least)
+expect_proved(branch_singular_values_below largest.safe WITHIN bound sigma-max --limit 3.3 --certificate largest)
 
 # `regulus bound` finds a force of 12.369, a speed of 2.368, a deflection of 0.2158, a determinant between
-# 4.545 and 6.25, and a condition number of 3.318.
+# 4.545 and 6.25, a condition number of 3.318, singular values from 1.41 to 3.25, and 2.2913 as their ratio.
 expect_no_theorem(force.theta1.safe "wrench 0 +- 1" "wrench 0 +- 5")
 expect_no_theorem(force.theta1.safe "wrench -10 +- 0" "wrench -20 +- 0")
 expect_no_theorem(ball.theta2.safe "wrench-ball 2 in 1 2" "wrench-ball 20 in 1 2")
@@ -74,11 +78,21 @@ expect_no_other_bound(deflection.y.safe 1/4 1/5)
 expect_no_other_bound(det.safe 4 5)
 expect_no_other_bound(det_max.safe 8 6)
 expect_no_other_bound(condition.safe 4 3)
+expect_no_other_bound(kappa.safe 1153021/500000 2.29)
+expect_no_other_bound(kappa.safe 1153021/500000 1)
+expect_no_other_bound(kappa.safe 1153021/500000 -3)
+expect_no_other_bound(least.safe 7/5 1.42)
+expect_no_other_bound(largest.safe 33/10 3.2)
 expect_no_theorem(alpha "\nalpha 4\n" "\nalpha 5\n")
 expect_no_theorem(deflection.y.safe "stiffness 200" "stiffness 100")
 expect_no_theorem(deflection.y.safe "stiffness 200" "stiffness -200")
 expect_no_theorem(deflection.y.safe "wrench -10 +- 0" "wrench -20 +- 0")
 expect_no_theorem(condition.safe "factor 1\nfactor 1\n" "factor 1\nfactor 9\n")
+expect_no_theorem(kappa.safe "factor 1\nfactor 1\n" "factor 1\nfactor 9\n")
+expect_no_theorem(kappa.safe "factor 1\nfactor 1\n" "factor 1\nfactor 0\n")
+expect_no_theorem(least.safe "factor 1\nfactor 1\n" "factor 1\nfactor 1/9\n")
+expect_no_theorem(largest.safe "factor 1\nfactor 1\n" "factor 1\nfactor 2\n")
+expect_no_theorem(kappa.safe "coupler_1 = 5/4" "coupler_1 = 11/10")
 expect_no_theorem(det.safe "coupler_1 = 5/4" "coupler_1 = 11/10")
 
 # A part of the set has no tube.
@@ -99,6 +113,10 @@ foreach(changed IN ITEMS "side := Below" "side := Within" "side := true" "side :
   file(WRITE ${WORK_DIR}/other.v "${other}")
   expect_answer(REJECTED 1 ${WORK_DIR} --audit other.v)
 endforeach()
+file(READ ${WORK_DIR}/least.safe.v text)
+string(REPLACE "branch_singular_values_above the_closure" "branch_singular_values_below the_closure" other "${text}")
+file(WRITE ${WORK_DIR}/other.v "${other}")
+expect_answer(REJECTED 1 ${WORK_DIR} --audit other.v)
 file(READ ${WORK_DIR}/force.theta1.safe.v text)
 string(REPLACE "branch_within the_closure" "branch_below the_closure" other "${text}")
 file(WRITE ${WORK_DIR}/other.v "${other}")

@@ -2,7 +2,7 @@
 # The check refuses what is false, and accepts what is true next to it.
 include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
 foreach(file IN ITEMS Existence ClosureRefusals LimitRefusals PavingRefusals RateRefusals SlopeRefusals DistanceRefusals
-        SolutionRefusals PoseRefusals WayRefusals)
+        SolutionRefusals SpectrumRefusals PoseRefusals WayRefusals)
   configure_file(${CMAKE_CURRENT_LIST_DIR}/${file}.v ${WORK_DIR}/${file}.v COPYONLY)
   run_coq(code text ${file}.v)
   if(NOT code EQUAL 0)

@@ -77,6 +77,15 @@ expect_proved(branch_determinant_along det.safe WITHIN bound five_bar work five_
 expect_proved(branch_condition_along condition.safe WITHIN bound five_bar work five_bar condition --limit 4 --certificate
               condition)
 expect_no_theorem(condition.safe "factor 1\nfactor 1\n" "factor 1\nfactor 9\n")
+expect_proved(branch_condition_2_along kappa.safe WITHIN bound five_bar work five_bar condition --norm 2 --limit 1.4
+              --certificate kappa)
+expect_proved(branch_singular_values_above_along least.safe WITHIN bound five_bar work five_bar sigma-min --limit 2
+              --certificate least)
+expect_proved(branch_singular_values_below_along largest.safe WITHIN bound five_bar work five_bar sigma-max --limit 3
+              --certificate largest)
+expect_no_theorem(kappa.safe "factor 1\nfactor 1\n" "factor 1\nfactor 9\n")
+expect_no_theorem(least.safe "factor 1\nfactor 1\n" "factor 1\nfactor 1/9\n")
+expect_no_theorem(largest.safe "factor 1\nfactor 1\n" "factor 1\nfactor 9\n")
 expect_proved(branch_within_limits_along limits.txt FEASIBLE check five_bar work five_bar --load pull --certificate
               limits.txt)
 

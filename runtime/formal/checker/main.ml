@@ -58,7 +58,11 @@ let write_comparison u text (file : Reader.file) =
        (if file.has_pieces then "map the_question pieces" else "[the_question]")
        (String.concat ";\n" questions)
     ^
-    if not (List.mem "the_load" file.typed) then ""
+    if List.mem "the_factors" file.typed then
+      Printf.sprintf "Goal (the_scales, the_factors, the_limit) = (%s, %s, %s).\nProof. reflexivity. Qed.\n"
+        (Print.list Print.expression file.scales) (Print.list Print.expression file.factors)
+        (Print.expression file.limit)
+    else if not (List.mem "the_load" file.typed) then ""
     else if List.mem "the_limits" file.typed then
       Printf.sprintf "Goal (the_scales, the_load, the_limits) = (%s, %s, %s).\nProof. reflexivity. Qed.\n"
         (Print.list Print.expression file.scales) (Print.list Print.expression file.load)

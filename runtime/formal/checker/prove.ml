@@ -145,6 +145,18 @@ let limits_in_parts (file : Reader.file) =
     hinted = Printf.sprintf "check_limits_trees_correct %s the_trees" arguments;
     plain = Printf.sprintf "check_limits_in_correct %s" arguments }
 
+(* Each bound of singular values, and its name. *)
+let spectra =
+  [ (Values_above, "singular_values_above"); (Values_below, "singular_values_below");
+    (Ratio_below, "condition_2_below") ]
+
+let spectrum (file : Reader.file) (what, name) =
+  let hinted, plain = theorems file ("_" ^ name) "the_scales the_factors the_limit the_method" in
+  { searched = Fun.id; boxes = whole;
+    test = (fun q -> test_spectrum what q file.scales file.factors file.limit file.method_);
+    check = check_spectrum_piece_trees what file.question file.scales file.factors file.limit file.method_;
+    hinted; plain }
+
 let at_points bounds text how check =
   if with_clock bounds (fun () -> "checking") check then Proved { what = ""; how; hinted = text }
   else Unproved "the bounds at the points of the file do not suffice"
@@ -184,6 +196,13 @@ let prove bounds text (file : Reader.file) =
     (not file.has_pieces) && states (Printf.sprintf "forces_within_limits_in %s the_parts the_scales the_load the_limits")
   then all (limits_in_parts file)
   else
+  match
+    List.find_opt
+      (fun (_, name) -> states (fun q -> name ^ " " ^ q ^ " the_scales the_factors the_limit"))
+      spectra
+  with
+  | Some bound -> all (spectrum file bound)
+  | None ->
   match (file.has_pieces, file.statement) with
   | false, "singularity the_question"
     when applies "check_singularity_correct the_question negative positive" ->

@@ -16,6 +16,7 @@ type file = {
   threshold : expression;
   row : nat;  (* of the force *)
   load : expression list;
+  factors : expression list;  (* of the columns *)
   limit : expression;
   limits : (expression * expression) list;  (* of the forces, by row *)
   statement : string;  (* of the theorem, its words separated by spaces *)
@@ -24,7 +25,7 @@ type file = {
 
 let typed_names =
   [ "the_question"; "the_method"; "pieces"; "the_tree"; "the_trees"; "negative"; "positive"; "the_point";
-    "the_scales"; "the_threshold"; "the_row"; "the_load"; "the_limit"; "the_limits"; "the_parts" ]
+    "the_scales"; "the_threshold"; "the_row"; "the_load"; "the_factors"; "the_limit"; "the_limits"; "the_parts" ]
 
 (* Where the reader is, and the names that have a meaning. *)
 type state = {
@@ -325,6 +326,7 @@ let typed s file name kind =
   | "the_threshold", ": expression" -> { file with threshold = expression s }
   | "the_row", ": nat" -> { file with row = nat_of (take_count s 1000) }
   | "the_load", ": list expression" -> { file with load = take_list s expression }
+  | "the_factors", ": list expression" -> { file with factors = take_list s expression }
   | "the_limit", ": expression" -> { file with limit = expression s }
   | "the_limits", ": list ( expression * expression )" -> { file with limits = take_list s pair }
   | _ -> fault s ("'" ^ name ^ " " ^ kind ^ "' is not a definition of regulus-verify")
@@ -347,10 +349,11 @@ let imports =
     "From Regulus Require Import Expressions Questions Search Singularity Threshold Forces";
     "From Regulus Require Import Notations"; "Import ListNotations" ]
 
-(* Forces within limits need one library more, and their pavings two. *)
+(* Forces within limits and singular values need one library more, and pavings of the former two. *)
 let take_import s import =
   take_words s import;
-  if String.ends_with ~suffix:" Forces" import && accept s (Word "Limits") then ignore (accept s (Word "Parts"));
+  if String.ends_with ~suffix:" Forces" import then
+    if accept s (Word "Limits") then ignore (accept s (Word "Parts")) else ignore (accept s (Word "SingularValues"));
   take s (Symbol ".")
 
 let zero = Constant (rational_of (Pos (D0 Nil)) Nil (Pos (D0 Nil)))
@@ -359,7 +362,7 @@ let nothing =
   { typed = []; question = (fun _ -> raise (Fault (1, "the file does not define 'the_question'")));
     has_pieces = false; pieces = [];
     method_ = { second_order = O; deepest = O }; parts = Kept; trees = []; points = []; scales = [];
-    threshold = zero; row = O; load = []; limit = zero; limits = []; statement = ""; proof = "" }
+    threshold = zero; row = O; load = []; factors = []; limit = zero; limits = []; statement = ""; proof = "" }
 
 (* The text up to the claim, and what follows if the file is about the robot of a model file: theorems in
    the words of Geometry.v, Arms.v or Matrices.v, which are for Coq alone. In a comment, the first line of these leaves a first
