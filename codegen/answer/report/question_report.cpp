@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/answer/certificate/certificate_expression_writer.hpp"
+#include "codegen/answer/report/angle_text.hpp"
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/place_text.hpp"
 #include "codegen/answer/report/set_facts.hpp"
@@ -187,9 +188,8 @@ Json json_asked(const AskedQuestion& asked, const SearchOptions& search) {
 std::string describe_tolerance(const SearchSubject& p, std::size_t index) {
   const VariableLabel& variable = p.labels.variables[index];
   const Interval& range = p.variety.outer[index];
-  return fmt::format("{} ±{:.6g}{}{}", variable.group.empty() ? variable.name : variable.group,
-                     (range.hi - range.lo) / 2, unit_suffix(variable.unit),
-                     variable.in_ball ? " in balls" : "");
+  return fmt::format("{} {}{}", variable.group.empty() ? variable.name : variable.group,
+                     half_width_text(range, variable.unit), variable.in_ball ? " in balls" : "");
 }
 
 }  // namespace
