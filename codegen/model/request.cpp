@@ -61,9 +61,9 @@ void stay_within_limits(Request& request, const ModelOptions& options) {
   const std::optional<Excursion> found = find_excursion(request.model, request.motion);
   if (!found) return;
   if (!options.beyond_limits)
-    throw InputError::statement(
-        found->file.empty() ? options.path : found->file, found->line, found->sentence,
-        "stay within them, or leave them by the option beyond-limits", found->joint);
+    throw InputError::statement(found->file.empty() ? options.path : found->file, found->line,
+                                found->sentence,
+                                "stay within them, or leave them by --beyond-limits", found->joint);
   request.notes.push_back("the question leaves the limits of joints: " + found->sentence);
 }
 

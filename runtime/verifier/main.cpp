@@ -29,38 +29,44 @@ constexpr std::size_t kMaxTheoremBytes = std::size_t{1} << 28;
 constexpr const char* kHelp =
     "usage: regulus-verify [options] CERTIFICATE\n"
     "\n"
-    "Proves the claim of a certificate anew. The answer is the line on standard output:\n"
+    "Proves the claim of a certificate anew. The answer is the line on standard\n"
+    "output:\n"
     "  VERIFIED    the claim is true                                     (exit 0)\n"
     "  REJECTED    not a certificate, incomplete, or false               (exit 1)\n"
     "  UNFINISHED  neither could be shown within the bounds below        (exit 2)\n"
     "Standard error says what was checked, and why the claim is not verified.\n"
-    "If CERTIFICATE is the index of a proof in shards, they are in CERTIFICATE.shards.\n"
+    "If CERTIFICATE is the index of a proof in shards, they are in\n"
+    "CERTIFICATE.shards.\n"
     "Other exit codes: 64 usage, 74 a file cannot be read or written.\n"
     "\n"
-    "  --model FILE     the question must also be that of this model file, line by line;\n"
-    "                   UNFINISHED if a line cannot be compared\n"
-    "  --waypoints FILE with --model: the table of way-points that check --waypoints took\n"
-    "  --allow-options  allow ranges, tolerances and alpha to differ from that file, because\n"
-    "                   options of regulus change them; list the differences\n"
+    "  --model FILE     the question must also be that of this model file, line by\n"
+    "                   line; UNFINISHED if a line cannot be compared\n"
+    "  --waypoints FILE with --model: the table of way-points that check --waypoints\n"
+    "                   took\n"
+    "  --allow-options  allow ranges, tolerances and alpha to differ from that file,\n"
+    "                   because options of regulus change them; list the differences\n"
     "  --time-limit S   stop after S seconds; the answer is then UNFINISHED\n"
     "  --threads N      prove leaves by N threads (default 1); the answer is the same\n"
-    "  --max-boxes N    evaluate at most N boxes for all leaves together (default 4194304)\n"
-    "  --coq FILE       do not prove the claim, but write it as a theorem that Coq proves:\n"
-    "                   coqc -Q FOLDER Regulus FILE (runtime/formal/FORMAL.md). With --model, the\n"
-    "                   file also has a theorem about the robot of the model file, if that has\n"
-    "                   the table [gough], [serial] or [matrix], or [legs] with legs of variable\n"
-    "                   length; otherwise nothing is written\n"
-    "  --force          with --coq or --theorem: the certificate is that of a bound of a force, "
-    "also\n"
-    "                   if it is of an earlier version and does not say so\n"
-    "  --theorem        let Coq prove the claim: write the file CERTIFICATE.v, or that of --coq,\n"
-    "                   run coqc, and audit what it proved. With --model the claim is verified\n"
-    "                   first. The answer is PROVED, REJECTED or UNFINISHED, with the exit codes\n"
-    "                   above\n"
-    "  --audit          CERTIFICATE is a theorem file of any origin: let Coq prove it if it is as\n"
-    "                   plain as those of --coq. PROVED: it states what it shows, and is true\n"
-    "  --library FOLDER the compiled library of theorems; otherwise that in REGULUS_FORMAL, or\n"
-    "                   beside this program\n"
+    "  --max-boxes N    evaluate at most N boxes for all leaves together (default\n"
+    "                   4194304)\n"
+    "  --coq FILE       do not prove the claim, but write it as a theorem that Coq\n"
+    "                   proves: coqc -Q FOLDER Regulus FILE\n"
+    "                   (runtime/formal/FORMAL.md). With --model, the file also has a\n"
+    "                   theorem about the robot of the model file, if that has the\n"
+    "                   table [gough], [serial] or [matrix], or [legs] with legs of\n"
+    "                   variable length; otherwise nothing is written\n"
+    "  --force          with --coq or --theorem: the certificate is that of a bound\n"
+    "                   of a force, also if it is of an earlier version and does not\n"
+    "                   say so\n"
+    "  --theorem        let Coq prove the claim: write the file CERTIFICATE.v, or\n"
+    "                   that of --coq, run coqc, and audit what it proved. With\n"
+    "                   --model the claim is verified first. The answer is PROVED,\n"
+    "                   REJECTED or UNFINISHED, with the exit codes above\n"
+    "  --audit          CERTIFICATE is a theorem file of any origin: let Coq prove it\n"
+    "                   if it is as plain as those of --coq. PROVED: it states what\n"
+    "                   it shows, and is true\n"
+    "  --library FOLDER the compiled library of theorems; otherwise that in\n"
+    "                   REGULUS_FORMAL, or beside this program\n"
     "  --quiet          print only the answer\n"
     "  --help           print this text\n";
 
@@ -70,6 +76,16 @@ struct Usage {
   bool help = false, quiet = false, is_force = false, is_theorem = false, is_audit = false;
   std::string mistake;  ///< about a word that is not understood
 };
+
+/// This program does not know the names of installed models.
+std::string read_model_file(const std::string& name) try {
+  return regulus::verifier::read_text(name, kMaxModelBytes);
+} catch (const std::runtime_error& error) {
+  if (name.find_first_of("./") != std::string::npos) throw;
+  throw std::runtime_error(std::string(error.what()) +
+                           "; give the path of the model file, which `regulus list " + name +
+                           "` shows if that model is installed");
+}
 
 template <class Number>
 bool read_number(const std::string& text, Number& value) {
@@ -164,7 +180,7 @@ Verification verify_and_describe(Usage& usage) {
   std::istream file(&bytes);
   usage.options.path = usage.certificate;
   if (!usage.model.empty()) {
-    usage.options.model_text = regulus::verifier::read_text(usage.model, kMaxModelBytes);
+    usage.options.model_text = read_model_file(usage.model);
     usage.options.model_name = usage.model;
   }
   const bool is_terminal = !usage.quiet && isatty(STDERR_FILENO) != 0;
@@ -198,7 +214,7 @@ std::string theorem_of(const Usage& usage, regulus::verifier::CoqRobot& robot) {
   const auto statement = usage.is_force ? regulus::verifier::CoqStatement::kForce
                                         : regulus::verifier::CoqStatement::kClaim;
   if (usage.model.empty()) return regulus::verifier::coq_proof(file, statement);
-  const std::string model = regulus::verifier::read_text(usage.model, kMaxModelBytes);
+  const std::string model = read_model_file(usage.model);
   const regulus::verifier::CoqModel read{regulus::verifier::read_model_values(model),
                                          usage.options.all_overridden};
   return regulus::verifier::coq_proof(file, statement, read, robot);

@@ -180,8 +180,9 @@ std::string describe(const Verification& v) {
   if (v.links > 0)
     line("links", std::to_string(v.links) + " pairs of neighbours with one configuration");
   if (v.numbers > 0)
-    line("numbers",
-         std::to_string(v.numbers) + " values and expressions of the model file compared");
+    line("numbers", std::to_string(v.numbers) +
+                        (v.numbers == 1 ? " value" : " values and expressions") +
+                        " of the model file compared");
   for (const std::string& difference : v.differences) line("differs", difference);
   line("note", v.note);
   line("reason", v.reason);

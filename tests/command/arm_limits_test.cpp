@@ -50,9 +50,10 @@ TEST_F(Arm, StaysWithinItsLimitsWhereItsRangesGrow) {
   EXPECT_EQ(refused.exit_code, 64);
   EXPECT_THAT(refused.errors, HasSubstr("at 1.5, q1 takes [-1.5, 1.5] rad, beyond its limits"));
   EXPECT_EQ(run("margin", {"--scale", "0.5:"}).exit_code, 64);
-  EXPECT_EQ(run("margin", {"--scale", "0.5:1", "--quiet"}).output, "SAFE UP TO 1\n");
+  EXPECT_EQ(run("margin", {"--scale", "0.5:1", "--quiet"}).output,
+            "SAFE UP TO 1 times the ranges\n");
   EXPECT_EQ(run("margin", {"--scale", "0.5:1.5", "--quiet", "--beyond-limits"}).output,
-            "SAFE UP TO 1.5\n");
+            "SAFE UP TO 1.5 times the ranges\n");
 }
 
 /// Nothing of the arm grows in a bound.

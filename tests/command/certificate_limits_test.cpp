@@ -33,14 +33,14 @@ TEST(AQuestionBeyondTheLimitsOfTheFormat, LeavesNoCertificate) {
   };
   const CommandResult largest = check(127);  // 127 quantities and x
   EXPECT_EQ(largest.output, "NO SINGULARITY\n");
-  EXPECT_THAT(largest.errors, HasSubstr("certificate " + file));
+  EXPECT_THAT(largest.errors, HasSubstr("proof      " + file));
   EXPECT_EQ(regulus({"verify", file}).output, "VERIFIED\n");
   std::filesystem::remove(file);
 
   const CommandResult larger = check(128);
   EXPECT_EQ(larger.output, "NO SINGULARITY\n");
   EXPECT_THAT(larger.errors,
-              HasSubstr("certificate none: the question is beyond the limits of the format: too "
+              HasSubstr("proof      none: the question is beyond the limits of the format: too "
                         "many variables"));
   EXPECT_FALSE(std::filesystem::exists(file));
   const auto report =

@@ -75,7 +75,7 @@ TEST(ACertificateBeyondTheLimitOfTheFormat, IsAnnouncedAsSuch) {
     return std::pair(file.status().line(), facts.object());
   };
   const auto [line, report] = report_of(format::kMaxBytes);
-  EXPECT_EQ(line, "certificate " + path + '\n');
+  EXPECT_EQ(line, "proof      " + path + '\n');
   EXPECT_FALSE(report.contains("certificate_note"));
   const auto [longer_line, longer_report] = report_of(format::kMaxBytes + 1);
   EXPECT_THAT(longer_line, HasSubstr("it is larger than the 4294967296 bytes that the verifier"));

@@ -366,7 +366,7 @@ TEST(Command, WritesNoCertificateWhereNothingIsClaimed) {
   const CommandResult none =
       regulus({"check", kRobot1, "wide_15", "--max-boxes", "1", "--certificate", file});
   EXPECT_EQ(none.exit_code, 2);
-  EXPECT_THAT(none.errors, HasSubstr("certificate none"));
+  EXPECT_THAT(none.errors, HasSubstr("proof      none"));
   EXPECT_TRUE(std::filesystem::is_empty(directory.path()));
 }
 

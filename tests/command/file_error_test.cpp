@@ -60,7 +60,7 @@ TEST_F(FileTrouble, AnAnswerIsToldWithoutItsProof) {
     words.insert(words.end(), {"--certificate", file("proof"), "--no-cache"});
     const CommandResult told = with_small_files(1, words);
     expect_trouble(told, "cannot be written");
-    EXPECT_THAT(told.errors, HasSubstr("certificate none"));
+    EXPECT_THAT(told.errors, HasSubstr("proof      none"));
     EXPECT_THAT(told.output, testing::EndsWith(headline)) << words[0] << ' ' << words[2];
     words.emplace_back("--json");
     const CommandResult report = with_small_files(1, words);

@@ -197,7 +197,7 @@ TEST_F(ForcesCommandTest, WritesNoProofThatClaimsNothing) {
   const CommandResult r = regulus({"check", model_, "--load", "push", "--range", "x=-0.6:0.6",
                                    "--max-boxes", "1", "--certificate", proof});
   EXPECT_EQ(r.exit_code, 2) << r.errors;
-  EXPECT_THAT(r.errors, HasSubstr("certificate none: POSSIBLE PROBLEM"));
+  EXPECT_THAT(r.errors, HasSubstr("proof      none: POSSIBLE PROBLEM"));
   EXPECT_FALSE(std::ifstream(proof).good());
 }
 

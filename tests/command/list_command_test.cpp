@@ -44,6 +44,36 @@ TEST(List, ShowsMotionsWithRangesAndGroupsWithTolerances) {
   EXPECT_THAT(shown.output, HasSubstr("group      base: tolerance 0 (a1_1 … a3_2, 6 constants)"));
 }
 
+constexpr const char* kArmInDegrees = R"toml(regulus = 1
+name = "arm in degrees"
+[serial]
+unit = "mm"
+angle_unit = "deg"
+length_tolerance = 0.2
+angle_tolerance = 0.05
+joints = [ { name = "q1" }, { name = "q2", xyz = [300, 0, 0], rpy = [90, 0, 0] }, { name = "q3", xyz = [200, 0, 50] } ]
+[motion.work]
+q1 = 0
+q2 = [20, 60]
+q3 = [-90, 90]
+)toml";
+
+TEST(List, ShowsTolerancesWithTheirUnits) {
+  const TemporaryDirectory folder;
+  const std::string arm = (folder.path() / "arm.toml").string();
+  std::ofstream(arm) << kArmInDegrees;
+  const std::string listed = regulus({"list", arm}).output;
+  EXPECT_THAT(listed, HasSubstr("lengths: tolerance 0.2 mm ("));
+  EXPECT_THAT(listed, HasSubstr("angles: tolerance 0.000872665 rad (0.05 deg) ("));
+  EXPECT_THAT(regulus({"check", arm}).errors, HasSubstr("of angles ±0.000872665 rad (0.05 deg)"));
+}
+
+TEST(List, ShowsABallOnce) {
+  const std::string listed = regulus({"list", "orthoglide"}).output;
+  EXPECT_THAT(listed, HasSubstr("(0, 0, 0) in a ball of 1"));
+  EXPECT_THAT(listed, testing::Not(HasSubstr("0 in a ball")));
+}
+
 TEST(List, RefusesAModelWithAMistake) {
   const TemporaryDirectory folder;
   std::ofstream((folder.path() / "wrong.toml").string()) << "regulus = 1\n";

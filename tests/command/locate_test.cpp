@@ -181,6 +181,23 @@ TEST_F(PlanarSlice, IsSplitToItsResolutionAndNoFurther) {
     }
 }
 
+/// At the ends of phi the matrix is singular wherever the platform is, and no determinant changes its
+/// sign: only algebra shows this, at one pose.
+TEST(LocateCommand, SaysWhyTheBoxOfAWitnessIsUndecided) {
+  const std::vector<std::string> turned = {
+      kRobot1,        "wide_40", "--range", "z=48",    "--range",
+      "psi=0",        "--range", "theta=0", "--range", "phi=-90*deg:90*deg",
+      "--resolution", "1/8"};
+  const CommandResult result = locate(turned);
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.errors, HasSubstr("singular   0 %, 0 boxes"));
+  EXPECT_THAT(result.errors,
+              HasSubstr("note       algebra proved the witness after the ranges had been "
+                        "divided, so its box stays undecided"));
+  const CommandResult usual = locate({kPlanar, "crossing", "--resolution", "1/8"});
+  EXPECT_THAT(usual.errors, testing::Not(HasSubstr("note ")));
+}
+
 TEST(Locate, BeginsWithAHeaderThatSaysWhatTheBoxesClaim) {
   const CommandResult result = locate_boxes({kPlanar, "regular", "--resolution", "1/4"});
   const Paving paving = parse(result.output);

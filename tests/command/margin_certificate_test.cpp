@@ -119,7 +119,7 @@ TEST_F(MarginCertificate, ProvesBothEndsBetweenConstraints) {
 
 TEST_F(MarginCertificate, NamesTheFilesAndTheValuesInItsReport) {
   const CommandResult result = margin({"small", "--tolerance", "a=0:0.9"});
-  EXPECT_THAT(result.errors, HasSubstr("certificate " + file("ends.safe") + ": safe at 0.4"));
+  EXPECT_THAT(result.errors, HasSubstr("proof      " + file("ends.safe") + ": safe at 0.4"));
   EXPECT_THAT(result.errors, HasSubstr(file("ends.singular") + ": singular at 0.5"));
 }
 

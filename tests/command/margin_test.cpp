@@ -158,13 +158,17 @@ TEST_F(Margin, SaysThatAllIsSafeWhenTheUpperEndIsCertified) {
   const CommandResult result = margin({"small", "--tolerance", "a=0:1/3"});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.output, "SAFE UP TO 1/3\n");
-  EXPECT_LE(report({"small", "--tolerance", "a=0:1/3"})["certified"], 1.0 / 3);
+  const json found = report({"small", "--tolerance", "a=0:1/3"});
+  EXPECT_LE(found["certified"], 1.0 / 3);
+  EXPECT_EQ(found["reason"], "all of the range is safe");
 }
 
 TEST_F(Margin, ExitsWith1WhenTheLowerEndIsNotSafe) {
   const CommandResult result = margin({"small", "--tolerance", "a=0.6:0.9"});
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_EQ(result.output, "NOT SAFE AT 0.6\n");
+  EXPECT_EQ(report({"small", "--tolerance", "a=0.6:0.9"}, 1)["reason"],
+            "the lower end is not safe");
 }
 
 TEST_F(Margin, ExitsWith2WhenALimitEndsItEarly) {

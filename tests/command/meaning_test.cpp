@@ -18,7 +18,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 constexpr const char* kCannotGiveWay =
-    "at no pose of this motion can the platform give way while its legs hold";
+    "the platform cannot give way at any pose of this motion while its legs hold";
 
 std::string meaning_of(std::vector<std::string> words) {
   words.insert(words.begin(), {kCommand, "check"});
@@ -80,19 +80,18 @@ TEST(TheMeaningOfAVerdict, IsAboutTheJointsOfAnArmOfFewJoints) {
 }
 
 TEST(TheMeaningOfAVerdict, SaysThatAMatrixIsReduced) {
-  EXPECT_EQ(
-      meaning_of({REGULUS_SOURCE_DIR "/models/tsai_3upu_reduced.toml", "wide"}),
-      "as far as the reduced matrix says, at no pose of this motion does the matrix lose rank");
+  EXPECT_EQ(meaning_of({REGULUS_SOURCE_DIR "/models/tsai_3upu_reduced.toml", "wide"}),
+            "as far as the reduced matrix says, the matrix loses rank at no pose of this motion");
 }
 
 /// A model whose matrix has no names of columns does not say that there is a platform.
 TEST(TheMeaningOfAVerdict, SpeaksOfNoPlatformThatIsNotThere) {
   EXPECT_EQ(meaning_of({REGULUS_SOURCE_DIR "/models/rump.toml"}),
-            "at no pose of this motion does the matrix lose rank");
+            "the matrix loses rank at no pose of this motion");
   EXPECT_EQ(meaning_of({REGULUS_SOURCE_DIR "/models/puma_560.toml", "wrist"}),
             "at some pose of this motion the matrix loses rank");
   EXPECT_THAT(meaning_of({REGULUS_SOURCE_DIR "/models/orthoglide_full.toml", "cube"}),
-              HasSubstr("can the platform give way"));
+              HasSubstr("the platform cannot give way"));
 }
 
 TEST(TheMeaningOfAVerdict, IsNothingWhereNothingIsProved) {

@@ -87,6 +87,17 @@ TEST_F(Message, SaysHowANumberWithItsUnitIsWritten) {
               HasSubstr("expected an expression as text, in quotes: \"30deg\""));
   EXPECT_THAT(errors_of("rad", "[-pi/12, 1]"), HasSubstr("in quotes: \"-pi/12\""));
   EXPECT_THAT(errors_of("rad", "[0, 1"), HasSubstr("expected TOML 1.0"));
+  EXPECT_THAT(errors_of("rad", "upper"), HasSubstr("expected text in quotes: \"upper\""));
+}
+
+TEST_F(Message, OfACommandLineSaysWhatToDo) {
+  const auto errors = [](std::vector<std::string> words) { return regulus(words).errors; };
+  EXPECT_EQ(errors({"check"}),
+            "regulus: MODEL is required: the path of a model file, or the name of an installed "
+            "model, which regulus list shows\n");
+  EXPECT_EQ(errors({"report", kPlanar}),
+            "regulus: --output is required; regulus report --help says more\n");
+  EXPECT_EQ(errors({"check", kPlanar, "--max-boxes", "abc"}).find("Run with"), std::string::npos);
 }
 
 TEST_F(Message, SaysWhatIsExceededInTheStepsOfAMargin) {

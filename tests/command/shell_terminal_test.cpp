@@ -97,6 +97,19 @@ TEST(ShellAtATerminal, AnErrorDoesNotEndItAndQuitDoes) {
   EXPECT_EQ(terminal.exit_code(), 0);
 }
 
+/// A terminal that does not say how wide it is has 80 columns.
+TEST(ShellAtATerminal, ReportsFitIt) {
+  const TemporaryDirectory home;
+  Terminal terminal(home.path().string());
+  ASSERT_TRUE(terminal.shows("regulus> "));
+  terminal.type("load robot_1\nmotion T1\ncheck --tolerance base=0.01\n");
+  EXPECT_TRUE(terminal.shows(
+      "\r\nmeaning    the platform cannot give way at any pose of this motion while its\r\n"
+      "           legs hold, whatever the uncertain quantities are within their\r\n"
+      "           tolerances\r\n"))
+      << terminal.seen();
+}
+
 TEST(ShellAtATerminal, LocateDrawsAMap) {
   const TemporaryDirectory home;
   Terminal terminal(home.path().string());

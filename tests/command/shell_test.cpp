@@ -115,10 +115,65 @@ TEST(ShellScript, EditsTheMatrixAndTheSubExpressions) {
   std::ifstream original(kPlanar), edited(saved);
   std::string before, after;
   std::vector<std::string> changed;
-  while (std::getline(original, before) && std::getline(edited, after))
+  while (std::getline(original, before) && std::getline(edited, after)) {
+    if (after.starts_with("edited = ")) {
+      changed.push_back(after);
+      std::getline(edited, after);
+    }
     if (before != after) changed.push_back(after);
-  EXPECT_THAT(changed,
-              ElementsAre("e1_y = \"y - a1_2 + 1\"", "  [\"e1_x\", \"e1_y\", \"x - x + 1/7\"],"));
+  }
+  EXPECT_THAT(changed, ElementsAre("e1_y = \"y - a1_2 + 1\"",
+                                   "edited = \"let e1_y, entry (1,3), entry (3,1), let s\"",
+                                   "  [\"e1_x\", \"e1_y\", \"x - x + 1/7\"],"));
+}
+
+/// The matrix of another robot, or of none, does not let a platform give way.
+TEST(ShellScript, SaysNothingOfARobotWhoseMatrixItHasChanged) {
+  const std::string legs = "load robot_1\nmotion wide_15\n";
+  EXPECT_THAT(shell(legs + "check\n").errors, HasSubstr("the platform cannot give way"));
+  const CommandResult edited = shell(legs + "set entry 1 1 x/7\nshow settings\ncheck\n");
+  EXPECT_THAT(edited.errors, HasSubstr("matrix     edited: entry (1,1)\n"));
+  EXPECT_THAT(edited.errors, testing::Not(HasSubstr("platform cannot")));
+  EXPECT_THAT(edited.errors, testing::Not(HasSubstr("platform can ")));
+  EXPECT_THAT(edited.output, HasSubstr("motion wide_15\nchanged entry (1,1)\n"));
+}
+
+TEST(ShellScript, TakesChangesBack) {
+  const CommandResult result = shell(
+      loaded("motion crossing\nset range phi=-15*deg:5*deg\nset let e1_y y - a1_2 + 1\nundo\nundo\n"
+             "show settings\nundo\nundo\nundo\n"));
+  EXPECT_THAT(result.output,
+              HasSubstr("taken back: set let e1_y y - a1_2 + 1\n"
+                        "taken back: set range phi=-15*deg:5*deg\n"
+                        "model " +
+                        kPlanar + "\nmotion crossing\ntaken back: motion crossing\n"));
+  EXPECT_EQ(result.exit_code, kUsageError);
+  EXPECT_THAT(result.errors, HasSubstr("line 10: nothing is left to undo"));
+}
+
+TEST(ShellScript, TellsHowToSet) {
+  const CommandResult result = shell(loaded("motion regular\nset alpha 0.1\nset\n"));
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(result.output, HasSubstr("set OPTION [VALUE] sets an option; help set lists them\n"
+                                       "model " +
+                                       kPlanar + "\nmotion regular\nalpha 0.1\n"));
+}
+
+TEST(ShellScript, ListsItsCommandsIn80Columns) {
+  std::istringstream lines(shell("help\nhelp set\nhelp check\nhelp locate\nhelp margin\n").output);
+  for (std::string line; std::getline(lines, line);) {
+    const bool is_one_word = line.find("closed-form}") != std::string::npos ||
+                             line.find("|closed-form") != std::string::npos;
+    EXPECT_TRUE(is_one_word || line.size() <= 82) << line;  // "K·J⁻¹" has more bytes
+    EXPECT_THAT(line, testing::Not(HasSubstr("]show"))) << line;
+  }
+}
+
+TEST(ShellScript, SaysInHelpWhatEachCommandDoes) {
+  const std::string help = shell("help\n").output;
+  EXPECT_THAT(help, testing::Not(HasSubstr(";\n")));
+  EXPECT_THAT(help,
+              HasSubstr("settings]\n                              show the output of explain"));
 }
 
 TEST(ShellScript, RefusesAnEditAndKeepsTheModel) {

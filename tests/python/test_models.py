@@ -36,6 +36,30 @@ def test_gough_is_checked_as_its_text_is(tmp_path):
     assert found.verdict in ("no-singularity", "singularity")
 
 
+def test_angles_may_be_in_degrees():
+    motions = {"work": {"x": (-5, 5), "y": (-5, 5), "z": (45, 50), "psi": 0, "theta": (-5, 5), "phi": 0}}
+    degrees = rg.gough(BASE, PLATFORM, unit="cm", angle_unit="deg", motions=motions)
+    motions["work"]["theta"] = ("-5*deg", "5*deg")
+    radians = rg.gough(BASE, PLATFORM, unit="cm", motions=motions)
+    assert degrees.check("work").boxes == radians.check("work").boxes
+    arm = rg.serial([(1, 90, 0, 0), (1, 0, 0, 0)], angle_unit="deg", motions={"m": {"q1": 0, "q2": (20, 60)}})
+    assert 'angle_unit = "deg"' in arm.text and arm.check("m").verdict
+
+
+def test_a_wrong_name_of_a_model_has_a_hint():
+    assert "robot_1" in rg.models() and rg.models() == sorted(rg.models())
+    with pytest.raises(rg.FileError, match="did you mean 'robot_1'"):
+        rg.load("robot1")
+    with pytest.raises(rg.FileError, match=r"regulus.models\(\) names"):
+        rg.load("qqqqqqqq")
+
+
+def test_errors_about_ranges_are_in_words_of_python():
+    with pytest.raises(rg.UsageError) as wrong:
+        rg.load("robot_1").margin("wide_15")
+    assert "LO" not in str(wrong.value) and "(lo, hi)" in str(wrong.value)
+
+
 def test_a_robot_is_written_whole_or_not_at_all(tmp_path):
     import resource
     import signal

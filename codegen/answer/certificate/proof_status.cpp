@@ -14,10 +14,10 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kSafe = ".safe";
 constexpr const char* kSingular = ".singular";
-/// Under the word `certificate` of the line above.
+/// Under what follows the word `proof` of the line above.
 constexpr const char* kMargin = "           ";
 
-std::string none(const std::string& obstacle) { return "certificate none: " + obstacle + '\n'; }
+std::string none(const std::string& obstacle) { return "proof      none: " + obstacle + '\n'; }
 
 /// Returns an entry of `proof`: a file, or the reason why there is none.
 Json proof_entry(const std::string& file, const std::string& reason) {
@@ -55,7 +55,7 @@ void ProofStatus::set_written(std::string note) {
 std::string ProofStatus::line() const {
   if (!is_wanted()) return "";
   if (!is_written_) return none(obstacle_);
-  return "certificate " + path_ + '\n' + (note_.empty() ? "" : kMargin + note_ + '\n');
+  return "proof      " + path_ + '\n' + (note_.empty() ? "" : kMargin + note_ + '\n');
 }
 
 void ProofStatus::tell(Facts& facts) const {
@@ -149,7 +149,7 @@ std::string EndProofs::lines() const {
   if (!are_wanted()) return "";
   const bool has_none = safe_.file.empty() && singular_.file.empty();
   if (has_none && safe_.words == singular_.words) return none(safe_.words);
-  return "certificate " + line_of(safe_, safe_name_) + kMargin + line_of(singular_, singular_name_);
+  return "proof      " + line_of(safe_, safe_name_) + kMargin + line_of(singular_, singular_name_);
 }
 
 void EndProofs::tell_files(Facts& facts) const {

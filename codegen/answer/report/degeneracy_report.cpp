@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <functional>
 
 namespace regulus::detail {
 namespace {
@@ -29,7 +30,7 @@ Json json_columns(const SearchSubject& p) {
   return columns;
 }
 
-/// "(1, -0.5, 0) cm": the components of one kind.
+/// "(1, -0.5, 0) cm/s": the components of one kind.
 std::string part_words(const std::vector<double>& v, const std::vector<TwistComponent>& components,
                        Kind kind) {
   std::vector<std::string> numbers;
@@ -40,7 +41,24 @@ std::string part_words(const std::vector<double>& v, const std::vector<TwistComp
     unit = components[j].unit;
   }
   return fmt::format("({}){}", fmt::join(numbers, ", "),
-                     unit.empty() || unit == "1" ? "" : " " + unit);
+                     unit.empty() || unit == "1" ? "" : " " + unit + "/s");
+}
+
+/// "1 (0.3), 4 (1)": the numbers or names that take part, with their weights.
+std::string describe_weights(const std::vector<double>& weights,
+                             const std::function<std::string(std::size_t)>& name) {
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    if (std::fabs(weights[i]) > kTakesPart)
+      words.push_back(fmt::format("{} ({:.4g})", name(i), weights[i]));
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+std::string describe_row(const std::vector<double>& weights) {
+  const std::string words =
+      describe_weights(weights, [](std::size_t i) { return std::to_string(i + 1); });
+  const bool is_one = words.find(',') == std::string::npos;
+  return is_one ? words.substr(0, words.find(' ')) + " alone, which is 0" : words;
 }
 
 std::string describe_twist(const SearchSubject& p, const std::vector<double>& v) {
@@ -48,18 +66,11 @@ std::string describe_twist(const SearchSubject& p, const std::vector<double>& v)
   if (!components.empty())
     return fmt::format("velocity {}, angular velocity {}", part_words(v, components, Kind::kLinear),
                        part_words(v, components, Kind::kAngular));
+  if (p.labels.matrix_kind == MatrixKind::kForward && p.labels.pose.size() == v.size())
+    return describe_weights(v, [&p](std::size_t i) { return p.labels.pose[i].name; });
   std::vector<std::string> numbers;
   for (const double x : v) numbers.push_back(fmt::format("{:.4g}", x));
   return fmt::format("({}), an entry for each column", fmt::join(numbers, ", "));
-}
-
-/// "1 (0.3), 4 (1)": the rows that take part with their weights.
-std::string describe_row(const std::vector<double>& weights) {
-  std::vector<std::string> words;
-  for (std::size_t i = 0; i < weights.size(); ++i)
-    if (std::fabs(weights[i]) > kTakesPart)
-      words.push_back(fmt::format("{} ({:.4g})", i + 1, weights[i]));
-  return fmt::format("{}", fmt::join(words, ", "));
 }
 
 template <class Words>

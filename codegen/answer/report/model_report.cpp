@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "codegen/answer/report/angle_text.hpp"
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/kernel/formulation/variety.hpp"
+#include "codegen/model/drawing.hpp"
+#include "codegen/model/exact/decimal.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/model/mechanism/twist.hpp"
 #include "codegen/model/overrides.hpp"
@@ -29,23 +32,47 @@ std::string text_of(const Range& range) {
   return lo == hi ? "= " + lo : fmt::format("in [{}, {}]", lo, hi);
 }
 
+/// Returns the same for people: 0.2 and not 1/5.
+std::string short_text_of(const GiNaC::ex& constant) {
+  const Interval x = enclose_constant(constant, "");
+  return constant.is_equal(shortest_decimal(mid(x))) ? shortest_text(mid(x)) : text_of(constant);
+}
+
+/// Returns "0.2 mm", or "0.000872665 rad (0.05 deg)".
+std::string with_unit(const GiNaC::ex& constant, const std::string& unit) {
+  const Interval x = enclose_constant(constant, "");
+  return short_text_of(constant) + unit_suffix(unit) + degrees_text(unit, x, x);
+}
+
+/// Returns "in [-15, 15] cm".
+std::string with_unit(const Range& range, const std::string& unit) {
+  const std::string lo = short_text_of(range.lo), hi = short_text_of(range.hi);
+  return (lo == hi ? "= " + lo : fmt::format("in [{}, {}]", lo, hi)) + unit_suffix(unit) +
+         degrees_text(unit, enclose_constant(range.lo, ""), enclose_constant(range.hi, ""));
+}
+
 /// The members of a tolerance group, and the tolerances that they have now.
 struct ToleranceGroup {
   std::string name;
   std::vector<std::string> members, tolerances;
+  std::vector<std::string> for_people;  ///< the tolerances, with their units
 };
+
+void add_once(std::vector<std::string>& words, const std::string& word) {
+  if (std::ranges::find(words, word) == words.end()) words.push_back(word);
+}
 
 std::vector<ToleranceGroup> groups_of(const Model& model) {
   std::vector<ToleranceGroup> groups;
   for (const std::string& name : tolerance_groups(model)) {
-    ToleranceGroup& group = groups.emplace_back(ToleranceGroup{name, {}, {}});
+    ToleranceGroup& group = groups.emplace_back(ToleranceGroup{name, {}, {}, {}});
     for (const GeometryParameter& g : model.geometry) {
       if (g.group != name) continue;
       group.members.push_back(g.name);
-      const std::string tolerance =
-          text_of(g.ball < 0 ? g.tolerance : model.balls[static_cast<std::size_t>(g.ball)].radius);
-      if (std::ranges::find(group.tolerances, tolerance) == group.tolerances.end())
-        group.tolerances.push_back(tolerance);
+      const GiNaC::ex value =
+          g.ball < 0 ? g.tolerance : model.balls[static_cast<std::size_t>(g.ball)].radius;
+      add_once(group.tolerances, text_of(value));
+      add_once(group.for_people, with_unit(value, unit_of_constant(model.drawing.get(), g.name)));
     }
   }
   return groups;
@@ -59,7 +86,7 @@ void tell_motion(const Model& model, const Motion& motion, Facts& facts) {
                           {"unit", p.unit},
                           {"lower", text_of(p.range.lo)},
                           {"upper", text_of(p.range.hi)}});
-    facts.say("", fmt::format("{} {}{}", p.name, text_of(p.range), unit_suffix(p.unit)));
+    facts.say("", p.name + ' ' + with_unit(p.range, p.unit));
   }
   facts.add("parameters", std::move(parameters)).add("waypoints", nullptr);
   if (motion.waypoints)
@@ -85,13 +112,23 @@ void tell_group(const ToleranceGroup& group, Facts& facts) {
                                                 group.members.back(), group.members.size());
   facts.tell(
       "tolerances", group.tolerances, "group",
-      fmt::format("{}: tolerance {} ({})", group.name, fmt::join(group.tolerances, ", "), members));
+      fmt::format("{}: tolerance {} ({})", group.name, fmt::join(group.for_people, ", "), members));
 }
 
-std::string describe_entry(const GeometryParameter& e) {
-  if (e.tolerance.is_zero()) return text_of(e.value);
-  if (e.ball >= 0) return text_of(e.value) + " in a ball of " + text_of(e.tolerance);
-  return text_of(Range{e.value - e.tolerance, e.value + e.tolerance});
+/// Returns "(0, 0, 0) in a ball of 100 N" for the first entry of a ball, and nothing for the others.
+std::string describe_entry(const VectorSet& set, std::size_t index,
+                           const std::vector<std::string>& units) {
+  const GeometryParameter& e = set.entries[index];
+  const std::string unit = index < units.size() ? units[index] : "";
+  if (e.tolerance.is_zero()) return short_text_of(e.value) + unit_suffix(unit);
+  if (e.ball < 0) return with_unit(Range{e.value - e.tolerance, e.value + e.tolerance}, unit);
+  std::vector<std::string> middle;
+  for (std::size_t i = 0; i < set.entries.size(); ++i) {
+    if (set.entries[i].ball != e.ball) continue;
+    if (middle.empty() && i < index) return "";
+    middle.push_back(short_text_of(set.entries[i].value));
+  }
+  return fmt::format("({}) in a ball of {}", fmt::join(middle, ", "), with_unit(e.tolerance, unit));
 }
 
 /// Tells the names of loads or twists under `key`; people read their values, too.
@@ -100,10 +137,9 @@ void tell_sets(const char* key, const char* label, const std::vector<VectorSet>&
   Json names = Json::array();
   for (const VectorSet& set : sets) {
     std::vector<std::string> values;
-    for (const GeometryParameter& e : set.entries) {
-      const std::size_t i = values.size();
-      values.push_back(describe_entry(e) + (i < units.size() ? unit_suffix(units[i]) : ""));
-    }
+    for (std::size_t i = 0; i < set.entries.size(); ++i)
+      if (const std::string words = describe_entry(set, i, units); !words.empty())
+        values.push_back(words);
     names.push_back(set.name);
     facts.say(label, fmt::format("{}: {}", set.name, fmt::join(values, ", ")));
   }
@@ -137,7 +173,9 @@ void tell_closure(const Model& model, Facts& facts) {
     place[p.name] = text_of(closure.start_pose[i]);
     start += (start.empty() ? "" : ", ") + start_text(p.name, closure.start_pose[i], p.unit);
   }
-  facts.say("closure", fmt::format("{} equations, from {}", closure.equations.size(), start));
+  facts.say("closure",
+            fmt::format("{}, from {}", counted(closure.equations.size(), "equation", "equations"),
+                        start));
   for (std::size_t i = 0; i < closure.unknowns.size(); ++i) {
     const PoseParameter& u = closure.unknowns[i];
     unknowns.push_back({{"name", u.name},

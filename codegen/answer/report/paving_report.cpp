@@ -166,6 +166,17 @@ void tell_volumes(const SearchSubject& p, const Volumes& volumes, const Result& 
                     boxes_of(volumes.unfinished()), percentage(volumes, volumes.unfinished())));
 }
 
+/// Algebra looks for a singular pose after the ranges were divided. It cannot decide boxes any more.
+void say_box_of_witness(const Volumes& volumes, const Result& result, Facts& facts) {
+  if (result.verdict != Verdict::kSingularity || volumes.of(Claim::kSingular).boxes > 0) return;
+  facts.say("note",
+            result.reason == Reason::kAlwaysSingular
+                ? "algebra showed this after the ranges had been divided, so the boxes stay "
+                  "undecided"
+                : "algebra proved the witness after the ranges had been divided, so its box "
+                  "stays undecided");
+}
+
 void tell_claims(const SearchSubject& p, Facts& facts) {
   tell_meaning_of_parts(p, "box", facts);
   const std::string free = "free: " + describe_claim(p, Claim::kFree);
@@ -211,6 +222,7 @@ void tell_paving(const PreparedSearch& p, const Request& asked, const SearchOpti
   tell_time(p.seconds_spent(), facts);
   tell_volumes(p, volumes, result, facts);
   tell_witness(p, result, facts);
+  say_box_of_witness(volumes, result, facts);
   if (result.reason == Reason::kUndefined)
     tell_undefined(p, find_undefined(p, result.blocking_box), facts);
   tell_occupancy(result, facts);

@@ -53,7 +53,8 @@ std::string pose_words(const SearchSubject& p, std::span<const Interval> pose,
   bool shown = false;
   std::string words;
   for (std::size_t i = 0; i < pose.size() && i < parameters.size(); ++i) {
-    shown = shown || i >= variables.size() || variables[i].name != parameters[i].name;
+    shown = shown || std::ranges::find(variables, parameters[i].name, &VariableLabel::name) ==
+                         variables.end();
     words += (words.empty() ? "where the pose is " : ", ") +
              with_sign_and_unit(parameters[i].name, text(pose[i]), parameters[i].unit);
   }

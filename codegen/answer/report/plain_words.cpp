@@ -8,6 +8,7 @@
 
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/place_text.hpp"
+#include "codegen/model/edited_note.hpp"
 #include "codegen/model/reduced_note.hpp"
 
 namespace regulus::detail {
@@ -30,7 +31,10 @@ std::string of_motion(const SearchSubject& p) {
 bool is_of_arm(const SearchSubject& p) { return p.labels.matrix_kind != MatrixKind::kInverse; }
 
 /// True if the columns are named as a twist: otherwise the model does not say what the matrix belongs to.
-bool has_platform(const SearchSubject& p) { return !p.labels.twist.empty(); }
+/// Edited, it is no longer that of the robot.
+bool has_platform(const SearchSubject& p) {
+  return !p.labels.twist.empty() && !is_edited(p.labels.matrix_notes);
+}
 
 /// Returns "in all 6 directions of its matrix".
 std::string in_all_directions(const SearchSubject& p) {
@@ -49,7 +53,8 @@ bool is_short(const SearchSubject& p) {
 std::string held(const SearchSubject& p, const std::string& poses) {
   if (p.labels.is_branch)
     return fmt::format(
-        "at no pose {} can the mechanism change its branch, or move while the motors are locked",
+        "the mechanism cannot change its branch, or move while the motors are locked, at any pose "
+        "{}",
         poses);
   if (is_short(p))
     return fmt::format("at every pose {} each motion of the {} joints moves the tool", poses,
@@ -57,8 +62,8 @@ std::string held(const SearchSubject& p, const std::string& poses) {
   return is_of_arm(p) ? fmt::format("at every pose {} the joints can move the tool {}", poses,
                                     in_all_directions(p))
          : has_platform(p)
-             ? fmt::format("at no pose {} can the platform give way while its legs hold", poses)
-             : fmt::format("at no pose {} does the matrix lose rank", poses);
+             ? fmt::format("the platform cannot give way at any pose {} while its legs hold", poses)
+             : fmt::format("the matrix loses rank at no pose {}", poses);
 }
 
 /// `pose`: "at some pose", "at every pose".

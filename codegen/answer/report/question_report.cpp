@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/answer/certificate/certificate_expression_writer.hpp"
+#include "codegen/answer/report/angle_text.hpp"
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/place_text.hpp"
 #include "codegen/answer/report/set_facts.hpp"
@@ -183,17 +184,15 @@ Json json_asked(const AskedQuestion& asked, const SearchOptions& search) {
   return question;
 }
 
-/// Returns "base ±0.05", of a `size` with its unit.
+/// Returns "base ±0.05": `size` has the sign and the unit.
 std::string describe_tolerance(const VariableLabel& variable, const std::string& size) {
-  return fmt::format("{} ±{}{}", variable.group.empty() ? variable.name : variable.group, size,
+  return fmt::format("{} {}{}", variable.group.empty() ? variable.name : variable.group, size,
                      variable.in_ball ? " in balls" : "");
 }
 
-/// Returns the tolerance with its unit: six digits, for people.
+/// Returns "±0.05 mm": six digits, for people.
 std::string size_of_tolerance(const SearchSubject& p, std::size_t index) {
-  const Interval& range = p.variety.outer[index];
-  return fmt::format("{:.6g}{}", (range.hi - range.lo) / 2,
-                     unit_suffix(p.labels.variables[index].unit));
+  return half_width_text(p.variety.outer[index], p.labels.variables[index].unit);
 }
 
 std::string describe_counts(const Counts& tolerances) {
@@ -273,7 +272,7 @@ std::string describe_growing_tolerances(const SearchSubject& grown, const Search
     if (is_motion(variables[i])) continue;
     const bool grows = std::ranges::find(before.labels.variables, variables[i].name,
                                          &VariableLabel::name) == before.labels.variables.end();
-    tolerances.add(describe_tolerance(variables[i], grows ? "v" : size_of_tolerance(grown, i)));
+    tolerances.add(describe_tolerance(variables[i], grows ? "±v" : size_of_tolerance(grown, i)));
   }
   return describe_counts(tolerances) + "; v grows";
 }

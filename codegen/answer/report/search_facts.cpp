@@ -188,14 +188,19 @@ void tell_time(const StageSeconds& seconds, Facts& facts) {
 
 std::string describe_time(const StageSeconds& s) {
   constexpr double kShown = 0.05e-3;  // less is shown as 0.0 ms
+  constexpr double kLong = 10;        // more is shown in seconds
   std::string text;
   for (const auto& [stage, seconds] : {std::pair{"model", s.model},
                                        {"symbolic", s.symbolic},
                                        {"program", s.program},
                                        {"emit", s.emit},
                                        {"compile", s.compile}})
-    if (seconds >= kShown) text += fmt::format("{} {:.1f} ms, ", stage, 1e3 * seconds);
-  return text + fmt::format("search {:.3f} ms", 1e3 * s.search);
+    if (seconds >= kLong)
+      text += fmt::format("{} {:.1f} s, ", stage, seconds);
+    else if (seconds >= kShown)
+      text += fmt::format("{} {:.1f} ms, ", stage, 1e3 * seconds);
+  return text + (s.search >= kLong ? fmt::format("search {:.1f} s", s.search)
+                                   : fmt::format("search {:.3f} ms", 1e3 * s.search));
 }
 
 Json json_occupancy(const Result& result) {

@@ -4,12 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
+#include "codegen/answer/report/angle_text.hpp"
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/place_text.hpp"
 #include "codegen/answer/report/question_report.hpp"
@@ -22,26 +19,6 @@ namespace {
 /// Longer constraints are counted for people, not shown.
 constexpr std::size_t kLongestConstraint = 80;
 constexpr std::size_t kMostConstraints = 6;
-
-/// Returns the decimal of at most six digits that is this angle in degrees, if there is one.
-std::optional<double> short_degrees(const Interval& radians) {
-  // Two roundings: of the factor and of the product.
-  const double degree = 180 / std::numbers::pi;
-  const double slack = 4 * std::numeric_limits<double>::epsilon() * std::fabs(radians.lo);
-  const double lo = (radians.lo - slack) * degree, hi = (radians.hi + slack) * degree;
-  double shown = 0;
-  const std::string text = fmt::format("{:.6g}", lo / 2 + hi / 2);
-  std::from_chars(text.data(), text.data() + text.size(), shown);
-  return lo <= shown && shown <= hi ? std::optional(shown) : std::nullopt;
-}
-
-/// Returns " ([-15, 15] deg)" for angles in radians whose ends are short numbers of degrees.
-std::string degrees_text(const std::string& unit, const Interval& lower, const Interval& upper) {
-  if (unit != "rad" || (lower == Interval(0.0) && upper == Interval(0.0))) return "";
-  const auto lo = short_degrees(lower), hi = short_degrees(upper);
-  return lo && hi ? fmt::format(" ({} deg)", ends_text(shortest_text(*lo), shortest_text(*hi)))
-                  : "";
-}
 
 std::string describe_degrees(const SearchSubject& p, std::size_t k) {
   const Interval& outer = p.variety.outer[k];

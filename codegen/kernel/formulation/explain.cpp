@@ -195,12 +195,12 @@ class Explainer {
     line("    compared, with the width over the motion and K of its middle");
     bool listed = false;
     for (const FormCandidate& c : candidates_.of(natural)) {
-      line("      {:<32}width {:>10}, {} occurrences{}", c.passes, width_text(c.width),
+      line("      {:<32} width {:>10}, {} occurrences{}", c.passes, width_text(c.width),
            total(c.occurrences), c.passes == statistics.passes ? ": kept" : "");
       listed = listed || c.passes == statistics.passes;
     }
     if (!listed)
-      line("      {:<32}width {:>10}, {} occurrences: kept", statistics.passes,
+      line("      {:<32} width {:>10}, {} occurrences: kept", statistics.passes,
            width_text(candidates_.width(form)), total(statistics.rewritten));
   }
 

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "codegen/model/constants.hpp"
+#include "codegen/model/edited_note.hpp"
 #include "codegen/model/exact/domain.hpp"
 #include "codegen/model/file/sections.hpp"
 #include "codegen/model/reduced_note.hpp"
@@ -70,7 +71,8 @@ void read_row_scale(ModelReading& reading, const TomlEntry& entry) {
 }  // namespace
 
 void read_matrix(ModelReading& reading, const TomlEntry& matrix) {
-  static const std::array<std::string, 4> kKeys = {"rows", "row_scale", "twist", "reduced"};
+  static const std::array<std::string, 5> kKeys = {"rows", "row_scale", "twist", "reduced",
+                                                   "edited"};
   (void)reading.toml.entries(matrix, kKeys);
   read_rows(reading, reading.toml.required(matrix, "rows"));
   const TomlEntry scale = reading.toml.optional(matrix, "row_scale");
@@ -80,6 +82,9 @@ void read_matrix(ModelReading& reading, const TomlEntry& matrix) {
   const TomlEntry reduced = reading.toml.optional(matrix, "reduced");
   if (reduced.node)
     reading.model.matrix_notes.push_back(std::string(kReduced) + reading.toml.label(reduced));
+  const TomlEntry edited = reading.toml.optional(matrix, "edited");
+  if (edited.node)
+    reading.model.matrix_notes.push_back(std::string(kEdited) + reading.toml.label(edited));
 }
 
 }  // namespace regulus::detail

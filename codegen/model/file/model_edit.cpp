@@ -4,6 +4,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "codegen/model/degrees.hpp"
@@ -131,6 +132,23 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
+/// Names the edit in [matrix]: it need not be the matrix of the robot any more. Other tables describe
+/// robots, whatever their numbers are.
+std::string with_name_of(const std::string& edit, const std::string& text) {
+  const toml::table model = document(text);
+  if (!model.contains("matrix")) return text;
+  const toml::node_view<const toml::node> known = model["matrix"]["edited"];
+  if (const std::optional<std::string> names = known.value<std::string>()) {
+    const bool is_named = (", " + *names + ", ").find(", " + edit + ", ") != std::string::npos;
+    return is_named ? text : replaced(text, known.node(), "the key edited", *names + ", " + edit);
+  }
+  std::vector<std::string> lines = lines_of(text);
+  add_to_table(lines, model, "matrix", "edited = " + written(std::string_view(edit)) + "\n");
+  std::string result;
+  for (const std::string& line : lines) result += line;
+  return result;
+}
+
 /// The constants that the file itself declares.
 std::size_t own_constants(const toml::table& document) {
   std::size_t count = 0;
@@ -151,14 +169,15 @@ std::string with_entry(const std::string& text, int i, int j, const std::string&
   if (i >= 1 && j >= 1)
     node = model["matrix"]["rows"][static_cast<std::size_t>(i) - 1][static_cast<std::size_t>(j) - 1]
                .node();
-  return replaced(text, node, what, expression);
+  const std::string name = "entry (" + std::to_string(i) + "," + std::to_string(j) + ")";
+  return with_name_of(name, replaced(text, node, what, expression));
 }
 
 std::string with_let(const std::string& text, const std::string& name,
                      const std::string& expression) {
   const toml::table model = document(text);
-  return replaced(text, model["let"][name].node(), "the sub-expression " + in_quotes(name),
-                  expression);
+  return with_name_of("let " + name, replaced(text, model["let"][name].node(),
+                                              "the sub-expression " + in_quotes(name), expression));
 }
 
 std::vector<std::string> let_names(const std::string& text) {

@@ -9,7 +9,8 @@
 namespace regulus::detail {
 
 /// Returns the text with another entry (i, j) of [matrix], counted from 1. Throws InputError if
-/// there is no such entry. It does not check that the result is a model; the reader does.
+/// there is no such entry. It does not check that the result is a model; the reader does. The key
+/// `edited` of [matrix] names the entry.
 [[nodiscard]] std::string with_entry(const std::string& text, int i, int j,
                                      const std::string& expression);
 

@@ -54,17 +54,30 @@ bool is_in_expression(char c) {
                              [c](std::string_view some) { return some.find(c) != some.npos; });
 }
 
-/// Returns what stands where TOML stopped, if it seems to be an expression: 30deg, -pi/12.
-std::string expression_at(std::string_view text, const toml::source_position& at) {
+/// Returns the word where TOML stopped.
+std::string word_at(std::string_view text, const toml::source_position& at) {
   const std::size_t stop = std::min(SourceLines(text).offset(at.line, at.column), text.size());
   std::size_t begin = stop, end = stop;
   while (begin > 0 && is_in_expression(text[begin - 1])) --begin;
   while (end < text.size() && is_in_expression(text[end])) ++end;
-  const std::string word(text.substr(begin, end - begin));
+  return std::string(text.substr(begin, end - begin));
+}
+
+/// Returns true for 30deg, -pi/12.
+bool seems_an_expression(const std::string& word) {
   const bool begins_so = word.starts_with("pi") || word.find_first_of("0123456789.+-(") == 0;
   const bool goes_on_so =
       word.find_first_of(kLatinLetters) != word.npos || word.find_first_of("*/^(") != word.npos;
-  return begins_so && goes_on_so ? word : "";
+  return begins_so && goes_on_so;
+}
+
+/// Returns what would be TOML at this place.
+std::string remedy_at(std::string_view text, const toml::parse_error& error) {
+  const std::string word = word_at(text, error.source().begin);
+  if (seems_an_expression(word)) return "an expression as text, in quotes: \"" + word + '"';
+  const bool is_value = error.description().find("value") != std::string_view::npos;
+  const bool is_text = !word.empty() && kLatinLetters.find(word[0]) != std::string_view::npos;
+  return is_value && is_text ? "text in quotes: \"" + word + '"' : "TOML 1.0";
 }
 
 toml::table parse_toml(std::string_view text, const std::string& file) try {
@@ -76,10 +89,8 @@ toml::table parse_toml(std::string_view text, const std::string& file) try {
     throw InputError(file, line,
                      "a number that TOML cannot hold (" + visible(error.description()) + ")",
                      "the number in a string, \"1e400\", where it may have 1000 digits");
-  const std::string expression = expression_at(text, error.source().begin);
-  throw InputError(
-      file, line, "text that is not TOML (" + visible(error.description()) + ")",
-      expression.empty() ? "TOML 1.0" : "an expression as text, in quotes: \"" + expression + '"');
+  throw InputError(file, line, "text that is not TOML (" + visible(error.description()) + ")",
+                   remedy_at(text, error));
 }
 
 void check_version(const TomlReader& toml, const TomlEntry& root) {

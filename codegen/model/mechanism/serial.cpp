@@ -88,7 +88,7 @@ std::string describe_motion(const std::vector<std::size_t>& rows) {
   if (rows.size() == 3 && spins == 3) return "a spherical arm";
   if (rows.size() == 3 && velocities == 3) return "an arm that moves without turning";
   if (rows.size() == 4 && spins == 1) return "an arm that turns about one direction";
-  return "an arm of " + plural(rows.size(), "degree") + " of freedom";
+  return "the tool's velocities have " + plural(rows.size(), "independent row");
 }
 
 void describe_rows(Model& model, const Serial& robot, const std::vector<std::size_t>& rows) {

@@ -289,6 +289,13 @@ LimitState limit_state(const Model& model, const ComponentBound& c) {
   return LimitState::kUnknown;
 }
 
+std::string limit_text(const Model& model, const ComponentBound& c) {
+  const std::optional<Range> limits = stated_limits(model, c.component);
+  if (!limits) return "";
+  const ex& limit = c.component.sign < 0 ? limits->lo : limits->hi;
+  return fmt::format("{:.6g}", mid(enclose_constant(limit, "a limit")));
+}
+
 Datasheet make_datasheet(const Request& request, const BoundSettings& settings,
                          const BoundListener& listener) {
   Datasheet sheet;

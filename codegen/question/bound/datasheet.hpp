@@ -40,6 +40,8 @@ struct Datasheet {
 
 /// Returns the state of the model's limit for a component of `quantity`.
 [[nodiscard]] LimitState limit_state(const Model& model, const ComponentBound& component);
+/// Returns that limit with six digits; empty if there is none.
+[[nodiscard]] std::string limit_text(const Model& model, const ComponentBound& component);
 
 [[nodiscard]] std::string text_datasheet(const Request& request, const Datasheet& sheet);
 /// `set`: the lines of a report about the motion and the uncertain quantities.

@@ -35,6 +35,12 @@ const char* word_of(LimitState state) {
   return "";
 }
 
+/// Returns "200 EXCEEDED".
+std::string limit_cell(const Model& model, const ComponentBound& c) {
+  const LimitState state = limit_state(model, c);
+  return state == LimitState::kNone ? "" : limit_text(model, c) + ' ' + word_of(state);
+}
+
 std::string name_of(const Bound& bound) {
   const Component& c = bound.quantity.components.front();
   if (bound.quantity.is_least && c.sign < 0) return "least " + bound.quantity.name;
@@ -54,7 +60,7 @@ Row row_of(const Model& model, const Bound& bound, const ComponentBound& c) {
           : ends.high.empty() ? unknown
                               : ends.high,
           c.component.unit == "1" ? "" : c.component.unit,
-          word_of(limit_state(model, c))};
+          limit_cell(model, c)};
 }
 
 std::vector<Row> rows_of(const Model& model, const Datasheet& sheet) {

@@ -67,7 +67,7 @@ void tell_components(const LimitMargin& margin, Facts& facts) {
 std::string describe_limit_bracket(const MarginQuestion& question, const LimitMargin& margin) {
   const auto &within = margin.whole.certified, &exceeded = margin.whole.refuted;
   const ComponentMargin* c = exceeding(margin);
-  const std::string unit = unit_suffix(question.unit);
+  const std::string unit = suffix_of_values(question);
   const std::string name = c ? in_brackets(c->component.label) : "";
   if (within && exceeded)
     return fmt::format("WITHIN UP TO {0}{2}, EXCEEDED AT {1}{2}{3}", within->value.text,

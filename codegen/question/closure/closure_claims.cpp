@@ -95,7 +95,8 @@ std::string describe_meaning(const PreparedClosure& prepared, Verdict verdict, b
                        poses);
   if (verdict == Verdict::kNoSingularity && !has_threshold(prepared.request))
     return fmt::format(
-        "at no pose of {} can the mechanism change its branch, or move while the motors are locked",
+        "the mechanism cannot change its branch, or move while the motors are locked, at any pose "
+        "of {}",
         poses);
   const bool exceeded = verdict == Verdict::kNoSingularity;
   return fmt::format("at {} pose of {} |det| of the equations' derivatives is {} {}",

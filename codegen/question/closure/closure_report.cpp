@@ -224,7 +224,9 @@ void tell_start(const PreparedClosure& prepared, const std::vector<StartCoordina
                 const std::vector<Interval>& configuration, Facts& facts) {
   const Closure& closure = *prepared.request.model.closure;
   facts.say("closure",
-            fmt::format("{} equations in {}", prepared.shape.unknowns, unknown_names(closure)));
+            fmt::format("{} in {}",
+                        counted(std::uint64_t(prepared.shape.unknowns), "equation", "equations"),
+                        unknown_names(closure)));
   Json start = Json::object(), unknowns = Json::object();
   std::string at, values;
   for (const StartCoordinate& p : place) {

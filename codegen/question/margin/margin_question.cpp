@@ -256,12 +256,12 @@ void MarginRequest::require_limits() const {
     if (is_free) return;
     throw UsageError(std::string(option) +
                      ": the joints of this robot have limits, and LO: has no end; write LO:HI, or "
-                     "leave the limits by the option beyond-limits");
+                     "leave the limits by --beyond-limits");
   }
   const Request grown = grown_to(*question_.high);
   if (const auto found = find_excursion(grown.model, grown.motion))
     throw UsageError(std::string(option) + ": at " + question_.high->text + ", " + found->sentence +
-                     "; write a smaller HI, or leave the limits by the option beyond-limits");
+                     "; write a smaller HI, or leave the limits by --beyond-limits");
 }
 
 /// Values between the ends are decimals, which are in the unit of the pose parameter.

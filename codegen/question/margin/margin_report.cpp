@@ -106,7 +106,9 @@ void leave_out(SearchSubject& set, const std::string& name) {
 }
 
 std::string reason_to_end(const Margin& margin) {
-  if (margin.closed) return "the bracket is closed";
+  if (margin.closed && margin.certified && !margin.refuted) return "all of the range is safe";
+  if (margin.closed && margin.refuted && !margin.certified) return "the lower end is not safe";
+  if (margin.closed) return "the bracket is as narrow as wanted";
   if (margin.interrupted) return "the run was interrupted";
   if (const std::string obstacle = obstacle_of(margin); !obstacle.empty())
     return "a search between the ends decided nothing: " + obstacle;
@@ -115,10 +117,15 @@ std::string reason_to_end(const Margin& margin) {
 
 }  // namespace
 
+std::string suffix_of_values(const MarginQuestion& question) {
+  return question.quantity == MarginQuantity::kScale ? " times the ranges"
+                                                     : unit_suffix(question.unit);
+}
+
 std::string describe_bracket(const MarginQuestion& question, const Margin& margin) {
   const std::optional<MarginStep>& certified = margin.certified;
   const std::optional<MarginStep>& refuted = margin.refuted;
-  const std::string unit = unit_suffix(question.unit);
+  const std::string unit = suffix_of_values(question);
   if (certified && refuted)
     return fmt::format("SAFE UP TO {0}{2}, NOT AT {1}{2}", certified->value.text,
                        refuted->value.text, unit);
@@ -133,10 +140,10 @@ std::string describe_bracket(const MarginQuestion& question, const Margin& margi
 
 std::string format_step(const MarginQuestion& question, const MarginStep& step) {
   const Result& result = step.result;
-  std::string line =
-      fmt::format("{:<10} {:<16} {:>9} {:<5} {:>8.2f} s", step.value.text,
-                  word_of_step(question, result.verdict), result.statistics.boxes,
-                  result.statistics.boxes == 1 ? "box" : "boxes", result.statistics.seconds);
+  std::string line = fmt::format(
+      "{:<13} {:<16} {:>9} {:<5} {:>8.2f} s", step.value.text + unit_suffix(question.unit),
+      word_of_step(question, result.verdict), result.statistics.boxes,
+      result.statistics.boxes == 1 ? "box" : "boxes", result.statistics.seconds);
   if (result.verdict == Verdict::kPossibleProblem)
     line += fmt::format("   {}", describe(result.reason));
   if (result.verdict == Verdict::kSingularity && result.statistics.boxes == 0)
@@ -172,7 +179,7 @@ void say_set(const Request& nominal, const MarginQuestion& question, Facts& fact
 
 void say_end(const MarginQuestion& question, const std::optional<MarginStep>& step, Facts& facts) {
   if (step)
-    facts.say(fmt::format("at {}{}:", step->value.text, unit_suffix(question.unit)), step->claim);
+    facts.say(fmt::format("at {}{}:", step->value.text, suffix_of_values(question)), step->claim);
 }
 
 void tell_gap(const Margin& margin, double gap_wanted, Facts& facts) {
@@ -185,7 +192,7 @@ void add_bracket(const MarginQuestion& question, const Margin& margin, Facts& fa
   for (const auto* step : {&margin.certified, &margin.refuted})
     if (*step)
       claim += fmt::format("{}at {}{}: {}", claim.empty() ? "" : "; ", (*step)->value.text,
-                           unit_suffix(question.unit), (*step)->claim);
+                           suffix_of_values(question), (*step)->claim);
   facts.add("claim", claim.empty() ? Json(nullptr) : Json(claim));
   facts.add("verdict", verdict_of(question, margin)).add("reason", reason_to_end(margin));
   facts.add("margin", json_question(question)).add("bracket", describe_bracket(question, margin));

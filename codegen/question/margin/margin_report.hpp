@@ -11,6 +11,9 @@
 namespace regulus::detail {
 
 /// Returns "SAFE UP TO 0.119 cm, NOT AT 0.134 cm", for example.
+/// Returns the words after a value: " cm", " times the ranges".
+[[nodiscard]] std::string suffix_of_values(const MarginQuestion& question);
+
 [[nodiscard]] std::string describe_bracket(const MarginQuestion& question, const Margin& margin);
 
 /// Returns one line about one search or witness.

@@ -9,30 +9,32 @@ namespace regulus::detail {
 namespace {
 
 constexpr const char* kBoundFooter =
-    "With one word after MODEL, that word is QUANTITY. The last line on standard output:\n"
-    "  BETWEEN a AND b   every value is below b, and a is attained at the reported pose; of a\n"
-    "                    least value: every value is above a, and b is attained\n"
+    "With one word after MODEL, that word is QUANTITY. The last line on standard\n"
+    "output:\n"
+    "  BETWEEN a AND b   every value is below b, and a is attained at the reported\n"
+    "                    pose; of a least value: every value is above a, and b is\n"
+    "                    attained\n"
     "  UNBOUNDED         the robot is singular at the reported pose\n"
     "  WITHIN, EXCEEDED or POSSIBLE PROBLEM   with --limit\n"
-    "Exit: 0 the bracket is as narrow as --gap asks, or WITHIN; 1 UNBOUNDED or EXCEEDED;\n"
-    "2 otherwise; 64 usage, 65 bad model, 70 internal fault, 74 file error.";
+    "Exit: 0 the bracket is as narrow as --gap asks, or WITHIN; 1 UNBOUNDED or\n"
+    "EXCEEDED; 2 otherwise; 64 usage, 65 bad model, 70 internal fault, 74 file error.";
 
 constexpr const char* kDatasheetFooter =
-    "Every row is a bracket: its outer end is proved, its inner end attained. The model file says\n"
-    "what there is to bound: [load.NAME], [twist.NAME], [actuators], characteristic_length.\n"
-    "Exit: 0 every bracket is as narrow as --gap asks and no limit is exceeded; 1 the robot is\n"
-    "singular, or a limit is exceeded; 2 otherwise; 64 usage, 65 bad model, 70 internal fault,\n"
-    "74 file error.";
+    "Every row is a bracket: its outer end is proved, its inner end attained. The\n"
+    "model file says what there is to bound: [load.NAME], [twist.NAME], [actuators],\n"
+    "characteristic_length.\n"
+    "Exit: 0 every bracket is as narrow as --gap asks and no limit is exceeded; 1 the\n"
+    "robot is singular, or a limit is exceeded; 2 otherwise; 64 usage, 65 bad model,\n"
+    "70 internal fault, 74 file error.";
 
 constexpr const char* kSolveFooter =
     "The last line on standard output:\n"
-    "  COMPLETE: 6 poses          these are all, proved                              (exit 0)\n"
-    "  NONE                       there is no solution, proved                       (exit 1)\n"
-    "  INCOMPLETE: at least 2     these are certain, and there may be others; the report\n"
-    "                             says why, and where                                (exit 2)\n"
-    "Of many places: how many have each answer; the exit is 2 if one is INCOMPLETE, otherwise 1 "
-    "if\n"
-    "one is NONE.\n"
+    "  COMPLETE: 6 poses          these are all, proved (exit 0)\n"
+    "  NONE                       there is no solution, proved (exit 1)\n"
+    "  INCOMPLETE: at least 2     these are certain, and there may be others; the\n"
+    "                             report says why, and where (exit 2)\n"
+    "Of many places: how many have each answer; the exit is 2 if one is INCOMPLETE,\n"
+    "otherwise 1 if one is NONE.\n"
     "Exit: as above; 64 usage, 65 bad model, 70 internal fault, 74 file error.";
 
 constexpr const char* kSolveCertificate =

@@ -2,6 +2,7 @@
 #include "codegen/use/command/command_line.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iostream>
 #include <string_view>
 
@@ -96,6 +97,25 @@ std::optional<UsageError> mistyped_word(const CLI::App& app, int argc, const cha
   return std::nullopt;
 }
 
+/// Returns the error with what to do about it.
+UsageError with_remedy(const CLI::ParseError& error, const CLI::App& app, std::string_view program,
+                       const std::string& command) {
+  constexpr std::array kOnRanks = {"check",     "locate", "margin", "bound",
+                                   "datasheet", "solve",  "verify"};
+  const auto commands =
+      app.get_subcommands([&command](const CLI::App* one) { return one->get_name() == command; });
+  const bool is_command = !commands.empty();
+  if (program.ends_with("regulus-mpi") && is_command &&
+      std::ranges::find(kOnRanks, command) == kOnRanks.end())
+    return UsageError("the command " + command + " does not run on ranks; use regulus " + command);
+  std::string what = error.what();
+  if (what == "MODEL is required")
+    return UsageError(
+        what +
+        ": the path of a model file, or the name of an installed model, which regulus list shows");
+  return UsageError(what + "; regulus " + (is_command ? command + " " : "") + "--help says more");
+}
+
 /// Prints help if it was asked for, or if nothing was; otherwise the error. Returns the exit code.
 int report_parse_error(const CLI::App& app, const CLI::ParseError& error, int argc,
                        const char* const* argv) {
@@ -107,8 +127,9 @@ int report_parse_error(const CLI::App& app, const CLI::ParseError& error, int ar
     std::cerr << "regulus: " << mistyped->what() << '\n';
     if (is_json) std::cout << json_error(*mistyped, kUsageError) << std::endl;
   } else {
-    static_cast<void>(app.exit(error));
-    if (is_json) std::cout << json_error(error, kUsageError) << std::endl;
+    const UsageError mistake = with_remedy(error, app, argv[0], argv[1]);
+    std::cerr << "regulus: " << mistake.what() << '\n';
+    if (is_json) std::cout << json_error(mistake, kUsageError) << std::endl;
   }
   return kUsageError;
 }

@@ -11,9 +11,9 @@ namespace regulus::detail {
 namespace {
 
 constexpr const char* kIntroduction =
-    "Regulus proves that a parallel robot has no singular pose in a workspace or on a trajectory, "
-    "or\n"
-    "shows one, whatever the rounding, the manufacturing tolerances and the control errors.\n\n";
+    "Regulus proves that a robot has no singular pose in a workspace or on a\n"
+    "trajectory, or shows one, whatever the rounding, the manufacturing tolerances\n"
+    "and the control errors are.\n\n";
 
 constexpr const char* kFirstExample = "  regulus check robot_1 wide_15\n\n";
 
@@ -24,33 +24,39 @@ constexpr const char* kIntroductionOfRanks =
 
 constexpr const char* kVerdicts =
     "The last line on standard output is the verdict:\n"
-    "  NO SINGULARITY    proved for every pose and every uncertain value declared   (exit 0)\n"
+    "  NO SINGULARITY    proved for every pose and every uncertain value\n"
+    "                    declared (exit 0)\n"
     "  SINGULARITY       a witness proves it; the report shows the pose, the twist\n"
-    "                    that is lost there and the rows that are dependent         (exit 1)\n"
-    "  POSSIBLE PROBLEM  neither could be shown; the report says why and where      (exit 2)";
+    "                    that is lost there and the rows that are dependent (exit 1)\n"
+    "  POSSIBLE PROBLEM  neither could be shown; the report says why and\n"
+    "                    where (exit 2)";
 
 constexpr const char* kExitCodes =
-    "Exit: 0, 1, 2 as the verdict; 64 usage, 65 bad model, 70 internal fault, 74 file error.";
+    "Exit: 0, 1, 2 as the verdict; 64 usage, 65 bad model, 70 internal fault, 74 file\n"
+    "error.";
 
 constexpr const char* kLocateExitCodes =
-    "Exit: 0 every box is free, 1 some box is certified singular, 2 otherwise;\n"
-    "64 usage, 65 bad model, 70 internal fault, 74 file error.";
+    "Exit: 0 every box is free, 1 some pose is singular, 2 otherwise; 64 usage, 65\n"
+    "bad model, 70 internal fault, 74 file error.";
 
 constexpr const char* kMarginFooter =
-    "Give exactly one of --tolerance, --alpha, --scale, --grow and --tube a range LO:HI. With LO:\n"
-    "alone, margin looks for the upper end itself. The last line on standard output is the "
-    "bracket:\n"
-    "  SAFE UP TO a, NOT AT b   proved at a, and so below; a witness shows a singularity at b\n"
-    "  WITHIN UP TO a, EXCEEDED AT b   the same for a limit: --quantity force --limit 20\n"
-    "Exit: 0 the bracket is as narrow as --gap asks, or all of LO:HI is safe; 1 LO is not safe;\n"
-    "2 a limit or an interrupt stopped it earlier, or the tests could not decide;\n"
-    "64 usage, 65 bad model, 70 internal fault, 74 file error.";
+    "Give exactly one of --tolerance, --alpha, --scale, --grow and --tube a range\n"
+    "LO:HI. With LO: alone, margin looks for the upper end itself. The last line on\n"
+    "standard output is the bracket:\n"
+    "  SAFE UP TO a, NOT AT b   proved at a, and so below; a witness\n"
+    "                           shows a singularity at b\n"
+    "  WITHIN UP TO a, EXCEEDED AT b\n"
+    "                           the same for --quantity force --limit 20\n"
+    "Exit: 0 the bracket is as narrow as --gap asks, or all of LO:HI is safe; 1 LO is\n"
+    "not safe; 2 a limit or an interrupt stopped it earlier, or the tests could not\n"
+    "decide; 64 usage, 65 bad model, 70 internal fault, 74 file error.";
 
 constexpr const char* kVerifyFooter =
     "The last line on standard output is the answer:\n"
-    "  VERIFIED    the claim was proved again, by separate code                     (exit 0)\n"
-    "  REJECTED    not a certificate, incomplete, or false; standard error says why (exit 1)\n"
-    "  UNFINISHED  neither could be shown                                          (exit 2)\n"
+    "  VERIFIED    the claim was proved again, by separate code (exit 0)\n"
+    "  REJECTED    not a certificate, incomplete, or false; standard error says\n"
+    "              why (exit 1)\n"
+    "  UNFINISHED  neither could be shown (exit 2)\n"
     "regulus-verify does the same alone.\n"
     "Exit: as above; 64 usage, 65 bad model, 70 internal fault, 74 file error.";
 
@@ -58,24 +64,21 @@ constexpr const char* kExplainFooter =
     "Exit: 0 shown; 64 usage, 65 bad model, 70 internal fault, 74 file error.";
 
 constexpr const char* kGenerateFooter =
-    "What to do with the files: the page EMBEDDING of the manual. In CMake, regulus_add_kernel() "
-    "does\n"
-    "it.\n"
+    "What to do with the files: the page EMBEDDING of the manual. In CMake,\n"
+    "regulus_add_kernel() does it.\n"
     "Exit: 0 written; 64 usage, 65 bad model, 70 internal fault, 74 file error.";
 
 constexpr const char* kShellFooter =
-    "A script on standard input stops at its first error; the message names the line. With the "
-    "line\n"
-    "set keep-going on, it continues.\n"
+    "A script on standard input stops at its first error; the message names the line.\n"
+    "With the line set keep-going on, it continues.\n"
     "Exit: the code of that error, otherwise of the last check, locate, margin,\n"
     "bound, datasheet, solve or verify.";
 
 constexpr const char* kReportFooter =
-    "The page needs no network and no other file. It proves the verdict again in the browser, as "
-    "far "
-    "as it says.\n"
-    "Exit: as check: 0, 1, 2 as the verdict; 64 usage, 65 bad model, 70 internal fault, 74 file "
-    "error.";
+    "The page needs no network and no other file. It proves the verdict again in the\n"
+    "browser, as far as it says.\n"
+    "Exit: as check: 0, 1, 2 as the verdict; 64 usage, 65 bad model, 70 internal\n"
+    "fault, 74 file error.";
 
 constexpr const char* kCheckCertificate = "Write a proof of the verdict";
 constexpr const char* kLocateCertificate =

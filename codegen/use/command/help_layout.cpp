@@ -6,6 +6,8 @@
 #include <map>
 #include <string_view>
 
+#include "codegen/support/wrapped_text.hpp"
+
 namespace regulus::detail {
 namespace {
 
@@ -106,21 +108,8 @@ constexpr std::array<Examples, 13> kExamples = {
       "  regulus shell --json < questions.txt\n"
       "      a script, each result on a line\n"}}};
 
-/// Breaks lines of more than 70 bytes at a blank, but not those that are laid out by hand.
-std::string wrapped(const std::string& text) {
-  constexpr std::size_t kLongest = 70;
-  std::string result;
-  for (std::size_t begin = 0; begin < text.size();) {
-    std::size_t end = std::min(text.find('\n', begin), text.size());
-    if (end - begin > kLongest && text[begin] != ' ')
-      if (const std::size_t blank = text.rfind(' ', begin + kLongest);
-          blank != std::string::npos && blank > begin)
-        end = blank;
-    result += text.substr(begin, end - begin) + (end < text.size() ? "\n" : "");
-    begin = end + 1;
-  }
-  return result;
-}
+/// The columns of a help text, and the one in which descriptions begin.
+constexpr std::size_t kColumns = 80, kColumnOfDescriptions = 30;
 
 }  // namespace
 
@@ -160,7 +149,8 @@ std::string GroupedHelp::make_option_desc(const CLI::Option* option) const {
   std::string text = option->get_description();
   const std::string value = option->get_default_str();
   if (!value.empty() && text.find("default") == std::string::npos) text += "; default " + value;
-  return wrapped(text);
+  // CLI11 moves each line to the column of descriptions.
+  return wrapped(text, kColumns - kColumnOfDescriptions, 0);
 }
 
 std::string GroupedHelp::groups_of(const CLI::App& app) const {
@@ -176,13 +166,13 @@ std::string GroupedHelp::groups_of(const CLI::App& app) const {
 std::string GroupedHelp::make_help(const CLI::App* app, std::string name,
                                    CLI::AppFormatMode mode) const {
   if (mode == CLI::AppFormatMode::Sub) return make_expanded(app);
-  return make_description(app) + '\n' + make_usage(app, std::move(name)) + make_positionals(app) +
-         groups_of(*app) + make_subcommands(app, mode) + '\n' + make_footer(app);
-}
-
-std::string GroupedHelp::make_footer(const CLI::App* app) const {
   const std::string examples = examples_of(app->get_name());
-  return (examples.empty() ? "" : "Examples:\n" + examples + '\n') + Formatter::make_footer(app);
+  return wrapped_table(make_description(app) + '\n' + make_usage(app, std::move(name)) +
+                           make_positionals(app) + groups_of(*app) + make_subcommands(app, mode) +
+                           '\n',
+                       kColumns) +
+         (examples.empty() ? "" : "Examples:\n" + examples + '\n') +  // which somebody copies
+         wrapped_table(make_footer(app), kColumns);
 }
 
 }  // namespace regulus::detail

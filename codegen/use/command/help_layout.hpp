@@ -22,13 +22,12 @@ void group_options(CLI::App& command);
 /// program itself.
 [[nodiscard]] std::string examples_of(const std::string& command);
 
-/// Prints the groups in their order, lines of at most 100 columns, defaults at the end of what is
+/// Prints the groups in their order, lines of at most 80 columns, defaults at the end of what is
 /// said of an option, and the examples before the footer.
 class GroupedHelp : public CLI::Formatter {
  public:
   std::string make_help(const CLI::App* app, std::string name,
                         CLI::AppFormatMode mode) const override;
-  std::string make_footer(const CLI::App* app) const override;
   std::string make_option_opts(const CLI::Option* option) const override;
   std::string make_option_desc(const CLI::Option* option) const override;
 

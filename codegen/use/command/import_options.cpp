@@ -7,11 +7,11 @@ namespace regulus::detail {
 namespace {
 
 constexpr const char* kImportFooter =
-    "The model of an arm has two motions: limits, the ranges of the joints in the file, and home,\n"
-    "every joint at zero; that of a robot with loops has home and around_home, its motors within\n"
-    "5 degrees of it. Loops of a URDF file come from --cut, --weld, <constraint> elements, or "
-    "from\n"
-    "FILE.yaml beside it. From a file to a verdict: codegen/model/import/IMPORTING.md.\n"
+    "The model of an arm has two motions: limits, the ranges of the joints in the\n"
+    "file, and home, every joint at zero; that of a robot with loops has home and\n"
+    "around_home, its motors within 5 degrees of it. Loops of a URDF file come from\n"
+    "--cut, --weld, <constraint> elements, or from FILE.yaml beside it. From a file\n"
+    "to a verdict: codegen/model/import/IMPORTING.md.\n"
     "Exit: 0 written; 64 usage, 65 bad file, 70 internal fault, 74 file error.";
 
 void add_loop_options(CLI::App& app, ImportOptions& options) {

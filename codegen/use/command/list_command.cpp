@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -9,6 +10,7 @@
 #include "codegen/model/file/installed_models.hpp"
 #include "codegen/model/file/model_file.hpp"
 #include "codegen/use/command/commands.hpp"
+#include "codegen/use/command/terminal.hpp"
 
 namespace regulus::detail {
 namespace {
@@ -49,7 +51,7 @@ int run_list(const ListCommand& command) {
   const Model model = load_model(command.path);
   std::cout << (command.json    ? report_text(json_model(model)) + '\n'
                 : command.quiet ? names_of_motions(model)
-                                : format_model(model));
+                                : for_file(STDOUT_FILENO, format_model(model)));
   return 0;
 }
 

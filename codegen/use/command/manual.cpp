@@ -60,7 +60,7 @@ std::string synopsis(const CommandEntry& command) {
 
 std::string first_words(const CommandEntry& command) {
   if (!command.name.empty()) return command.description;
-  return "prove that a parallel robot has no singular pose, or show one";
+  return "prove that a robot has no singular pose, or show one";
 }
 
 /// The parts of the last lines of --help.

@@ -8,7 +8,9 @@
 #include <string_view>
 
 #include "codegen/support/exit_code.hpp"
+#include "codegen/support/terminal_width.hpp"
 #include "codegen/support/visible_text.hpp"
+#include "codegen/support/wrapped_text.hpp"
 
 namespace regulus::detail {
 namespace {
@@ -29,7 +31,13 @@ bool takes_colours(int file) {
          std::string_view(terminal) != "dumb" && ::isatty(file) != 0;
 }
 
-void print_report(const std::string& text) { std::cerr << visible(text, true); }
+void print_report(const std::string& text) {
+  std::cerr << visible(for_file(STDERR_FILENO, text), true);
+}
+
+std::string for_file(int file, const std::string& report) {
+  return ::isatty(file) == 0 ? report : wrapped_report(report, columns_of_terminal(file));
+}
 
 void print_answer(const std::string& text, int exit_code) {
   if (takes_colours(STDOUT_FILENO))

@@ -10,6 +10,9 @@ namespace regulus::detail {
 /// is not set, or empty (no-color.org).
 [[nodiscard]] bool takes_colours(int file);
 
+/// Returns a report as it is; for a terminal with its lines broken at blanks, to fit.
+[[nodiscard]] std::string for_file(int file, const std::string& report);
+
 /// Prints a report on standard error, with what a path in it could hide from a terminal.
 void print_report(const std::string& text);
 

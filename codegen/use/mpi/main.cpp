@@ -19,6 +19,7 @@
 #include "codegen/support/errors.hpp"
 #include "codegen/support/exit_code.hpp"
 #include "codegen/support/shell_word.hpp"
+#include "codegen/support/visible_text.hpp"
 #include "codegen/use/command/commands.hpp"
 #include "codegen/use/command/run_command_line.hpp"
 #include "codegen/use/command/run_question.hpp"
@@ -88,20 +89,29 @@ int lead(Communicator& communicator, CommandLine& line, const std::vector<RankId
 Start read_start(CommandLine& line, std::vector<std::string> words) {
   Start start;
   if (line.exit_code) start.exit_code = line.exit_code;
-  if (line.exit_code || line.verify) return start;
+  if (line.exit_code) return start;
+  const auto take_model = [&words](std::string& model) {
+    const std::string typed = std::exchange(model, find_model(model));
+    for (const std::string option : {"", "--model="})
+      std::ranges::replace(words, option + typed, option + model);
+  };
   const int code = report_errors(
       [&] {
-        with_search(line, [&start, &words](auto& command) {
+        if (line.verify) {
+          if (!line.verify->model.empty()) take_model(line.verify->model);
+          return 0;
+        }
+        with_search(line, [&start, &take_model](auto& command) {
           if (!command.search.filters.empty())
             throw UsageError("--filter: a filter runs in one process only; use regulus");
           if (!command.search.kernel.empty())
             throw UsageError("--kernel: an edited kernel runs in one process only; use regulus");
           static_cast<void>(settings_from(command.search));
           static_cast<void>(question_of(command));
-          const std::string typed =
-              std::exchange(command.model.path, find_model(command.model.path));
-          if (const auto at = std::ranges::find(words, typed); at != words.end())
-            *at = command.model.path;
+          const std::string typed = command.model.path;
+          take_model(command.model.path);
+          if (command.model.path != typed && !command.output.quiet)
+            std::cerr << "file       " << visible(command.model.path) << '\n';
           start.model = model_text(command.model);
           command.model.text = start.model;
           const Asked asked = question_of(command).asked;

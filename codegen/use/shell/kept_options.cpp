@@ -5,11 +5,15 @@
 
 #include <algorithm>
 
+#include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
+#include "codegen/support/wrapped_text.hpp"
 #include "codegen/use/command/help_layout.hpp"
 
 namespace regulus::detail {
 namespace {
+
+constexpr std::size_t kColumns = 80, kIndent = 6;
 
 const std::vector<CommandEntry>& commands() {
   static const std::vector<CommandEntry> kTable = command_table();
@@ -63,7 +67,7 @@ std::string describe_kept_options() {
                                     ? option.value
                                     : fmt::format("{}", fmt::join(option.choices, "|"));
       lines += fmt::format("  {}{}{}\n      {}\n", name, value.empty() ? "" : " ", value,
-                           option.description);
+                           wrapped(option.description, kColumns, kIndent));
     }
     if (!lines.empty()) text += group + ":\n" + lines;
   }
@@ -75,7 +79,7 @@ bool takes_names(const std::string& option) {
 }
 
 void refuse(const std::string& found, const std::string& expected) {
-  throw UsageError("found " + found + ", expected " + expected);
+  throw UsageError("found " + in_quotes(found) + "; use it as " + expected);
 }
 
 void reject(const std::string& problem, const std::string& remedy) {

@@ -17,6 +17,8 @@
 #include <histedit.h>
 #endif
 
+#include "codegen/support/terminal_width.hpp"
+#include "codegen/support/wrapped_text.hpp"
 #include "codegen/use/command/terminal.hpp"
 #include "codegen/use/shell/shell_completion.hpp"
 
@@ -120,6 +122,13 @@ struct LineEditor::Library {
     }
   }
 
+  /// Returns the words on lines that fit.
+  static std::string listed(const std::vector<std::string>& words) {
+    std::string line;
+    for (const std::string& word : words) line += (line.empty() ? "" : "  ") + word;
+    return wrapped(line, columns_of_terminal(STDOUT_FILENO), 0);
+  }
+
   /// Adds the common beginning of all completions; if there is none, lists them.
   static unsigned char on_tab(EditLine* line, int) {
     Library& library = of(line);
@@ -131,9 +140,7 @@ struct LineEditor::Library {
     std::string more = common_beginning(words).substr(typed);
     if (words.size() == 1 && !words[0].ends_with('/') && !words[0].ends_with('=')) more += ' ';
     if (more.empty()) {
-      std::cout << '\n';
-      for (const std::string& word : words) std::cout << word << "  ";
-      std::cout << std::endl;
+      std::cout << '\n' << listed(words) << std::endl;
       return CC_REDISPLAY;
     }
     el_insertstr(line, more.c_str());

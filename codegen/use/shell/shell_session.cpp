@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -12,7 +11,6 @@
 #include "codegen/answer/report/report_text.hpp"
 #include "codegen/answer/report/search_facts.hpp"
 #include "codegen/model/file/installed_models.hpp"
-#include "codegen/model/file/model_edit.hpp"
 #include "codegen/model/file/model_file.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/model/overrides.hpp"
@@ -20,11 +18,11 @@
 #include "codegen/question/quantity/quantity.hpp"
 #include "codegen/support/exit_code.hpp"
 #include "codegen/support/shell_word.hpp"
+#include "codegen/support/wrapped_text.hpp"
 #include "codegen/support/write_file.hpp"
 #include "codegen/use/command/run_command_line.hpp"
 #include "codegen/use/shell/kept_options.hpp"
 #include "codegen/use/shell/shell_words.hpp"
-#include "codegen/use/shell/text_editor.hpp"
 #include "regulus/version.hpp"
 
 namespace regulus::detail {
@@ -32,15 +30,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-int position(const std::string& word) {
-  int value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc{} || end != word.data() + word.size())
-    refuse("'" + word + "'", "a number of a row or column, from 1");
-  return value;
-}
-
 constexpr const char* kListCommands = "help lists the commands";
+constexpr std::size_t kColumnOfSummaries = 30, kColumnsOfHelp = 80;
 
 std::vector<std::string> motion_names(const Model& model) {
   std::vector<std::string> names;
@@ -81,6 +72,7 @@ const std::vector<ShellSession::Entry>& ShellSession::table() {
       {"edit", "edit", "change the model's text in the editor that EDITOR names", &S::edit},
       {"reload", "reload", "read the model file again and keep the settings", &S::reload},
       {"unset", "unset OPTION [NAME]", "restore the value of the model or the default", &S::unset},
+      {"undo", "undo", "take back the last change of the model, the motion or a setting", &S::undo},
       {"check", "check [OPTIONS]", "prove that there is no singular pose, or show one", &S::run},
       {"locate", "locate [OPTIONS]", "pave the motion: free, singular, undecided", &S::run},
       {"margin", "margin OPTIONS",
@@ -104,17 +96,39 @@ const std::vector<ShellSession::Entry>& ShellSession::table() {
   return kTable;
 }
 
+/// At the end of a line, keeps what was asked before it, if the line has changed it; also if the line
+/// ends with an error, as where a changed model cannot be compiled.
+class ShellSession::KeptForUndo {
+ public:
+  KeptForUndo(ShellSession& session, const std::string& line, bool undoes)
+      : session_(session), change_{session.asked_, line}, undoes_(undoes) {}
+  ~KeptForUndo() {
+    if (!undoes_ && !(change_.before == session_.asked_))
+      session_.changes_.push_back(std::move(change_));
+  }
+  KeptForUndo(const KeptForUndo&) = delete;
+  KeptForUndo& operator=(const KeptForUndo&) = delete;
+
+ private:
+  ShellSession& session_;
+  Change change_;
+  bool undoes_;
+};
+
 int ShellSession::execute(const std::string& line) {
   const Words words = split_words(line);
   if (words.empty()) return 0;
   history_.push_back(line);
   std::vector<std::string> known;
   for (const Entry& entry : table()) {
-    if (words[0] == entry.name) try {
+    if (words[0] == entry.name) {
+      const KeptForUndo kept(*this, line, entry.run == &ShellSession::undo);
+      try {
         return (this->*entry.run)(words);
       } catch (const CommandLineRefused& refused) {
         return refused.code;
       }
+    }
     known.emplace_back(entry.name);
   }
   reject("unknown command " + in_quotes(words[0]), suggestion(words[0], known, kListCommands));
@@ -137,6 +151,7 @@ int ShellSession::load(const Words& words) {
   Model model = parse_model(text, path);
   asked_.path = path;
   asked_.text = std::move(text);
+  asked_.edits.clear();
   draft_.clear();
   asked_.model = std::move(model);
   asked_.motion = asked_.model->motions.size() == 1 ? asked_.model->motions.front().name : "";
@@ -172,49 +187,6 @@ int ShellSession::save(const Words& words) {
   return 0;
 }
 
-/// Refuses a text that is not a model, or that does not fit the settings; the session keeps the
-/// earlier model.
-void ShellSession::take(std::string text) {
-  Asked changed = asked_;
-  changed.model = parse_model(text, asked_.path);
-  changed.text = std::move(text);
-  require_valid(changed);
-  asked_ = std::move(changed);
-  draft_.clear();
-}
-
-int ShellSession::change_expression(const Words& words) {
-  require_model();
-  if (words[1] == "entry") {
-    if (words.size() < 5) refuse(rest_of(words, 0), "set entry ROW COLUMN EXPRESSION");
-    const bool has_legs = is_gough(asked_.text);
-    const std::string text = has_legs ? with_matrix_of_gough(asked_.text) : asked_.text;
-    take(with_entry(text, position(words[2]), position(words[3]), rest_of(words, 4)));
-    if (has_legs) std::cerr << "note       the six legs of [gough] are now rows of [matrix]\n";
-  } else {
-    if (words.size() < 4) refuse(rest_of(words, 0), "set let NAME EXPRESSION");
-    take(with_let(asked_.text, words[2], rest_of(words, 3)));
-  }
-  return asked_.motion.empty() ? 0 : prepare_again();
-}
-
-/// The next edit begins with a text that had a mistake.
-int ShellSession::edit(const Words& words) {
-  require_model();
-  if (words.size() != 1) refuse(rest_of(words, 0), "edit");
-  draft_ = edited(draft_.empty() ? asked_.text : draft_);
-  if (draft_ == asked_.text) return draft_.clear(), 0;
-  take(draft_);
-  return asked_.motion.empty() ? 0 : prepare_again();
-}
-
-int ShellSession::reload(const Words& words) {
-  require_model();
-  if (words.size() != 1) refuse(rest_of(words, 0), "reload");
-  take(read_model_text(asked_.path));
-  return asked_.motion.empty() ? 0 : prepare_again();
-}
-
 /// Each stage is reused if its own input is the same. If an edit does not change the text of the
 /// kernel (after a change of a name), the cache has the whole kernel; otherwise it has the
 /// functions that did not change.
@@ -228,7 +200,7 @@ int ShellSession::prepare_again() {
   const StageSeconds spent = p.seconds_spent();
   const std::size_t functions = p.parts.compiled + p.parts.known;
   const std::string kernel =
-      p.cache == "hit" ? "unchanged or known"
+      p.cache == "hit" ? "nothing is compiled again: the functions are in the cache"
       : functions == 0 ? "interpreted"
                        : fmt::format("{} of {} functions compiled", p.parts.compiled, functions);
   Facts facts;
@@ -280,7 +252,14 @@ std::string ShellSession::commands() {
   std::string text;
   for (const Entry& entry : table()) {
     const std::string summary = entry.summary;
-    text += fmt::format("{:<44}{}\n", entry.usage, summary.substr(0, summary.find('\n')));
+    std::string first = summary.substr(0, summary.find('\n'));
+    if (first.ends_with(';')) first.pop_back();
+    // A long usage has a line of its own.
+    const bool is_long = std::string_view(entry.usage).size() >= kColumnOfSummaries;
+    text += entry.usage +
+            (is_long ? "\n" + std::string(kColumnOfSummaries, ' ')
+                     : std::string(kColumnOfSummaries - std::string_view(entry.usage).size(), ' '));
+    text += wrapped(first, kColumnsOfHelp, kColumnOfSummaries) + '\n';
   }
   return text;
 }
@@ -304,6 +283,7 @@ int ShellSession::help(const Words& words) {
   for (const Entry& entry : table())
     if (words.size() > 1 && words[1] == entry.name) text = help_about(entry);
   if (text.empty()) reject("unknown command " + in_quotes(words[1]), kListCommands);
+  text = wrapped_table(text, kColumnsOfHelp);
   say(text, report_text({{"help", text}}));
   return 0;
 }
@@ -311,7 +291,8 @@ int ShellSession::help(const Words& words) {
 std::string ShellSession::prompt() const {
   if (!asked_.model) return "regulus> ";
   const std::string name = std::filesystem::path(asked_.path).stem().string();
-  return fmt::format("regulus {}{}{}> ", name, asked_.motion.empty() ? "" : " ", asked_.motion);
+  return fmt::format("regulus {}{}{}{}> ", name, asked_.edits.empty() ? "" : "*",
+                     asked_.motion.empty() ? "" : " ", asked_.motion);
 }
 
 std::string ShellSession::greeting() const {

@@ -40,14 +40,17 @@ class ShellSession {
   /// An option that has been set; `key` distinguishes options that may be repeated.
   struct Setting {
     std::string option, key, value;
+    bool operator==(const Setting&) const = default;
   };
   /// The subject of a question.
   struct Asked {
     std::string path;
     std::string text;  ///< of the model, with its changes
+    Words edits;       ///< by commands: "entry (1,1)", "let e1_y", "text"
     std::optional<Model> model;
     std::string motion;
     std::vector<Setting> settings;
+    bool operator==(const Asked& other) const;
   };
 
   int load(const Words& words);
@@ -56,7 +59,7 @@ class ShellSession {
   struct Entry;
 
   int show(const Words& words);
-  int show_settings();
+  int show_settings(const std::string& before = "");
   int show_everything();
   [[nodiscard]] static std::string help_about(const Entry& entry);
   int set(const Words& words);
@@ -68,6 +71,7 @@ class ShellSession {
   int save(const Words& words);
   int history(const Words& words);
   int help(const Words& words);
+  int undo(const Words& words);
   int quit(const Words& words);
   int run(const Words& words);
   int run_line(const Words& words);
@@ -79,7 +83,8 @@ class ShellSession {
   void change(const Setting& setting, bool keep);
   static void require_valid(const Asked& asked);
   void require_model() const;
-  void take(std::string text);
+  void take(std::string text, const Words& edits);
+  [[nodiscard]] Words edits_and(const std::string& edit) const;
   int prepare_again();
   void say(const std::string& text, const std::string& json) const;
 
@@ -90,6 +95,12 @@ class ShellSession {
   std::string draft_;  ///< an edited text with a mistake; else empty
   PartStore parts_;    ///< of the kernels of this session
   Words history_;
+  struct Change {
+    Asked before;
+    std::string line;  ///< that made it
+  };
+  class KeptForUndo;
+  std::vector<Change> changes_;  ///< what undo takes back, the last one at the end
 
   static const std::vector<Entry>& table();
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The settings of a session, and their use in commands.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -9,6 +10,7 @@
 #include "codegen/answer/report/report_text.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/model/request.hpp"
+#include "codegen/use/command/terminal.hpp"
 #include "codegen/use/shell/kept_options.hpp"
 #include "codegen/use/shell/shell_session.hpp"
 #include "codegen/use/shell/shell_words.hpp"
@@ -44,7 +46,8 @@ void ShellSession::change(const Setting& setting, bool keep) {
 }
 
 int ShellSession::set(const Words& words) {
-  if (words.size() < 2) refuse("set", "set OPTION [VALUE]");
+  if (words.size() < 2)
+    return show_settings("set OPTION [VALUE] sets an option; help set lists them\n");
   const std::string& what = words[1];
   if (what == "entry" || what == "let") return change_expression(words);
   if (what == "keep-going") return keep_going_ = switched_on(words), 0;
@@ -83,16 +86,19 @@ int ShellSession::show_everything() {
   if (!asked_.model)
     std::cout << "nothing else: load MODEL reads one, list names those that are installed\n";
   else
-    std::cout << format_model(*asked_.model)
+    std::cout << for_file(STDOUT_FILENO, format_model(*asked_.model))
               << "show matrix, forms, occurrences or text shows its expressions\n";
   std::cout.flush();
   return code;
 }
 
-int ShellSession::show_settings() {
+int ShellSession::show_settings(const std::string& before) {
   Json json{{"model", asked_.path}, {"motion", asked_.motion}, {"settings", Json::array()}};
-  std::string text = fmt::format("model {}\nmotion {}", asked_.path.empty() ? "none" : asked_.path,
-                                 asked_.motion.empty() ? "none" : asked_.motion);
+  std::string text =
+      fmt::format("{}model {}\nmotion {}", before, asked_.path.empty() ? "none" : asked_.path,
+                  asked_.motion.empty() ? "none" : asked_.motion);
+  for (const std::string& edit : asked_.edits) text += "\nchanged " + edit;
+  json["changed"] = asked_.edits;
   for (const Setting& s : asked_.settings) {
     text += fmt::format("\n{}{}{}", s.option, s.value.empty() ? "" : " ", s.value);
     json["settings"].push_back({{"option", s.option}, {"value", s.value}});

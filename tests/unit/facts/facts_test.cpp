@@ -53,7 +53,7 @@ TEST(Facts, OfTheSameKeyReplaceTheValueAndKeepThePlace) {
 
 TEST(Facts, TakeFinishedLinesAsTheyAre) {
   for (const char* lines :
-       {"", "certificate none: it is too early\n", "load       a\n           b, c\n",
+       {"", "proof      none: it is too early\n", "load       a\n           b, c\n",
         "resolution 1/4\nat         x = 1\n           with y = 2\n"}) {
     Facts facts;
     facts.say_lines(lines);

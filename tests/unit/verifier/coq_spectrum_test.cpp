@@ -13,7 +13,7 @@
 #include "runtime/formal/coq_proof.hpp"
 #include "runtime/verifier/proof.hpp"
 
-namespace regulus::detail::test {
+namespace regulus::detail::test::coq_spectrum_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -108,4 +108,4 @@ TEST(ATheoremAboutSingularValues, OverABranchHasFactorsAndNoMotors) {
 }
 
 }  // namespace
-}  // namespace regulus::detail::test
+}  // namespace regulus::detail::test::coq_spectrum_test

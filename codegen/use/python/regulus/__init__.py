@@ -24,7 +24,7 @@ from .families import gough, serial
 from .sympy_models import from_sympy
 from .paving import LoadPaving, Paving
 from .results import Bound, Certificate, Check, LoadCheck, Margin, PreparedCheck, Verification
-from .robot import Prepared, Robot, from_urdf, load, verify
+from .robot import Prepared, Robot, from_urdf, load, models, verify
 from .solutions import Found, Solved, SolvedPlaces
 
 __all__ = [
@@ -55,6 +55,7 @@ __all__ = [
     "from_urdf",
     "gough",
     "load",
+    "models",
     "serial",
     "verify",
 ]

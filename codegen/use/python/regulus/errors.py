@@ -14,11 +14,28 @@ def _argument(option: re.Match[str]) -> str:
     return _ARGUMENTS.get(option[1], option[1].replace("-", "_"))
 
 
+def _with_ranges(text: str) -> str:
+    """Writes the ranges of the command's words as those of Python: (lo, hi), (lo, None)."""
+    text = re.sub(
+        r"(?<![\w-])--([a-z][a-z0-9-]*) (\w+)=LO:HI",
+        lambda given: f'{_argument(given)}={{"{given[2]}": (lo, hi)}}',
+        text,
+    )
+    text = re.sub(
+        r"(?<![\w-])--([a-z][a-z0-9-]*) LO:HI", lambda given: f"{_argument(given)}=(lo, hi)", text
+    )
+    text = text.replace("LO:HI, such as 0:0.5", "(lo, hi), such as (0, 0.5)")
+    text = re.sub(r"\bLO:HI\b", "(lo, hi)", text)
+    text = re.sub(r"\bLO:(?= )", "(lo, None)", text)
+    return re.sub(r"\ba smaller HI\b", "a smaller hi", text)
+
+
 def _of_python(text: Any) -> Any:
     """Names arguments and functions of Python, where a message names the command's."""
     if not isinstance(text, str):
         return text
     text = re.sub(r"`?\bregulus (check|locate|margin|bound|solve|verify)\b`?", r"\1()", text)
+    text = _with_ranges(text)
     text = re.sub(r"^(MOTION|QUANTITY): ", lambda place: place[0].lower(), text)
     return re.sub(r"(?<![\w-])--([a-z][a-z0-9-]*)", _argument, text)
 

@@ -24,6 +24,7 @@ def gough(
     *,
     motions: Mapping[str, Mapping[str, Range]],
     unit: str = "1",
+    angle_unit: str = "rad",
     orientation: str = "euler-zxz",
     base_tolerance: Number = 0,
     platform_tolerance: Number = 0,
@@ -37,8 +38,10 @@ def gough(
         base: 6×3, the anchors A_i in the frame of the base.
         platform: 6×3, the anchors B_i in the frame of the platform.
         motions: by name, the range or the value of each pose parameter: x y z psi theta phi for
-            "euler-zxz", x y z roll pitch yaw for "roll-pitch-yaw"; x y z in `unit`, angles in rad.
+            "euler-zxz", x y z roll pitch yaw for "roll-pitch-yaw"; x y z in `unit`, angles in `angle_unit`.
         unit: of lengths.
+        angle_unit: of angles, "rad" or "deg". A number of degrees is exact; a float of radians is
+            the double next to what is meant.
         orientation: "euler-zxz", "roll-pitch-yaw" or "quaternion".
         base_tolerance: ± on each coordinate, or the radius of a ball; the group "base".
         platform_tolerance: the same for the group "platform".
@@ -52,6 +55,8 @@ def gough(
     writer.head(name, source)
     writer.table("gough")
     writer.text("unit", unit)
+    if angle_unit != "rad":
+        writer.text("angle_unit", angle_unit)
     writer.text("orientation", orientation)
     _points(writer, "base", base)
     _points(writer, "platform", platform)
@@ -70,6 +75,7 @@ def serial(
     motions: Mapping[str, Mapping[str, Range]],
     convention: str = "standard-dh",
     unit: str = "m",
+    angle_unit: str = "rad",
     geometry: Optional[Mapping[str, Any]] = None,
     name: str = "serial arm",
     source: str = "",
@@ -78,10 +84,11 @@ def serial(
 
     Args:
         joints: a row (a, alpha, d, theta) for each joint, named q1, q2 …: a and d in `unit`, alpha
-            and theta in rad, or texts such as "90*deg"; or a dict of the keys of a model file:
+            and theta in `angle_unit`, or texts such as "90*deg"; or a dict of the keys of a model file:
             name, type, a, alpha, d, theta.
         motions: by name, the range or the value of each joint.
         convention: "standard-dh" or "modified-dh".
+        angle_unit: of alpha, theta and the ranges of joints that turn, "rad" or "deg".
         geometry: constants that joints may name; a pair is (value, tolerance).
 
     Raises:
@@ -99,6 +106,8 @@ def serial(
             writer.quantity(constant, value)
     writer.table("serial")
     writer.text("unit", unit)
+    if angle_unit != "rad":
+        writer.text("angle_unit", angle_unit)
     writer.text("convention", convention)
     lines = [_joint(writer, i, joint) for i, joint in enumerate(joints, start=1)]
     writer.line("joints", "[\n  " + ",\n  ".join(lines) + ",\n]")

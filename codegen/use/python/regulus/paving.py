@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Mapping, Optional, Sequence, SupportsFloa
 from . import _regulus
 from .errors import UsageError, require_package
 from .reports import ForcesReport, PathForcePavingReport, PathPavingReport, PavingReport, Range
-from .results import Result, _places, _table, _words
+from .results import Result, _counted, _places, _table, _words
 
 if TYPE_CHECKING:
     import numpy
@@ -110,7 +110,7 @@ class Paving(Result[_Report]):
     def __repr__(self) -> str:
         if self.stretches:
             return f"<{_words(self.verdict)}: {len(self.stretches)} stretches>"
-        return f"<{_words(self.verdict)}: {len(self.boxes)} boxes of {', '.join(self.variables)}>"
+        return f"<{_words(self.verdict)}: {_counted(len(self.boxes))} of {', '.join(self.variables)}>"
 
     def _repr_html_(self) -> str:
         if self.stretches:
@@ -118,7 +118,7 @@ class Paving(Result[_Report]):
             shares = [(claim, f"{100 * share:.3g} %") for claim, share in report["share"].items()]
             return _table(_words(self.verdict), self.verdict, shares)
         fractions = [
-            (claim, f"{(self.claims == claim).sum()} boxes")
+            (claim, _counted(int((self.claims == claim).sum())))
             for claim in self._known
             if (self.claims == claim).any()
         ]

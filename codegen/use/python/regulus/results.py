@@ -145,7 +145,7 @@ class Check(Result[Union[CheckReport, PathReport]]):
         return self.verdict == "no-singularity"
 
     def __repr__(self) -> str:
-        return f"<{_words(self.verdict)}: {self.claim}; {self.boxes} boxes>"
+        return f"<{_words(self.verdict)}: {self.claim}; {_counted(self.boxes)}>"
 
     def page(self, path: Path) -> str:
         """Writes one HTML file about the answer, for any browser, and returns its path.
@@ -378,6 +378,10 @@ class Verification:
     def _repr_html_(self) -> str:
         rows = [("claim", self.claim), ("reason", self.reason)]
         return _table(self.outcome.upper(), self.outcome, rows)
+
+
+def _counted(boxes: int) -> str:
+    return f"{boxes} box" if boxes == 1 else f"{boxes} boxes"
 
 
 def _words(verdict: str) -> str:

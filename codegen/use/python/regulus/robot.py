@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import difflib
 import json
 import os
 from typing import TYPE_CHECKING, Any, Mapping, Optional, Sequence, Union
@@ -763,6 +764,18 @@ def _model_folders() -> list[str]:
     ]
 
 
+def models() -> list[str]:
+    """The names of the installed models, which load() takes."""
+    names = {
+        entry[: -len(".toml")]
+        for folder in _model_folders()
+        if os.path.isdir(folder)
+        for entry in os.listdir(folder)
+        if entry.endswith(".toml")
+    }
+    return sorted(name for name in names if name.isidentifier())
+
+
 def _find_model(name: str) -> str:
     if os.path.exists(name) or not name.isidentifier():
         return name
@@ -770,7 +783,9 @@ def _find_model(name: str) -> str:
         path = os.path.join(folder, name + ".toml")
         if os.path.exists(path):
             return os.path.normpath(path)
-    return name
+    near = difflib.get_close_matches(name, models(), 1)
+    hint = f"did you mean {near[0]!r}?" if near else "regulus.models() names the installed models"
+    raise FileError(f"there is no file {name!r}, and no installed model of that name; {hint}")
 
 
 def load(path: Path) -> Robot:
