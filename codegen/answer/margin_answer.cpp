@@ -139,7 +139,7 @@ class MarginOfLimit final : public MarginAnswer {
       : question_(question),
         request_(read_asked(model, asked.quantity, watch_of(services, asked.search))) {
     is_of_limit = true;
-    question_.unit = unit_of_values(request_, question_);
+    take_unit(question_, request_);
     warn_about_values(question_, model);
     Quantity quantity = quantity_of(request_.model, asked.quantity);
     settings_.gap = read_gap(asked.gap);
@@ -218,7 +218,7 @@ std::unique_ptr<MarginAnswer> ask(const AskMargin& asked, const Services& servic
   set_outputs_aside(model, asked.search, services, EndProofs::files(services.certificate));
   const FormingWatch watch = watch_of(services, asked.search);
   Request request = read_request(model, &watch);
-  question.unit = unit_of_values(request, question);
+  take_unit(question, request);
   question.has_threshold =
       question.quantity == MarginQuantity::kAlpha || !request.motion.alpha.is_zero();
   warn_about_values(question, asked.model);

@@ -166,9 +166,11 @@ class Topics {
   Found operator()(const AskMargin& asked) const {
     ModelOptions model = asked.model;
     MarginQuestion question = take_question(model, asked.size);
-    if (asked.limit.empty()) return grown(question, read_request(model), asked.search);
-    if (!is_told_) return std::nullopt;
-    Request request = read_asked(model, asked.quantity);
+    const bool has_limit = !asked.limit.empty();
+    if (has_limit && !is_told_) return std::nullopt;
+    Request request = has_limit ? read_asked(model, asked.quantity) : read_request(model);
+    take_unit(question, request);
+    if (!has_limit) return grown(question, std::move(request), asked.search);
     const Quantity quantity = quantity_of(request.model, asked.quantity);
     if (request.model.closure)
       return on_branch(at_value(question, request), component_of(quantity), asked.search);

@@ -67,14 +67,22 @@ struct VectorSet {
   std::vector<ToleranceBall> balls;        ///< members: indices into `entries`
 };
 
-/// Data of the motors, each by row of the matrix; empty if the model does not say.
+/// Data of the motors, each by row of the matrix; empty if the model does not say. A list may end
+/// before the rows of constraints: such a row has no limits, no error, and gives way to no force.
 struct Actuators {
-  std::vector<std::string> units;  ///< of the motors' coordinates, by row; empty: lengths
+  std::vector<std::string> units;  ///< of the motors' coordinates; empty: lengths
   std::string force_unit = "N";
+  bool has_force_unit = false;       ///< the model names it
   std::vector<Range> force;          ///< limits
   std::vector<GiNaC::ex> speed;      ///< limits of the absolute value
   std::vector<GiNaC::ex> error;      ///< ± of a length or an angle
   std::vector<GiNaC::ex> stiffness;  ///< force per unit of length
+};
+
+/// A row of the matrix that a motor drives.
+struct MotorRow {
+  std::size_t leg = 0;  ///< its number, from 1
+  std::string unit{};   ///< of the motor's coordinate; empty: not known
 };
 
 /// A motion parameter t_j. In a box variety it is the pose parameter itself (same symbol).
@@ -194,6 +202,8 @@ struct Model {
   std::optional<GiNaC::matrix> jacobian{};
   std::vector<std::string> matrix_notes;  ///< what a report says of it; a line each
   std::optional<Closure> closure{};
+  /// Of the first rows; the others belong to passive constraints. nullopt: each row is a motor's.
+  std::optional<std::vector<MotorRow>> motors{};
   std::vector<GiNaC::ex> row_scale;  ///< empty, or m positive factors: J⁻¹ row = row_scale · row
   std::vector<TwistComponent> twist;       ///< by column; empty if the model does not say
   std::vector<GiNaC::ex> must_be_defined;  ///< of matrix and row_scale; log(s): s must be positive

@@ -345,6 +345,7 @@ class QuestionWriter {
 
   /// `least : largest`.
   static CoqItem limits_of_row(std::string_view rest) {
+    if (rest == format::kFree) throw Unfinished("there is no theorem about forces without limits");
     const std::string least = coq_expression(take_until(rest, " : "), {});
     return {"", "(" + least + ", " + coq_expression(rest, {}) + ")"};
   }

@@ -31,6 +31,7 @@ inline constexpr const char* kFeasible = "FEASIBLE";
 inline constexpr const char* kInfeasible = "INFEASIBLE";
 inline constexpr const char* kPaving = "PAVING";
 inline constexpr const char* kShortage = "shortage";  ///< the reason of INFEASIBLE
+inline constexpr const char* kFree = "free";          ///< limits of a force that has none
 // Claims about all solutions at one place.
 inline constexpr const char* kComplete = "COMPLETE";
 inline constexpr const char* kNone = "NONE";
@@ -73,6 +74,7 @@ inline constexpr const char* kDeflection = "deflection";
 inline constexpr const char* kDeterminant = "determinant";
 inline constexpr const char* kDeterminantMax = "determinant-max";  ///< or with its sign
 inline constexpr const char* kExpression = "expression";
+inline constexpr const char* kRigid = "rigid";  ///< the stiffness of what gives way to no force
 inline constexpr const char* kAbsolute = "absolute";
 inline constexpr const char* kLargest = "largest";
 inline constexpr const char* kLeast = "least";

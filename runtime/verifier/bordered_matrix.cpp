@@ -296,14 +296,16 @@ class Border {
     const Nodes w = vector_of_set();
     const std::size_t n = c_.model_rows, k = c_.columns.front();
     set_order(2 * n);
-    q_.defined.insert(q_.defined.end(), c_.stiffness.begin(), c_.stiffness.end());
+    for (const NodeId stiffness : c_.stiffness)
+      if (stiffness != kNoNode) q_.defined.push_back(stiffness);
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t j = 0; j < n; ++j) {
         B(i, j) = A(i, j);
         B(n + i, n + j) = i == k ? nominal(A(j, i)) : A(j, i);
       }
-      B(i, n + i) =
-          t_.signed_by(-1, t_.quotient(t_.square(t_.reciprocal(scale(i))), c_.stiffness[i]));
+      if (c_.stiffness[i] != kNoNode)
+        B(i, n + i) =
+            t_.signed_by(-1, t_.quotient(t_.square(t_.reciprocal(scale(i))), c_.stiffness[i]));
       B(n + k, i) = t_.signed_by(-sign_, t_.product(r_, w[i]));
     }
   }

@@ -20,6 +20,12 @@ class LoadReader {
     load_.name = lines_.take("load");
     lines_.read_set(load_);
     for (std::size_t i = 0; i < q_.rows; ++i) {
+      if (lines_.rest_of("limits") == format::kFree) {
+        load_.least.push_back(kNoNode);
+        load_.largest.push_back(kNoNode);
+        lines_.advance();
+        continue;
+      }
       const auto [least, largest] = lines_.two_parts("limits", " : ");
       load_.least.push_back(lines_.constant("least", i, least));
       load_.largest.push_back(lines_.constant("largest", i, largest));
@@ -86,8 +92,13 @@ void read_load_lines(Lines& lines, Question& question) { LoadReader(lines, quest
 LoadBounds enclose_load(const Question& q) {
   const LoadLines& load = *q.load;
   LoadBounds bounds;
-  for (std::size_t i = 0; i < q.rows; ++i)
-    add_limits(enclosure(q, load.least[i]), enclosure(q, load.largest[i]), bounds);
+  for (std::size_t i = 0; i < q.rows; ++i) {
+    bounds.is_free.push_back(load.least[i] == kNoNode);
+    if (bounds.is_free.back())
+      add_limits(point(0.0), point(0.0), bounds);
+    else
+      add_limits(enclosure(q, load.least[i]), enclosure(q, load.largest[i]), bounds);
+  }
   bounds.corners.emplace_back();
   for (std::size_t j = 0; j < q.columns; ++j)
     add_component(enclosure(q, load.middle[j]), nonnegative(q, load.spread[j]), bounds);

@@ -16,6 +16,7 @@ void read_load_lines(Lines& lines, Question& question);
 struct LoadBounds {
   std::vector<Interval> certain;   ///< by row: forces in it are within the limits
   std::vector<Interval> possible;  ///< by row: forces outside it are beyond a limit
+  std::vector<bool> is_free;       ///< by row: the force has no limits; both are [0, 0]
   std::vector<Interval> middle;    ///< by column
   std::vector<Interval> spread;    ///< by column, ≥ 0
   struct Ball {

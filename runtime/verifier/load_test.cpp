@@ -53,9 +53,29 @@ bool LoadTest::enclose(const Box& box) {
                      [](const Intervals& corner) { return is_moderate(corner); });
 }
 
+double LoadTest::length_of_row(std::size_t row) const {
+  double length = 0.0;
+  for (std::size_t j = 0; j < n_; ++j) length = std::hypot(length, mid(A(row, j)));
+  return length;
+}
+
+/// Rows without limits are long: their forces cost nothing.
+void LoadTest::weigh_free_rows() {
+  constexpr double kMuchLonger = 1024.0;
+  double longest = 0.0;
+  for (std::size_t i = 0; i < m_; ++i)
+    if (!bounds_.is_free[i]) longest = std::max(longest, weight_[i] * length_of_row(i));
+  for (std::size_t i = 0; i < m_; ++i) {
+    if (!bounds_.is_free[i]) continue;
+    const double own = length_of_row(i);
+    weight_[i] = own > 0.0 && longest > 0.0 ? kMuchLonger * longest / own : 1.0;
+  }
+}
+
 /// Finds K for rows in units of the ranges of the forces: it shares a change of the load among them.
 bool LoadTest::find_inverse() {
-  scaled_ = {m_, n_, Doubles(m_ * n_), {}};
+  weigh_free_rows();
+  scaled_ = {m_, n_, Doubles(m_ * n_), {}, bounds_.is_free};
   for (std::size_t e = 0; e < m_ * n_; ++e)
     scaled_.B[e] = weight_[e / n_] * mid(slopes_.entries()[e]);
   if (!is_moderate(scaled_.B) || !approx_left_inverse(scaled_.B, m_, n_, scaled_.inverse))
@@ -130,7 +150,8 @@ bool LoadTest::is_within_limits(const Doubles& forces, const Intervals& residual
       for (std::size_t j = 0; j < n_; ++j) force = force + K(j, i) * slope[j];
       const double part = times_ru(mag(force), slopes_.radius(s));
       moving[i] = plus_ru(moving[i], part);
-      if (weight_[i] > 0.0) impact_[slopes_.of()[s].variable] += part / weight_[i];
+      if (weight_[i] > 0.0 && !bounds_.is_free[i])
+        impact_[slopes_.of()[s].variable] += part / weight_[i];
     }
   }
   const Doubles correction = bound_correction(of_residual);
@@ -139,6 +160,7 @@ bool LoadTest::is_within_limits(const Doubles& forces, const Intervals& residual
     Interval force = point(forces[i]) + symmetric(moving[i]) + symmetric(ball_force(i));
     for (std::size_t j = 0; j < n_; ++j)
       force = force + K(j, i) * (residual[j] + symmetric(correction[j]));
+    if (bounds_.is_free[i]) continue;
     if (!(bounds_.certain[i].lo <= force.lo && force.hi <= bounds_.certain[i].hi)) return false;
   }
   return true;
@@ -178,35 +200,85 @@ double LoadTest::ball_force(std::size_t row) const {
 bool LoadTest::is_not_held(const Intervals& wrench) {
   const Doubles direction = middle_forces(wrench).direction;
   if (!is_moderate(direction)) return false;
-  return possible_along(direction).hi < needed_along(direction).lo;
+  const Intervals y = without_free_forces(direction);
+  return !y.empty() && possible_along(y).hi < needed_along(y).lo;
+}
+
+/// Encloses an entry of A over the box.
+Interval LoadTest::entry_over_box(std::size_t row, std::size_t column) const {
+  Interval value = A(row, column);
+  for (std::size_t s = 0; s < slopes_.of().size(); ++s) {
+    const auto& entries = slopes_.of()[s].entries;
+    for (std::size_t e = 0; e < entries.size(); ++e)
+      if (entries[e].row == row && entries[e].column == column)
+        value = value + symmetric(times_ru(mag(slopes_.slope(s, e)), slopes_.radius(s)));
+  }
+  return value;
+}
+
+/// Encloses, at each point of the box, y − Sz with Fy = FSz, for the rows F without limits and S of K:
+/// |z| ≤ max|WFy|/(1 − p), |I − WFS| ≤ p. Empty if p is not small.
+LoadTest::Intervals LoadTest::without_free_forces(const Doubles& near) const {
+  constexpr double kSmall = 0.5;
+  Intervals y(n_);
+  for (std::size_t j = 0; j < n_; ++j) y[j] = point(near[j]);
+  double residual = 0.0, contraction = 0.0;
+  for (std::size_t f = 0; f < m_; ++f) {
+    if (!bounds_.is_free[f]) continue;
+    Intervals row(n_);
+    Interval power;
+    for (std::size_t j = 0; j < n_; ++j) {
+      row[j] = weight_[f] * entry_over_box(f, j);
+      power = power + near[j] * row[j];
+    }
+    double sum = 0.0;
+    for (std::size_t g = 0; g < m_; ++g) {
+      if (!bounds_.is_free[g]) continue;
+      Interval product = point(f == g ? -1.0 : 0.0);
+      for (std::size_t j = 0; j < n_; ++j) product = product + scaled_.inverse[g * n_ + j] * row[j];
+      sum = plus_ru(sum, mag(product));
+    }
+    if (!(mag(power) <= kLargest) || !(sum <= kSmall)) return {};
+    residual = std::max(residual, mag(power));
+    contraction = std::max(contraction, sum);
+  }
+  if (!(residual > 0.0)) return y;
+  const double z = up(residual / down(1.0 - contraction));
+  for (std::size_t j = 0; j < n_; ++j)
+    for (std::size_t g = 0; g < m_; ++g)
+      if (bounds_.is_free[g])
+        y[j] = y[j] + symmetric(times_ru(std::fabs(scaled_.inverse[g * n_ + j]), z));
+  return y;
 }
 
 /// Encloses the greatest yᵀw of the load.
-Interval LoadTest::needed_along(const Doubles& y) const {
+Interval LoadTest::needed_along(const Intervals& y) const {
   Interval sum;
   for (std::size_t j = 0; j < n_; ++j)
-    sum = sum + y[j] * bounds_.middle[j] + std::fabs(y[j]) * bounds_.spread[j];
+    sum = sum + y[j] * bounds_.middle[j] + Interval{mig(y[j]), mag(y[j])} * bounds_.spread[j];
   for (const LoadBounds::Ball& ball : bounds_.balls) {
     Interval squares;
-    for (const std::size_t j : ball.members) squares = squares + square(point(y[j]));
+    for (const std::size_t j : ball.members) squares = squares + square(y[j]);
     sum = sum + ball.radius * sqrt(squares);
   }
   return sum;
 }
 
 /// Encloses (A(c)y)_i.
-Interval LoadTest::along(std::size_t row, const Doubles& y) const {
+Interval LoadTest::along(std::size_t row, const Intervals& y) const {
   Interval sum;
   for (std::size_t j = 0; j < n_; ++j) sum = sum + y[j] * A(row, j);
   return sum;
 }
 
-/// Bounds the greatest fᵀAy of forces within the limits, at every point of the box.
-Interval LoadTest::possible_along(const Doubles& y) {
+/// Bounds the greatest fᵀAy of forces within the limits, at every point of the box. Forces without
+/// limits have no power along y.
+Interval LoadTest::possible_along(const Intervals& y) {
   Intervals a(m_);
   Doubles spread(m_), attained(m_);
   Interval sum;
   for (std::size_t i = 0; i < m_; ++i) {
+    if (bounds_.is_free[i]) continue;
     a[i] = along(i, y);
     attained[i] = mid(a[i]) > 0.0 ? bounds_.possible[i].hi : bounds_.possible[i].lo;
     sum = sum + attained[i] * a[i];
@@ -219,6 +291,7 @@ Interval LoadTest::possible_along(const Doubles& y) {
       by_row[slope.row] = by_row[slope.row] + y[slope.column] * slopes_.slope(s, e);
     }
     for (std::size_t i = 0; i < m_; ++i) {
+      if (bounds_.is_free[i]) continue;
       together = together + attained[i] * by_row[i];
       spread[i] = plus_ru(spread[i], times_ru(mag(by_row[i]), slopes_.radius(s)));
     }
@@ -227,6 +300,7 @@ Interval LoadTest::possible_along(const Doubles& y) {
     impact_[slopes_.of()[s].variable] += part;
   }
   for (std::size_t i = 0; i < m_; ++i) {
+    if (bounds_.is_free[i]) continue;
     const Interval limits = bounds_.possible[i];
     const double other = attained[i] == limits.hi ? limits.lo : limits.hi;
     const Interval gain = (point(other) - point(attained[i])) * (a[i] + symmetric(spread[i]));

@@ -39,9 +39,13 @@ class LoadTest {
   [[nodiscard]] std::vector<double> bound_correction(const std::vector<double>& residual) const;
   [[nodiscard]] double ball_force(std::size_t row) const;
   [[nodiscard]] bool is_not_held(const Intervals& wrench);
-  [[nodiscard]] Interval needed_along(const std::vector<double>& direction) const;
-  [[nodiscard]] Interval possible_along(const std::vector<double>& direction);
-  [[nodiscard]] Interval along(std::size_t row, const std::vector<double>& direction) const;
+  [[nodiscard]] double length_of_row(std::size_t row) const;
+  void weigh_free_rows();
+  [[nodiscard]] Interval entry_over_box(std::size_t row, std::size_t column) const;
+  [[nodiscard]] Intervals without_free_forces(const std::vector<double>& near) const;
+  [[nodiscard]] Interval needed_along(const Intervals& direction) const;
+  [[nodiscard]] Interval possible_along(const Intervals& direction);
+  [[nodiscard]] Interval along(std::size_t row, const Intervals& direction) const;
 
   [[nodiscard]] Interval A(std::size_t i, std::size_t j) const { return slopes_.entry(i, j); }
   [[nodiscard]] double K(std::size_t j, std::size_t i) const { return K_[i * n_ + j]; }
@@ -49,7 +53,8 @@ class LoadTest {
   const Variety& variety_;
   const LoadBounds bounds_;
   const std::size_t m_, n_;
-  std::vector<double> weight_;  ///< half of the range of each force; 0: the force is given
+  std::vector<double> weight_;  ///< half of the range of each force, 0: the force is given; without
+                                ///< limits, for one box: large
   MatrixSlopes slopes_;
   Outside outside_;
 

@@ -13,12 +13,13 @@ constexpr double kCentred = 0.1;    ///< Newton decrement at which the next weig
 
 using Doubles = std::vector<double>;
 
-/// u = u0 + Πz with Π = I − B·B⁺, whose image has Bᵀu = 0; |u_i| < s for every free force i. The
+/// u = u0 + Πz with Π = I − B·B⁺, whose image has Bᵀu = 0; |u_i| < s for every force i that is neither given nor
+/// without limits. The
 /// barrier is weight·s − Σ log(s² − u_i²).
 class Barrier {
  public:
   Barrier(const ScaledRows& scaled, Doubles u0)
-      : m_(scaled.rows), u_(std::move(u0)), projector_(m_ * m_), is_free_(m_) {
+      : m_(scaled.rows), u_(std::move(u0)), projector_(m_ * m_), counts_(m_) {
     const std::size_t n = scaled.columns;
     for (std::size_t i = 0; i < m_; ++i)
       for (std::size_t k = 0; k < m_; ++k) {
@@ -28,7 +29,7 @@ class Barrier {
       }
     for (std::size_t i = 0; i < m_; ++i)
       for (std::size_t j = 0; j < n; ++j)
-        if (scaled.B[i * n + j] != 0.0) is_free_[i] = true;
+        if (scaled.B[i * n + j] != 0.0 && !scaled.has_no_limits[i]) counts_[i] = true;
     s_ = 2 * largest();
   }
 
@@ -43,13 +44,13 @@ class Barrier {
   [[nodiscard]] Doubles multipliers() const {
     Doubles result(m_);
     for (std::size_t i = 0; i < m_; ++i)
-      if (is_free_[i]) result[i] = 1 / (s_ - u_[i]) - 1 / (s_ + u_[i]);
+      if (counts_[i]) result[i] = 1 / (s_ - u_[i]) - 1 / (s_ + u_[i]);
     return result;
   }
   [[nodiscard]] double largest() const {
     double most = 0;
     for (std::size_t i = 0; i < m_; ++i)
-      if (is_free_[i]) most = std::max(most, std::fabs(u_[i]));
+      if (counts_[i]) most = std::max(most, std::fabs(u_[i]));
     return most;
   }
 
@@ -59,7 +60,7 @@ class Barrier {
     Doubles slope(m_), curvature(m_, 1.0), mixed(m_);
     double slope_of_s = weight, curvature_of_s = 0;
     for (std::size_t i = 0; i < m_; ++i) {
-      if (!is_free_[i]) continue;
+      if (!counts_[i]) continue;
       const double above = 1 / (s_ - u_[i]), below = 1 / (s_ + u_[i]);
       slope[i] = above - below;
       curvature[i] = above * above + below * below;
@@ -108,7 +109,7 @@ class Barrier {
   Doubles u_;
   double s_ = 0;
   Doubles projector_;
-  std::vector<bool> is_free_;
+  std::vector<bool> counts_;
 };
 
 }  // namespace
@@ -122,9 +123,11 @@ MiddleForces approx_middle_forces(const ScaledRows& scaled, const std::vector<do
   for (const double u : u0) unit = std::max(unit, std::fabs(u));
   MiddleForces result{u0, Doubles(n)};
   if (m == n || !(unit > 0)) {
-    const auto far = std::max_element(
-        u0.begin(), u0.end(), [](double a, double b) { return std::fabs(a) < std::fabs(b); });
-    multipliers[std::size_t(far - u0.begin())] = *far < 0 ? -1 : 1;
+    std::size_t far = 0;
+    double most = -1;
+    for (std::size_t i = 0; i < m; ++i)
+      if (!scaled.has_no_limits[i] && std::fabs(u0[i]) > most) most = std::fabs(u0[far = i]);
+    multipliers[far] = u0[far] < 0 ? -1 : 1;
   } else {
     for (double& u : u0) u /= unit;
     Barrier barrier(scaled, u0);

@@ -12,8 +12,9 @@ namespace regulus::verifier {
 /// within the limits are offsets u with |u_i| ≤ 1. A row of zeros means a force that is given.
 struct ScaledRows {
   std::size_t rows = 0, columns = 0;
-  std::vector<double> B;  ///< row by row
-  Matrix inverse;         ///< columns × rows, the pseudo-inverse of B
+  std::vector<double> B;            ///< row by row
+  Matrix inverse;                   ///< columns × rows, the pseudo-inverse of B
+  std::vector<bool> has_no_limits;  ///< by row: |u_i| does not count
 };
 
 struct MiddleForces {

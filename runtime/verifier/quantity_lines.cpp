@@ -63,7 +63,7 @@ class QuantityReader {
     if (is_of({format::kError, format::kDeflection, format::kCondition})) read_columns();
     if (is_of({format::kForce, format::kSpeed, format::kDeflection})) read_set();
     if (is_of({format::kError})) quantity_.errors = lines_.list("motor-error", q_.rows);
-    if (is_of({format::kDeflection})) quantity_.stiffness = lines_.list("stiffness", q_.rows);
+    if (is_of({format::kDeflection})) read_stiffness();
     if (is_of({format::kSigmaMin, format::kSigmaMax, format::kCondition, format::kCondition2}))
       quantity_.factors = lines_.list("factor", q_.columns);
     if (is_of({format::kSigmaMin, format::kDeflection}) && lines_.is("combined")) read_combined();
@@ -134,6 +134,15 @@ class QuantityReader {
     require_one_spread(set);
     if (is_speed && lines_.is("norms")) {
       quantity_.has_norms = true;
+      lines_.advance();
+    }
+  }
+
+  void read_stiffness() {
+    for (std::size_t i = 0; i < q_.rows; ++i) {
+      const std::string_view text = lines_.rest_of("stiffness");
+      const bool is_rigid = text == format::kRigid;
+      quantity_.stiffness.push_back(is_rigid ? kNoNode : lines_.constant("stiffness", i, text));
       lines_.advance();
     }
   }

@@ -88,7 +88,7 @@ struct VectorSetLines {
 /// The load of a claim about forces, and the limits of the forces: constant expressions.
 struct LoadLines : VectorSetLines {
   std::string verdict;                 ///< FEASIBLE, INFEASIBLE or PAVING
-  std::vector<NodeId> least, largest;  ///< by row
+  std::vector<NodeId> least, largest;  ///< by row; kNoNode: the force has no limits
 };
 
 /// A quantity and its bound: FORMAT.md, "Bounds of quantities". Numbers are constant expressions.
@@ -102,7 +102,7 @@ struct QuantityLines {
   bool has_norms = false;              ///< of a speed: the balls of the set enter as norms
   std::vector<NodeId> errors;          ///< of the motors, by row
   std::vector<NodeId> speeds;          ///< the same
-  std::vector<NodeId> stiffness;       ///< by row
+  std::vector<NodeId> stiffness;       ///< by row; kNoNode: it gives way to no force
   std::vector<NodeId> factors;         ///< by column: C of J⁻¹C
   std::vector<NodeId> least, largest;  ///< over a branch: the limits of the forces, by motor
   std::vector<Rational> combined;      ///< a regular matrix, row-major; empty: none

@@ -79,12 +79,14 @@ class LoadsInDegrees : public testing::Test {
 };
 
 TEST_F(LoadsInDegrees, AreRefused) {
-  for (const char* quantity : {"force", "deflection", "condition"}) {
+  for (const char* quantity : {"force", "deflection", "condition", "determinant"}) {
     const CommandResult result = run_command({kCommand, "bound", model_, "turn", quantity});
     EXPECT_EQ(result.exit_code, 64);
-    EXPECT_THAT(result.errors, HasSubstr("'theta' is in degrees"));
+    EXPECT_THAT(result.errors, HasSubstr("is in degrees"));
   }
-  for (const char* quantity : {"error", "speed", "determinant"})
+  EXPECT_THAT(run_command({kCommand, "check", model_, "turn", "--alpha", "0.001"}).errors,
+              HasSubstr("alpha: 'phi' is in degrees"));
+  for (const char* quantity : {"error", "speed"})
     EXPECT_EQ(run_command({kCommand, "bound", model_, "turn", quantity}).exit_code, 0) << quantity;
 }
 

@@ -27,6 +27,9 @@ std::string load_lines(const Model& model, const VectorSet& load) {
   std::string text = "load " + load.name + '\n' + vector_lines(load);
   for (const Range& limit : model.actuators.force)
     text += "limits " + expression_text(limit.lo) + " : " + expression_text(limit.hi) + '\n';
+  if (!model.closure)
+    for (std::size_t i = model.actuators.force.size(); i < model.matrix.rows(); ++i)
+      text += std::string("limits ") + format::kFree + '\n';
   return text;
 }
 

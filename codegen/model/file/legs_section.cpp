@@ -351,6 +351,10 @@ class LegsReader {
       for (unsigned j = 0; j < columns; ++j) model.matrix(i, j) = of_the_matrix(rows[i].entries[j]);
       model.row_scale.push_back(of_the_matrix(rows[i].scale));
     }
+    model.motors.emplace();
+    for (const LegRow& row : rows)
+      if (row.motor)
+        model.motors->push_back({row.leg + 1, is_angle(robot_.legs[row.leg]) ? "rad" : unit_});
   }
 
   void describe(std::size_t legs, const std::vector<LegRow>& rows) {

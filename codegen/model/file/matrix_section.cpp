@@ -68,15 +68,29 @@ void read_row_scale(ModelReading& reading, const TomlEntry& entry) {
   }
 }
 
+/// The number of rows that motors drive; they come first.
+void read_motors(ModelReading& reading, const TomlEntry& entry) {
+  const std::size_t rows = reading.model.matrix.rows();
+  const auto* const number = entry.node->as_integer();
+  if (!number || number->get() < 1 || std::size_t(number->get()) > rows)
+    reading.toml.refuse(entry,
+                        "the number of rows that motors drive, 1 to " + std::to_string(rows));
+  reading.model.motors.emplace();
+  for (std::size_t i = 1; i <= std::size_t(number->get()); ++i)
+    reading.model.motors->push_back({i, ""});
+}
+
 }  // namespace
 
 void read_matrix(ModelReading& reading, const TomlEntry& matrix) {
-  static const std::array<std::string, 5> kKeys = {"rows", "row_scale", "twist", "reduced",
-                                                   "edited"};
+  static const std::array<std::string, 6> kKeys = {"rows",    "row_scale", "twist",
+                                                   "reduced", "edited",    "motors"};
   (void)reading.toml.entries(matrix, kKeys);
   read_rows(reading, reading.toml.required(matrix, "rows"));
   const TomlEntry scale = reading.toml.optional(matrix, "row_scale");
   if (scale.node) read_row_scale(reading, scale);
+  const TomlEntry motors = reading.toml.optional(matrix, "motors");
+  if (motors.node) read_motors(reading, motors);
   const TomlEntry twist = reading.toml.optional(matrix, "twist");
   if (twist.node) read_twist_names(reading, twist);
   const TomlEntry reduced = reading.toml.optional(matrix, "reduced");

@@ -67,6 +67,8 @@ void add_pose_of_gough(Model& model, const Gough& robot) {
 void add_matrix_of_gough(Model& model, const Gough& robot) {
   const ScaledRotation R = rotation(model, robot.orientation);
   model.twist = twist_of_platform(robot.unit);
+  model.motors.emplace();
+  for (std::size_t leg = 1; leg <= 6; ++leg) model.motors->push_back({leg, robot.unit});
   model.matrix = GiNaC::matrix(6, 6);
   for (unsigned leg = 0; leg < 6; ++leg)
     set_leg(model, leg, R, robot.base[leg], robot.platform[leg]);

@@ -75,8 +75,10 @@ class LegWriter {
   LegWriter(const Legs& robot, std::size_t index, WrittenLegs& out)
       : robot_(robot),
         leg_(robot.legs[index]),
+        index_(index),
         number_(std::to_string(index + 1)),
         axes_(robot.planar ? 2 : 3),
+        first_row_(out.rows.size()),
         out_(out) {}
 
   void write() {
@@ -93,6 +95,7 @@ class LegWriter {
         break;
     }
     if (leg_.type->is_hinged) write_hinge();
+    for (std::size_t i = first_row_; i < out_.rows.size(); ++i) out_.rows[i].leg = index_;
     note_points();
   }
 
@@ -340,8 +343,9 @@ class LegWriter {
 
   const Legs& robot_;
   const Leg& leg_;
+  std::size_t index_;
   std::string number_;
-  std::size_t axes_;
+  std::size_t axes_, first_row_;
   WrittenLegs& out_;
   FormulaPoint from_base_, r_, e_, d_;
   Formula w_;

@@ -79,7 +79,8 @@ struct Legs {
 struct LegRow {
   std::vector<Formula> entries;
   Formula scale;
-  bool motor = true;  ///< false: of a constraint
+  bool motor = true;    ///< false: of a constraint
+  std::size_t leg = 0;  ///< index of its leg
 };
 
 /// The joints of a leg from the base to the platform: A, C and B, or A and B.

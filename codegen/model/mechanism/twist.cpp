@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "codegen/model/degrees.hpp"
+#include "codegen/model/mechanism/motor_rows.hpp"
 
 namespace regulus::detail {
 namespace {
@@ -12,9 +13,11 @@ bool is_angle(const PoseParameter& p) { return p.unit == "rad" || is_in_degrees(
 
 /// True if all motors have coordinates in this unit. The motors of a closure move its pose parameters.
 bool are_all_in(const Model& model, const std::string& unit) {
-  if (!model.closure)
-    return std::ranges::all_of(model.actuators.units,
-                               [&](const std::string& u) { return u == unit; });
+  if (!model.closure) {
+    for (std::size_t i = 0; i < motor_count(model); ++i)
+      if (unit_of_coordinate(model, i) != unit) return false;
+    return true;
+  }
   return std::ranges::all_of(
       model.pose, [&](const PoseParameter& p) { return (is_angle(p) ? "rad" : p.unit) == unit; });
 }
@@ -23,9 +26,12 @@ bool are_all_in(const Model& model, const std::string& unit) {
 std::string force_unit_of(const Model& model) {
   const std::string &unit = model.actuators.force_unit, length = length_unit(model),
                     turned = " " + length;
-  if (are_all_in(model, length)) return unit;
-  const bool is_torque = are_all_in(model, "rad") && unit.ends_with(turned);
-  return is_torque ? unit.substr(0, unit.size() - turned.size()) : "1";
+  const bool has_torque_unit = unit.ends_with(turned);
+  if (are_all_in(model, length)) return has_torque_unit ? "1" : unit;
+  const bool all_turn = are_all_in(model, "rad"), has_legs = knows_which_motors_turn(model);
+  if (has_torque_unit && (all_turn || has_legs)) return unit.substr(0, unit.size() - turned.size());
+  // Of motors that turn, a unit that the model does not name is that of the forces.
+  return has_legs && (!model.actuators.has_force_unit || !all_turn) ? unit : "1";
 }
 
 }  // namespace

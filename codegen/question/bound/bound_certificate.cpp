@@ -39,9 +39,10 @@ class BoundText {
         traits_.components == ComponentsOf::kNorms)
       put("column", words_.columns = columns());
     if (c_.set != nullptr) write_set();
-    if (traits_.data == NeededData::kMotorErrors) put_each("motor-error", model_.actuators.error);
+    if (traits_.data == NeededData::kMotorErrors)
+      put_each_row("motor-error", model_.actuators.error, "0");
     if (traits_.data == NeededData::kLoadAndStiffness)
-      put_each("stiffness", model_.actuators.stiffness);
+      put_each_row("stiffness", model_.actuators.stiffness, format::kRigid);
     if (traits_.compares_units) write_factors();
     if (bordered_.combination) write_combination();
     if (c_.expression) write_expression();
@@ -58,6 +59,13 @@ class BoundText {
 
   void put_each(const std::string& key, const std::vector<ex>& values) {
     for (const ex& value : values) put(key, expression_text(value));
+  }
+
+  /// The rows of constraints are not in the list.
+  void put_each_row(const std::string& key, const std::vector<ex>& values,
+                    const char* of_constraint) {
+    put_each(key, values);
+    for (std::size_t i = values.size(); i < model_.matrix.rows(); ++i) put(key, of_constraint);
   }
 
   /// Returns the number of the column, or of each column of the part of the pose.

@@ -60,10 +60,31 @@ void require_finite_errors(const Request& request, const Quantity& quantity) {
         "geometry tolerances");
 }
 
+namespace {
+
+/// Of a component in degrees a limit is a number of degrees. One limit with a degree in its text has two
+/// values if it is for components in degrees and for others.
+NumberUnit unit_of_limit(const std::string& text, const Place& place, const Quantity& quantity) {
+  const auto in_degrees = [](const Component& c) { return is_in_degrees(c.unit); };
+  if (std::ranges::none_of(quantity.components, in_degrees)) return NumberUnit::kPlain;
+  if (std::ranges::all_of(quantity.components, in_degrees)) return NumberUnit::kDegrees;
+  const bool is_plain = parse_constant(text, place, NumberUnit::kDegrees)
+                            .value.is_equal(parse_constant(text, place, NumberUnit::kPlain).value);
+  if (!is_plain)
+    throw UsageError("--limit: '" + text +
+                     "' is an angle, and not all of the bounded quantities are; choose one by "
+                     "--freedom, or write a number");
+  return NumberUnit::kPlain;
+}
+
+}  // namespace
+
 GiNaC::ex read_limit(const std::string& text, const Quantity& quantity) {
   GiNaC::ex limit;
-  from_option("--limit",
-              [&] { limit = parse_constant(text, {.file = "", .key = "--limit"}).value; });
+  from_option("--limit", [&] {
+    const Place place{.file = "", .key = "--limit"};
+    limit = parse_constant(text, place, unit_of_limit(text, place, quantity)).value;
+  });
   const bool must_be_positive =
       std::ranges::any_of(quantity.components, [](const Component& c) { return c.is_absolute; });
   if (must_be_positive && certain_sign(limit) != CertainSign::kPositive)

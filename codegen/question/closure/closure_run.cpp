@@ -10,6 +10,7 @@
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/closure_start.hpp"
 #include "codegen/question/engine/search_run.hpp"
+#include "codegen/question/quantity/quantity.hpp"
 
 namespace regulus::detail {
 namespace {
@@ -106,6 +107,7 @@ std::vector<Interval> enclose_ranges(const Closure& closure) {
 PreparedSystem prepare_system(Request request, double model_seconds, const SearchOptions& search,
                               const FormingWatch& watch, DerivativesBy by,
                               const std::vector<PoseParameter>& constants) {
+  if (!request.motion.alpha.is_zero()) require_determinant_of_radians(request.model, "alpha");
   PreparedSystem prepared;
   ClosedSystem system = close(request, by, constants);
   prepared.shape = system.shape;

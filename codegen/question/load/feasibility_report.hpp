@@ -18,7 +18,7 @@ struct LoadWords {
             const std::vector<Interval>& ranges)
       : preparation(of), load(name), force_unit(unit), limits(ranges) {}
   LoadWords(const PreparedForces& forces)
-      : LoadWords(forces.preparation, forces.load, forces.force_unit, forces.forces.certain) {}
+      : LoadWords(forces.preparation, forces.load, forces.force_unit, forces.limits) {}
 
   const PreparedSearch& preparation;
   const std::string &load, &force_unit;

@@ -2,6 +2,7 @@
 #include "codegen/question/load/feasibility_run.hpp"
 
 #include "codegen/answer/report/question_report.hpp"
+#include "codegen/model/mechanism/motor_rows.hpp"
 #include "codegen/model/mechanism/twist.hpp"
 #include "codegen/question/bound/bound_run.hpp"
 #include "codegen/question/engine/search_run.hpp"
@@ -18,6 +19,14 @@ SearchOptions with_derivatives(SearchOptions search) {
   return search;
 }
 
+/// Returns the unit of all limits; "1" if they have several.
+std::string force_unit_of_limits(const Model& model) {
+  const std::string unit = unit_of_motor_force(model, 0);
+  for (std::size_t i = 0; i < model.actuators.force.size(); ++i)
+    if (unit_of_motor_force(model, i) != unit) return "1";
+  return unit;
+}
+
 }  // namespace
 
 /// Formulas are left out: their terms may have another order in another process. No claim rests on
@@ -30,8 +39,7 @@ nlohmann::ordered_json checkpointed_question(const PreparedForces& prepared,
   question.erase("constraints_exact");
   question["load"] = json_vector_set(
       prepared.set(), units_of_wrench(prepared.request.model, twist_of(prepared.request.model)));
-  for (const Interval& limit : prepared.forces.certain)
-    question["forces"].push_back({limit.lo, limit.hi});
+  for (const Interval& limit : prepared.limits) question["forces"].push_back({limit.lo, limit.hi});
   question["paves"] = settings.paves;
   question["least_width"] = settings.min_relative_width;
   return question;
@@ -53,7 +61,8 @@ PreparedForces prepare_forces(Request request, double model_seconds, const std::
   PreparedForces prepared;
   const VectorSet& set = choose_load(request.model, load);
   prepared.load = set.name;
-  prepared.force_unit = request.model.actuators.force_unit;
+  prepared.force_unit = force_unit_of_limits(request.model);
+  prepared.limits = certain_limits(request.model);
   prepared.forces = force_problem(request.model, set);
   prepared.search = search;
   prepared.request = request;

@@ -19,6 +19,7 @@ struct PreparedForces {
   Request request;             ///< with the row scales of the model, without a threshold
   std::string load;            ///< name
   std::string force_unit;
+  std::vector<Interval> limits;  ///< forces certainly within them, by row, without free forces
   ForceProblem forces;
   MatrixScaling scaling;
   SearchOptions search;

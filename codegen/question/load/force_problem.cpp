@@ -56,6 +56,11 @@ ForceProblem force_problem(const Model& model, const VectorSet& load) {
     const Interval upper = enclose_constant(limit.hi, "the largest force");
     problem.possible.push_back(hull(lower, upper));
   }
+  // No motor drives the rows after the list: a constraint takes any force.
+  problem.is_free.assign(problem.rows, false);
+  for (std::size_t i = problem.certain.size(); i < problem.rows; ++i) problem.is_free[i] = true;
+  problem.certain.resize(problem.rows, kEntire);
+  problem.possible.resize(problem.rows, kEntire);
   std::size_t ranges = 0;
   for (const GeometryParameter& c : load.entries) ranges += c.ball < 0 && !c.tolerance.is_zero();
   if (ranges > kMostLoadRanges)

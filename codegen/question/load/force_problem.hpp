@@ -17,8 +17,8 @@ struct LoadBall {
   Interval radius;  ///< encloses it
 };
 
-/// Forces f of the motors, one for each row of J⁻¹, hold a wrench w if J⁻ᵀ… f = w, that is,
-/// (J⁻¹)ᵀf = w.
+/// Forces f, one for each row of J⁻¹, hold a wrench w if (J⁻¹)ᵀf = w. Those of motors have limits, those
+/// of passive constraints are free.
 ///
 /// The load is the set of all sums of a point of the convex hull of `corners` and a point of each
 /// ball. The forces may depend on the load. The loads that some forces within the limits hold at a
@@ -28,6 +28,7 @@ struct ForceProblem {
   std::size_t rows = 0, columns = 0;
   std::vector<Interval> certain;               ///< by row: forces in it are within the limits
   std::vector<Interval> possible;              ///< by row: forces outside it are beyond a limit
+  std::vector<bool> is_free;                   ///< by row: there is no limit; both are everything
   std::vector<std::vector<Interval>> corners;  ///< each encloses a wrench
   std::vector<LoadBall> balls;
 };
@@ -35,8 +36,8 @@ struct ForceProblem {
 /// A load that varies in more components is refused, because its corners would be too many.
 inline constexpr std::size_t kMostLoadRanges = 10;
 
-/// Returns forces that are certainly within the limits, by motor. Throws UsageError if the model gives
-/// none.
+/// Returns forces that are certainly within the limits, by row, of the rows that have limits: those of
+/// motors come first. Throws UsageError if the model gives none.
 [[nodiscard]] std::vector<Interval> certain_limits(const Model& model);
 
 /// Throws    UsageError if the model gives no limits of force, or the load has too many ranges.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "codegen/question/load/along_direction.hpp"
 #include "codegen/question/load/greatest_slack.hpp"
 
 namespace regulus::detail {
@@ -25,7 +26,9 @@ class BoxDecision {
 
   ForceDecision run() {
     for (std::size_t i = 0; i < m_; ++i)
-      weight_.push_back(problem_.certain[i].hi / 2 - problem_.certain[i].lo / 2);
+      weight_.push_back(
+          problem_.is_free[i] ? 1.0 : problem_.certain[i].hi / 2 - problem_.certain[i].lo / 2);
+    weigh_free_rows();
     decision_.impact.assign(box_.radius.size(), 0);
     if (!precondition()) return decision_;
     bound_error();
@@ -54,6 +57,27 @@ class BoxDecision {
   }
   [[nodiscard]] double K(std::size_t j, std::size_t i) const { return inverse_[j * m_ + i]; }
   [[nodiscard]] std::size_t parameters() const { return box_.radius.size(); }
+
+  [[nodiscard]] double middle(std::size_t i) const {
+    return problem_.is_free[i] ? 0.0 : mid(problem_.certain[i]);
+  }
+
+  [[nodiscard]] double length_of_row(std::size_t i) const {
+    double length = 0;
+    for (std::size_t j = 0; j < n_; ++j) length = std::hypot(length, weight_[i] * mid(A(i, j)));
+    return length;
+  }
+
+  /// Free rows are long, so that a change of the load costs their forces nothing.
+  void weigh_free_rows() {
+    constexpr double kMuchLonger = 1e3;
+    double longest = 0;
+    for (std::size_t i = 0; i < m_; ++i)
+      if (!problem_.is_free[i]) longest = std::fmax(longest, length_of_row(i));
+    for (std::size_t i = 0; i < m_; ++i)
+      if (const double own = length_of_row(i); problem_.is_free[i] && own > 0 && longest > 0)
+        weight_[i] = kMuchLonger * longest / own;
+  }
 
   /// Finds K and the null space for A with rows in units of the ranges of the forces.
   [[nodiscard]] bool precondition() {
@@ -122,10 +146,11 @@ class BoxDecision {
     Doubles normals, bounds;
     for (std::size_t i = 0; i < m_; ++i)
       for (const int side : {-1, 1}) {
-        const bool is_free = weight_[i] > 0;  // otherwise the force is given
+        // Otherwise the force is given, or has no limit.
+        const bool is_bound = weight_[i] > 0 && !problem_.is_free[i];
         for (std::size_t d = 0; d < k; ++d)
-          normals.push_back(is_free ? side * null_space_[i * k + d] : 0);
-        bounds.push_back(is_free ? 1 - reserve[i] / weight_[i] - side * start[i] : kFarBound);
+          normals.push_back(is_bound ? side * null_space_[i * k + d] : 0);
+        bounds.push_back(is_bound ? 1 - reserve[i] / weight_[i] - side * start[i] : kFarBound);
       }
     slack_ = approx_greatest_slack(normals, k, bounds);
     if (!slack_) return std::nullopt;
@@ -133,7 +158,7 @@ class BoxDecision {
     for (std::size_t i = 0; i < m_; ++i) {
       double offset = start[i];
       for (std::size_t d = 0; d < k; ++d) offset += null_space_[i * k + d] * slack_->z[d];
-      forces[i] = std::clamp(mid(problem_.certain[i]) + weight_[i] * offset, -1e300, 1e300);
+      forces[i] = std::clamp(middle(i) + weight_[i] * offset, -1e300, 1e300);
     }
     return forces;
   }
@@ -144,7 +169,7 @@ class BoxDecision {
     Doubles offsets(m_, 0.0);
     for (std::size_t j = 0; j < n_; ++j) {
       double missing = mid(w[j]);
-      for (std::size_t i = 0; i < m_; ++i) missing -= mid(A(i, j)) * mid(problem_.certain[i]);
+      for (std::size_t i = 0; i < m_; ++i) missing -= mid(A(i, j)) * middle(i);
       for (std::size_t i = 0; i < m_; ++i) offsets[i] += scaled_inverse_[j * m_ + i] * missing;
     }
     return offsets;
@@ -258,7 +283,8 @@ class BoxDecision {
       Interval along(0.0);
       for (std::size_t j = 0; j < n_; ++j) along += Interval(K(j, i)) * slopes[k * n_ + j];
       const double part = mul_ru(mag(along), box_.radius[k]);
-      if (weight_[i] > 0) decision_.impact[k] = std::fmax(decision_.impact[k], part / weight_[i]);
+      if (weight_[i] > 0 && !problem_.is_free[i])
+        decision_.impact[k] = std::fmax(decision_.impact[k], part / weight_[i]);
       sum = add_ru(sum, part);
     }
     return sum;
@@ -273,6 +299,7 @@ class BoxDecision {
   [[nodiscard]] bool is_within(std::size_t i, double f0, const Interval& change,
                                const Doubles& correction) const {
     if (correction.empty()) return false;
+    if (problem_.is_free[i]) return true;
     const Interval force = Interval(f0) + change + symmetric(correction_force(i, correction));
     return certain_subset(force, problem_.certain[i]);
   }
@@ -285,65 +312,21 @@ class BoxDecision {
       for (std::size_t j = 0; j < n_; ++j) y[j] -= scaled_inverse_[j * m_ + i] * a;
     }
     if (!std::ranges::all_of(y, [](double x) { return std::isfinite(x); })) return;
-    const Interval needed = needed_along(corner, y);
-    Doubles attained(m_);
-    for (std::size_t i = 0; i < m_; ++i)
-      attained[i] = mid(along(i, y)) > 0 ? problem_.possible[i].hi : problem_.possible[i].lo;
-    const Interval possible = possible_along(y, attained, false);
+    const AlongDirection at_center(problem_, box_, weight_, scaled_inverse_, y, false);
+    if (!at_center.is_found()) return;
+    const Interval needed = at_center.needed(corner), possible = at_center.possible();
     if (!certain_less(possible, needed)) return;
     decision_.shortage = Shortage{corner, y, needed, possible};
-    if (certain_less(possible_along(y, attained, true), needed))
+    const AlongDirection over_box(problem_, box_, weight_, scaled_inverse_, y, true);
+    if (over_box.is_found() && certain_less(over_box.possible(), over_box.needed(corner)))
       decision_.kind = ForceDecision::Kind::kNotHeld;
-  }
-
-  /// Encloses yᵀw for the load at the corner that needs most.
-  [[nodiscard]] Interval needed_along(std::size_t corner, const Doubles& y) const {
-    Interval needed(0.0);
-    for (std::size_t j = 0; j < n_; ++j) needed += problem_.corners[corner][j] * Interval(y[j]);
-    for (const LoadBall& ball : problem_.balls) {
-      Interval squares(0.0);
-      for (const std::size_t j : ball.members) squares += sqr(Interval(y[j]));
-      needed += ball.radius * sqrt(squares);
-    }
-    return needed;
-  }
-
-  /// Encloses (A(c)y)_i.
-  [[nodiscard]] Interval along(std::size_t i, const Doubles& y) const {
-    Interval sum(0.0);
-    for (std::size_t j = 0; j < n_; ++j) sum += A(i, j) * Interval(y[j]);
-    return sum;
-  }
-
-  /// Encloses max fᵀAy over the box, or at c; `attained`: the limits that are attained at c.
-  [[nodiscard]] Interval possible_along(const Doubles& y, const Doubles& attained,
-                                        bool over_box) const {
-    Interval sum(0.0);
-    for (std::size_t i = 0; i < m_; ++i) sum += Interval(attained[i]) * along(i, y);
-    Doubles spread(m_, 0.0);
-    for (std::size_t k = 0; over_box && k < parameters(); ++k) {
-      Interval together(0.0);
-      for (std::size_t i = 0; i < m_; ++i) {
-        Interval one(0.0);
-        for (std::size_t j = 0; j < n_; ++j) one += slope(k, i, j) * Interval(y[j]);
-        together += Interval(attained[i]) * one;
-        spread[i] = add_ru(spread[i], mul_ru(mag(one), box_.radius[k]));
-      }
-      sum += symmetric(mul_ru(mag(together), box_.radius[k]));
-    }
-    for (std::size_t i = 0; i < m_; ++i) {
-      const Interval& limits = problem_.possible[i];
-      const Interval other(attained[i] == limits.hi ? limits.lo : limits.hi);
-      const Interval gain = (other - Interval(attained[i])) * (along(i, y) + symmetric(spread[i]));
-      sum += Interval(0, std::fmax(0, gain.hi));
-    }
-    return sum;
   }
 
   const ForceProblem& problem_;
   const BoxMatrix& box_;
   const std::size_t m_, n_;
-  Doubles weight_;  ///< half of each range of forces; 0: the force is given
+  Doubles
+      weight_;  ///< half of each range of forces, 0: the force is given; of a free one, a large number
   Doubles scaled_inverse_, null_space_;
   Doubles inverse_;                  ///< K
   Doubles error_, error_at_center_;  ///< P

@@ -29,6 +29,12 @@
 // g_i the limit that is attained at c, and l_i the other one,
 //
 //     max fᵀAy ≤ gᵀAy + Σ_i max(0, (l_i − g_i)·a_i).
+//
+// FREE. Rows F of A belong to constraints, whose forces have no limits. HELD asks nothing of them. NOT HELD
+// needs Fy = 0 at each pose. Let W > 0 be diagonal, S any matrix with |I − WFS| ≤ p < 1 in the norm of rows,
+// and y₀ any vector. Then WFS is regular, y = y₀ − Sz with WFSz = WFy₀ has Fy = 0, and z = WFy₀ +
+// (I − WFS)z gives |z_f| ≤ max|WFy₀|/(1 − p). So y is enclosed, and the two sides are compared over this
+// enclosure. S has columns of K in the units of W.
 #pragma once
 
 #include <cstdint>

@@ -23,11 +23,12 @@ namespace {
 
 using GiNaC::ex;
 
-MarginValue read_value(const std::string& text, const char* option) {
+MarginValue read_value(const std::string& text, const char* option,
+                       NumberUnit unit = NumberUnit::kPlain) {
   MarginValue value{text, 0, 0, {}};
   from_option(option, [&] {
     const Place place{.file = "", .key = option};
-    const ParsedExpression term = parse_constant(text, place);
+    const ParsedExpression term = parse_constant(text, place, unit);
     if (std::string_view(option) == "--grow" && certain_sign(term.value) == CertainSign::kNegative)
       throw UsageError("--grow: '" + text +
                        "' is below 0, and the values of a margin begin at 0 or above; they are the "
@@ -40,7 +41,6 @@ MarginValue read_value(const std::string& text, const char* option) {
 }
 
 bool is_range(const std::string& text) { return text.find(':') != std::string::npos; }
-
 void read_range(MarginQuestion& question, const std::string& text, const char* option) {
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos)
@@ -360,6 +360,15 @@ std::string unit_of_values(const Request& request, const MarginQuestion& questio
     for (const MotionParameter& p : request.motion.parameters)
       if (is_named(p.name)) units.insert(p.unit);
   return units.size() == 1 && *units.begin() != "1" ? *units.begin() : "";
+}
+
+void take_unit(MarginQuestion& question, const Request& request) {
+  question.unit = unit_of_values(request, question);
+  if (!is_in_degrees(question.unit) || question.quantity == MarginQuantity::kTube) return;
+  const bool grows = question.quantity == MarginQuantity::kParameter;
+  for (MarginValue* value : {&question.low, question.high ? &*question.high : nullptr})
+    if (value)
+      *value = read_value(value->text, grows ? "--grow" : "--tolerance", NumberUnit::kDegrees);
 }
 
 std::string describe_growing_range(const Request& nominal, const MarginQuestion& question) {

@@ -63,6 +63,9 @@ struct MarginQuestion {
 /// Returns the label of the unit in which the values are; empty if they have none, or not one.
 [[nodiscard]] std::string unit_of_values(const Request& request, const MarginQuestion& question);
 
+/// Sets the unit of the values, and reads LO and HI again if they are numbers of degrees: 10deg is 10.
+void take_unit(MarginQuestion& question, const Request& request);
+
 /// Returns the request with the quantity at a value.
 [[nodiscard]] Request grown(const Request& nominal, const MarginQuestion& question,
                             const MarginValue& value);

@@ -6,6 +6,7 @@
 
 #include "codegen/model/constants.hpp"
 #include "codegen/model/drawing.hpp"
+#include "codegen/model/mechanism/motor_rows.hpp"
 #include "codegen/model/mechanism/twist.hpp"
 #include "codegen/question/quantity/determinant_of_inverse.hpp"
 #include "codegen/question/quantity/inverse_columns.hpp"
@@ -24,8 +25,7 @@ ex scale_of(const Model& model, unsigned row) {
 
 /// True if the set is its own mirror image about 0.
 bool is_symmetric(const VectorSet& set) {
-  return std::ranges::all_of(set.entries,
-                             [](const GeometryParameter& e) { return e.value.is_zero(); });
+  return std::ranges::all_of(set.entries, [](const auto& e) { return e.value.is_zero(); });
 }
 
 /// False if −q is a value wherever q is one.
@@ -227,8 +227,9 @@ class Border {
         B(i, j) = M()(j, i);
         B(n + i, n + j) = M()(i, j);
       }
-    for (unsigned i = 0; i < n; ++i)
-      B(n + i, i) = -pow(scale_of(model(), i), -2) / model().actuators.stiffness[i];
+    const std::vector<ex>& stiffness = model().actuators.stiffness;
+    for (unsigned i = 0; i < n; ++i)  // after the list: gives way to no force
+      B(n + i, i) = i < stiffness.size() ? -pow(scale_of(model(), i), -2) / stiffness[i] : ex(0);
     const unsigned k = n + static_cast<unsigned>(component_.column);
     for (unsigned i = 0; i < n; ++i) {
       B(n + i, k) = nominal(B(n + i, k));
@@ -283,7 +284,6 @@ class Border {
   }
 
   [[nodiscard]] matrix value(const ex& f) const { return single(nominal(1) - r_ * f); }
-
   static matrix single(const ex& entry) { return {1, 1, GiNaC::lst{entry}}; }
 
   static matrix enlarged(const matrix& M, unsigned rows, unsigned columns) {
@@ -340,11 +340,12 @@ class Border {
     std::vector<ex> delta;
     const Actuators& motors = model().actuators;
     for (std::size_t i = 0; i < motors.error.size(); ++i) {
+      const std::string unit = i < motor_count(model()) ? unit_of_coordinate(model(), i) : "1",
+                        name = "error_" + std::to_string(i + 1);
       const ex error = motors.error[i];
-      const std::string unit = motors.units.empty() ? length_unit(model()) : motors.units[i];
-      const std::string name = "error_" + std::to_string(i + 1);
       delta.push_back(error.is_zero() ? ex(0) : add_uncertain(name, 0, error, -1, unit));
     }
+    delta.resize(M().rows(), 0);  // constraints have none
     return delta;
   }
 

@@ -7,6 +7,7 @@
 #include <charconv>
 
 #include "codegen/model/degrees.hpp"
+#include "codegen/model/mechanism/motor_rows.hpp"
 #include "codegen/model/mechanism/twist.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/question/quantity/determinant_of_inverse.hpp"
@@ -40,6 +41,14 @@ const VectorSet& choose_set(const std::vector<VectorSet>& sets, const std::strin
         "--{}: there is no {}; {}", option, in_quotes(wanted),
         suggestion(wanted, names, fmt::format("this model has {}", fmt::join(names, ", ")))));
   return sets[static_cast<std::size_t>(at - names.begin())];
+}
+
+void require_radians(const std::vector<PoseParameter>& coordinates, const std::string& what,
+                     const char* why) {
+  for (const PoseParameter& p : coordinates)
+    if (is_in_degrees(p.unit))
+      throw UsageError(
+          fmt::format("{}: '{}' is in degrees, and {}; give it in rad", what, p.name, why));
 }
 
 /// Makes the components of one quantity.
@@ -104,20 +113,15 @@ class Components {
       throw UsageError(fmt::format("{}: {}", options_.quantity, traits.why));
     components_ = traits.components, data_ = traits.data, has_signs_ = traits.has_signs;
     quantity_.name = traits.description;
-    if (quantity_.kind == QuantityKind::kForce || quantity_.kind == QuantityKind::kDeflection ||
+    const QuantityKind kind = quantity_.kind;
+    if (kind == QuantityKind::kForce || kind == QuantityKind::kDeflection)
+      require_radians(model_.pose, options_.quantity, "loads and moments are of radians");
+    if (kind == QuantityKind::kForce || kind == QuantityKind::kDeflection ||
         traits_->compares_units)
-      require_radians();
-  }
-
-  /// A moment does its work on an angle in radians, and a characteristic length counts as one radian.
-  void require_radians() const {
-    for (const auto* list : {&model_.pose, &model_.closure->unknowns})
-      for (const PoseParameter& p : *list)
-        if (is_in_degrees(p.unit))
-          throw UsageError(
-              fmt::format("{}: '{}' is in degrees, and loads and moments are of radians; "
-                          "give it in rad",
-                          options_.quantity, p.name));
+      require_radians(model_.closure->unknowns, options_.quantity,
+                      "loads, moments and a characteristic length are of radians");
+    if (kind == QuantityKind::kDeterminant || kind == QuantityKind::kDeterminantMax)
+      require_determinant_of_radians(model_, options_.quantity);
   }
 
   [[nodiscard]] bool has_freedoms() const {
@@ -194,9 +198,8 @@ class Components {
 
   /// Returns the unit of the force or the speed of a motor.
   [[nodiscard]] std::string unit_of_motor(std::size_t row) const {
-    const Actuators& motors = model_.actuators;
-    if (quantity_.kind == QuantityKind::kForce) return motors.force_unit;
-    return (motors.units.empty() ? length_unit(model_) : motors.units[row]) + "/s";
+    if (quantity_.kind == QuantityKind::kForce) return unit_of_motor_force(model_, row);
+    return unit_of_coordinate(model_, row) + "/s";
   }
 
   [[nodiscard]] Component component() const {
@@ -214,15 +217,15 @@ class Components {
 
   void add_rows(const VectorSet& set) {
     quantity_.name += (data_ == NeededData::kTwist ? " for " : " under ") + set.name;
-    const std::size_t rows = model_.closure ? model_.pose.size() : model_.matrix.rows();
-    std::size_t first = 0, last = rows;
+    std::size_t first = 0, last = motor_count(model_);
+    if (last == 0) throw UsageError(fmt::format("{}: this robot has no motors", options_.quantity));
     if (!options_.row.empty()) {
-      first = row_number(rows);
+      first = row_of_leg(last);
       last = first + 1;
     }
     for (std::size_t i = first; i < last; ++i) {
       Component c = component();
-      c.label = model_.closure ? model_.pose[i].name : fmt::format("leg {}", i + 1);
+      c.label = motor_name(model_, i);
       c.row = i;
       c.unit = unit_of_motor(i);
       c.set = &set;
@@ -231,14 +234,22 @@ class Components {
     quantity_.unit = quantity_.components.front().unit;
   }
 
-  [[nodiscard]] std::size_t row_number(std::size_t rows) const {
+  /// Returns the row of the motor of a leg.
+  [[nodiscard]] std::size_t row_of_leg(std::size_t motors) const {
     const std::string& text = options_.row;
     std::size_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size() || value < 1 || value > rows)
+    if (error == std::errc{} && end == text.data() + text.size())
+      for (std::size_t i = 0; i < motors; ++i)
+        if (leg_of_motor(model_, i) == value) return i;
+    if (leg_of_motor(model_, motors - 1) == motors)
       throw UsageError(
-          fmt::format("--leg: found {}, expected a number from 1 to {}", in_quotes(text), rows));
-    return value - 1;
+          fmt::format("--leg: found {}, expected a number from 1 to {}", in_quotes(text), motors));
+    std::vector<std::string> legs;
+    for (std::size_t i = 0; i < motors; ++i)
+      legs.push_back(std::to_string(leg_of_motor(model_, i)));
+    throw UsageError(fmt::format("--leg: found {}, expected a leg with a motor: {}",
+                                 in_quotes(text), fmt::join(legs, ", ")));
   }
 
   /// Adds the columns, and for errors the norms of the two parts of the pose.
@@ -334,6 +345,12 @@ std::optional<QuantityKind> kind_of(const std::string& word, const std::string& 
 }
 
 }  // namespace
+
+void require_determinant_of_radians(const Model& model, const std::string& what) {
+  if (model.closure)
+    require_radians(model.closure->unknowns, what,
+                    "the determinant would be that of derivatives by degrees");
+}
 
 std::vector<std::string> quantity_words() {
   std::vector<std::string> words;

@@ -42,6 +42,10 @@ struct Quantity {
   std::vector<Component> components;
 };
 
+/// A determinant of derivatives by degrees is smaller than one by radians. Throws UsageError, which names
+/// `what`, if an unknown of the closure is in degrees.
+void require_determinant_of_radians(const Model& model, const std::string& what);
+
 /// Returns the words for quantities, without expressions.
 [[nodiscard]] std::vector<std::string> quantity_words();
 

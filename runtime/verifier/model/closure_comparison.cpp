@@ -82,12 +82,21 @@ class ClosureComparison {
     for (const std::string& name : closure_.names)
       q_.solutions ? compare_range(name) : compare_unknown(name);
     if (!q_.solutions) compare_start();
+    if (q_.has_threshold) require_radians();
     require_known_keys();
   }
 
  private:
   static std::string equation(std::size_t i) {
     return "closure.equations[" + std::to_string(i) + ']';
+  }
+
+  /// A threshold is one of a determinant by the numbers of the unknowns.
+  void require_radians() {
+    for (const std::string& name : closure_.names)
+      if (is_in_degrees(name))
+        throw Unfinished("closure.unknowns." + name +
+                         " is in degrees: a threshold is of derivatives by radians");
   }
 
   void require(const std::string& place, const std::string& stated, const Scope& scope) {

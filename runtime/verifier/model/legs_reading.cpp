@@ -72,6 +72,12 @@ class LegsReading final : public SectionReading {
     return before == "d" && leg.kind != LegKind::kTelescopic ? at.d[axis] : kNoNode;
   }
 
+  [[nodiscard]] std::optional<std::size_t> motors() const override {
+    std::size_t motors = 0;
+    for (std::size_t i = 0; i < count_; ++i) motors += actuated(i) != 0;
+    return motors;
+  }
+
   [[nodiscard]] std::optional<std::vector<NodeId>> range_constraints(
       SectionComparer& comparer) override {
     GraphAlgebra algebra(comparer.question().graph);
@@ -162,6 +168,12 @@ class LegsReading final : public SectionReading {
     const LegType* const type = find_leg_type(word);
     if (type == nullptr) throw Unfinished("the leg type '" + word + "' is not known");
     return *type;
+  }
+  /// Returns the number of the driven joint, from the base; 0: none.
+  [[nodiscard]] int actuated(std::size_t leg) const {
+    const std::string driven = text(shared(leg, "actuated"), "");
+    if (driven.empty()) return type_of(leg).kind == LegKind::kTelescopic ? 2 : 1;
+    return driven == "none" ? 0 : std::atoi(driven.c_str());
   }
   [[nodiscard]] std::size_t axes() const { return is_planar_ ? 2 : 3; }
   [[nodiscard]] std::vector<std::string> angles() const { return orientation_names(orientation_); }
@@ -272,9 +284,7 @@ class LegsReading final : public SectionReading {
     leg.is_planar = type.is_planar;
     leg.keeps_orientation = type.keeps_orientation;
     leg.is_hinged = type.is_hinged;
-    leg.actuated = type.kind == LegKind::kTelescopic ? 2 : 1;
-    if (const std::string driven = text(shared(index, "actuated"), ""); !driven.empty())
-      leg.actuated = driven == "none" ? 0 : std::atoi(driven.c_str());
+    leg.actuated = actuated(index);
     leg.base = point(own + "base", number, kBase, comparer, algebra);
     leg.platform = orientation_ == "point"
                        ? algebra.zero()

@@ -2,6 +2,7 @@
 #include "runtime/verifier/model/load_comparison.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <optional>
 
 #include "runtime/verifier/quantity_lines.hpp"
@@ -25,18 +26,21 @@ class LoadComparison {
 
   bool run() {
     if (!compare_set(*q_.load, kLoad)) return false;
-    compare_limits(q_.rows);
+    require_known_units();
+    compare_limits(q_.load->least);
     return true;
   }
 
   bool compare_quantity() {
     const QuantityLines& quantity = *q_.quantity;
     if (q_.closure) require_radians(quantity);
-    compare_of_motors("error", "motor-error ", quantity.errors.size());
-    compare_of_motors("speed", "motor-speed ", quantity.speeds.size());
-    compare_of_motors("stiffness", "stiffness ", quantity.stiffness.size());
+    require_known_units();
+    if (q_.closure) require_order_of_motors();
+    compare_of_motors("error", "motor-error ", quantity.errors);
+    compare_of_motors("speed", "motor-speed ", quantity.speeds);
+    compare_of_motors("stiffness", "stiffness ", quantity.stiffness);
     compare_factors(quantity.factors);
-    compare_limits(quantity.least.size());
+    compare_limits(quantity.least);
     return !quantity.set ||
            compare_set(*quantity.set, quantity.set_kind == "load" ? kLoad : kTwist);
   }
@@ -51,14 +55,18 @@ class LoadComparison {
     return std::nullopt;
   }
 
-  /// The moments and lengths of the file are of radians, and J is by the numbers of the coordinates.
+  /// The moments and lengths of the file are of radians, and J is by the numbers of the coordinates. A
+  /// determinant is by those of the unknowns.
   void require_radians(const QuantityLines& quantity) const {
-    if (!quantity.set && quantity.factors.empty()) return;
+    const bool has_determinant = quantity.kind.starts_with(format::kDeterminant);
+    if (!quantity.set && quantity.factors.empty() && !has_determinant) return;
     for (const auto& [place, value] : values_)
-      if ((place.starts_with("pose.") || place.starts_with("closure.unknowns.")) &&
+      if (((place.starts_with("pose.") && quantity.set) ||
+           place.starts_with("closure.unknowns.")) &&
           (value.text == "deg" || value.text == "°"))
         throw Unfinished(place +
-                         " is in degrees: loads and a characteristic length are of radians");
+                         " is in degrees: loads, a characteristic length and determinants "
+                         "are of radians");
   }
 
   /// What the file leaves out is 0.
@@ -85,15 +93,80 @@ class LoadComparison {
         comparer_.refuse(key);
   }
 
-  /// One value for all rows, or a list.
-  void compare_of_motors(const std::string& key, const std::string& stated, std::size_t count) {
+  /// Returns how many of `count` rows are those of motors; they come first.
+  [[nodiscard]] std::size_t motors_of(std::size_t count) const {
+    if (q_.closure) return count;
+    std::size_t motors = count;
+    if (comparer_.section != nullptr)
+      motors = comparer_.section->motors().value_or(count);
+    else if (const auto given = values_.find("matrix.motors"); given != values_.end())
+      motors = std::size_t(std::atoi(given->second.text.c_str()));
+    if (motors > count) throw Unfinished("the file has more motors than rows");
+    return motors;
+  }
+
+  /// The labels that the front end takes: of a closure those of the pose, of other robots no degrees.
+  void require_known_units() const {
+    const std::string table = "actuators.unit";
+    for (auto unit = values_.lower_bound(table);
+         unit != values_.end() && unit->first.starts_with(table); ++unit) {
+      const bool is_of_pose = std::any_of(values_.begin(), values_.end(), [&](const auto& value) {
+        return value.first.starts_with("pose.") && value.second.text == unit->second.text;
+      });
+      const bool has_degrees = unit->second.text.find("eg") != std::string::npos ||
+                               unit->second.text.find("°") != std::string::npos;
+      if (q_.closure ? !is_of_pose : has_degrees)
+        throw Unfinished(unit->first + " is a unit that the numbers of motors do not have");
+    }
+  }
+
+  /// Lists of the file are in the order of its pose parameters, and so must be the certificate's.
+  void require_order_of_motors() const {
+    if (comparer_.section != nullptr) return;
+    std::map<std::size_t, std::string> by_place;
+    for (auto pose = values_.lower_bound("pose.");
+         pose != values_.end() && pose->first.starts_with("pose."); ++pose)
+      by_place.emplace(pose->second.number, pose->first.substr(5));
+    std::vector<std::string> names;
+    for (const auto& [number, name] : by_place) names.push_back(name);
+    if (names != q_.closure->poses) throw Unfinished("the motors of the file have another order");
+  }
+
+  /// One value for all motors, a list with one for each, or a list with one for each row.
+  void compare_of_motors(const std::string& key, const std::string& stated,
+                         const std::vector<NodeId>& rows) {
     const std::string place = "actuators." + key;
     const bool is_list = values_.contains(place + "[0]");
-    for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t motors = motors_of(rows.size());
+    const std::size_t given = given_rows(place, "", rows.size(), motors);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      if (i >= given) {
+        expect_none(stated + std::to_string(i), rows[i], key == "stiffness");
+        continue;
+      }
       const std::string one = is_list ? place + at(i) : place;
+      if (rows[i] == kNoNode) comparer_.refuse_row(key, i);
       if (!values_.contains(one)) comparer_.refuse(stated + std::to_string(i));
       compare(one, stated + std::to_string(i));
     }
+  }
+
+  /// Returns how many rows, the first ones, the file gives a value.
+  [[nodiscard]] std::size_t given_rows(const std::string& place, const std::string& below,
+                                       std::size_t rows, std::size_t motors) const {
+    if (!values_.contains(place + "[0]" + below)) return motors;
+    std::size_t given = 0;
+    while (values_.contains(place + at(given) + below)) ++given;
+    if (given != motors && given != rows)
+      throw Unfinished(place + " is a list of neither all motors nor all rows");
+    return given;
+  }
+
+  /// A constraint has no error, and gives way to no force.
+  void expect_none(const std::string& stated, NodeId value, bool is_stiffness) {
+    if (is_stiffness ? value != kNoNode : !is_zero_number(q_.graph, value))
+      comparer_.refuse(stated);
+    if (!is_stiffness) comparer_.note(stated);
   }
 
   /// The factor of a velocity is 1, that of an angular velocity is 1/L.
@@ -120,12 +193,19 @@ class LoadComparison {
     }
   }
 
-  /// The limits are one range for all rows, or a list of ranges.
-  void compare_limits(std::size_t count) {
+  /// The limits are one range for all motors, or a list of ranges; a constraint has none.
+  void compare_limits(const std::vector<NodeId>& least) {
     const std::string force = "actuators.force";
     const bool is_list = values_.contains(force + "[0][0]");
-    for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t motors = motors_of(least.size());
+    const std::size_t given = is_list ? given_rows(force, "[0]", least.size(), motors) : motors;
+    for (std::size_t i = 0; i < least.size(); ++i) {
       const std::string place = is_list ? force + at(i) : force;
+      if (i >= given) {
+        if (least[i] != kNoNode) comparer_.refuse("least " + std::to_string(i));
+        continue;
+      }
+      if (least[i] == kNoNode) comparer_.refuse_row("force", i);
       if (!values_.contains(place + "[0]")) comparer_.refuse("least " + std::to_string(i));
       if (!values_.contains(place + "[1]")) comparer_.refuse("largest " + std::to_string(i));
       compare(place + "[0]", "least " + std::to_string(i));

@@ -22,6 +22,8 @@ struct LoadComparer {
   std::function<void(const std::string& place)> leave_out;
   /// The certificate states a value that the file does not have. Throws OtherModel.
   std::function<void(const std::string& stated)> refuse;
+  /// The certificate states no value of a row, and the file has one. Throws OtherModel.
+  std::function<void(const std::string& key, std::size_t row)> refuse_row;
   /// Returns true if the stated value has been compared or noted.
   std::function<bool(const std::string& stated)> is_compared;
   /// The section that describes the robot; may be null.

@@ -201,6 +201,11 @@ class ModelComparison {
                               "the columns of the matrix have no names here");
         },
         [&](const std::string& stated) { comparer_.refuse_stated(stated); },
+        [&](const std::string& key, std::size_t row) {
+          comparer_.refuse_model("it gives the motor of row " + std::to_string(row + 1) +
+                                 " a value in [actuators] " + key +
+                                 ", which the certificate does not have");
+        },
         [&](const std::string& stated) { return comparer_.is_compared(stated); },
         section_.get()};
     if (q_.load ? !compare_load(q_, values_, comparer) : !compare_quantity(q_, values_, comparer))

@@ -2,6 +2,7 @@
 #include "runtime/verifier/model/question_comparer.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 #include "runtime/verifier/evaluation.hpp"
@@ -73,9 +74,14 @@ FilePlace QuestionComparer::place_of(const std::string& place) const {
   return {place, found->second.line, found->second.text};
 }
 
-/// True for the range, the value and the error of a pose parameter or an unknown in degrees.
+/// True for the range, the value and the error of a pose parameter or an unknown in degrees, and for
+/// the error and the speed of a motor of a closure whose pose parameter is.
 bool QuestionComparer::is_number_of_degrees(const std::string& stated) const {
   const std::string kind = kind_of(stated), name = stated.substr(kind.size() + 1);
+  if ((kind == "motor-error" || kind == "motor-speed") && q_.closure) {
+    const auto motor = std::size_t(std::atoi(name.c_str()));
+    return motor < q_.closure->poses.size() && degrees_.contains(q_.closure->poses[motor]);
+  }
   return (kind == "lower" || kind == "upper" || kind == "pose" || kind == "error" ||
           kind == "start" || kind == "unknown" || kind == "unknown-radius") &&
          degrees_.contains(name);

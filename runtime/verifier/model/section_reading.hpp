@@ -106,6 +106,8 @@ class SectionReading {
   [[nodiscard]] virtual NodeId name(std::string_view, const Scope&, SectionComparer&) {
     return kNoNode;
   }
+  /// Returns the number of motors, whose rows come first; nullopt: each row is one's.
+  [[nodiscard]] virtual std::optional<std::size_t> motors() const { return std::nullopt; }
   /// Returns what where = "within-ranges" adds to the constraints, in the order of the certificate's
   /// lines: each is ≤ 0, by the commanded pose. nullopt: this reader does not know.
   [[nodiscard]] virtual std::optional<std::vector<NodeId>> range_constraints(SectionComparer&) {
