@@ -234,7 +234,8 @@ phi = 0
   expect_bracket(components({"error"}).at("v_x"), 0.1);
   EXPECT_EQ(run_command({kCommand, "check", model_, "--load", "push"}).output, "FEASIBLE\n");
   const std::string certificate = path("slide");
-  run_command({kCommand, "check", model_, "--load", "push", "--certificate", certificate});
+  static_cast<void>(
+      run_command({kCommand, "check", model_, "--load", "push", "--certificate", certificate}));
   EXPECT_EQ(verify(certificate).output, "VERIFIED\n") << verify(certificate).errors;
   write(text(""));  // the force of the second row is 50 − 10·3
   EXPECT_EQ(components({"force"}).size(), 2);

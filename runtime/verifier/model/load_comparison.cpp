@@ -135,6 +135,7 @@ class LoadComparison {
   /// One value for all motors, a list with one for each, or a list with one for each row.
   void compare_of_motors(const std::string& key, const std::string& stated,
                          const std::vector<NodeId>& rows) {
+    if (rows.empty()) return;  // the quantity has no such lines
     const std::string place = "actuators." + key;
     const bool is_list = values_.contains(place + "[0]");
     const std::size_t motors = motors_of(rows.size());
@@ -195,6 +196,7 @@ class LoadComparison {
 
   /// The limits are one range for all motors, or a list of ranges; a constraint has none.
   void compare_limits(const std::vector<NodeId>& least) {
+    if (least.empty()) return;
     const std::string force = "actuators.force";
     const bool is_list = values_.contains(force + "[0][0]");
     const std::size_t motors = motors_of(least.size());
