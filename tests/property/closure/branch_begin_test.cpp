@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What follows a configuration must not come to another one by chance.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "runtime/interval/floating_point_scope.hpp"
+#include "tests/property/closure/checked_closures.hpp"
+
+namespace regulus::detail::test {
+namespace {
+
+using testing::HasSubstr;
+
+/// A crank of length 0.5 with a rod of length 1, which never turns.
+std::string crank_slider(const std::string& range) {
+  return "regulus = 1\nname = \"z\"\n[pose]\nth = \"rad\"\n[closure]\n"
+         "unknowns = { s = \"m\", p = \"rad\" }\n"
+         "equations = [\"0.5*cos(th) + cos(p) - s\", \"0.5*sin(th) + sin(p)\"]\n"
+         "start = { th = 0, s = 1.5, p = 0 }\n[motion.m]\nth = " +
+         range + "\n";
+}
+
+std::optional<BranchPoint> tracked(const std::string& text, double to) {
+  ModelOptions options;
+  options.motion = "m";
+  const PreparedClosure prepared =
+      prepare_closure(read_request(text, options), 0, usual_options(), {});
+  const FloatingPointScope nearest(FloatingPointRounding::kNearest);
+  SystemBoxes system(prepared.problem, prepared.scaling, prepared.shape);
+  const std::vector<double> place{to};
+  const auto found = track(system, prepared.shape, prepared.near_start, {&place, 1});
+  return found[0] ? std::optional(found[0]->at) : std::nullopt;
+}
+
+TEST(ATrackedConfiguration, DoesNotTurnWithItsCrankByChance) {
+  const std::string text = crank_slider("[0, 150]");
+  for (int k = 1; k < 600; ++k) {
+    const double theta = k * std::numbers::pi / 16;
+    const auto found = tracked(text, theta);
+    ASSERT_TRUE(found) << theta;
+    EXPECT_NEAR(found->unknowns[1], -std::asin(0.5 * std::sin(theta)), 1e-9) << theta;
+  }
+}
+
+TEST(ATrackedConfiguration, LeadsOverManyTurns) {
+  const CheckedClosure checked = check_closure_text(crank_slider("[0, 26]"), usual_options());
+  EXPECT_EQ(checked.verdict(), Verdict::kNoSingularity) << reason_of(checked.found);
+}
+
+TEST(ATrackedConfiguration, LeadsOverAPartOfAMotionThatItLeadsOver) {
+  const auto verdict_over = [](const std::string& range) {
+    return check_closure_text(
+               "regulus = 1\nname = \"r3\"\n[pose]\nth = \"rad\"\n[closure]\n"
+               "unknowns = { t = \"rad\" }\nequations = [\"-0.2677 - 0.3271*cos(th) - "
+               "0.6026*cos(t) - 0.1603*cos(th)*cos(t) + 0.4423*sin(th)*sin(t)\"]\n"
+               "start = { th = 0.5, t = 2.0935 }\nradius = { t = 0.1 }\n[motion.m]\nth = " +
+                   range + "\n",
+               usual_options())
+        .verdict();
+  };
+  for (const char* range :
+       {"[-3, 3]", "[-3, 1]", "[-3, 0.9]", "[-3, 0.8]", "[-3, 0.7]", "[-2.5, 0.9]"})
+    EXPECT_EQ(verdict_over(range), Verdict::kNoSingularity) << range;
+}
+
+}  // namespace
+}  // namespace regulus::detail::test
