@@ -13,6 +13,7 @@
 #include "codegen/answer/report/question_report.hpp"
 #include "codegen/answer/report/report.hpp"
 #include "codegen/answer/report/search_facts.hpp"
+#include "codegen/model/closure_start.hpp"
 #include "codegen/model/degrees.hpp"
 #include "codegen/question/closure/branch_threshold.hpp"
 #include "codegen/question/closure/closure_claims.hpp"
@@ -131,6 +132,7 @@ void note(PreparedClosure& prepared, ClosureFinding& found, ThresholdFinding thr
 
 std::string reason_of(const ClosureFinding& found) {
   if (found.searched.is_proved() && found.threshold) return found.threshold->reason;
+  if (!found.searched.has_start) return found.searched.links.obstacle;
   if (found.searched.branch.is_empty) return describe(Reason::kEmptyVariety);
   if (!found.searched.branch.is_complete && found.searched.branch.reason == Reason::kWidth)
     return "a box at the minimum width has no certain branch: it may end there, be singular, or "
@@ -292,11 +294,10 @@ Result check_result(const PreparedClosure& prepared, const ClosureFinding& found
     check.blocking_box.assign(
         found.searched.branch.blocking_box.begin(),
         found.searched.branch.blocking_box.begin() + std::ptrdiff_t(prepared.shape.variables));
-  check.occupancy =
-      found.searched.branch.is_empty ? Occupancy::kEmpty
-      : prepared.request.motion.constraints.empty() && prepared.request.motion.reach.empty()
-          ? Occupancy::kInhabited
-          : Occupancy::kUnknown;
+  check.occupancy = found.searched.branch.is_empty ? Occupancy::kEmpty
+                    : is_start_in_motion(prepared.request.model, prepared.request.motion)
+                        ? Occupancy::kInhabited
+                        : Occupancy::kUnknown;
   return check;
 }
 

@@ -66,5 +66,39 @@ TEST(ATrackedConfiguration, LeadsOverAPartOfAMotionThatItLeadsOver) {
     EXPECT_EQ(verdict_over(range), Verdict::kNoSingularity) << range;
 }
 
+/// A radius that is not given is made smaller, and the claim names it.
+TEST(AStart, MayNeedASmallerRadiusThanTheUsualOne) {
+  // Both solutions x ± 0.004 are within 0.01.
+  const std::string model =
+      "regulus = 1\nname = \"pair\"\n[pose]\nth = \"rad\"\n[closure]\n"
+      "unknowns = { x = \"m\" }\n"
+      "equations = [\"(x - th)^2 - 0.000016\"]\n"
+      "start = { th = 0, x = 0.004 }\n";
+  const std::string motion = "[motion.m]\nth = [-1, 1]\n";
+  const CheckedClosure checked = check_closure_text(model + motion, usual_options());
+  ASSERT_EQ(checked.verdict(), Verdict::kNoSingularity) << reason_of(checked.found);
+  const std::string proof = certified_closure(checked);
+  EXPECT_THAT(proof, HasSubstr("unknown x = 1/250 +- 1/1000\n"));
+  const verifier::Verification v = verified(proof, model + motion);
+  EXPECT_EQ(v.outcome, verifier::Outcome::kVerified) << describe(v);
+  const std::string given = model + "radius = { x = 0.01 }\n" + motion;
+  EXPECT_EQ(verified(proof, given).outcome, verifier::Outcome::kRejected);
+  const CheckedClosure other = check_closure_text(given, usual_options());
+  EXPECT_EQ(other.verdict(), Verdict::kPossibleProblem);
+  EXPECT_THAT(reason_of(other.found), HasSubstr("exactly one configuration"));
+}
+
+TEST(AStart, ThatIsNoConfigurationIsNamed) {
+  const std::string text =
+      "regulus = 1\nname = \"far\"\n[pose]\nth = \"rad\"\n[closure]\n"
+      "unknowns = { x = \"m\" }\nequations = [\"x^2 - 4 - th\"]\n"
+      "start = { th = 0, x = 3 }\n[motion.m]\nth = [-1, 1]\n";
+  const CheckedClosure checked = check_closure_text(text, usual_options());
+  EXPECT_EQ(checked.verdict(), Verdict::kPossibleProblem);
+  EXPECT_EQ(checked.found.searched.branch.boxes, 0U);
+  EXPECT_THAT(reason_of(checked.found),
+              HasSubstr("no configuration was found within the 'radius'"));
+}
+
 }  // namespace
 }  // namespace regulus::detail::test

@@ -71,6 +71,7 @@ void expect_bracket(const BoundWithProofs& found, double truth) {
   EXPECT_LE(std::min(found.bound.proved->approx, found.bound.attained->approx), truth);
   EXPECT_GE(std::max(found.bound.proved->approx, found.bound.attained->approx), truth);
   EXPECT_EQ(found.safe.outcome, Outcome::kVerified) << describe(found.safe);
+  EXPECT_EQ(found.safe.note, "");
   EXPECT_EQ(found.singular.outcome, Outcome::kVerified) << describe(found.singular);
 }
 
@@ -125,6 +126,7 @@ TEST(AThresholdWithinConstraints, IsComparedAtThePlacesWhichMeetThem) {
           sine("[-1.5, 1.5]", constraint) + fmt::format("alpha = {:.17g}\n", part * least);
       const CheckedClosure checked = check_closure_text(text, usual_options());
       EXPECT_EQ(checked.verdict(), part < 1 ? Verdict::kNoSingularity : Verdict::kSingularity);
+      EXPECT_EQ(check_result(checked.prepared, checked.found).occupancy, Occupancy::kInhabited);
       const verifier::Verification v = verified(certified_closure(checked), text);
       EXPECT_EQ(v.outcome, Outcome::kVerified) << describe(v);
     }
@@ -161,6 +163,28 @@ TEST(ABoundWithinConstraints, IsNotProvedWhereAPlaceIsLeft) {
   ASSERT_EQ(verified(proof).outcome, Outcome::kVerified);
   const std::string wider = replaced(proof, "constraint th^2 - 1", "constraint th^2 - 4");
   EXPECT_EQ(verified(wider).outcome, Outcome::kRejected) << describe(verified(wider));
+}
+
+TEST(AStart, ThatAConstraintExcludesIsRefused) {
+  for (const char* constraint : {"0.25 - th^2", "1 - th"}) {
+    try {
+      static_cast<void>(check_closure_text(sine("[-2, 2]", constraint), usual_options()));
+      ADD_FAILURE() << constraint;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("does not contain the start of [closure]"));
+      EXPECT_THAT(error.what(), HasSubstr("constraint"));
+    }
+  }
+}
+
+TEST(AStart, ThatMeetsTheConstraintsIsAPose) {
+  const std::string text = sine("[-2, 2]", "th - 5");
+  const CheckedClosure checked = check_closure_text(text, usual_options());
+  EXPECT_EQ(checked.verdict(), Verdict::kNoSingularity);
+  EXPECT_EQ(check_result(checked.prepared, checked.found).occupancy, Occupancy::kInhabited);
+  const verifier::Verification v = verified(certified_closure(checked), text);
+  EXPECT_EQ(v.outcome, Outcome::kVerified) << describe(v);
+  EXPECT_EQ(v.note, "");
 }
 
 }  // namespace
