@@ -66,6 +66,24 @@ TEST(ATrackedConfiguration, LeadsOverAPartOfAMotionThatItLeadsOver) {
     EXPECT_EQ(verdict_over(range), Verdict::kNoSingularity) << range;
 }
 
+TEST(APavingOfABranch, FindsItsEnd) {
+  const std::string text =
+      "regulus = 1\nname = \"f\"\n[pose]\nth = \"rad\"\n[closure]\n"
+      "unknowns = { ph = \"rad\", ps = \"rad\" }\nequations = "
+      "[\"0.75*cos(th)+1.66*cos(ph)-0.47-1.3*cos(ps)\",\"0.75*sin(th)+1.66*sin(ph)-1.3*sin(ps)\"]\n"
+      "start = { th = -1.1, ph = 2.206816542, ps = -3.680365712 }\n"
+      "radius = { ph = 1e-6, ps = 1e-6 }\n[motion.m]\nth = [-1.2, 4.9]\n";
+  ModelOptions options;
+  options.motion = "m";
+  PreparedClosure prepared = prepare_closure(read_request(text, options), 0, usual_options(), {});
+  const ClosureFinding found = pave_closure(prepared, usual_options(), 0x1p-9, {}, {});
+  ASSERT_EQ(found.folds.size(), 1U);
+  EXPECT_TRUE(found.folds[0].is_on_branch);
+  const double square = 0.36 * 0.36;  // of the distance where rod and follower are in line
+  EXPECT_NEAR(mid(found.folds[0].place[0]),
+              -std::acos((0.75 * 0.75 + 0.47 * 0.47 - square) / (2 * 0.75 * 0.47)), 1e-9);
+}
+
 /// A radius that is not given is made smaller, and the claim names it.
 TEST(AStart, MayNeedASmallerRadiusThanTheUsualOne) {
   // Both solutions x ± 0.004 are within 0.01.
