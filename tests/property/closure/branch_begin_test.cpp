@@ -84,6 +84,19 @@ TEST(APavingOfABranch, FindsItsEnd) {
               -std::acos((0.75 * 0.75 + 0.47 * 0.47 - square) / (2 * 0.75 * 0.47)), 1e-9);
 }
 
+/// The unknown u is e/2, so its tubes are very thin.
+TEST(AFoldOfTwoCircles, IsVerified) {
+  const CheckedClosure checked = check_closure_text(
+      "regulus = 1\nname = \"two circles\"\n[pose]\ne = \"m\"\n[closure]\n"
+      "unknowns = { u = \"m\", v = \"m\" }\n"
+      "equations = [\"u^2+v^2-0.25\", \"(u-e)^2+v^2-0.25\"]\n"
+      "start = { e = 0.6, u = 0.3, v = 0.4 }\n[motion.m]\ne = [0.1, 1.1]\n",
+      usual_options());
+  EXPECT_EQ(checked.verdict(), Verdict::kSingularity);
+  const verifier::Verification v = verified(certified_closure(checked));
+  EXPECT_EQ(v.outcome, verifier::Outcome::kVerified) << describe(v);
+}
+
 /// A radius that is not given is made smaller, and the claim names it.
 TEST(AStart, MayNeedASmallerRadiusThanTheUsualOne) {
   // Both solutions x ± 0.004 are within 0.01.
