@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "codegen/model/exact/certain_sign.hpp"
+#include "codegen/model/exact/exact_algebra.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/model/way/trajectory.hpp"
@@ -56,6 +57,30 @@ void require_equal(const Model& model, const Motion& motion, const PoseParameter
          remedy);
 }
 
+/// Adds the values of poses and geometry at the start to those of the motion's parameters.
+GiNaC::exmap values_at_start(const Model& model, GiNaC::exmap values = {}) {
+  for (std::size_t i = 0; i < model.pose.size(); ++i)
+    values.emplace(model.pose[i].symbol, model.closure->start_pose[i]);
+  for (const GeometryParameter& g : model.geometry) values.emplace(g.symbol, g.value);
+  return values;
+}
+
+CertainSign sign_at_start(const ex& constraint, const GiNaC::exmap& values) {
+  const ex value = constraint.subs(values);
+  return has_symbols(value) ? CertainSign::kUnknown : certain_sign(value);
+}
+
+/// A platform with legs starts in the middle of its ranges; nobody has chosen that place.
+void require_constraints(const Model& model, const Motion& motion, const GiNaC::exmap& values) {
+  if (!model.legs.empty()) return;
+  for (const ex& constraint : motion.constraints)
+    if (sign_at_start(constraint, values) == CertainSign::kPositive)
+      refuse(model, motion,
+             " does not contain the start of [closure]: there the constraint " +
+                 formula_text(constraint) + " <= 0 is not met",
+             "change the constraint, or move closure.start to where it is met");
+}
+
 }  // namespace
 
 std::vector<ex> start_of(const Model& model, const Motion& motion) {
@@ -84,7 +109,22 @@ std::vector<ex> start_of(const Model& model, const Motion& motion) {
   for (std::size_t i = 0; i < model.pose.size(); ++i)
     require_equal(model, motion, model.pose[i], motion.pose[i].subs(at_start),
                   closure.start_pose[i], remedy_of_ranges(model.pose[i]));
+  require_constraints(model, motion, values_at_start(model, std::move(at_start)));
   return values;
+}
+
+bool is_start_in_motion(const Model& model, const Motion& motion) {
+  GiNaC::exmap values;
+  if (!motion.constraints.empty() && !motion.waypoints && !motion.trajectory) {
+    const std::vector<ex> start = start_of(model, motion);
+    for (std::size_t k = 0; k < start.size(); ++k) values[motion.parameters[k].symbol] = start[k];
+  }
+  values = values_at_start(model, std::move(values));
+  return motion.reach.empty() &&
+         std::ranges::all_of(motion.constraints, [&values](const ex& constraint) {
+           const CertainSign sign = sign_at_start(constraint, values);
+           return sign == CertainSign::kNegative || sign == CertainSign::kZero;
+         });
 }
 
 void require_start(const Model& model, const Motion& motion) {
@@ -100,6 +140,7 @@ void require_way_from_start(const Model& model, const Motion& motion) {
         model.closure->start_pose[i],
         "let the way-points begin at closure.start, or move closure.start to the first of "
         "them");
+  require_constraints(model, motion, values_at_start(model));
 }
 
 }  // namespace regulus::detail

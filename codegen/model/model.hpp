@@ -168,6 +168,7 @@ struct Closure {
   std::vector<GiNaC::ex> start_pose;    ///< of the branch, in the order of Model::pose
   std::vector<GiNaC::ex> start;         ///< near the configuration there, by unknown
   std::vector<GiNaC::ex> start_radius;  ///< by unknown: it is the only one so near
+  std::vector<char> is_radius_usual{};  ///< by unknown: a smaller one will do, too; empty: none
 };
 
 /// A leg whose length a motor sets.

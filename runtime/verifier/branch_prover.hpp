@@ -22,12 +22,17 @@ class BranchProver final : public SplittingProver {
 
   void prove(const Leaf& leaf) override {
     tube_ = &leaf.tube;
+    shown_.clear();
     SplittingProver::prove(leaf);
   }
 
  private:
   /// After the test was true.
   [[nodiscard]] bool holds(LeafClaim claim);
+  /// After the tube was shown over a larger part: the same solutions are in a narrower one over a part.
+  [[nodiscard]] bool has_narrower_tube(const Box& box);
+  /// After the test was true, if no point of the box is in the set.
+  [[nodiscard]] bool needs_no_bound(const Box& box, LeafClaim claim);
   [[nodiscard]] BoxAnswer decide(const Box& box, LeafClaim claim) override;
   [[nodiscard]] std::optional<std::size_t> variable_to_split(const Box& box) const override;
   [[nodiscard]] std::string contradiction(const Box& point, LeafClaim claim) override;
@@ -39,6 +44,8 @@ class BranchProver final : public SplittingProver {
   const char* const all_keep_;              ///< what contradicts a leaf `infeasible`
   std::optional<BranchQuantity> quantity_;  ///< that keeps its bound, or attains it all over
   const TubeNumbers* tube_ = nullptr;       ///< of the leaf
+  TubeNumbers narrower_;                    ///< within it, over a part of the leaf
+  Box shown_;                               ///< the tube has one solution all over this part
   std::vector<double> impact_;              ///< for the last box
   bool is_hopeless_ = false;                ///< the tube does not hold even at its middle
 };

@@ -42,6 +42,7 @@ class ShardLinker {
   void end_tree() {
     if (!open_.boxes.empty()) throw Rejection("there are boxes without a leaf");
     branch_->check(shards_.index, result_, before_ ? &*before_ : nullptr);
+    if (branch_->starts_in_set()) result_.note.clear();
     before_ = branch_->take_boxes();
   }
 

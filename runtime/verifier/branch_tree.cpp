@@ -7,6 +7,7 @@
 
 #include "runtime/verifier/branch_quantity.hpp"
 #include "runtime/verifier/branch_start.hpp"
+#include "runtime/verifier/outside.hpp"
 #include "runtime/verifier/proof.hpp"
 
 namespace regulus::verifier {
@@ -192,6 +193,7 @@ void BranchTree::check_start() {
       scale[i] = std::min(scale[i], test_->radius_of(boxes_.tubes[tube])[i]);
   const SolutionBox solution = start.only_solution(*test_, place, scale);
   for (const std::size_t tube : tubes) require_start(tube, place, solution);
+  starts_in_set_ = is_certain_point(q_, variety_, place);
 }
 
 /// The configuration at the place of the value attains the bound.

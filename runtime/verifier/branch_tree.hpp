@@ -68,6 +68,8 @@ class BranchTree {
   /// then its tubes, where its first variable is 1, have the configurations that those of this tree
   /// have where it is 0, and there is no start. May be null.
   void check(Lines& lines, Verification& result, const BranchBoxes* before = nullptr);
+  /// After check(): the start was shown to be a point of the set.
+  [[nodiscard]] bool starts_in_set() const noexcept { return starts_in_set_; }
   /// Returns the boxes. Nothing else may be asked after that.
   [[nodiscard]] BranchBoxes take_boxes() { return std::move(boxes_); }
 
@@ -102,6 +104,7 @@ class BranchTree {
   std::optional<BranchTest> test_;
   std::vector<std::uint32_t> joined_to_;  ///< by tube: another one of the same part
   std::uint64_t links_ = 0, steps_ = 0;
+  bool starts_in_set_ = false;
 };
 
 }  // namespace regulus::verifier

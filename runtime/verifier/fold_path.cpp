@@ -15,6 +15,7 @@ namespace regulus::verifier {
 namespace {
 
 /// The parts into which an arc is cut are no smaller than this one of it.
+constexpr double kThinner = 0x1p-20;  ///< a part of the radius of a tube
 constexpr int kMostHalvingsOfFold = 40;
 
 /// Numbers of the curve: its coordinates are the part of the line, and the unknowns.
@@ -191,19 +192,21 @@ class FoldPath {
     return *std::move(found);
   }
 
-  /// The configuration at an end of the arc is in the last one.
+  /// The configuration at an end of the arc is in the last one. A tube of that one may be much thinner.
   void link(const Arc& arc) {
     BranchTest& test = arc.system.test();
-    for (const double end : {arc.range.lo, arc.range.hi}) {
-      std::vector<double> near;
-      for (const Interval x : test.middle_of(arc.tube, {point(end)})) near.push_back(mid(x));
-      const auto found = test.solution_near({point(end)}, near, test.radius_of(arc.tube));
-      if (!found) continue;
-      const CurvePoint configuration = arc.system.point_of(point(end), *found);
-      if (!holds(arc, configuration) || !holds(*last_, configuration)) continue;
-      ++result_.links;
-      return;
-    }
+    for (const double part : {1.0, kThinner})
+      for (const double end : {arc.range.lo, arc.range.hi}) {
+        std::vector<double> near, scale;
+        for (const Interval x : test.middle_of(arc.tube, {point(end)})) near.push_back(mid(x));
+        for (const double r : test.radius_of(arc.tube)) scale.push_back(part * r);
+        const auto found = test.solution_near({point(end)}, near, scale);
+        if (!found) continue;
+        const CurvePoint configuration = arc.system.point_of(point(end), *found);
+        if (!holds(arc, configuration) || !holds(*last_, configuration)) continue;
+        ++result_.links;
+        return;
+      }
     throw Unfinished("it was not shown that the arc begins at a configuration of the last one");
   }
 

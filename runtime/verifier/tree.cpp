@@ -28,7 +28,9 @@ class TreeChecker {
     reader_.require_tiling();
     reader_.require_end(shown.leaves);
     require_poses(question_, shown, counts_);
-    if (branch_) branch_->check(lines_, counts_);
+    if (!branch_) return;
+    branch_->check(lines_, counts_);
+    if (branch_->starts_in_set()) counts_.note.clear();
   }
 
   Shown check_piece(std::optional<BranchBoxes>& before) {
@@ -36,6 +38,7 @@ class TreeChecker {
     reader_.require_tiling();
     if (!branch_) return shown;
     branch_->check(lines_, counts_, before ? &*before : nullptr);
+    shown.has_met_point |= branch_->starts_in_set();
     before = branch_->take_boxes();
     return shown;
   }

@@ -156,6 +156,7 @@ class ClosureReader {
       const TomlEntry given = optional_entry(table, u.name);
       closure_.start_radius.push_back(given.node ? radius(given, u.unit)
                                                  : default_radius(u.unit, closure_.start[i]));
+      closure_.is_radius_usual.push_back(given.node ? 0 : 1);
     }
   }
 

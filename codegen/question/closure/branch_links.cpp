@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "codegen/question/closure/start_test.hpp"
 #include "runtime/interval/floating_point_scope.hpp"
 #include "runtime/interval/lanes.hpp"
 
@@ -165,13 +166,8 @@ class Linker {
   /// The box of the start has one solution, which a leaf holds.
   bool begin() {
     const std::vector<Interval>& place = start_->place;
-    if (!has_one_start(place)) {
-      links_.obstacle =
-          "the values of 'start' are not shown to be near exactly one configuration; regulus solve "
-          "lists the configurations of that place; give the digits of one, or a 'radius' that "
-          "reaches exactly one";
-      return false;
-    }
+    links_.obstacle = obstacle_of_start(system_, question_.shape, *start_);
+    if (!links_.obstacle.empty()) return false;
     const std::vector<std::size_t> leaves = tree_.leaves_at(start_->place);
     std::size_t of_start = 0;
     for (const std::size_t leaf : leaves) {
@@ -188,33 +184,6 @@ class Linker {
     }
     start_leaves_ = leaves;
     return true;
-  }
-
-  bool has_one_start(const std::vector<Interval>& place) {
-    BranchTube tube;
-    for (const Interval& x : place) tube.at.push_back(mid(x));
-    for (std::size_t i = 0; i < start_->values.size(); ++i) {
-      const Interval& r = start_->radius[i];
-      const Interval all = start_->values[i] + Interval(-r.hi, r.hi);
-      tube.center.push_back(mid(all)), tube.radius.push_back(rad_ru(all));
-    }
-    tube.slopes.assign(tube.center.size() * tube.at.size(), 0.0);
-    SystemBoxes::Box center, over;
-    for (std::size_t k = 0; k < place.size(); ++k)
-      center.emplace_back(tube.at[k]), over.push_back(hull(place[k], Interval(tube.at[k])));
-    for (const double p : tube.center) center.emplace_back(p);
-    const std::vector<Interval> unknowns = enclose(tube, over);
-    over.insert(over.end(), unknowns.begin(), unknowns.end());
-    const std::vector<SystemBoxes::Box> boxes{center, over};
-    system_.evaluate(boxes);
-    const auto at_center = system_.at(0), all = system_.at(1);
-    if (!at_center || !all) return false;
-    std::vector<double> matrix;
-    for (const Interval& entry : at_center->by_unknown) matrix.push_back(mid(entry));
-    const auto inverse = approx_inverse_of(matrix, tube.center.size());
-    return inverse &&
-           has_one_solution(tube, image_of(tube, place, *inverse,
-                                           {at_center->value, all->by_unknown, all->by_variable}));
   }
 
   void meet(std::span<const std::size_t> meetings, const MustStop& must_stop) {

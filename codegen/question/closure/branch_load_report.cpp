@@ -10,6 +10,7 @@
 #include "codegen/answer/report/search_facts.hpp"
 #include "codegen/answer/report/vector_text.hpp"
 #include "codegen/kernel/formulation/variety.hpp"
+#include "codegen/model/closure_start.hpp"
 #include "codegen/model/mechanism/twist.hpp"
 #include "codegen/question/closure/branch_load.hpp"
 #include "codegen/question/closure/closure_claims.hpp"
@@ -154,9 +155,9 @@ void tell_reason(const PreparedBranchLoad& prepared, const BranchLoadResult& res
   if (!is_decided && !box.empty())
     facts.tell("blocking_box", json_parameters(prepared.closure().preparation, box), "blocked by",
                describe_short_place(prepared.closure().preparation, box));
-  // Without constraints the motion has every place of its ranges; a place of a witness has met them.
-  const Motion& motion = prepared.closure().request.motion;
-  const bool is_inhabited = result.shortage || (motion.constraints.empty() && motion.reach.empty());
+  // A place of a witness has met the constraints.
+  const Request& request = prepared.branch.way().request;
+  const bool is_inhabited = result.shortage || is_start_in_motion(request.model, request.motion);
   facts.add("nonempty", result.is_empty ? Json(false) : is_inhabited ? Json(true) : Json(nullptr));
 }
 

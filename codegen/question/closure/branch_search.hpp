@@ -27,7 +27,7 @@ struct BranchSettings : BoxSearchSettings {
 struct BranchLeaf {
   TreeBox at;
   std::optional<BranchTube> tube{};  ///< none: it is outside, or undecided
-  bool is_outside = false;
+  bool is_outside = false;           ///< it may have a tube, as a part of the branch
 };
 
 /// The boxes of a search, with the splits that made them.
@@ -46,6 +46,7 @@ class BranchTree {
   void leave(BranchLeaf leaf);
   /// Gives a leaf another tube over its box.
   void replace(std::size_t leaf, BranchTube tube) { leaves_.at(leaf).tube = std::move(tube); }
+  void remove_tube(std::size_t leaf) { leaves_.at(leaf).tube.reset(); }
 
   [[nodiscard]] const Node& node(BoxId box) const { return nodes_.at(box); }
   [[nodiscard]] const std::vector<BranchLeaf>& leaves() const { return leaves_; }

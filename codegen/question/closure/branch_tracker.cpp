@@ -10,7 +10,7 @@ namespace regulus::detail {
 namespace {
 
 constexpr double kLeastStep = 0x1p-24;
-constexpr int kMostEvaluations = 4000, kMostCorrections = 12;
+constexpr int kMostEvaluations = 1 << 14, kMostCorrections = 12;
 /// The first correction is at most this part of the step, and each is this part of the one before.
 constexpr double kPartOfStep = 0x1p-4, kPartOfCorrection = 0x1p-2;
 /// Newton's method has ended, relative to 1 or to the unknown.
@@ -18,6 +18,11 @@ constexpr double kSmall = 0x1p-42;
 /// Rounding keeps corrections as large as that where the system is nearly singular.
 constexpr double kNoise = 0x1p-24;
 constexpr int kCorrectionsBeforeNoise = 3;
+/// A step is looked at once for so much that an unknown moves: it may end at another solution by chance.
+constexpr double kMoveOfLook = 0.25;
+constexpr int kMostLooks = 16;
+/// No fraction of a turn, and none of the place that is asked for.
+constexpr double kPartOfLook = 0.381966;
 
 std::vector<double> middles(std::span<const Interval> values) {
   std::vector<double> result;
@@ -43,9 +48,11 @@ class Way {
 
   [[nodiscard]] bool is_over() const { return is_lost_ || is_found_; }
   [[nodiscard]] SystemBoxes::Box trial() const {
+    const bool is_look = looks_ > 0;
     SystemBoxes::Box box;
-    for (const double x : place(part_ + step_)) box.emplace_back(x);
-    for (const double p : trial_) box.emplace_back(p);
+    for (const double x : place(part_ + (is_look ? part_of_look() : 1) * step_))
+      box.emplace_back(x);
+    for (const double p : is_look ? between(part_of_look()) : trial_) box.emplace_back(p);
     return box;
   }
 
@@ -58,6 +65,7 @@ class Way {
     const double size = size_of(correction);
     if (!std::isfinite(size)) return shorten();
     const double small = std::fmin(kNoise, std::fmax(kSmall, rounding_of(*inverse, *system)));
+    if (looks_ > 0) return look(size, small);
     const bool is_noise = corrections_ >= kCorrectionsBeforeNoise && size <= kNoise;
     const bool is_bad = is_noise            ? false
                         : corrections_ == 0 ? size > kPartOfStep * predicted_ + small
@@ -66,7 +74,13 @@ class Way {
     if (corrections_ >= kMostCorrections) return shorten();
     for (std::size_t i = 0; i < n; ++i) trial_[i] -= correction[i];
     last_ = size, ++corrections_;
-    if (size <= kSmall || is_noise) accept(*inverse, *system);
+    if (!(size <= kSmall || is_noise)) return;
+    next_inverse_ = *inverse;
+    next_slopes_ = product(*inverse, middles(system->by_variable), n, shape_.variables);
+    for (double& slope : next_slopes_) slope = -slope;
+    if (!has_begun_) return accept();
+    looks_ = std::clamp(int(predicted_ / kMoveOfLook) + 1, 1, kMostLooks);
+    looked_ = 0;
   }
 
   [[nodiscard]] std::optional<TrackedPoint> result() const {
@@ -105,17 +119,42 @@ class Way {
     return size_of(product(inverse, radii, shape_.unknowns, 1));
   }
 
+  /// Of the step, where it is looked at next.
+  [[nodiscard]] double part_of_look() const { return (looked_ + kPartOfLook) / looks_; }
+
+  /// The unknowns at a part of the step by the solutions at both ends and the slopes there: the cubic.
+  [[nodiscard]] std::vector<double> between(double t) const {
+    std::vector<double> p(at_.size());
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const double rise = trial_[i] - at_[i], begin = move_of(slopes_, i) - rise,
+                   end = rise - move_of(next_slopes_, i);
+      p[i] = at_[i] + t * rise + t * (1 - t) * (begin * (1 - t) + end * t);
+    }
+    return p;
+  }
+
+  /// How far an unknown moves in the step with these slopes.
+  [[nodiscard]] double move_of(const std::vector<double>& slopes, std::size_t i) const {
+    double move = 0;
+    for (std::size_t k = 0; k < shape_.variables; ++k)
+      move += slopes[i * shape_.variables + k] * step_ * (end_[k] - start_.variables[k]);
+    return move;
+  }
+
+  /// Between both ends there must be solutions near the cubic, too.
+  void look(double size, double small) {
+    if (size > kPartOfStep * std::fmin(predicted_, 1.0) + small) return shorten();
+    if (++looked_ == looks_) accept();
+  }
+
   void shorten() {
     is_lost_ = !has_begun_ || step_ <= kLeastStep;
     step_ /= 2;
     predict();
   }
 
-  void accept(const std::vector<double>& inverse, const SystemBoxes::System& system) {
-    const std::size_t n = shape_.unknowns, m = shape_.variables;
-    at_ = trial_, inverse_ = inverse;
-    slopes_ = product(inverse, middles(system.by_variable), n, m);
-    for (double& slope : slopes_) slope = -slope;
+  void accept() {
+    at_ = trial_, inverse_ = next_inverse_, slopes_ = next_slopes_;
     part_ += step_;
     is_found_ = part_ >= 1;
     step_ = std::fmin(has_begun_ ? 2 * step_ : 1, 1 - part_);
@@ -124,14 +163,11 @@ class Way {
   }
 
   void predict() {
-    const std::size_t m = shape_.variables;
-    corrections_ = 0, last_ = 0, predicted_ = 0;
+    corrections_ = 0, last_ = 0, predicted_ = 0, looks_ = 0;
     trial_ = at_;
     if (slopes_.empty()) return;
     for (std::size_t i = 0; i < at_.size(); ++i) {
-      double move = 0;
-      for (std::size_t k = 0; k < m; ++k)
-        move += slopes_[i * m + k] * step_ * (end_[k] - start_.variables[k]);
+      const double move = move_of(slopes_, i);
       trial_[i] += move;
       predicted_ = std::fmax(predicted_, std::fabs(move) / std::fmax(1.0, std::fabs(at_[i])));
     }
@@ -141,8 +177,10 @@ class Way {
   const BranchPoint& start_;
   const std::vector<double>& end_;
   std::vector<double> at_, trial_, inverse_, slopes_;
+  std::vector<double> next_inverse_, next_slopes_;  ///< at the end of the step
   double part_ = 0, step_ = 0, predicted_ = 0, last_ = 0;
   int corrections_ = 0;
+  int looks_ = 0, looked_ = 0;  ///< 0: the end of the step is not found
   bool has_begun_ = false, is_lost_ = false, is_found_ = false;
 };
 

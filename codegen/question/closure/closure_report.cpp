@@ -13,6 +13,7 @@
 #include "codegen/answer/report/question_report.hpp"
 #include "codegen/answer/report/report.hpp"
 #include "codegen/answer/report/search_facts.hpp"
+#include "codegen/model/closure_start.hpp"
 #include "codegen/model/degrees.hpp"
 #include "codegen/question/closure/branch_threshold.hpp"
 #include "codegen/question/closure/closure_claims.hpp"
@@ -23,6 +24,9 @@ namespace regulus::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// Of the first box that is not on the branch, where ways to its end are looked at.
+constexpr double kPartsOfBox[] = {0.5, 0.125};
 
 std::string unknown_names(const Closure& closure) {
   std::string names;
@@ -96,10 +100,11 @@ std::vector<double> at_the_border(const PreparedClosure& prepared, std::vector<d
   return place;
 }
 
-/// Returns places a little beyond the boxes that are on the branch, to either side of the start, of a
-/// motion of one parameter.
-std::vector<double> beyond_the_branch(const PreparedClosure& prepared,
-                                      const ClosureResult& searched) {
+/// Returns places beyond the boxes that are on the branch, to either side of the start, of a motion of one
+/// parameter: one a little beyond the first box that is not, then others within it, and then the end of the
+/// range.
+std::vector<std::vector<double>> beyond_the_branch(const PreparedClosure& prepared,
+                                                   const ClosureResult& searched) {
   std::vector<std::pair<Interval, bool>> boxes;
   const std::vector<BranchLeaf>& leaves = searched.branch.tree.leaves();
   for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
@@ -108,18 +113,37 @@ std::vector<double> beyond_the_branch(const PreparedClosure& prepared,
   std::ranges::sort(boxes, {}, [](const auto& box) { return box.first.lo; });
   const double start = prepared.near_start.variables[0];
   const Interval& range = prepared.problem.outer[0];
-  std::vector<double> places;
-  const auto go = [&](double end) {
+  std::vector<std::vector<double>> sides;
+  const auto go = [&](double near, double end) {
+    std::vector<double>& places = sides.emplace_back();
     places.push_back(std::clamp(end + kPartBeyondBoxes * (end - start), range.lo, range.hi));
+    const double from = end > start ? std::fmax(near, start) : std::fmin(near, start);
+    for (const double part : kPartsOfBox) places.push_back(from + part * (end - from));
+    places.push_back(end > start ? range.hi : range.lo);
   };
   const auto below = std::find_if(boxes.rbegin(), boxes.rend(), [&](const auto& box) {
     return !box.second && box.first.lo < start;
   });
-  if (below != boxes.rend()) go(below->first.lo);
+  if (below != boxes.rend()) go(below->first.hi, below->first.lo);
   const auto above = std::ranges::find_if(
       boxes, [&](const auto& box) { return !box.second && box.first.hi > start; });
-  if (above != boxes.end()) go(above->first.hi);
-  return places;
+  if (above != boxes.end()) go(above->first.lo, above->first.hi);
+  return sides;
+}
+
+/// Returns the first singular configuration of the branch on the ways to these places; else one that is
+/// not shown to be of the branch.
+std::optional<Fold> first_fold(const PreparedClosure& prepared, const std::vector<double>& places,
+                               const Deadline& deadline, const SearchOptions& search,
+                               const FormingWatch& watch) {
+  std::optional<Fold> found;
+  for (const double end : places) {
+    if (deadline.reason()) return found;
+    auto fold = find_fold(prepared, {end}, {}, within(search, deadline), watch);
+    if (fold && (!found || fold->is_on_branch)) found = std::move(fold);
+    if (found && found->is_on_branch) return found;
+  }
+  return found;
 }
 
 void note(PreparedClosure& prepared, ClosureFinding& found, ThresholdFinding threshold) {
@@ -131,6 +155,7 @@ void note(PreparedClosure& prepared, ClosureFinding& found, ThresholdFinding thr
 
 std::string reason_of(const ClosureFinding& found) {
   if (found.searched.is_proved() && found.threshold) return found.threshold->reason;
+  if (!found.searched.has_start) return found.searched.links.obstacle;
   if (found.searched.branch.is_empty) return describe(Reason::kEmptyVariety);
   if (!found.searched.branch.is_complete && found.searched.branch.reason == Reason::kWidth)
     return "a box at the minimum width has no certain branch: it may end there, be singular, or "
@@ -196,8 +221,8 @@ ClosureFinding pave_closure(PreparedClosure& prepared, const SearchOptions& sear
          pave_threshold(pieces_of(prepared, found.searched), resolution, rest, run));
   }
   if (prepared.shape.parameters != 1) return found;
-  for (const double end : beyond_the_branch(prepared, found.searched))
-    if (auto fold = find_fold(prepared, {end}, {}, within(search, deadline), watch))
+  for (const std::vector<double>& side : beyond_the_branch(prepared, found.searched))
+    if (auto fold = first_fold(prepared, side, deadline, search, watch))
       found.folds.push_back(std::move(*fold));
   return found;
 }
@@ -294,11 +319,10 @@ Result check_result(const PreparedClosure& prepared, const ClosureFinding& found
     check.blocking_box.assign(
         found.searched.branch.blocking_box.begin(),
         found.searched.branch.blocking_box.begin() + std::ptrdiff_t(prepared.shape.variables));
-  check.occupancy =
-      found.searched.branch.is_empty ? Occupancy::kEmpty
-      : prepared.request.motion.constraints.empty() && prepared.request.motion.reach.empty()
-          ? Occupancy::kInhabited
-          : Occupancy::kUnknown;
+  check.occupancy = found.searched.branch.is_empty ? Occupancy::kEmpty
+                    : is_start_in_motion(prepared.request.model, prepared.request.motion)
+                        ? Occupancy::kInhabited
+                        : Occupancy::kUnknown;
   return check;
 }
 

@@ -9,11 +9,15 @@
 #include "codegen/answer/report/question_report.hpp"
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/closure_start.hpp"
+#include "codegen/question/closure/start_test.hpp"
 #include "codegen/question/engine/search_run.hpp"
 #include "codegen/question/quantity/quantity.hpp"
 
 namespace regulus::detail {
 namespace {
+
+/// A usual radius is divided by this, so often at most.
+constexpr int kPartOfRadius = 10, kSmallerRadii = 4;
 
 /// The kernel needs the entries of the matrix and their derivatives, and no product.
 SearchOptions options_of_kernel(SearchOptions search) {
@@ -129,7 +133,45 @@ PreparedClosure prepare_closure(Request request, double model_seconds, const Sea
   PreparedClosure prepared{
       prepare_system(std::move(request), model_seconds, search, watch, by, constants), {}, {}, {}};
   fill_start(prepared);
+  if (constants.empty()) fit_start(prepared, prepared.problem);
   return prepared;
+}
+
+void fit_start(PreparedClosure& prepared, const Problem& problem) {
+  if (prepared.preparation.stopped) return;
+  Closure& closure = *prepared.request.model.closure;
+  const BranchStart given = prepared.start;
+  SystemBoxes system(problem, prepared.scaling, prepared.shape);
+  prepared.obstacle_of_start = obstacle_of_start(system, prepared.shape, given);
+  if (std::ranges::find(closure.is_radius_usual, 1) == closure.is_radius_usual.end()) return;
+  GiNaC::numeric part = 1;
+  for (int k = 0; k < kSmallerRadii && !prepared.obstacle_of_start.empty(); ++k) {
+    part /= kPartOfRadius;
+    std::vector<GiNaC::ex> radius = closure.start_radius;
+    for (std::size_t i = 0; i < closure.is_radius_usual.size(); ++i)
+      if (closure.is_radius_usual[i] != 0) radius[i] *= part;
+    BranchStart smaller = given;
+    for (std::size_t i = 0; i < smaller.radius.size(); ++i)
+      smaller.radius[i] = enclose_constant(radius[i % radius.size()], "radius");
+    if (!obstacle_of_start(system, prepared.shape, smaller).empty()) continue;
+    prepared.obstacle_of_start.clear();
+    prepared.start = std::move(smaller);
+    closure.start_radius = std::move(radius);
+  }
+}
+
+ClosureResult without_start(const PreparedClosure& prepared, const ClosureQuestion& question,
+                            const BranchSettings& settings, Observer* progress) {
+  BranchSettings nothing = settings;
+  nothing.max_boxes = 0;
+  ClosureResult result;
+  result.branch = search_branch(question, nothing, progress);
+  result.branch.stopped_by.reset();
+  result.branch.reason = Reason::kWidth;
+  result.links.on_branch.assign(result.branch.tree.leaves().size(), 0);
+  result.links.obstacle = prepared.obstacle_of_start;
+  result.has_start = false;
+  return result;
 }
 
 BranchSettings settings_of(const PreparedSystem& prepared, const SearchOptions& search,
@@ -150,6 +192,8 @@ BoxSearchSettings rest_of(const BranchSettings& settings, const Deadline& deadli
 ClosureResult run_closure(PreparedClosure& prepared, const BranchSettings& settings,
                           Observer* progress, const KeptPieces& kept) {
   const ClosureQuestion question = prepared.question();
+  if (!prepared.obstacle_of_start.empty())
+    return without_start(prepared, question, settings, progress);
   const Deadline deadline(settings);
   BranchSettings first = settings;
   first.time_limit *= kPartOfSearch;

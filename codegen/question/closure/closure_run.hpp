@@ -46,7 +46,8 @@ struct PreparedSystem {
 struct PreparedClosure : PreparedSystem {
   BranchStart start;
   BranchPoint near_start;
-  std::vector<Interval> ranges;  ///< by unknown: where its values may be
+  std::vector<Interval> ranges;     ///< by unknown: where its values may be
+  std::string obstacle_of_start{};  ///< why no branch is known to begin there; empty if one does
 
   [[nodiscard]] ClosureQuestion question() const {
     return {problem, scaling, shape, near_start, ranges};
@@ -63,9 +64,14 @@ struct PreparedClosure : PreparedSystem {
                                               DerivativesBy by = DerivativesBy::kVariables,
                                               const std::vector<PoseParameter>& constants = {});
 
+/// Takes a smaller radius of the start in the place of a usual one, if exactly one configuration is shown
+/// to be within that alone. Notes why there is none. `problem`: of the place of the start.
+void fit_start(PreparedClosure& prepared, const Problem& problem);
+
 struct ClosureResult {
   BranchResult branch;
   BranchLinks links;
+  bool has_start = true;  ///< false: nothing was searched, because no branch is known to begin
 
   /// The branch is shown to be one, all over a motion that has a pose.
   [[nodiscard]] bool is_proved() const {
@@ -134,6 +140,11 @@ struct PiecesRun {
   SearchTopic topic{};           ///< for other processes, without what tells one piece from another
   KeptPieces kept{};
 };
+
+/// Returns that nothing is known, because of PreparedClosure::obstacle_of_start.
+[[nodiscard]] ClosureResult without_start(const PreparedClosure& prepared,
+                                          const ClosureQuestion& question,
+                                          const BranchSettings& settings, Observer* progress);
 
 /// Searches, and links what it finds, if the search is complete or paves. `progress` may be null.
 [[nodiscard]] ClosureResult run_closure(PreparedClosure& prepared, const BranchSettings& settings,

@@ -65,6 +65,12 @@ class WaySearch {
     found_.begins.push_back(near_);
     ClosureResult& result = found_.pieces.emplace_back();
     PieceWithoutBranch piece{k, "", {}, {}};
+    if (k == 0 && !prepared_.common.obstacle_of_start.empty()) {
+      result = without_start(prepared_.common, question, settings_, run_.progress);
+      piece.obstacle = result.links.obstacle;
+      found_.deciding = std::move(piece);
+      return;
+    }
     result.branch = searched(question, settings_for(piece), k);
     const MustStop must_stop = [this] { return deadline_.reason(); };
     if (settings_.paves || (result.branch.is_complete && !result.branch.is_empty))
@@ -199,8 +205,8 @@ class WaySearch {
       all.stopped_by = one.stopped_by;
     }
     if (!found_.deciding) {
-      const Motion& motion = prepared_.request.motion;
-      if (motion.constraints.empty() && motion.reach.empty()) all.occupancy = Occupancy::kInhabited;
+      if (is_start_in_motion(prepared_.request.model, prepared_.request.motion))
+        all.occupancy = Occupancy::kInhabited;
       return;
     }
     if (found_.is_refuted()) {
@@ -273,6 +279,9 @@ PreparedWay prepare_way(Request request, double model_seconds, const SearchOptio
     for (const PieceConstant& constant : all.constants)
       values.push_back(enclose_constant(constant.values[k], constant.quantity.name));
   }
+  fit_start(prepared.common, prepared.problem_of(0));
+  prepared.request.model.closure->start_radius =
+      prepared.common.request.model.closure->start_radius;
   return prepared;
 }
 

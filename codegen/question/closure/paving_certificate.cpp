@@ -31,7 +31,7 @@ PavedTree PavedTree::of(const ClosureResult& piece) {
 
 Claim PavedTree::claim_of(std::size_t leaf) const {
   const std::string_view word = words[leaf];
-  if (word == format::kOutsideLeaf) return Claim::kOutside;
+  if (word == format::kOutsideLeaf || tree->leaves()[leaf].is_outside) return Claim::kOutside;
   if (word == format::kInfeasibleLeaf) return Claim::kSingular;
   return word == (has_threshold ? format::kFeasibleLeaf : format::kTubeLeaf) ? Claim::kFree
                                                                              : Claim::kUndecided;

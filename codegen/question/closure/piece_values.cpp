@@ -8,12 +8,19 @@
 #include <utility>
 
 #include "codegen/model/way/trajectory.hpp"
+#include "codegen/question/closure/excluded_tubes.hpp"
 #include "codegen/question/closure/uncertain_values.hpp"
 #include "codegen/question/way/trajectory_run.hpp"
 #include "runtime/interval/floating_point_scope.hpp"
 
 namespace regulus::detail {
 namespace {
+
+/// The tubes of a way must also join its pieces.
+void drop_excluded(const PiecesOfBranch& pieces, std::size_t piece, BranchTree& tree) {
+  if (!pieces.request().motion.trajectory)
+    drop_excluded_tubes(tree, pieces.problem_of(piece).outer);
+}
 
 void add(BracketOfPieces& all, ValueBracket found, std::size_t piece) {
   all.upper = piece == 0 ? found.upper : std::fmax(all.upper, found.upper);
@@ -94,6 +101,7 @@ BracketOfPieces bracket_values(const PiecesOfBranch& pieces, const BranchValue& 
         k);
     if (aim.from && all.attained >= *aim.from) break;
   }
+  for (std::size_t k = 0; k < all.trees.size(); ++k) drop_excluded(pieces, k, all.trees[k]);
   if (all.trees.size() < pieces.count()) all.upper = kInfinity;
   all.is_closed = aim.is_met(all.attained, all.upper);
   if (all.is_closed) all.stopped_by.reset();
@@ -118,8 +126,10 @@ std::vector<BranchPaving> pave_pieces(const PiecesOfBranch& pieces, const Branch
                          chosen, piece.is_possible, listen, run.progress);
     };
     const BoxSearchSettings share = share_of(settings, boxes, seconds, pieces.results.size() - k);
-    const BranchPaving& found = paved.emplace_back(
+    BranchPaving& found = paved.emplace_back(
         is_whole ? run.kept.run(share, search, pieces.part_of_name(k)) : search(share));
+    drop_excluded(pieces, k, found.tree);
+    found.name_excluded();
     boxes += found.boxes;
     seconds += found.seconds;
   }

@@ -174,14 +174,15 @@ class ValuePavingGoal {
     keep(std::move(box), claim, tube);
   }
 
-  /// An undecided box keeps the tube of the branch, if it is on the branch.
+  /// An undecided or excluded box keeps the tube of the branch, if it is on the branch.
   void keep(TreeBox box, ForceClaim claim, std::optional<BranchTube> tube) {
     const char* word = claim == ForceClaim::kFeasible     ? format::kFeasibleLeaf
                        : claim == ForceClaim::kInfeasible ? format::kInfeasibleLeaf
                        : claim == ForceClaim::kOutside    ? format::kOutsideLeaf
                                                           : format::kUndecidedLeaf;
     const std::optional<std::size_t> leaf = leaf_of(box.box);
-    if (claim == ForceClaim::kUndecided && leaf && is_on_branch(*leaf)) {
+    const bool has_no_claim = claim == ForceClaim::kUndecided || claim == ForceClaim::kOutside;
+    if (has_no_claim && leaf && is_on_branch(*leaf)) {
       word = format::kTubeLeaf;
       tube = branch_.branch.tree.leaves()[*leaf].tube;
     }
@@ -222,6 +223,13 @@ class ValuePavingGoal {
 };
 
 }  // namespace
+
+void BranchPaving::name_excluded() {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const BranchLeaf& leaf = tree.leaves()[i];
+    if (leaf.is_outside) words[i] = leaf.tube ? format::kTubeLeaf : format::kOutsideLeaf;
+  }
+}
 
 BranchPaving pave_values(const ValueQuestion& question, const ClosureResult& branch,
                          const ValueAim& aim, double resolution, const BoxSearchSettings& settings,

@@ -19,6 +19,9 @@ struct BranchPaving {
   double seconds = 0;
   BranchTree tree{};                 ///< of all boxes, with tubes on the branch
   std::vector<const char*> words{};  ///< by leaf of the tree, of FORMAT.md
+
+  /// Gives the leaves that are outside the words for tubes, or for none, as they have them.
+  void name_excluded();
 };
 
 /// A box is feasible if the value is below `aim.below` all over it, and infeasible if it is at least

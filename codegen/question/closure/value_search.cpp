@@ -74,7 +74,7 @@ class ValueGoal {
       } else if (branch_.leaves().at(node.leaf).tube) {
         open_.push({std::move(box), node.leaf, kInfinity, branch_.leaves()[node.leaf].tube});
       } else {
-        exclude(std::move(box));
+        exclude(std::move(box), {});
       }
     }
   }
@@ -107,6 +107,10 @@ class ValueGoal {
     for (std::size_t i = 0; i < round_.size(); ++i) {
       ValueBox& box = round_[i];
       const ValueFinding& finding = findings[i];
+      if (finding.tube.is_outside) {
+        exclude(std::move(box.at), std::move(box.tube));
+        continue;
+      }
       box.is_judged = true;
       if (finding.tube.tube && is_on_branch(*finding.tube.tube, box.leaf, finding.near_center)) {
         box.tube = finding.tube.tube;
@@ -137,6 +141,7 @@ class ValueGoal {
   }
   /// Forgets a finding whose tube is not shown to be of the branch.
   void revise(const std::vector<Interval>& box, ValueFinding& finding) const {
+    if (finding.tube.is_outside) return;
     const std::optional<std::size_t> leaf = branch_.leaf_with(box);
     if (!leaf || !branch_.leaves()[*leaf].tube || !finding.tube.tube ||
         !is_on_branch(*finding.tube.tube, *leaf, finding.near_center))
@@ -157,7 +162,8 @@ class ValueGoal {
   }
   void resume(TreeBox at, ValueFinding& finding, bool is_leaf) {
     ValueBox box = box_of(std::move(at));
-    if (!branch_.leaves()[box.leaf].tube) return exclude(std::move(box.at));
+    if (!box.tube || finding.tube.is_outside)
+      return exclude(std::move(box.at), std::move(box.tube));
     if (finding.tube.tube) box.tube = std::move(finding.tube.tube);
     box.upper = finding.upper;
     box.impact = std::move(finding.impact);
@@ -167,7 +173,7 @@ class ValueGoal {
   }
   void reopen(TreeBox at) {
     ValueBox box = box_of(std::move(at));
-    if (!branch_.leaves()[box.leaf].tube) return exclude(std::move(box.at));
+    if (!box.tube) return exclude(std::move(box.at), {});
     open_.push(std::move(box));
   }
 
@@ -220,9 +226,10 @@ class ValueGoal {
     course_.leaf(box.at, Rule::kSecondOrder, box.upper);
     leaves_.push_back({box.at, box.tube});
   }
-  void exclude(TreeBox box) {
+  /// A part of the branch keeps its tube: it may be what joins others with the start.
+  void exclude(TreeBox box, std::optional<BranchTube> tube) {
     course_.leaf(box, Rule::kOutside);
-    leaves_.push_back({std::move(box), {}, true});
+    leaves_.push_back({std::move(box), std::move(tube), true});
   }
   void leave(const ValueBox& box) {
     course_.leave_open(box.at, Rule::kSecondOrder);
@@ -293,7 +300,7 @@ class ValueGoal {
 
 bool ValueAim::is_met(double attained_now, double upper) const {
   if (from) return attained_now >= *from || upper < *below;
-  return std::isfinite(upper) &&
+  return std::isfinite(upper) && std::isfinite(attained_now) &&
          upper - attained_now <=
              gap * std::max({std::fabs(upper), std::fabs(attained_now), negligible});
 }

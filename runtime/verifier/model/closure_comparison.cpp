@@ -16,6 +16,7 @@ namespace regulus::verifier {
 namespace {
 
 constexpr long kBitsOfClosure = 4096;
+constexpr int kSmallerRadii = 4;          ///< of a start without one
 constexpr long kMostTurnsOfUnknown = 16;  ///< after which an unknown may repeat
 constexpr double kMostTurnsOfAngle = 1e6;
 constexpr std::uint64_t kProductsOfTurns = 1 << 12;
@@ -131,7 +132,7 @@ class ClosureComparison {
     if (values_.contains(radius)) return require(radius, "unknown-radius " + name, none);
     const FilePlace from{radius, 0, "not given"};
     if (const NodeId usual = usual_radius(name); usual != kNoNode)
-      comparer_.compare(from, usual, "unknown-radius " + name, "");
+      comparer_.compare(from, smaller_radius(name, usual), "unknown-radius " + name, "");
     else
       comparer_.leave_out(from, "it is not certain whether the start is greater than 1");
   }
@@ -232,6 +233,17 @@ class ClosureComparison {
     const NodeId size = larger_of_one(start);
     if (size == kNoNode) return {kNoNode, kNoNode};
     return {start, graph.add(Op::kMultiply, graph.number("1000"), size)};
+  }
+
+  /// Returns the part of a usual radius, 1 or 1/10 to 1/10000, that the certificate states; else all of it.
+  NodeId smaller_radius(const std::string& name, NodeId usual) {
+    NodeId part = usual;
+    for (int k = 0; k <= kSmallerRadii; ++k) {
+      if (equality(q_, q_.stated.at("unknown-radius " + name).node, part) == Equality::kEqual)
+        return part;
+      part = q_.graph.add(Op::kDivide, part, q_.graph.number("10"));
+    }
+    return usual;
   }
 
   /// Without an entry it is 1/100 of a radian, or of the greater of 1 and the start's magnitude.
