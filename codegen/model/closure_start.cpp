@@ -109,6 +109,13 @@ std::vector<ex> start_of(const Model& model, const Motion& motion) {
   for (std::size_t i = 0; i < model.pose.size(); ++i)
     require_equal(model, motion, model.pose[i], motion.pose[i].subs(at_start),
                   closure.start_pose[i], remedy_of_ranges(model.pose[i]));
+  return values;
+}
+
+std::vector<ex> start_within_constraints(const Model& model, const Motion& motion) {
+  std::vector<ex> values = start_of(model, motion);
+  GiNaC::exmap at_start;
+  for (std::size_t k = 0; k < values.size(); ++k) at_start[motion.parameters[k].symbol] = values[k];
   require_constraints(model, motion, values_at_start(model, std::move(at_start)));
   return values;
 }
@@ -125,10 +132,6 @@ bool is_start_in_motion(const Model& model, const Motion& motion) {
            const CertainSign sign = sign_at_start(constraint, values);
            return sign == CertainSign::kNegative || sign == CertainSign::kZero;
          });
-}
-
-void require_start(const Model& model, const Motion& motion) {
-  if (model.closure) (void)start_of(model, motion);
 }
 
 void require_way_from_start(const Model& model, const Motion& motion) {

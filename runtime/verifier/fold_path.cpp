@@ -14,8 +14,8 @@
 namespace regulus::verifier {
 namespace {
 
-/// The parts into which an arc is cut are no smaller than this one of it.
 constexpr double kThinner = 0x1p-20;  ///< a part of the radius of a tube
+/// The parts into which an arc is cut are no smaller than this one of it.
 constexpr int kMostHalvingsOfFold = 40;
 
 /// Numbers of the curve: its coordinates are the part of the line, and the unknowns.

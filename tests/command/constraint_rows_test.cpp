@@ -109,7 +109,7 @@ TEST_F(ConstraintRows, OfADeltaTakeNoLimits) {
 
 /// Somewhere in the motion the load is not held over whole boxes, and elsewhere it is.
 TEST_F(ConstraintRows, OfADeltaTakeNoLimitsInAPaving) {
-  write(delta_model("force = [-0.78, 0.78]"));
+  write(delta_model("force = [-0.7, 0.7]"));
   const std::string certificate = path("paving");
   const CommandResult result =
       run_command({kCommand, "locate", model_, "--load", "tip", "--threads", "1", "--resolution",

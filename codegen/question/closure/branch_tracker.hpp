@@ -25,8 +25,8 @@ struct TrackedPoint {
 };
 
 /// Follows the configuration from `start` along a line to each of 1…8 places, by Newton's method
-/// with steps that halve where it converges badly, or where a step passes no solutions; nullopt where it loses its way. The result for a
-/// place depends on that place alone.
+/// with steps that halve where it converges badly, or where a step passes no solutions; nullopt where it
+/// loses its way. The result for a place depends on that place alone.
 ///
 /// Rounding  none: approximate; MXCSR at nearest.
 [[nodiscard]] std::vector<std::optional<TrackedPoint>> track(

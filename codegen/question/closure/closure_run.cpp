@@ -66,7 +66,8 @@ void relabel(PreparedSearch& p, const Request& request, const ClosedSystem& syst
 void fill_start(PreparedClosure& prepared) {
   const Closure& closure = *prepared.request.model.closure;
   BranchStart& start = prepared.start;
-  for (const GiNaC::ex& x : start_of(prepared.request.model, prepared.request.motion))
+  for (const GiNaC::ex& x :
+       start_within_constraints(prepared.request.model, prepared.request.motion))
     start.place.push_back(enclose_constant(x, "start"));
   for (std::size_t i = 0; i < closure.unknowns.size(); ++i) {
     const std::string& name = closure.unknowns[i].name;

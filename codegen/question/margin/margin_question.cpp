@@ -325,11 +325,6 @@ Request before_growth(const Request& nominal, const MarginQuestion& question) {
   return grows_from_0(question) ? grown(nominal, question, decimal_value(0)) : nominal;
 }
 
-bool grows_from_0(const MarginQuestion& question) {
-  return question.quantity == MarginQuantity::kTolerance ||
-         question.quantity == MarginQuantity::kTube;
-}
-
 void MarginRequest::replan(PreparedSearch& p, const MarginValue& value) const {
   const Request request = at(value);
   std::vector<Variable> variables = p.stages->formulation().variables;

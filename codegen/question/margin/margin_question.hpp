@@ -107,7 +107,10 @@ class MarginRequest {
 /// those of the request.
 [[nodiscard]] Request before_growth(const Request& nominal, const MarginQuestion& question);
 /// True if before_growth() has it at 0: it is no quantity of the request then.
-[[nodiscard]] bool grows_from_0(const MarginQuestion& question);
+[[nodiscard]] inline bool grows_from_0(const MarginQuestion& question) {
+  return question.quantity == MarginQuantity::kTolerance ||
+         question.quantity == MarginQuantity::kTube;
+}
 /// Returns "psi in [-1, v] deg, v grows": the range of a parameter that grows.
 [[nodiscard]] std::string describe_growing_range(const Request& nominal,
                                                  const MarginQuestion& question);
