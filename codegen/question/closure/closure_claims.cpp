@@ -33,7 +33,8 @@ bool is_narrowed(const Closure& closure, std::size_t i) {
          usual * (1 - 1e-9);
 }
 
-/// Returns ", which is within the range of knee," if there are such ranges.
+/// Returns ", which is within the range of knee (a proof in a file does not state this)," if there are such
+/// ranges: a certificate has no line for them.
 std::string within_ranges(const Closure& closure) {
   std::string names;
   std::size_t count = 0;
@@ -42,7 +43,9 @@ std::string within_ranges(const Closure& closure) {
       ++count, names += (names.empty() ? "" : ", ") + closure.unknowns[i].name;
   return count == 0
              ? ""
-             : fmt::format(", which is within the range{} of {},", count == 1 ? "" : "s", names);
+             : fmt::format(
+                   ", which is within the range{} of {} (a proof in a file does not state this),",
+                   count == 1 ? "" : "s", names);
 }
 
 }  // namespace
