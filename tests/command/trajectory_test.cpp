@@ -274,7 +274,8 @@ TEST_F(Trajectories, AreDividedIntoStretches) {
   EXPECT_THAT(run.errors, HasSubstr("singular   segment 117, t from 1.169"));
   EXPECT_THAT(run.errors, HasSubstr("\npose       singular in segment 117, t = 1.169"));
   EXPECT_THAT(run.errors, HasSubstr("\nwitness    s = "));
-  EXPECT_THAT(run.errors, HasSubstr("\nmeaning    free: the matrix loses rank at no pose of the stretch"));
+  EXPECT_THAT(run.errors,
+              HasSubstr("\nmeaning    free: the matrix loses rank at no pose of the stretch"));
   EXPECT_THAT(run.errors,
               HasSubstr("\nclaim      free: the full 2×2 matrix has full rank at every pose of the "
                         "stretch\n           singular: the full 2×2 matrix is singular at some"));
