@@ -234,13 +234,13 @@ TEST(ClosureStart, IsRefusedForMotionsThatDoNotTellIt) {
   EXPECT_EQ(refusal("parameters = { T = [\"pi/6\", 2] }\ntheta = \"2*T\"\n"), "");
   EXPECT_THAT(refusal("parameters = { T = [0, \"pi/6\"] }\ntheta = \"2*T\"\n"),
               HasSubstr("theta is 0 rad there, and (1/3)*pi rad at the start"));
-  EXPECT_EQ(refusal("parameters = { T = [0, 2], R = [0, 1] }\ntheta = \"T\"\n"
-                    "constraints = [\"T - R\"]\n"),
-            "");
+  const std::string excluded =
+      "parameters = { T = [0, 2], R = [0, 1] }\ntheta = \"T\"\nconstraints = [\"T - R\"]\n";
+  EXPECT_EQ(refusal(excluded), "");
+  const Model at_start =
+      parsed(changed(kFourBar, "theta = [\"-100*deg\", \"100*deg\"]\n", excluded));
+  EXPECT_THROW((void)start_within_constraints(at_start, at_start.motions[0]), InputError);
   EXPECT_THAT(refusal("waypoints = \"w.csv\"\n"), HasSubstr("follows way-points"));
-  Model without = parsed(kFourBar);
-  without.closure.reset();
-  EXPECT_EQ(refusal_of_start(without, without.motions[0]), "");
 }
 
 /// Two pose parameters that follow one parameter of the motion start together.
