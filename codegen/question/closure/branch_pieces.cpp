@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "codegen/answer/report/number_text.hpp"
+#include "codegen/model/closure_start.hpp"
 #include "codegen/model/way/trajectory.hpp"
 #include "codegen/question/closure/closure_certificate.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
@@ -17,6 +18,7 @@ PreparedWay prepare_pieces(Request request, double model_seconds, const SearchOp
                            const FormingWatch& watch, DerivativesBy by) {
   request.motion.alpha = 0;
   if (request.motion.trajectory) return prepare_way(request, model_seconds, search, watch, by);
+  (void)start_within_constraints(request.model, request.motion);
   return {request, prepare_closure(request, model_seconds, search, watch, by),
           std::vector<std::vector<Interval>>(1)};
 }

@@ -66,8 +66,7 @@ void relabel(PreparedSearch& p, const Request& request, const ClosedSystem& syst
 void fill_start(PreparedClosure& prepared) {
   const Closure& closure = *prepared.request.model.closure;
   BranchStart& start = prepared.start;
-  for (const GiNaC::ex& x :
-       start_within_constraints(prepared.request.model, prepared.request.motion))
+  for (const GiNaC::ex& x : start_of(prepared.request.model, prepared.request.motion))
     start.place.push_back(enclose_constant(x, "start"));
   for (std::size_t i = 0; i < closure.unknowns.size(); ++i) {
     const std::string& name = closure.unknowns[i].name;
@@ -96,7 +95,11 @@ std::optional<Request> read_closure(const ModelOptions& options, const FormingWa
   const std::string text = model_text(options);
   if (text.find("closure") == std::string::npos) return std::nullopt;
   Request request = read_request(text, options, &watch);
-  return request.model.closure ? std::optional(std::move(request)) : std::nullopt;
+  if (!request.model.closure) return std::nullopt;
+  const Motion& motion = request.motion;
+  if (!motion.waypoints && !motion.trajectory)
+    (void)start_within_constraints(request.model, motion);
+  return request;
 }
 
 std::vector<Interval> enclose_ranges(const Closure& closure) {
