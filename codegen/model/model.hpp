@@ -203,7 +203,7 @@ struct Model {
   std::optional<GiNaC::matrix> jacobian{};
   std::vector<std::string> matrix_notes;  ///< what a report says of it; a line each
   std::optional<Closure> closure{};
-  /// Of the first rows; the others belong to passive constraints. nullopt: each row is a motor's.
+  /// The motors have the first rows, and passive constraints the others. nullopt: each row is a motor's.
   std::optional<std::vector<MotorRow>> motors{};
   std::vector<GiNaC::ex> row_scale;  ///< empty, or m positive factors: J⁻¹ row = row_scale · row
   std::vector<TwistComponent> twist;       ///< by column; empty if the model does not say

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/verifier/extremum.hpp"
 
-#include <arb_mat.h>
-
 #include <algorithm>
 
+#include "runtime/verifier/ball_matrix.hpp"
 #include "runtime/verifier/derivative.hpp"
 
 namespace regulus::verifier {
@@ -14,22 +13,6 @@ constexpr long kBitsOfExtremum = 128;
 constexpr std::size_t kMostFree = 8;  ///< most variables of a convex bound
 constexpr int kFirstSteps = 8;        ///< of Newton's method
 constexpr long kWithin = 1 << 24;     ///< a point stays inside by this fraction of the radius
-
-/// An owned arb_mat_t.
-class BallMatrix {
- public:
-  BallMatrix(std::size_t rows, std::size_t columns) {
-    arb_mat_init(value_, slong(rows), slong(columns));
-  }
-  BallMatrix(const BallMatrix&) = delete;
-  BallMatrix& operator=(const BallMatrix&) = delete;
-  ~BallMatrix() { arb_mat_clear(value_); }
-  [[nodiscard]] arb_mat_struct* get() noexcept { return value_; }
-  [[nodiscard]] arb_ptr at(std::size_t i, std::size_t j) { return arb_mat_entry(value_, i, j); }
-
- private:
-  arb_mat_t value_;
-};
 
 }  // namespace
 

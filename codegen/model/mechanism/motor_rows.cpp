@@ -8,7 +8,7 @@
 namespace regulus::detail {
 namespace {
 
-/// Of each motor; empty: the model does not say.
+/// Returns the unit of each motor's coordinate; empty if the model does not say.
 std::vector<std::string> known_units(const Model& model) {
   if (!model.actuators.units.empty()) return model.actuators.units;
   std::vector<std::string> units;

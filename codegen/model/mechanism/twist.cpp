@@ -30,7 +30,7 @@ std::string force_unit_of(const Model& model) {
   if (are_all_in(model, length)) return has_torque_unit ? "1" : unit;
   const bool all_turn = are_all_in(model, "rad"), has_legs = knows_which_motors_turn(model);
   if (has_torque_unit && (all_turn || has_legs)) return unit.substr(0, unit.size() - turned.size());
-  // Of motors that turn, a unit that the model does not name is that of the forces.
+  // If motors turn and the model names no unit, its forces have the usual one.
   return has_legs && (!model.actuators.has_force_unit || !all_turn) ? unit : "1";
 }
 

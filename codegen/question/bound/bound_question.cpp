@@ -62,8 +62,8 @@ void require_finite_errors(const Request& request, const Quantity& quantity) {
 
 namespace {
 
-/// Of a component in degrees a limit is a number of degrees. One limit with a degree in its text has two
-/// values if it is for components in degrees and for others.
+/// A limit is a number of degrees if the component is in degrees. One limit with a degree in its text has
+/// two values if it is for components in degrees and for others.
 NumberUnit unit_of_limit(const std::string& text, const Place& place, const Quantity& quantity) {
   const auto in_degrees = [](const Component& c) { return is_in_degrees(c.unit); };
   if (std::ranges::none_of(quantity.components, in_degrees)) return NumberUnit::kPlain;

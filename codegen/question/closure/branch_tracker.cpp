@@ -119,7 +119,7 @@ class Way {
     return size_of(product(inverse, radii, shape_.unknowns, 1));
   }
 
-  /// Of the step, where it is looked at next.
+  /// Returns the part of the step at which it is looked at next.
   [[nodiscard]] double part_of_look() const { return (looked_ + kPartOfLook) / looks_; }
 
   /// The unknowns at a part of the step by the solutions at both ends and the slopes there: the cubic.

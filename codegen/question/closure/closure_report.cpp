@@ -25,7 +25,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Of the first box that is not on the branch, where ways to its end are looked at.
+/// Ways to the end of the branch go to these parts of the first box that is not on it.
 constexpr double kPartsOfBox[] = {0.5, 0.125};
 
 std::string unknown_names(const Closure& closure) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a load needs along a direction, and what forces within the limits give: NOT HELD and FREE of
-// force_test.hpp.
+// A load needs so much along a direction, and forces within the limits give at most so much: NOT HELD and
+// FREE of force_test.hpp.
 #pragma once
 
 #include <vector>

@@ -29,7 +29,7 @@ struct ArmAtPlace {
 /// The number of the system of all six joints. Those before it are of four joints, and the other two are
 /// opposite: N + 2 and N + 5 modulo 6 in the system of number N.
 inline constexpr std::size_t kWholeArm = 6;
-/// Where all joints turn, each pair of opposite ones has one number, below this.
+/// If all joints turn, each pair of opposite ones has one number, below this.
 inline constexpr std::size_t kOppositePairs = 3;
 
 /// Returns the numbers of the systems of four joints that there are: none if more than one joint slides.

@@ -15,7 +15,7 @@ constexpr double kBeyond = 1 + 0x1p-6;
 
 Interval length(const Vector3& v) { return sqrt(dot(v, v)); }
 
-/// What the joints that slide move the end by is at most so long.
+/// The joints that slide move the end by at most so much together.
 Interval reach_of(const ArmAtPlace& arm) {
   Interval reach = length(arm.target.d);
   for (const ArmJoint& joint : arm.chain) reach += length(joint.origin.d);
@@ -41,7 +41,7 @@ std::optional<Interval> share_of(const std::vector<Vector3>& g, std::size_t n) {
   if (g.size() == 1) return Interval(1.0);
   const std::size_t i = (n + 1) % g.size(), j = (n + 2) % g.size();
   const Vector3 across = cross(g[i], g[j]);
-  // Of two, the part of g_n across the other; of three, the part across both.
+  // This is the part of g_n across the other one of two, or across both others of three.
   const Interval part = g.size() == 2 ? length(cross(g[0], g[1])) : abs(dot(g[n], across)),
                  whole = g.size() == 2 ? Interval(1.0) : length(across);
   return part.lo > 0 ? std::optional(whole / part) : std::nullopt;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the joints of an arm that slide are looked for.
+// The joints of an arm that slide are looked for in these ranges.
 #pragma once
 
 #include <map>

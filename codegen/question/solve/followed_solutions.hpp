@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the solutions of a system are while its variables are anywhere in their ranges.
+// The solutions of a system move while its variables are anywhere in their ranges: tubes enclose them.
 #pragma once
 
 #include "codegen/question/solve/system_solutions.hpp"

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "codegen/model/exact/certain_sign.hpp"
+#include "codegen/question/solve/leg_lines.hpp"
 #include "codegen/question/solve/platform_legs.hpp"
 #include "codegen/question/solve/search_range.hpp"
 #include "codegen/question/solve/system_solutions.hpp"

@@ -184,9 +184,9 @@ class SystemSolver {
   void look_for_change(const RootList& list, const SolutionTubes& tubes, RootSettings settings,
                        Observer* progress) {
     constexpr int kMostTrials = 4;
-    const auto at_middles = number_of(list);
+    const auto nominal = number_of(list);
     int trials = 0;
-    for (std::size_t i = 0; i < list.roots.size() && at_middles && trials < kMostTrials; ++i) {
+    for (std::size_t i = 0; i < list.roots.size() && nominal && trials < kMostTrials; ++i) {
       if (tubes.tubes[i]) continue;
       ++trials;
       const Problem elsewhere = towards_singular(problem_, prepared_, list.roots[i].values);
@@ -196,11 +196,11 @@ class SystemSolver {
       solutions_.boxes += other.boxes;
       solutions_.seconds += other.seconds;
       const auto number = number_of(other);
-      if (!number || number == at_middles) continue;
+      if (!number || number == nominal) continue;
       solutions_.changes = true;
       solutions_.obstacle = fmt::format(
           "there are {} with all that is uncertain in the middle of its range, and {} with {}",
-          *at_middles, *number, values_text(elsewhere));
+          *nominal, *number, values_text(elsewhere));
       return;
     }
   }
