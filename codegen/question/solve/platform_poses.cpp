@@ -11,6 +11,7 @@
 #include "codegen/model/exact/exact_double.hpp"
 #include "codegen/question/engine/settings.hpp"
 #include "codegen/question/solve/arm_chain.hpp"
+#include "codegen/question/solve/interval_matrices.hpp"
 #include "codegen/question/solve/nominal.hpp"
 #include "codegen/question/solve/platform_legs.hpp"
 #include "codegen/question/solve/pose_search.hpp"

@@ -11,6 +11,7 @@
 #include "codegen/answer/report/report_text.hpp"
 #include "codegen/answer/report/search_facts.hpp"
 #include "codegen/model/file/installed_models.hpp"
+#include "codegen/model/file/model_edit.hpp"
 #include "codegen/model/file/model_file.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/model/overrides.hpp"
