@@ -169,6 +169,7 @@ struct Closure {
   std::vector<GiNaC::ex> start;         ///< near the configuration there, by unknown
   std::vector<GiNaC::ex> start_radius;  ///< by unknown: it is the only one so near
   std::vector<char> is_radius_usual{};  ///< by unknown: a smaller one will do, too; empty: none
+  std::vector<char> has_range{};        ///< by unknown: the model gives its range; empty: none
 };
 
 /// A leg whose length a motor sets.

@@ -78,6 +78,18 @@ class QuestionText {
     for (const ex& value : start_of(model_, motion_)) put("start", expression_text(value));
   }
 
+  /// Square roots that have values where the unknowns are within the ranges of the model.
+  static std::vector<ex> within_ranges(const Closure& closure) {
+    std::vector<ex> roots;
+    for (std::size_t i = 0; i < closure.has_range.size(); ++i) {
+      if (closure.has_range[i] == 0) continue;
+      const ex& unknown = closure.unknowns[i].symbol;
+      roots.push_back(GiNaC::sqrt(unknown - closure.ranges[i].lo));
+      roots.push_back(GiNaC::sqrt(closure.ranges[i].hi - unknown));
+    }
+    return roots;
+  }
+
   /// Writes the lines of matrix or equations, scale and defined, after the `let` lines that they
   /// use.
   void write_matrix() {
@@ -89,6 +101,8 @@ class QuestionText {
         lines.emplace_back("entry", model_.matrix(i, j));
     for (const ex& e : model_.row_scale) lines.emplace_back("scale", e);
     for (const ex& e : model_.must_be_defined) lines.emplace_back("defined", e);
+    if (model_.closure)
+      for (const ex& e : within_ranges(*model_.closure)) lines.emplace_back("defined", e);
     for (const auto& [key, e] : lines) lines_.announce(e);
     std::string lets, rest;
     for (const auto& [key, e] : lines) rest += key + ' ' + lines_.write(e, lets) + '\n';

@@ -125,6 +125,7 @@ class ClosureReader {
       const TomlEntry given = optional_entry(table, u.name);
       closure_.ranges.push_back(given.node ? range(given, u.unit)
                                            : default_range(u.unit, closure_.start[i]));
+      closure_.has_range.push_back(given.node ? 1 : 0);
       if (given.node) require_within(given, i);
     }
   }

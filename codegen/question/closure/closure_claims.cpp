@@ -3,16 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/answer/report/place_text.hpp"
 #include "codegen/answer/report/plain_words.hpp"
 #include "codegen/answer/report/question_report.hpp"
 #include "codegen/answer/report/search_facts.hpp"
-#include "codegen/model/degrees.hpp"
 #include "codegen/question/closure/branch_threshold.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 
@@ -21,31 +18,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// True for a range that is narrower than the one that an unknown has without its own.
-bool is_narrowed(const Closure& closure, std::size_t i) {
-  const auto approx = [](const GiNaC::ex& e) {
-    return GiNaC::ex_to<GiNaC::numeric>(e.evalf()).to_double();
-  };
-  const std::string& unit = closure.unknowns[i].unit;
-  const double usual = unit == "rad" ? 2 * std::numbers::pi : is_in_degrees(unit) ? 360 : 1000;
-  const Range& range = closure.ranges[i];
-  return std::fmin(approx(range.hi - closure.start[i]), approx(closure.start[i] - range.lo)) <
-         usual * (1 - 1e-9);
-}
-
-/// Returns ", which is within the range of knee (a proof in a file does not state this)," if there are such
-/// ranges: a certificate has no line for them.
+/// Returns ", which is within the range of knee," if the model gives such ranges.
 std::string within_ranges(const Closure& closure) {
   std::string names;
   std::size_t count = 0;
-  for (std::size_t i = 0; i < closure.unknowns.size(); ++i)
-    if (is_narrowed(closure, i))
+  for (std::size_t i = 0; i < closure.has_range.size(); ++i)
+    if (closure.has_range[i] != 0)
       ++count, names += (names.empty() ? "" : ", ") + closure.unknowns[i].name;
   return count == 0
              ? ""
-             : fmt::format(
-                   ", which is within the range{} of {} (a proof in a file does not state this),",
-                   count == 1 ? "" : "s", names);
+             : fmt::format(", which is within the range{} of {},", count == 1 ? "" : "s", names);
 }
 
 }  // namespace

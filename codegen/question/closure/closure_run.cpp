@@ -74,7 +74,12 @@ void fill_start(PreparedClosure& prepared) {
     start.radius.push_back(enclose_constant(closure.start_radius[i], "radius." + name));
     prepared.near_start.unknowns.push_back(mid(start.values.back()));
   }
-  prepared.ranges = enclose_ranges(closure);
+  // The part of each range that is certain.
+  for (std::size_t i = 0; i < closure.unknowns.size(); ++i) {
+    const std::string name = "range." + closure.unknowns[i].name;
+    prepared.ranges.push_back(Interval(enclose_constant(closure.ranges[i].lo, name).hi,
+                                       enclose_constant(closure.ranges[i].hi, name).lo));
+  }
   // The start has no errors, so copies of the unknowns have the same values there.
   for (std::size_t i = 0; i + closure.unknowns.size() < prepared.shape.unknowns; ++i) {
     start.values.push_back(Interval(start.values[i]));

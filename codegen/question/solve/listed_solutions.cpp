@@ -200,6 +200,7 @@ Request searched_request(const Request& request) {
   Request searched = request;
   searched.motion.alpha = 0;
   Closure& closure = *searched.model.closure;
+  closure.has_range.clear();  // lines `unknown` say where solutions are looked for
   for (std::size_t i = 0; i < closure.unknowns.size(); ++i) {
     closure.start[i] = (closure.ranges[i].lo + closure.ranges[i].hi) / 2;
     closure.start_radius[i] =

@@ -82,7 +82,7 @@ class ClosureComparison {
       comparer_.refuse(comparer_.place_of(equation(closure_.equations.size())), "fewer equations");
     for (const std::string& name : closure_.names)
       q_.solutions ? compare_range(name) : compare_unknown(name);
-    if (!q_.solutions) compare_start();
+    if (!q_.solutions) compare_start(), require_ranges();
     if (q_.has_threshold) require_radians();
     require_known_keys();
   }
@@ -235,6 +235,26 @@ class ClosureComparison {
     return {start, graph.add(Op::kMultiply, graph.number("1000"), size)};
   }
 
+  /// The file means nothing where an unknown leaves its range: there a square root has no value.
+  void require_ranges() {
+    Graph& graph = q_.graph;
+    for (const std::string& name : closure_.names) {
+      const std::string place = "closure.range." + name;
+      if (!values_.contains(place + "[0]")) continue;
+      const NodeId p = q_.actual.at(name);
+      const auto expect = [&](const std::string& end, bool is_upper) {
+        if (!values_.contains(end)) throw Unfinished(place + " has no upper end");
+        const NodeId value = comparer_.number_at(end, name);
+        comparer_.expect_defined(
+            comparer_.place_of(end),
+            graph.add(Op::kSqrt, is_upper ? graph.add(Op::kSubtract, value, p)
+                                          : graph.add(Op::kSubtract, p, value)));
+      };
+      expect(place + "[0]", false);
+      expect(place + "[1]", true);
+    }
+  }
+
   /// Returns the part of a usual radius, 1 or 1/10 to 1/10000, that the certificate states; else all of it.
   NodeId smaller_radius(const std::string& name, NodeId usual) {
     NodeId part = usual;
@@ -326,7 +346,6 @@ class ClosureComparison {
     });
   }
 
-  /// `range` is where the solver looks; it is no part of the claim.
   void require_known_keys() {
     for (const auto& [key, written] : table("closure.")) {
       const std::string word = key.substr(0, key.find_first_of(".["));

@@ -98,7 +98,7 @@ std::string bar_file() {
          " }\n[closure.range]\nphi = [-4, 4]\n[motion.turn]\ntheta = [\"-100*deg\", \"100*deg\"]\n";
 }
 
-/// bar() with a constant crank, for which its tubes have no numbers.
+/// bar() with a constant crank, for which its tubes have no numbers, and the range of phi.
 std::string exact_bar() {
   // An uncertain quantity of no spread is a constant of the file.
   const std::string exact =
@@ -119,7 +119,7 @@ std::string exact_bar() {
     }
     for (std::size_t k = 0; k < words.size(); ++k) text += words[k] + (k < 9 ? ' ' : '\n');
   }
-  return text;
+  return with_other(text, "proof\n", "defined sqrt(4 + phi)\ndefined sqrt(4 - phi)\nproof\n");
 }
 
 TEST(AQuestionAboutAClosure, IsComparedWithAModelFile) {
@@ -165,6 +165,47 @@ TEST(AQuestionAboutAClosure, IsComparedWithAModelFile) {
                   "[closure]\nunknowns = { p = \"m\" }\nequations = [\"p - x\"]\nstart = { x = 1, "
                   "p = 1 }\n[motion.only]\nx = [1, 2]\n"),
          ""));
+}
+
+TEST(AQuestionAboutAClosure, StatesTheRangesOfTheFile) {
+  const std::string certificate = exact_bar(), file = bar_file();
+  const auto expect_unfinished = [](const std::string& text, const std::string& model,
+                                    const char* why) {
+    for (const bool all : {false, true})
+      EXPECT_TRUE(is(Outcome::kUnfinished, compared(text, model, all), why)) << model;
+  };
+  expect_unfinished(with_other(certificate, "defined sqrt(4 + phi)\n", ""), file,
+                    "closure.range.phi[0]");
+  expect_unfinished(with_other(certificate, "defined sqrt(4 - phi)\n", ""), file,
+                    "closure.range.phi[1]");
+  expect_unfinished(with_other(certificate, "sqrt(4 - phi)", "sqrt(4 - psi)"), file,
+                    "range.phi[1]");
+  expect_unfinished(with_other(certificate, "sqrt(4 - phi)", "sqrt(5 - phi)"), file,
+                    "range.phi[1]");
+  expect_unfinished(certificate, with_other(file, "phi = [-4, 4]", "phi = [-4, 3]"),
+                    "range.phi[1]");
+  expect_unfinished(certificate, with_other(file, "phi = [-4, 4]", "phi = [-4, 4]\npsi = [-9, 9]"),
+                    "range.psi[0]");
+  expect_unfinished(certificate, with_other(file, "[closure.range]\nphi = [-4, 4]\n", ""), "line");
+  // Two forms of one number.
+  EXPECT_TRUE(is(Outcome::kVerified,
+                 compared(with_other(certificate, "sqrt(4 - phi)", "sqrt(8/2 - phi)"),
+                          with_other(file, "[-4, 4]", "[\"-8/2\", 4]")),
+                 ""));
+}
+
+/// At the start phi is near the number of its line `unknown`.
+TEST(ABranch, ThatLeavesARangeIsNotVerified) {
+  const std::string text = exact_bar();
+  const std::size_t begin = text.find("unknown phi = ") + 14;
+  const std::string start = text.substr(begin, text.find(" +-", begin) - begin);
+  for (const char* const end : {"(phi - (%) + 0.02)", "((%) + 0.02 - phi)"}) {
+    std::string within = end;
+    within.replace(within.find('%'), 1, start);
+    EXPECT_FALSE(
+        is(Outcome::kVerified, verify_text(with_other(text, "sqrt(4 + phi)", "sqrt" + within)), ""))
+        << within;
+  }
 }
 
 /// The driver is a parameter of the motion, which has a name of its own.
