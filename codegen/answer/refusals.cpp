@@ -31,10 +31,10 @@ constexpr std::string_view kNoTheoremOfSolutions =
     "Coq proves lists of poses: in the plane that they are all; in space that they are all if the "
     "complex ones are counted, given the theorem about their number, and of INCOMPLETE ones that "
     "there are at least these; it has no theorem about lists in space that were searched and about "
-    "postures; regulus-verify proves all lists";
+    "postures; what has a proof in a file, regulus-verify proves";
 constexpr std::string_view kNoTheoremAlongWay =
     "along way-points Coq proves lists of poses in the plane, and none in space or of postures; "
-    "regulus-verify proves all lists";
+    "what has a proof in a file, regulus-verify proves";
 constexpr std::string_view kNoBoxesOfSolutions =
     "a picture is of the boxes of a paving, not of solutions";
 constexpr std::string_view kOneMethodOfSolutions =

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/verifier/arm_equations.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "runtime/verifier/algebra.hpp"
+#include "runtime/verifier/bilinear_forms.hpp"
 #include "runtime/verifier/evaluation.hpp"
 #include "runtime/verifier/middle_angle.hpp"
 #include "runtime/verifier/proof.hpp"
-#include "runtime/verifier/rigid_motion.hpp"
+#include "runtime/verifier/rounding.hpp"
 #include "runtime/verifier/variety.hpp"
 
 namespace regulus::verifier {
@@ -24,20 +26,16 @@ double approx_dot(const Three& u, const Three& v) {
   return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 }
 
-/// Vectors or numbers times 1, cos a, sin a of one angle and 1, cos b, sin b of another.
-template <class T>
-using Bilinear = std::array<std::array<T, 3>, 3>;
-
 /// J₁B₁J₂B₂…J₆B₆ = 1 with the rotation J_i about axis i through the origin.
 struct Loop {
   std::array<VectorNodes, kJointsOfArm> axis;
   std::array<PlacementNodes, kJointsOfArm> behind;  ///< B_i
 };
 
-class ArmEquations {
+class ArmEquations : private BilinearForms {
  public:
   ArmEquations(Question& q, std::size_t pair)
-      : q_(q), arm_(*q.solutions->arm), a_(q.graph), pair_(pair), zero_(a_.zero()) {
+      : BilinearForms(q.graph), q_(q), arm_(*q.solutions->arm), first_(pair) {
     q_.alpha = a_.number(0);
     for (const Interval place : enclose_variety(q_).outer)
       places_.emplace_back(place, kBitsOfNumbers);
@@ -48,7 +46,7 @@ class ArmEquations {
     read_joints();
     PlacementNodes end = a_.at_rest();
     for (std::size_t i = 0; i < kJointsOfArm; ++i)
-      end = a_.product(a_.product(end, before_[i]), {a_.turn(axis_[i], angle(i)), zero_});
+      end = a_.product(a_.product(end, before_[i]), moved(axis_[i], slides_[i], unknown(i)));
     const VectorNodes gap = a_.difference(end.p, target_.p);
     const MatrixNodes E = a_.product(end.R, a_.transposed(target_.R));
     ClosureLines closure;
@@ -58,8 +56,9 @@ class ArmEquations {
           a_.difference(E[(i + 2) % 3][(i + 1) % 3], E[(i + 1) % 3][(i + 2) % 3]));
     for (std::size_t i = 0; i < kJointsOfArm; ++i) {
       closure.names.push_back("joint " + std::to_string(i + 1));
-      closure.middle.push_back(middle_angle(q_.solutions->solutions, i, q_.graph));
-      closure.radius.push_back(q_.graph.add(Op::kPi));
+      const auto [middle, radius] = slides_[i] ? range_of_slide(i) : range_of_angle(i);
+      closure.middle.push_back(middle);
+      closure.radius.push_back(radius);
     }
     q_.closure = std::move(closure);
     return a_.sum(a_.sum(E[0][0], E[1][1]), E[2][2]);
@@ -67,14 +66,33 @@ class ArmEquations {
 
   /// The equations of four angles, in the variables 0 to 3.
   std::vector<NodeId> form_four() {
+    find_first();
     close_loop();
     return equations_of(turned_loop());
   }
+  /// Returns the joint that is the first of the loop then.
+  [[nodiscard]] std::size_t first() const noexcept { return first_; }
 
  private:
   /// The unknown with a number.
-  NodeId angle(std::size_t number) {
+  NodeId unknown(std::size_t number) {
     return q_.graph.add(Op::kVariable, int(q_.variables.size() + number));
+  }
+
+  /// The middle and the radius.
+  using RangeNodes = std::pair<NodeId, NodeId>;
+
+  RangeNodes range_of_angle(std::size_t joint) {
+    return {middle_angle(q_.solutions->solutions, joint, q_.graph), q_.graph.add(Op::kPi)};
+  }
+
+  /// The lines are in it. It is no part of the claim: a slide follows from the four angles.
+  RangeNodes range_of_slide(std::size_t joint) {
+    Interval all = point(0.0);
+    for (const SolutionLine& line : q_.solutions->solutions) all = hull(all, line.values[joint]);
+    if (!(mag(all) <= kLargest)) throw Rejection("the value of a slide is too large");
+    const double radius = std::ldexp(1.0, 2 + std::ilogb(mag(all) + 1.0));
+    return {a_.number(0), q_.graph.number(rational_of(radius))};
   }
 
   // The arm.
@@ -99,6 +117,12 @@ class ArmEquations {
     return certain_equal(q_.graph, node, a_.number(number), kProductsOfFrame);
   }
 
+  /// What a joint does.
+  PlacementNodes moved(const VectorNodes& axis, bool slides, NodeId value) {
+    if (slides) return {a_.identity(), a_.scaled(value, axis)};
+    return {a_.turn(axis, value), zero_};
+  }
+
   /// Joints that keep their values become parts of the links behind them.
   void read_joints() {
     PlacementNodes since = a_.at_rest();
@@ -111,11 +135,12 @@ class ArmEquations {
                          " is not shown to be of length 1");
       since = a_.product(since, at);
       if (joint.held != kNoNode) {
-        since = a_.product(since, {a_.turn(joint.axis, joint.held), zero_});
+        since = a_.product(since, moved(joint.axis, joint.slides, joint.held));
         continue;
       }
       before_.push_back(since);
       axis_.push_back(joint.axis);
+      slides_.push_back(joint.slides);
       since = a_.at_rest();
     }
     target_ = arm_.tool.empty() ? placed_by_values(since) : placed_by_tool(since);
@@ -126,7 +151,7 @@ class ArmEquations {
   PlacementNodes placed_by_values(const PlacementNodes& behind) {
     PlacementNodes end = a_.at_rest();
     for (std::size_t i = 0; i < kJointsOfArm; ++i)
-      end = a_.product(a_.product(end, before_[i]), {a_.turn(axis_[i], arm_.values[i]), zero_});
+      end = a_.product(a_.product(end, before_[i]), moved(axis_[i], slides_[i], arm_.values[i]));
     if (q_.variables.empty()) return end;
     end = a_.product(end, behind);
     for (VectorNodes& row : end.R) row = in_middle(row);
@@ -156,6 +181,18 @@ class ArmEquations {
   }
 
   // The loop.
+
+  /// If a joint slides, it is to be the third.
+  void find_first() {
+    if (std::ranges::count(slides_, true) > 1) throw Unfinished("more than one joint slides");
+    const auto slide = std::ranges::find(slides_, true);
+    if (slide == slides_.end()) return;
+    const std::size_t before = std::size_t(slide - slides_.begin()) + kJointsOfArm - 2;
+    if (before % kPairsOfJoints != first_ % kPairsOfJoints)
+      throw Rejection("the line 'opposite' is not about the joint that slides");
+    first_ = before % kJointsOfArm;
+    has_slide_ = true;
+  }
 
   /// O₁J₁…O₆J₆ = T is J₁O₂J₂…O₆J₆(T⁻¹O₁) = 1.
   void close_loop() {
@@ -192,103 +229,41 @@ class ArmEquations {
   Loop turned_loop() const {
     Loop result;
     for (std::size_t i = 0; i < kJointsOfArm; ++i) {
-      result.axis[i] = loop_.axis[(i + pair_) % kJointsOfArm];
-      result.behind[i] = loop_.behind[(i + pair_) % kJointsOfArm];
+      result.axis[i] = loop_.axis[(i + first_) % kJointsOfArm];
+      result.behind[i] = loop_.behind[(i + first_) % kJointsOfArm];
     }
     return result;
   }
 
-  // Bilinear forms.
-
-  using Form = Bilinear<VectorNodes>;
-  using Number = Bilinear<NodeId>;
-  enum class Angle { kFirst, kSecond };
-
-  Form constant(const VectorNodes& v) {
-    Form result;
-    for (auto& row : result) row.fill(zero_);
-    result[0][0] = v;
-    return result;
-  }
-  template <class Map>
-  static auto mapped(const Form& form, const Map& map) {
-    Bilinear<decltype(map(form[0][0]))> result;
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j) result[i][j] = map(form[i][j]);
-    return result;
-  }
-  Form times(const MatrixNodes& R, const Form& form) {
-    return mapped(form, [&](const VectorNodes& v) { return a_.product(R, v); });
-  }
-  Form cross(const VectorNodes& u, const Form& form) {
-    return mapped(form, [&](const VectorNodes& v) { return a_.cross(u, v); });
-  }
-  Number dot(const VectorNodes& u, const Form& form) {
-    return mapped(form, [&](const VectorNodes& v) { return a_.dot(u, v); });
-  }
-  Form plus(Form form, const VectorNodes& v) {
-    form[0][0] = a_.sum(form[0][0], v);
-    return form;
-  }
-  Form minus(Form form, const VectorNodes& v) {
-    form[0][0] = a_.difference(form[0][0], v);
-    return form;
-  }
-  Form sum(const Form& x, const Form& y) {
-    Form result;
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j) result[i][j] = a_.sum(x[i][j], y[i][j]);
-    return result;
-  }
-  Form difference(const Form& x, const Form& y) {
-    Form result;
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j) result[i][j] = a_.difference(x[i][j], y[i][j]);
-    return result;
-  }
-  /// Adds a multiple of another one.
-  Number plus(Number x, const Number& y, long factor = 1) {
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j)
-        x[i][j] = a_.sum(x[i][j], a_.product(a_.number(factor), y[i][j]));
-    return x;
-  }
-  Number number(NodeId constant) {
-    Number result;
-    for (auto& row : result) row.fill(a_.number(0));
-    result[0][0] = constant;
-    return result;
-  }
-
-  /// Turns a form that does not have the angle by it about a unit vector u, or back if `sign` is −1:
-  /// v becomes u(u·v) + (v − u(u·v))·cos ± (u × v)·sin.
-  Form turned(const Form& form, Angle angle, const VectorNodes& u, long sign) {
-    Form result = constant(zero_);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const bool is_first = angle == Angle::kFirst;
-      const VectorNodes& v = is_first ? form[0][i] : form[i][0];
-      const VectorNodes along = a_.scaled(a_.dot(u, v), u);
-      const std::array<VectorNodes, 3> parts = {along, a_.difference(v, along),
-                                                a_.scaled(a_.number(sign), a_.cross(u, v))};
-      for (std::size_t part = 0; part < 3; ++part)
-        (is_first ? result[part][i] : result[i][part]) = parts[part];
-    }
-    return result;
-  }
+  // The equations, as PROOF.md derives them.
 
   /// Returns the sum of a form times 1, cos, sin of one variable and 1, cos, sin of another.
   NodeId expression(const Number& form, std::size_t first, std::size_t second) {
     const auto powers = [this](std::size_t variable) {
-      const NodeId x = angle(variable);
+      const NodeId x = unknown(variable);
       return VectorNodes{a_.number(1), a_.cosine(x), a_.sine(x)};
     };
     const VectorNodes u = powers(first), v = powers(second);
     return a_.dot(u, {a_.dot(v, form[0]), a_.dot(v, form[1]), a_.dot(v, form[2])});
   }
 
-  // The equations, as PROOF.md derives them.
-
   using Side = std::array<Number, 5>;
+
+  /// A slide along k changes no product of the point with a vector across k, and none of the direction. `seen`:
+  /// the products with a vector.
+  template <class Seen>
+  Side along_slide(const VectorNodes& k, const Seen& seen) {
+    const Three near = approx(k);
+    std::size_t least = 0;
+    for (std::size_t i = 1; i < 3; ++i)
+      if (std::fabs(near[i]) < std::fabs(near[least])) least = i;
+    VectorNodes unit = zero_;
+    unit[least] = a_.number(1);
+    const VectorNodes e = a_.cross(k, unit), f = a_.cross(k, e);
+    const auto [point_e, direction_e] = seen(e);
+    const auto [point_f, direction_f] = seen(f);
+    return {point_e, point_f, direction_e, direction_f, seen(k).second};
+  }
 
   /// By the joints 1 and 2: P and L are where axis 6 is, seen from joint 3.
   Side side_of_base(const Loop& loop) {
@@ -305,6 +280,11 @@ class ArmEquations {
     };
     const Form w = back1(g), H = back1(h), x = back2(minus(w, d1)), M = back2(H),
                N = back2(difference(back1(a_.cross(g, h)), cross(d1, H)));
+    if (has_slide_)
+      return along_slide(loop.axis[2], [&](const VectorNodes& by) {
+        const VectorNodes v = a_.product(loop.behind[1].R, by);
+        return std::pair(dot(v, minus(x, d2)), dot(v, M));
+      });
     const NodeId squares = a_.sum(a_.sum(a_.dot(g, g), a_.dot(d1, d1)), a_.dot(d2, d2));
     return {dot(k, minus(x, d2)), dot(k, M),
             plus(plus(number(squares), dot(d1, w), -2), dot(d2, x), -2),
@@ -326,6 +306,11 @@ class ArmEquations {
     const Form D = by5(d5), u = by5(l), m = by5(a_.cross(d5, l)), u4 = times(B4.R, u);
     const Form W = by4(plus(times(B4.R, D), d4)), U = by4(u4),
                C = by4(sum(cross(d4, u4), times(B4.R, m)));
+    if (has_slide_)
+      return along_slide(loop.axis[2], [&](const VectorNodes& by) {
+        const VectorNodes v = a_.product(R3, by);
+        return std::pair(plus(number(a_.dot(by, d3)), dot(v, W)), dot(v, U));
+      });
     const NodeId squares = a_.sum(a_.sum(a_.dot(d3, d3), a_.dot(d4, d4)), a_.dot(d5, d5));
     return {plus(number(a_.dot(loop.axis[2], d3)), dot(k, W)), dot(k, U),
             plus(plus(number(squares), dot(e, D), 2), dot(d, W), 2),
@@ -342,12 +327,12 @@ class ArmEquations {
 
   Question& q_;
   const ArmLines arm_;
-  GraphAlgebra a_;
-  const std::size_t pair_;
-  const VectorNodes zero_;
+  std::size_t first_;
+  bool has_slide_ = false;
   std::vector<Ball> places_;  ///< of the uncertain quantities
   std::vector<PlacementNodes> before_;
   std::vector<VectorNodes> axis_;
+  std::vector<bool> slides_;
   PlacementNodes target_{};
   Loop loop_{};
 };
@@ -366,7 +351,7 @@ PostureSearch form_posture_equations(Question& question, std::size_t pair) {
   four.pop_back();
   closure.equations = std::move(four);
   for (const std::size_t joint : kSearched) {
-    const std::size_t i = (joint + pair) % kJointsOfArm;
+    const std::size_t i = (joint + equations.first()) % kJointsOfArm;
     search.searched.push_back(i);
     closure.names.push_back(all.names[i]);
     closure.middle.push_back(all.middle[i]);

@@ -142,9 +142,10 @@ struct LegLine {
   NodeId square = kNoNode;
 };
 
-/// A joint of an arm that turns: the frame that it turns in, seen from the one that the joint before
-/// turns, and its axis through the origin, of length 1. These are constant expressions.
+/// A joint of an arm: the frame that it moves in, seen from the one that the joint before moves, and its
+/// axis through the origin, of length 1, about which it turns or along which it slides. These are constant expressions.
 struct ArmJointLine {
+  bool slides = false;
   std::array<NodeId, 9> rotation{};  ///< of the frame, row by row
   std::array<NodeId, 3> place{}, axis{};
   NodeId held = kNoNode;  ///< the value that it keeps; kNoNode: it is free

@@ -2,6 +2,7 @@
 #include "runtime/verifier/solution_lines.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "runtime/verifier/arm_equations.hpp"
 #include "runtime/verifier/constant_lines.hpp"
@@ -15,6 +16,8 @@ constexpr std::size_t kLegsInSpace = 6, kValuesInSpace = 7, kValuesInPlane = 3;
 constexpr std::string_view kPlusMinus = " +- ";
 /// A line `leg` has so many bars.
 constexpr std::ptrdiff_t kBarsInPlane = 4;
+constexpr std::array<const char*, 4> kJointKeys = {"joint", "held-joint", "sliding-joint",
+                                                   "held-sliding-joint"};
 constexpr std::size_t kMostJoints = 64, kNumbersOfJoint = 15, kNumbersOfFrame = 12,
                       kNumbersOfTool = 6;
 
@@ -34,7 +37,7 @@ class SolutionReader {
       values_ = kValuesInPlane;
       legs_ = kLegsInPlane;
     }
-    if (legs_ != 0 && (reader_.is("joint") || reader_.is("held-joint"))) read_arm();
+    if (legs_ != 0 && is_joint()) read_arm();
     while (reader_.is("leg")) read_leg();
     if (s_.legs.size() != legs_)
       throw Rejection("expected " + std::to_string(legs_) + " lines 'leg E | … | E'");
@@ -50,7 +53,7 @@ class SolutionReader {
     legs_ = 0;
     values_ = kJointsOfArm;
     ArmLines& arm = s_.arm.emplace();
-    while (reader_.is("joint") || reader_.is("held-joint")) read_joint(arm);
+    while (is_joint()) read_joint(arm);
     const auto free = std::ranges::count(arm.joints, kNoNode, &ArmJointLine::held);
     if (std::size_t(free) != kJointsOfArm)
       throw Rejection("expected " + std::to_string(kJointsOfArm) + " lines 'joint', found " +
@@ -63,15 +66,22 @@ class SolutionReader {
     arm.tool = numbers("tool", "tool ", kNumbersOfTool, 0);
   }
 
-  /// Reads `joint`, or `held-joint` with a value behind the other numbers.
+  [[nodiscard]] bool is_joint() const {
+    return std::ranges::any_of(kJointKeys, [this](const char* key) { return reader_.is(key); });
+  }
+
+  /// A line that begins with `held` has a value behind the other numbers.
   void read_joint(ArmLines& arm) {
     if (arm.joints.size() == kMostJoints) throw Rejection("there are too many joints");
-    const bool is_held = reader_.is("held-joint");
+    const auto* const key =
+        std::ranges::find_if(kJointKeys, [this](const char* word) { return reader_.is(word); });
+    const std::size_t kind = std::size_t(key - kJointKeys.begin());
+    const bool is_held = kind % 2 != 0;
     const std::string number = std::to_string(arm.joints.size());
-    const std::vector<NodeId> all =
-        numbers(is_held ? "held-joint" : "joint", "joint " + number + '_',
-                kNumbersOfJoint + (is_held ? 1 : 0), kNumbersOfJoint);
+    const std::vector<NodeId> all = numbers(*key, "joint " + number + '_',
+                                            kNumbersOfJoint + (is_held ? 1 : 0), kNumbersOfJoint);
     ArmJointLine joint;
+    joint.slides = kind >= 2;
     std::copy_n(all.begin(), 9, joint.rotation.begin());
     std::copy_n(all.begin() + 9, 3, joint.place.begin());
     std::copy_n(all.begin() + 12, 3, joint.axis.begin());

@@ -87,6 +87,25 @@ TEST_F(Margin, BracketsAThreshold) {
   expect_brackets(report({"small", "--alpha", "0:10"}), 0.5, 0.01);
 }
 
+/// Both are singular at 90 degrees.
+TEST_F(Margin, GrowsInDegreesAsInRadians) {
+  const auto crank = [&](const std::string& unit, const std::string& ends,
+                         const std::string& error) {
+    std::ofstream(model_) << "regulus = 1\nname = \"crank\"\n[pose]\nth = \"" << unit
+                          << "\"\n[matrix]\nrows = [[\"cos(th)\"]]\n[motion.m]\nth = " << ends
+                          << "\nerror = { th = " << error << " }\n";
+  };
+  const double right = std::acos(0.0), degree = right / 90;
+  crank("deg", "[-10, 20]", "1");
+  for (const char* high : {"120", "120*deg", "120°"})
+    expect_brackets(report({"m", "--grow", std::string("th=0:") + high}), 89, 0.01);
+  expect_brackets(report({"m", "--tube", "th=0:100"}), 70, 0.01);
+  crank("rad", "[\"-10*deg\", \"20*deg\"]", "\"1*deg\"");
+  for (const char* high : {"2", "120*deg", "120deg"})
+    expect_brackets(report({"m", "--grow", std::string("th=0:") + high}), right - degree, 0.01);
+  expect_brackets(report({"m", "--tube", "th=0:1.7"}), 70 * degree, 0.01);
+}
+
 TEST_F(Margin, KeepsTheOtherOptionsAsTheyAreGiven) {
   // (1 − e)(1 − 0.1) = 1/2
   expect_brackets(report({"small", "--tolerance", "b=0.1", "--tolerance", "a=0:0.9"}), 4.0 / 9,

@@ -116,13 +116,21 @@ Listed planar_list(const Request& request, const Solutions& solutions) {
 }
 
 Listed posture_list(const Solutions& solutions) {
-  std::vector<std::vector<Interval>> angles;
-  for (std::size_t i = 0; i < solutions.unknowns.size(); ++i)
-    angles.push_back(angles_of(solutions, i));
-  Listed listed{{}, std::vector<double>(angles.size(), 1)};
+  const std::size_t joints = solutions.unknowns.size();
+  std::vector<std::vector<Interval>> values(joints);
+  for (std::size_t i = 0; i < joints; ++i) {
+    if (solutions.unknowns[i].period != 0)
+      values[i] = angles_of(solutions, i);
+    else
+      for (const CertainSolution& solution : solutions.found)
+        values[i].push_back(solution.values[i]);
+  }
+  Listed listed{{}, usual_sizes(solutions)};
+  for (std::size_t i = 0; i < joints; ++i)
+    if (solutions.unknowns[i].period != 0) listed.sizes[i] = 1;  // in radians
   for (std::size_t k = 0; k < solutions.found.size(); ++k) {
     auto& tube = listed.tubes.emplace_back();
-    for (const auto& of_joint : angles) tube.push_back(of_joint[k]);
+    for (const auto& of_joint : values) tube.push_back(of_joint[k]);
   }
   return listed;
 }

@@ -28,8 +28,8 @@ using GiNaC::ex;
 constexpr const char* kNoSolutionCertain = "no solution is certain, so nothing is claimed";
 constexpr const char* kNoProofOfCount =
     "that these are all is shown by a count of complex postures, which has no proof in a file";
-constexpr const char* kNoProofOfSlides =
-    "a list of postures of an arm with joints that slide has no proof in a file";
+constexpr const char* kNoProofOfJoints =
+    "a list of postures that a search over all six joints found has no proof in a file";
 constexpr const char* kNoProofOfTolerances =
     "this list is without the tolerances and errors of the file, so it has no proof in a file";
 constexpr const char* kAtBorder = "a solution may be at the end of the range of an unknown";
@@ -145,7 +145,9 @@ std::string arm_lines(const Request& request, const Solutions& solutions) {
     const ex unit = is_in_degrees(model.pose[k].unit) ? one_degree() : ex(1);
     const ex value = is_by_tool && is_free ? ex(0) : nominal.at(pose[k] * unit);
     if (!is_free) numbers.push_back(value);
-    joints += (is_free ? "joint " : "held-joint ") + expressions(numbers) + '\n';
+    joints += is_free ? "" : "held-";
+    joints += (joint.kind == JointKind::kPrismatic ? "sliding-joint " : "joint ") +
+              expressions(numbers) + '\n';
     if (is_free) values += "joint-value " + expression_text(value) + '\n';
   }
   if (!is_by_tool) return joints + values;
@@ -188,14 +190,11 @@ std::string obstacle_of(const Request& request, const Solutions& solutions) {
                ? kAtBorder
                : "";
   if (solutions.is_nominal) return kNoProofOfTolerances;
-  if (request.model.arm) {
-    if (std::ranges::any_of(request.model.arm->joints, [](const SerialJoint& joint) {
-          return joint.kind == JointKind::kPrismatic;
-        }))
-      return kNoProofOfSlides;
-    return solutions.opposite == 0 ? kNoProofOfCount : "";
-  }
-  return "";
+  if (!request.model.arm || solutions.opposite != 0) return "";
+  const bool all_turn = std::ranges::all_of(
+      request.model.arm->joints,
+      [](const SerialJoint& joint) { return joint.kind == JointKind::kRevolute; });
+  return all_turn ? kNoProofOfCount : kNoProofOfJoints;
 }
 
 struct Trial {

@@ -40,12 +40,14 @@ class PlaceComparison {
 
  private:
   [[nodiscard]] bool has(const std::string& place) const { return values_.contains(place); }
+  [[nodiscard]] bool starts(WrittenValues::const_iterator at, std::string_view with) const {
+    return at != values_.end() && at->first.starts_with(with);
+  }
 
   /// The constants of [geometry] have their values, whatever their tolerances are.
   void name_constants() {
     const Scope none;
-    for (auto at = values_.lower_bound(kGeometry);
-         at != values_.end() && at->first.starts_with(kGeometry); ++at) {
+    for (auto at = values_.lower_bound(kGeometry); starts(at, kGeometry); ++at) {
       const std::string rest = at->first.substr(kGeometry.size());
       std::string name = rest.substr(0, rest.find_first_of(".["));
       std::string key = rest.substr(name.size());
@@ -107,11 +109,12 @@ class PlaceComparison {
                              " joints, and not " + std::to_string(stated.joints.size()));
     for (std::size_t k = 0; k < arm.joints.size(); ++k) compare_joint(arm.joints[k], k);
     if (is_by_tool ? stated.tool.empty() : has_values && !stated.tool.empty())
-      comparer_.refuse_model(is_by_tool ? "the motion gives the place of the tool"
-                                        : "the motion gives values of the joints");
+      require_place_option(is_by_tool ? "the motion gives the place of the tool"
+                                      : "the motion gives values of the joints");
     if (!stated.tool.empty()) {
       for (std::size_t k = 0; k < stated.joints.size(); ++k)
-        compare_kept(arm.joints[k], stated.joints[k], "joint " + std::to_string(k) + "_15");
+        compare_kept(arm.joints[k], stated.joints[k], "joint " + std::to_string(k) + "_15",
+                     is_by_tool);
       return compare_tool(arm.tool, is_by_tool);
     }
     std::size_t free = 0;
@@ -122,11 +125,19 @@ class PlaceComparison {
         compare_value(arm.joints[k], "joint-value " + std::to_string(free++), has_values);
   }
 
+  /// `what`: the file says, and not that of the certificate.
+  void require_place_option(const std::string& what) {
+    if (!comparer_.may_differ(kPlaceOption)) comparer_.refuse_model(what);
+    comparer_.note_difference(what + "; the place is that of the certificate");
+  }
+
   /// The value that a joint keeps beside the tool may be an option, as that it keeps one.
-  void compare_kept(const SectionJoint& joint, const ArmJointLine& stated, const std::string& key) {
+  void compare_kept(const SectionJoint& joint, const ArmJointLine& stated, const std::string& key,
+                    bool is_by_tool) {
     const bool has_value = value_of(joint.name) != kNoNode;
-    if (stated.held != kNoNode) return compare_value(joint, key, has_value);
-    if (has_value)
+    if (stated.held != kNoNode)
+      compare_value(joint, key, has_value);
+    else if (has_value && is_by_tool)
       comparer_.leave_out(comparer_.place_of(motion_ + joint.name),
                           "the certificate has a joint that keeps no value");
   }
@@ -139,11 +150,8 @@ class PlaceComparison {
       values[pose.name] = value_of(pose.name);
       has_all = has_all && values[pose.name] != kNoNode;
     }
-    if (!has_all && !is_by_tool && !comparer_.may_differ(kPlaceOption))
-      comparer_.refuse_model("the motion '" + q_.motion + "' gives no value of each joint");
     if (!has_all && !is_by_tool)
-      comparer_.note_difference("the motion '" + q_.motion +
-                                "' gives no value of each joint; those are the certificate's");
+      require_place_option("the motion '" + q_.motion + "' gives no value of each joint");
     for (const auto& [name, value] : values)
       q_.actual.insert_or_assign(name, has_all || (is_by_tool && value != kNoNode)
                                            ? value
@@ -166,8 +174,9 @@ class PlaceComparison {
 
   void compare_joint(const SectionJoint& joint, std::size_t number) {
     const FilePlace from = place_of_joint(values_, joint.name);
-    if (joint.slides) comparer_.refuse(from, "a joint that turns");
     const ArmJointLine& stated = q_.solutions->arm->joints[number];
+    if (joint.slides != stated.slides)
+      comparer_.refuse(from, stated.slides ? "a joint that slides" : "a joint that turns");
     if (stated.held != kNoNode) {
       if (!comparer_.may_differ(kHoldOption)) comparer_.refuse(from, "a joint that is held");
       comparer_.note_difference(joint.name + " keeps its value");
@@ -222,9 +231,8 @@ class PlaceComparison {
     if (has(lengths + "[0]")) return compare_given_lengths(lengths, legs.size());
     Scope pose = q_.actual;
     for (const SectionPose& p : section_->pose()) {
-      const NodeId value = value_of(p.name);
+      const NodeId value = pose[p.name] = value_of(p.name);
       if (value == kNoNode) return accept_place(p.name, legs.size());
-      pose.insert_or_assign(p.name, value);
     }
     for (std::size_t i = 0; i < legs.size(); ++i) {
       const NodeId square = section_->squared_length(legs[i], pose, comparer_);
@@ -323,21 +331,13 @@ class PlaceComparison {
 
   /// The file has no such place: an option may have given it.
   void accept_place(const std::string& lacking, std::size_t legs) {
-    const auto motion = values_.lower_bound(motion_);
-    const bool is_known = motion != values_.end() && motion->first.starts_with(motion_);
-    const std::string why = is_known ? "the motion '" + q_.motion + "' gives no value of " + lacking
-                                     : "the file has no motion '" + q_.motion + '\'';
-    if (!comparer_.may_differ(kPlaceOption)) comparer_.refuse_model(why);
-    comparer_.note_difference(why + "; the lengths are those of the certificate");
+    const bool is_known = starts(values_.lower_bound(motion_), motion_);
+    require_place_option(is_known ? "the motion '" + q_.motion + "' gives no value of " + lacking
+                                  : "the file has no motion '" + q_.motion + '\'');
     for (std::size_t i = 0; i < legs; ++i) comparer_.note_compared("square " + std::to_string(i));
-    accept_errors(legs);
-  }
-
-  /// The errors of a pose that an option has given cannot be compared with those of the motion.
-  void accept_errors(std::size_t legs) {
+    // The errors of a pose that an option has given cannot be compared with those of the motion.
     const auto error = values_.lower_bound(motion_ + "error.");
-    if (error != values_.end() && error->first.starts_with(motion_ + "error.") &&
-        !error->first.starts_with(motion_ + "error.legs"))
+    if (starts(error, motion_ + "error.") && !error->first.starts_with(motion_ + "error.legs"))
       comparer_.leave_out(comparer_.place_of(error->first), "the file does not give the pose");
     compare_errors_of_lengths(legs);
   }
@@ -361,8 +361,7 @@ class PlaceComparison {
                                place.starts_with("legs.") || place.starts_with("serial.");
       const bool is_spread = is_of_robot && (place.find("tolerance") != std::string::npos ||
                                              place.find(".radius") != std::string::npos);
-      const bool is_error = place.starts_with(motion_ + "error");
-      if ((is_spread || is_error) && !is_zero(value))
+      if ((is_spread || place.starts_with(motion_ + "error")) && !is_zero(value))
         comparer_.leave_out(comparer_.place_of(place),
                             "the claim is without tolerances and errors");
     }
@@ -370,8 +369,7 @@ class PlaceComparison {
 
   /// A threshold is no part of the claim.
   void require_known_keys() {
-    for (auto at = values_.lower_bound(motion_);
-         at != values_.end() && at->first.starts_with(motion_); ++at) {
+    for (auto at = values_.lower_bound(motion_); starts(at, motion_); ++at) {
       const std::string rest = at->first.substr(motion_.size());
       const std::string name = rest.substr(0, rest.find_first_of(".["));
       const auto poses = section_->pose();

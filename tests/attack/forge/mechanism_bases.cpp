@@ -59,6 +59,31 @@ q6 = 10
 tool = [0.5, 0.1, 0.3, 0.2, 0.4, "60*deg"]
 )";
 
+constexpr const char* kSlide = R"(regulus = 1
+name = "arm with a slide, on a rail"
+
+[serial]
+unit = "m"
+joints = [
+  { name = "rail", type = "prismatic", axis = [1, 0, 0] },
+  { name = "q1", xyz = [0, 0, 0.4] },
+  { name = "q2", xyz = [0, 0.15, 0], axis = [0, 1, 0] },
+  { name = "q3", type = "prismatic", axis = [0, 3, 4] },
+  { name = "q4", xyz = [0, 0, 0.1] },
+  { name = "q5", axis = [0, 1, 0] },
+  { name = "q6", xyz = [0, 0, 0.2] },
+]
+
+[motion.here]
+rail = 0.2
+q1 = 0.3
+q2 = 0.7
+q3 = 0.5
+q4 = 0.4
+q5 = 0.8
+q6 = -0.2
+)";
+
 constexpr const char* kElbow = R"(regulus = 1
 name = "arm with an elbow"
 
@@ -187,6 +212,7 @@ std::vector<Base> of_solutions() {
       {"postures", kWrist, {"solve", "here"}},
       {"postures by the tool", kWrist, {"solve", "tool"}},
       {"postures beside a held joint", kElbow, {"solve", "here", "--hold", "q3"}},
+      {"postures with a slide", kSlide, {"solve", "here", "--hold", "rail"}},
   };
 }
 

@@ -110,6 +110,32 @@ void expect_all(const Arm& arm, const Numbers& planted, const Solutions& solutio
   }
 }
 
+/// A list of one arm is none of a changed one, or of the file of another.
+void expect_proof(const std::string& model) {
+  const Certified made = certified(model);
+  ASSERT_FALSE(made.text.empty()) << made.status.obstacle();
+  const std::string plain = without_sum(made.text);
+  EXPECT_EQ(outcome(made.text, model), Outcome::kVerified);
+  EXPECT_NE(outcome(plain, replaced(model, "prismatic", "revolute")), Outcome::kVerified);
+  EXPECT_NE(outcome(replaced(made.text, "sliding-joint", "joint")), Outcome::kVerified);
+  const std::size_t pair = made.text.find("opposite ") + 9;
+  for (const char other : {'1', '2', '3'}) {
+    if (other == made.text[pair]) continue;
+    std::string changed = made.text;
+    changed[pair] = other;
+    EXPECT_EQ(outcome(changed), Outcome::kRejected);
+  }
+  const Lines genuine = lines_of(made.text);
+  for (std::size_t k = 0; k < made.solutions.found.size(); ++k) {
+    Lines fewer = genuine;
+    fewer.erase(fewer.begin() + std::ptrdiff_t(first(genuine, "solution") + k));
+    if (made.solutions.found.size() == 1) continue;
+    EXPECT_EQ(outcome(joined(claiming(fewer, "COMPLETE", format::kOfArm, "posture", "postures"))),
+              Outcome::kRejected)
+        << k;
+  }
+}
+
 TEST(PosturesOfAnArmWithOneSlide, AreThoseThatNewtonFinds) {
   RandomSource random(31);
   int complete = 0;
@@ -122,6 +148,7 @@ TEST(PosturesOfAnArmWithOneSlide, AreThoseThatNewtonFinds) {
     if (!is_complete(solutions)) continue;
     ++complete;
     expect_all(arm, planted, solutions, random, 60);
+    if (round < 6) expect_proof(text_of(arm, planted));
   }
   EXPECT_GE(complete, rounds - 1);
 }
@@ -143,6 +170,32 @@ TEST(PosturesOfTheStanfordArm, AreEight) {
     EXPECT_EQ(solutions.found.size(), 8U);
     expect_all(arm, q, solutions, random, 20);
   }
+}
+
+/// The rail keeps its value, and the six joints behind it turn; or the rail moves, and a joint keeps its angle.
+TEST(PosturesOfAnArmOnARail, AreVerified) {
+  const std::string model =
+      "regulus = 1\nname = \"on a rail\"\n[serial]\nunit = \"m\"\njoints = [\n"
+      "{ name = \"rail\", type = \"prismatic\", axis = [1, 0, 0], rpy = [0.1, 0, 0] },\n"
+      "{ name = \"a\", axis = [0, 0, 1], xyz = [0, 0.1, 0.3] },\n"
+      "{ name = \"b\", axis = [0, 1, 0], xyz = [0.1, 0, 0.2] },\n"
+      "{ name = \"c\", axis = [0, 1, 0], xyz = [0, 0.05, 0.5] },\n"
+      "{ name = \"d\", axis = [1, 0, 0], xyz = [0.1, 0, 0.1] },\n"
+      "{ name = \"e\", axis = [0, 1, 0], xyz = [0.4, 0, 0] },\n"
+      "{ name = \"f\", axis = [1, 0, 0], xyz = [0.1, 0.02, 0] },\n]\n"
+      "[motion.at]\nrail = 0.2\na = 0.3\nb = 0.4\nc = -0.5\nd = 0.6\ne = 0.7\nf = 0.1\n";
+  const Certified held =
+      certified(model, {"rail=0.2", "x=0.9", "y=0.3", "z=0.8", "roll=0.1", "pitch=0.2", "yaw=0.3"});
+  ASSERT_TRUE(is_complete(held.solutions));
+  ASSERT_FALSE(held.text.empty()) << held.status.obstacle();
+  EXPECT_NE(held.text.find("held-sliding-joint"), std::string::npos);
+  const std::string plain = without_sum(held.text);
+  EXPECT_EQ(verified(plain, model, true).outcome, Outcome::kVerified);
+  EXPECT_NE(
+      verified(plain, replaced(model, "axis = [1, 0, 0], rpy", "axis = [-1, 0, 0], rpy"), true)
+          .outcome,
+      Outcome::kVerified);
+  EXPECT_NE(outcome(replaced(held.text, "held-sliding-joint", "held-joint")), Outcome::kVerified);
 }
 
 /// Rails along x and z, one directly behind the other, and a wrist: the last four joints turn.
