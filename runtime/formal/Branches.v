@@ -834,6 +834,10 @@ Proof.
   - rewrite nth_overflow by lia. apply unknown_encloses.
 Qed.
 
+(** The equations alone. Near the start nothing else needs a value but where the configuration is. *)
+Definition bare (c : closure) : closure :=
+  Closure (places c) (unknowns c) (further c) (equations c) [] (start c) (near c).
+
 Section Start.
   Variables (c : closure) (full : nat).
   Let n := unknowns c.
@@ -867,7 +871,7 @@ Section Start.
   (** [around] holds what is within the radii; [tight] is within them, and has the configuration of
       each tube at the start. *)
   Definition starts (root : box) (around tight : tube) (ls : list leaf) : bool :=
-    subset_boxes b root && is_tested c full around b && holds_near b around
+    subset_boxes b root && is_tested (bare c) full around b && holds_near b around
     && Nat.eqb (length (near c)) n && is_within b tight
     && forallb (fun x => boxes_apart (snd x) b ||
          match fst x with
@@ -945,7 +949,8 @@ Proof.
     apply andb_prop in H3 as [H3 H7].
     apply andb_prop in H3 as [H3 H6]. apply andb_prop in H3 as [H4 H5].
     apply Nat.eqb_eq in H7. unfold holds_near in H6. rewrite forallb_forall in H6, H8.
-    unfold is_tested in H5. destruct (test_tube c full around b) as [h|] eqn:W; [|discriminate].
+    unfold is_tested in H5.
+    destruct (test_tube (bare c) full around b) as [h|] eqn:W; [|discriminate].
     change (map (value []) (start c)) with (the_start c) in S2. set (x0 := the_start c) in *.
     set (p0 := configuration c full g root x0).
     assert (X0 : in_box root x0) by exact (subset_boxes_correct b root x0 H4 S2).
@@ -993,9 +998,9 @@ Proof.
       eapply Rle_trans; [apply Rabs_triang|]. lra. }
     intros q. split.
     + intros [Sq Nq].
-      rewrite (only_solution c full around b h x0 W S2 q (near_in q Sq Nq) Sq).
+      rewrite (only_solution (bare c) full around b h x0 W S2 q (near_in q Sq Nq) Sq).
       destruct P0 as [S0 N0].
-      symmetry. exact (only_solution c full around b h x0 W S2 p0 (near_in p0 S0 N0) S0).
+      symmetry. exact (only_solution (bare c) full around b h x0 W S2 p0 (near_in p0 S0 N0) S0).
     + intros ->. exact P0.
   - intros m C I.
     assert (B : forall t, in_box root (m t)) by (intros; apply rooted; apply I).
@@ -1065,7 +1070,7 @@ Definition around_start (c : closure) (middles radii : box) (m : nat) : tube :=
     (map (fun i => mul (I.upper i) 0x1.0001p+0) radii)%float.
 
 Definition tight_start (c : closure) (full : nat) (b : box) (t : tube) : tube :=
-  match bounds_of c full t b with
+  match bounds_of (bare c) full t b with
   | Some v =>
       let s := Nat.iter 20 (Fit.newton_step c full (inverse v) b) t in
       Tube (foot s) (axis_at s) (tilt s) (map (fun r => mul r 0x1p-10) (reach s))%float

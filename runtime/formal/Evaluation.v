@@ -102,9 +102,9 @@ Definition positive_range (v : enclosure) : bool := is_positive (expansion_range
 Definition nonzero_range (v : enclosure) : bool := is_not_zero (expansion_range v).
 
 Definition enclose_sin (v : enclosure) : enclosure :=
-  apply true (I.sin precision) (I.cos precision) (fun i => I.neg (I.sin precision i)) v.
+  apply true sine (I.cos precision) (fun i => I.neg (sine i)) v.
 Definition enclose_cos (v : enclosure) : enclosure :=
-  apply true (I.cos precision) (fun i => I.neg (I.sin precision i))
+  apply true (I.cos precision) (fun i => I.neg (sine i))
     (fun i => I.neg (I.cos precision i)) v.
 Definition enclose_exp (v : enclosure) : enclosure :=
   apply true (I.exp precision) (I.exp precision) (I.exp precision) v.

@@ -150,11 +150,26 @@ Qed.
 Lemma pi_encloses : encloses (I.pi precision) PI.
 Proof. exact (I.pi_correct precision). Qed.
 
-Lemma sin_encloses i x : encloses i x -> encloses (I.sin precision i) (sin x).
-Proof. exact (I.sin_correct precision i (Xreal x)). Qed.
-
 Lemma cos_encloses i x : encloses i x -> encloses (I.cos precision i) (cos x).
 Proof. exact (I.cos_correct precision i (Xreal x)). Qed.
+
+(** Of a number next to a half turn [I.sin] says that it is between -1 and 1, and near one it
+    loses half of the digits. Then the cosine of the complement is better. *)
+Definition sine (i : interval) : interval :=
+  let width j := PrimFloat.sub (I.upper j) (I.lower j) in
+  let s := I.sin precision i in
+  if PrimFloat.ltb (width s) (PrimFloat.add (width i) (width i)) then s
+  else I.meet s (I.cos precision (subtract (divide (I.pi precision) (integer 2)) i)).
+
+Lemma sin_encloses i x : encloses i x -> encloses (sine i) (sin x).
+Proof.
+  intros X. assert (S : encloses (I.sin precision i) (sin x))
+    by exact (I.sin_correct precision i (Xreal x) X).
+  unfold sine. destruct PrimFloat.ltb; [exact S|].
+  apply (I.meet_correct _ _ (Xreal (sin x)) S). rewrite <- (cos_shift x).
+  apply cos_encloses, subtract_encloses; [|exact X].
+  apply divide_encloses; [lra|exact pi_encloses|exact (integer_encloses 2)].
+Qed.
 
 Lemma atan_encloses i x : encloses i x -> encloses (I.atan precision i) (atan x).
 Proof. exact (I.atan_correct precision i (Xreal x)). Qed.

@@ -67,7 +67,7 @@ StartBox::StartBox(const Question& q) {
 
 SolutionBox StartBox::only_solution(BranchTest& test, const Box& place,
                                     std::span<const double> scale) const {
-  if (!test.has_one_solution(place, middle_, outer_, inner_))
+  if (!test.has_one_start(place, middle_, outer_, inner_))
     throw Unfinished("it was not shown that the start is near to exactly one configuration");
   auto solution = test.solution_near(place, middle_, scale);
   bool is_near = solution.has_value();

@@ -65,6 +65,7 @@ BranchTest::BranchTest(Question& q, bool moves)
   equations_.emplace(q, equations);
   derivatives_.emplace(q, first_);
   over_.emplace(q, join({&equations, &first_, &kinks, &q.defined}));
+  near_start_.emplace(q, join({&equations, &first_, &kinks}));
   for (std::size_t j = 0; j < n_ && !moves; ++j)
     for (std::size_t k = 0; k < m_; ++k) by_variable_.push_back(by[k].of(equations[j]));
   if (!by_variable_.empty()) rates_at_center_.emplace(q, by_variable_);
@@ -306,11 +307,22 @@ bool BranchTest::narrow_to_solutions(const Box& places, Box& unknowns) {
 bool BranchTest::has_one_solution(const Box& place, const std::vector<double>& middle,
                                   const std::vector<double>& outer,
                                   const std::vector<double>& inner) {
+  return has_one_in_box(*over_, place, middle, outer, inner);
+}
+
+bool BranchTest::has_one_start(const Box& place, const std::vector<double>& middle,
+                               const std::vector<double>& outer, const std::vector<double>& inner) {
+  return has_one_in_box(*near_start_, place, middle, outer, inner);
+}
+
+bool BranchTest::has_one_in_box(Evaluation& over, const Box& place,
+                                const std::vector<double>& middle, const std::vector<double>& outer,
+                                const std::vector<double>& inner) {
   whole_ = joined(place, about(middle, outer));
   tube_ = nullptr;
   has_rates_ = false;
   if (!is_moderate(outer) || !bound_center(joined(place, points_of(middle))) ||
-      !take(*over_, first_, whole_, first_values_))
+      !take(over, first_, whole_, first_values_))
     return false;
   if (is_in_box(outer, inner, false)) return true;
   return rates_ && take(*rates_, second_, whole_, second_values_) && is_in_box(outer, inner, true);

@@ -90,6 +90,11 @@ class BranchTest {
                                       const std::vector<double>& outer,
                                       const std::vector<double>& inner);
 
+  /// The same, but what must be defined may have no values where the solution is not.
+  [[nodiscard]] bool has_one_start(const Box& place, const std::vector<double>& middle,
+                                   const std::vector<double>& outer,
+                                   const std::vector<double>& inner);
+
   /// Encloses the middle line c + S(x − x₀) of a tube at the places of a box.
   [[nodiscard]] std::vector<Interval> middle_of(const TubeNumbers& tube, const Box& box) const;
   /// Tells where a box of unknowns lies: in the tube at all places of `place`, or outside at all.
@@ -123,6 +128,10 @@ class BranchTest {
                                             const std::vector<double>& reach) const;
   [[nodiscard]] bool is_in(const TubeNumbers& tube, const std::vector<double>& reach,
                            bool is_second_order);
+  [[nodiscard]] bool has_one_in_box(Evaluation& over, const Box& place,
+                                    const std::vector<double>& middle,
+                                    const std::vector<double>& outer,
+                                    const std::vector<double>& inner);
   [[nodiscard]] bool is_in_box(const std::vector<double>& outer, const std::vector<double>& inner,
                                bool is_second_order) const;
   [[nodiscard]] Interval second(std::size_t j, std::size_t k, std::size_t l) const {
@@ -135,7 +144,7 @@ class BranchTest {
   const std::size_t m_, n_, all_;  ///< variables, unknowns, both
   std::vector<NodeId> first_,
       second_;  ///< second_: of each equation the upper triangle, row by row
-  std::optional<Evaluation> equations_, derivatives_, over_, rates_;
+  std::optional<Evaluation> equations_, derivatives_, over_, near_start_, rates_;
   std::vector<NodeId> by_variable_;  ///< where the tube does not move
   std::optional<Evaluation> rates_at_center_;
 

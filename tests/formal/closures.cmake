@@ -40,6 +40,11 @@ foreach(motion IN ITEMS "five_bar_closure work" "rrr_closure work" "delta_closur
   endif()
 endforeach()
 
+# At half a turn a double is beside π, and the radii at the start reach beyond the ranges.
+set(models ${SOURCE_DIR}/tests/formal)
+certificate(whole_turn turn)
+expect_answer(PROVED 0 ${WORK_DIR} --theorem whole_turn.txt --model ${models}/whole_turn.toml)
+
 # The audit takes the file, and no other statement or definition.
 expect_answer(PROVED 0 ${WORK_DIR} --audit four_bar.txt.v)
 file(READ ${WORK_DIR}/four_bar.txt.v text)

@@ -50,6 +50,7 @@ l = 0.3
 unknowns = { s = "m", phi = "rad" }
 equations = ["r*cos(theta) + l*cos(phi) - s", "r*sin(theta) + l*sin(phi)"]
 start = { theta = 0.5, s = 0.383917, phi = -0.160497 }
+range = { s = [0.1, 0.5], phi = ["-pi/3", 0.1] }
 [actuators]
 error = 0.001
 speed = 10
@@ -113,6 +114,7 @@ unknowns = { p = "m", q = "rad" }
 equations = ["d^2 - x - 8*a - 1/(x + 10)", "sin(q) - y*p/4 - 0.1"]
 start = { x = 0, y = 0, p = 1, q = 0.1 }
 radius = { p = 0.5, q = 0.1 }
+range = { p = [0, 3] }
 
 [motion.work]
 x = [-0.5, 6]
@@ -141,6 +143,7 @@ unknowns = { p = "m", q = "rad" }
 equations = ["d^2 - x - 8*a - 1/(x + 10)", "sin(q) - y*p/4 - 0.1"]
 start = { x = 0, y = 0, p = 1, q = 0.1 }
 radius = { p = 0.5, q = 0.1 }
+range = { p = [0.5, 2.5], q = [-1, "6/5"] }
 
 [motion.way]
 waypoints = "way.csv"

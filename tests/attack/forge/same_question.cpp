@@ -137,7 +137,8 @@ class Evaluated {
     if (line.key == "pose") return add_pose(line);
     if (line.key == "piecewise") return begin_pieces(line);
     if (line.key == "piece") return add_piece(line);
-    static const std::set<std::string> kLists{"leg", "joint", "held-joint", "tip", "tool"};
+    static const std::set<std::string> kLists{
+        "leg", "joint", "held-joint", "sliding-joint", "held-sliding-joint", "tip", "tool"};
     if (kLists.contains(line.key)) return add_values(line, parted(line.text, " | "));
     if (line.key == "limits") return add_values(line, parted(line.text, " : "));
     if (line.key == "wrench") return add_values(line, parted(line.text, " +- "));
