@@ -5,6 +5,7 @@
 #include "codegen/model/degrees.hpp"
 #include "codegen/model/mechanism/rotation.hpp"
 #include "codegen/model/place.hpp"
+#include "codegen/question/solve/arm_unknowns.hpp"
 #include "codegen/question/solve/nominal.hpp"
 #include "codegen/question/solve/platform_legs.hpp"
 #include "runtime/interval/elementary.hpp"
@@ -120,12 +121,19 @@ class ArmNumbers {
 
 ArmChain enclose_chain(const Model& model, ArmGeometry geometry) {
   const ArmNumbers numbers(model, geometry);
+  const std::vector<JointRule> rules = joint_rules(*model.arm);
   ArmChain chain;
-  for (const SerialJoint& joint : model.arm->joints) {
+  for (std::size_t j = 0; j < rules.size(); ++j) {
+    const SerialJoint& joint = model.arm->joints[j];
     ArmJoint& enclosing = chain.emplace_back();
     enclosing.turns = joint.kind == JointKind::kRevolute;
     enclosing.origin = numbers.enclose(joint.origin);
     for (std::size_t i = 0; i < 3; ++i) enclosing.axis[i] = numbers.enclose(joint.axis[i]);
+    enclosing.unknown = rules[j].unknown;
+    enclosing.factor = enclose_constant(rules[j].factor, "a multiplier");
+    if (rules[j].offset.is_zero()) continue;
+    const Interval offset = enclose_constant(rules[j].offset, "an offset");
+    enclosing.origin = compose(enclosing.origin, enclosing.moved(offset));
   }
   return chain;
 }
@@ -134,11 +142,12 @@ std::vector<Interval> enclose_values(const Model& model, const Motion& motion) {
   const NominalGeometry nominal(model);
   const bool is_by_tool = !motion.tool.empty();
   const std::vector<GiNaC::ex> pose = is_by_tool ? motion.pose : pose_of(motion);
+  const std::vector<ArmUnknown> unknowns = unknowns_of(*model.arm);
   std::vector<Interval> values;
   for (std::size_t i = 0; i < pose.size(); ++i) {
-    const bool turns_in_degrees =
-        model.arm->joints[i].kind == JointKind::kRevolute && is_in_degrees(model.pose[i].unit);
-    const GiNaC::ex unit = turns_in_degrees ? one_degree() : GiNaC::ex(1);
+    const bool turns_in_degrees = unknowns[i].turns && is_in_degrees(model.pose[i].unit);
+    const GiNaC::ex unit =
+        (turns_in_degrees ? one_degree() : GiNaC::ex(1)) / long(unknowns[i].scale);
     const bool is_free = is_by_tool && !keeps_value(model, motion, i);
     values.push_back(is_free ? Interval(0)
                              : enclose_constant(nominal.at(pose[i] * unit), model.pose[i].name));
@@ -154,26 +163,31 @@ LinkFrame enclose_target(const Model& model, const std::vector<GiNaC::ex>& tool,
                  inverse(ArmNumbers(model, geometry).enclose(model.arm->tool)));
 }
 
-ArmPosture posture_at(const ArmChain& chain, std::span<const Interval> values) {
+ArmPosture posture_at(const ArmChain& chain, std::span<const Interval> unknowns) {
   ArmPosture posture;
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    const LinkFrame at = compose(posture.end, chain[i].origin);
-    posture.axes.push_back(times(at.R, chain[i].axis));
+  for (const ArmJoint& joint : chain) {
+    const LinkFrame at = compose(posture.end, joint.origin);
+    posture.axes.push_back(times(at.R, joint.axis));
     posture.origins.push_back(at.d);
-    posture.end = compose(at, chain[i].moved(values[i]));
+    posture.end = compose(at, joint.moved(joint.value_at(unknowns)));
   }
   return posture;
 }
 
-std::vector<Interval> jacobian_at(const ArmChain& chain, const ArmPosture& posture) {
-  const std::size_t n = chain.size();
-  std::vector<Interval> J(6 * n, Interval(0.0));
-  for (std::size_t k = 0; k < n; ++k) {
-    const Vector3& z = posture.axes[k];
-    const Vector3 v = chain[k].turns ? cross(z, posture.end.d - posture.origins[k]) : z;
+Vector3 velocity_by(const ArmChain& chain, const ArmPosture& posture, std::size_t joint) {
+  const Vector3& z = posture.axes[joint];
+  return chain[joint].turns ? cross(z, posture.end.d - posture.origins[joint]) : z;
+}
+
+std::vector<Interval> jacobian_at(const ArmChain& chain, const ArmPosture& posture,
+                                  std::size_t unknowns) {
+  std::vector<Interval> J(6 * unknowns, Interval(0.0));
+  for (std::size_t k = 0; k < chain.size(); ++k) {
+    const Vector3 v = velocity_by(chain, posture, k);
     for (std::size_t i = 0; i < 3; ++i) {
-      J[i * n + k] = v[i];
-      if (chain[k].turns) J[(3 + i) * n + k] = z[i];
+      J[i * unknowns + chain[k].unknown] += chain[k].factor * v[i];
+      if (chain[k].turns)
+        J[(3 + i) * unknowns + chain[k].unknown] += chain[k].factor * posture.axes[k][i];
     }
   }
   return J;

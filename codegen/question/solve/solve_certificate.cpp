@@ -30,6 +30,8 @@ constexpr const char* kNoProofOfCount =
     "that these are all is shown by a count of complex postures, which has no proof in a file";
 constexpr const char* kNoProofOfSlides =
     "a list of postures of an arm with joints that slide has no proof in a file";
+constexpr const char* kNoProofOfFollowers =
+    "a list of postures of an arm with joints that follow others has no proof in a file";
 constexpr const char* kNoProofOfTolerances =
     "this list is without the tolerances and errors of the file, so it has no proof in a file";
 constexpr const char* kAtBorder = "a solution may be at the end of the range of an unknown";
@@ -189,9 +191,12 @@ std::string obstacle_of(const Request& request, const Solutions& solutions) {
                : "";
   if (solutions.is_nominal) return kNoProofOfTolerances;
   if (request.model.arm) {
-    if (std::ranges::any_of(request.model.arm->joints, [](const SerialJoint& joint) {
-          return joint.kind == JointKind::kPrismatic;
-        }))
+    const std::vector<SerialJoint>& joints = request.model.arm->joints;
+    if (std::ranges::any_of(joints,
+                            [](const SerialJoint& joint) { return joint.follows.has_value(); }))
+      return kNoProofOfFollowers;
+    if (std::ranges::any_of(
+            joints, [](const SerialJoint& joint) { return joint.kind == JointKind::kPrismatic; }))
       return kNoProofOfSlides;
     return solutions.opposite == 0 ? kNoProofOfCount : "";
   }
