@@ -10,6 +10,7 @@
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/model/place.hpp"
+#include "codegen/question/solve/arm_direction.hpp"
 #include "codegen/question/solve/coupled_axes.hpp"
 #include "codegen/question/solve/platform_legs.hpp"
 #include "codegen/support/errors.hpp"
@@ -71,12 +72,34 @@ void hold(ArmAtPlace& arm, const Model& model, const std::string& name,
   arm.unknowns.erase(at);
 }
 
-void require_six_joints(const ArmAtPlace& arm, const Request& request) {
-  const std::size_t free = arm.unknowns.size();
-  if (free == kJoints) return;
+/// Finds whether the arm is one of four unknowns, and whether it is turned away from the place.
+void take_direction(ArmAtPlace& arm, const Request& request) {
+  const auto direction = direction_of(request.model, arm.geometry);
+  if (!direction) return;
+  arm.direction.emplace();
+  for (std::size_t i = 0; i < 3; ++i)
+    (*arm.direction)[i] = enclose_constant(direction->of_base[i], "a direction of the arm");
+  if (request.motion.tool.empty()) return;
+  const IsTurnedTo turned =
+      is_turned_to(*direction, request.model, arm.geometry, request.motion.tool);
+  arm.is_turned_away = turned == IsTurnedTo::kNo;
+  if (turned == IsTurnedTo::kUnknown)
+    throw UsageError(
+        "the arm turns about one direction alone, and it is not shown that this place has an "
+        "orientation of it; give the place by values of the joints");
+}
+
+void require_joints(const ArmAtPlace& arm, const Request& request) {
+  const std::size_t free = arm.unknowns.size(), fixed = arm.direction ? kFour : kJoints;
+  if (free == fixed) return;
   throw UsageError(fmt::format(
-      "{} joints are free to move, and a frame fixes six; {}", free,
-      free < kJoints ? "postures are found of arms with six"
+      "{} joints are free to move, and {}; {}", free,
+      arm.direction ? "as the arm turns about one direction alone, a place fixes four"
+                    : "a frame fixes six",
+      free < fixed
+          ? (arm.direction ? "postures are found of such arms with four"
+                           : "postures are found of arms with six, and of arms with four that "
+                             "turn about one direction alone")
       : !request.motion.tool.empty()
           ? "give values that some keep, such as at " + request.model.pose.back().name + "=VALUE"
           : "name some that keep their values by hold"));
@@ -97,7 +120,7 @@ std::vector<std::size_t> opposite_systems(const ArmChain& chain) {
   return {(std::size_t(slide) + kJoints - 2) % kJoints};  // it is the third joint of the loop
 }
 
-// Arms with joints that follow others.
+// Arms with joints that follow others, and those that turn about one direction.
 
 std::size_t number_of(std::size_t a, std::size_t b) { return kWholeArm + 1 + kJoints * a + b; }
 
@@ -111,7 +134,7 @@ CoupledChoice choice_of(const ArmAtPlace& arm, std::size_t number) {
                        arm.chain.begin());
   };
   const auto pair = pair_of(number);
-  return {joint_of(pair[0]), joint_of(pair[1]), four_unknowns(number).searched};
+  return {joint_of(pair[0]), joint_of(pair[1]), divided_unknowns(arm, number).searched};
 }
 
 /// Both move one joint. If one slides, it is the first of the pair.
@@ -122,8 +145,8 @@ bool may_be_left_out(const ArmAtPlace& arm, std::size_t a, std::size_t b) {
 
 std::vector<std::size_t> coupled_systems(const ArmAtPlace& arm) {
   std::vector<std::pair<std::size_t, std::size_t>> found;  // terms and number
-  for (std::size_t a = 0; a < kJoints; ++a)
-    for (std::size_t b = 0; b < kJoints; ++b) {
+  for (std::size_t a = 0; a < arm.unknowns.size(); ++a)
+    for (std::size_t b = 0; b < arm.unknowns.size(); ++b) {
       if (!may_be_left_out(arm, a, b)) continue;
       const std::size_t number = number_of(a, b);
       found.emplace_back(terms_of(arm.chain, arm.target, choice_of(arm, number)), number);
@@ -153,50 +176,57 @@ ArmAtPlace arm_at_place(const Request& request, const std::vector<std::string>& 
                    : enclose_target(model, request.motion.tool, arm.geometry);
   fix_unmoved(arm);
   for (const std::string& name : names) hold(arm, model, name, values);
-  require_six_joints(arm, request);
+  if (arm.unknowns.size() != kJoints) take_direction(arm, request);
+  require_joints(arm, request);
   return arm;
 }
 
 bool ArmAtPlace::is_plain() const { return std::ranges::all_of(unknowns, &ArmUnknown::is_alone); }
 
-std::vector<std::size_t> systems_of_four(const ArmAtPlace& arm) {
-  return arm.is_plain() ? opposite_systems(arm.chain) : coupled_systems(arm);
+std::unique_ptr<RootSystem> ArmAtPlace::equations(bool has_rates) const {
+  if (direction) return std::make_unique<ArmAboutDirection>(chain, target, *direction);
+  return std::make_unique<WholeArm>(chain, target, has_rates);
 }
 
-FourUnknowns four_unknowns(std::size_t number) {
-  FourUnknowns four;
+std::vector<std::size_t> systems_without_two(const ArmAtPlace& arm) {
+  return arm.is_plain() && !arm.direction ? opposite_systems(arm.chain) : coupled_systems(arm);
+}
+
+DividedUnknowns divided_unknowns(const ArmAtPlace& arm, std::size_t number) {
+  DividedUnknowns divided;
   if (number < kWholeArm) {
-    std::ranges::transform(kSearched, four.searched.begin(),
+    for (const std::size_t i : kSearched) divided.searched.push_back((i + number) % kJoints);
+    std::ranges::transform(kFollowing, divided.following.begin(),
                            [&](std::size_t i) { return (i + number) % kJoints; });
-    std::ranges::transform(kFollowing, four.following.begin(),
-                           [&](std::size_t i) { return (i + number) % kJoints; });
-    return four;
+    return divided;
   }
-  four.following = pair_of(number);
-  std::size_t next = 0;
-  for (std::size_t k = 0; k < kJoints; ++k)
-    if (k != four.following[0] && k != four.following[1]) four.searched[next++] = k;
-  return four;
+  divided.following = pair_of(number);
+  for (std::size_t k = 0; k < arm.unknowns.size(); ++k)
+    if (std::ranges::find(divided.following, k) == divided.following.end())
+      divided.searched.push_back(k);
+  return divided;
 }
 
 std::array<double, 2> approx_following(const ArmAtPlace& arm, std::size_t number,
-                                       std::span<const double> four) {
+                                       std::span<const double> searched) {
   if (number > kWholeArm)
-    return approx_left_out(arm.chain, arm.target, choice_of(arm, number), four);
+    return approx_left_out(arm.chain, arm.target, choice_of(arm, number), searched);
   const auto [loop, end] = loop_from(arm, number);
-  return OppositeAxes::approx_others(loop, end, four);
+  return OppositeAxes::approx_others(loop, end, searched);
 }
 
 RootSystems systems_of_arm(const ArmAtPlace& arm, std::size_t number) {
   if (number == kWholeArm) {
     const auto whole = std::make_shared<const ArmAtPlace>(arm);
-    return {number, kJoints,
-            [whole] { return std::make_unique<WholeArm>(whole->chain, whole->target); }};
+    return {number, arm.unknowns.size(), [whole] { return whole->equations(false); }};
   }
   if (number > kWholeArm) {
-    const auto forms = std::make_shared<const TrigForms>(
-        coupled_equations(arm.chain, arm.target, choice_of(arm, number)));
-    return {number, kSearched.size(), [forms] { return std::make_unique<CoupledAxes>(forms); }};
+    const CoupledChoice choice = choice_of(arm, number);
+    const auto forms =
+        std::make_shared<const TrigForms>(coupled_equations(arm.chain, arm.target, choice));
+    const auto rows = CoupledAxes::rows_of(choice.searched.size(), arm.chain[choice.a].turns);
+    return {number, choice.searched.size(),
+            [forms, rows] { return std::make_unique<CoupledAxes>(forms, rows); }};
   }
   const auto loop = std::make_shared<const std::pair<ArmChain, LinkFrame>>(loop_from(arm, number));
   return {number, kSearched.size(),

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/kernel/formulation/variety.hpp"
@@ -47,7 +48,7 @@ class ArmSolver {
         target_(at_.target),
         unknowns_(at_.unknowns),
         slides_(slide_ranges(at_, request)),
-        systems_(systems_of_four(at_)) {
+        systems_(systems_without_two(at_)) {
     for (const ArmUnknown& u : unknowns_)
       solutions_.unknowns.push_back({model_.pose[u.pose].name, model_.pose[u.pose].unit,
                                      !u.is_periodic  ? 0
@@ -60,11 +61,12 @@ class ArmSolver {
     settings_ = root_settings_of(run_);
     settings_.boxes_after_problem = kBoxesAfterProblem;
     const FloatingPointScope nearest(FloatingPointRounding::kNearest);
+    if (at_.is_turned_away) return of_other_orientations();
     Attempt best = systems_.empty() ? by_all_joints() : by_opposite_axes();
     for (Root& root : best.postures) add(root);
     sort_by_values(solutions_.found);
     for (std::vector<Interval>& box : best.open)
-      for (std::size_t k = 0; k < kJoints; ++k) box[k] = in_unit(k, box[k]);
+      for (std::size_t k = 0; k < box.size(); ++k) box[k] = in_unit(k, box[k]);
     solutions_.open = std::move(best.open);
     solutions_.completeness =
         best.obstacle.empty() ? Completeness::kComplete : Completeness::kIncomplete;
@@ -78,6 +80,13 @@ class ArmSolver {
   }
 
  private:
+  Solutions of_other_orientations() {
+    solutions_.completeness = Completeness::kComplete;
+    solutions_.how =
+        "as the arm turns about one direction alone, and the tool's orientation is another";
+    return std::move(solutions_);
+  }
+
   /// Says where joints that slide were looked for, if postures may be elsewhere.
   [[nodiscard]] std::string searched_ranges() const {
     std::string text;
@@ -114,21 +123,24 @@ class ArmSolver {
 
   /// The whole arm near a posture. Nothing of the question but its sizes is read.
   [[nodiscard]] RootJudge judge_of_arm() const {
-    const auto arm = [this] { return std::make_unique<WholeArm>(chain_, target_, varies()); };
-    return RootJudge({problem_, {0, 0, kJoints, 0}, arm});
+    const auto arm = [this] { return at_.equations(varies()); };
+    return RootJudge({problem_, {0, 0, unknowns_.size(), 0}, arm});
   }
 
-  /// True if E at a solution of WholeArm is the unit matrix, and not a half turn.
-  [[nodiscard]] bool is_posture(const Root& root) const {
-    WholeArm arm(chain_, target_);
+  /// 3 less the trace of E.
+  [[nodiscard]] Interval trace_gap(const Root& root) const {
+    const auto arm = at_.equations(false);
     const std::vector<RootSystem::Box> boxes = {root.values};
-    arm.evaluate(boxes, false);
-    return arm.at(0)->also.front().hi < kHalfTurn;
+    arm->evaluate(boxes, false);
+    return arm->at(0)->also.front();
   }
+
+  /// True if E at a solution of the equations is the unit matrix, and not a half turn.
+  [[nodiscard]] bool is_posture(const Root& root) const { return trace_gap(root).hi < kHalfTurn; }
 
   /// All postures, if as many as the theorem allows are certain among complex numbers.
   std::optional<Attempt> by_counting() {
-    if (varies() || !at_.is_plain() || !slides_.empty()) return std::nullopt;
+    if (varies() || at_.direction || !at_.is_plain() || !slides_.empty()) return std::nullopt;
     ArmToEnd arm;
     for (std::size_t k = 0; k < kJoints; ++k)
       arm.joints[k] = {{chain_[k].origin.R, chain_[k].origin.d}, chain_[k].axis};
@@ -161,8 +173,9 @@ class ArmSolver {
         if (first == systems_.front() || attempt.obstacle.empty() ||
             attempt.postures.size() > best.postures.size()) {
           best = std::move(attempt);
-          solutions_.opposite =
-              at_.is_plain() ? four_unknowns(first).following[0] % kOppositePairs + 1 : 0;
+          solutions_.opposite = at_.is_plain() && !at_.direction
+                                    ? divided_unknowns(at_, first).following[0] % kOppositePairs + 1
+                                    : 0;
         }
         if (is_last) return best;
       }
@@ -176,7 +189,7 @@ class ArmSolver {
 
   Attempt by_opposite_axes(std::size_t first) {
     const RootSystems systems = systems_of_arm(at_, first);
-    const auto [searched, following] = four_unknowns(first);
+    const auto [searched, following] = divided_unknowns(at_, first);
     const auto [problem, periods] = ranges_of(searched);
     const RootQuestion question = systems.question(problem);
     const RootList list = search_roots(question, periods, settings_, run_.progress);
@@ -201,9 +214,9 @@ class ArmSolver {
     const auto system = systems.system();
     const std::vector<RootSystem::Box> boxes = {four.values};
     system->evaluate(boxes, false);
-    if (!contains_zero(system->at(0)->also.front())) return true;  // the other hand
-    const auto [searched, following] = four_unknowns(first);
-    std::vector<double> near(kJoints), values;
+    if (!std::ranges::all_of(system->at(0)->also, contains_zero)) return true;  // the other hand
+    const auto [searched, following] = divided_unknowns(at_, first);
+    std::vector<double> near(unknowns_.size()), values;
     for (const Interval& value : four.values) values.push_back(mid(value));
     const auto others = approx_following(at_, first, values);
     for (std::size_t i = 0; i < searched.size(); ++i) near[searched[i]] = values[i];
@@ -240,8 +253,9 @@ class ArmSolver {
   }
 
   Attempt by_all_joints() {
-    constexpr std::array<std::size_t, kJoints> kAll = {0, 1, 2, 3, 4, 5};
-    const auto [problem, periods] = ranges_of(kAll);
+    std::vector<std::size_t> all(unknowns_.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    const auto [problem, periods] = ranges_of(all);
     const RootSystems systems = systems_of_arm(at_, kWholeArm);
     const RootList list =
         search_roots(systems.question(problem), periods, settings_, run_.progress);
@@ -255,10 +269,7 @@ class ArmSolver {
         attempt.postures.push_back(root);
         continue;
       }
-      WholeArm arm(chain_, target_);
-      const std::vector<RootSystem::Box> boxes = {root.values};
-      arm.evaluate(boxes, false);
-      if (!contains_zero(arm.at(0)->also.front())) continue;  // a half turn
+      if (!contains_zero(trace_gap(root))) continue;  // a half turn
       attempt.obstacle = "a solution is not told from a half turn";
       attempt.open.push_back(root.values);
     }
@@ -276,7 +287,7 @@ class ArmSolver {
                                         const std::vector<std::vector<Interval>>& open) const {
     if (list.stopped_by) return describe(*list.stopped_by);
     std::string place;
-    for (std::size_t k = 0; k < kJoints && !open.empty(); ++k)
+    for (std::size_t k = 0; k < unknowns_.size() && !open.empty(); ++k)
       if (const Interval& value = open.front()[k]; width_ru(value) < 1)
         place += fmt::format("{}{} = {:.6g}{}", place.empty() ? ", near " : ", ",
                              solutions_.unknowns[k].name, mid(in_unit(k, value)),
@@ -289,9 +300,9 @@ class ArmSolver {
   /// A box of four unknowns as one of all six.
   [[nodiscard]] std::vector<Interval> all_unknowns(const std::vector<Interval>& four,
                                                    std::size_t first) const {
-    std::vector<Interval> all(kJoints, Interval(-kPi.hi, kPi.hi));
+    std::vector<Interval> all(unknowns_.size(), Interval(-kPi.hi, kPi.hi));
     for (const auto& [k, slide] : slides_) all[k] = slide.range;
-    const auto searched = four_unknowns(first).searched;
+    const auto searched = divided_unknowns(at_, first).searched;
     for (std::size_t i = 0; i < searched.size(); ++i) all[searched[i]] = four[i];
     return all;
   }
@@ -307,18 +318,23 @@ class ArmSolver {
   void add(const Root& root) {
     CertainSolution solution{{}, 0, root.sign};
     if (!model_.limits.empty()) solution.limits = WithinLimits::kWithin;
-    for (std::size_t k = 0; k < kJoints; ++k) {
+    for (std::size_t k = 0; k < unknowns_.size(); ++k) {
       Interval value = root.values[k];
       if (unknowns_[k].is_periodic) value -= Interval(std::round(mid(value) / mid(kTurn))) * kTurn;
       if (!model_.limits.empty()) note_limits(solution, unknowns_[k], value_of(k, value));
       solution.values.push_back(in_unit(k, value));
     }
-    const std::vector<Interval> J = jacobian_at(chain_, posture_at(chain_, root.values), kJoints);
-    std::vector<double> matrix;
-    for (std::size_t e = 0; e < J.size(); ++e)
-      matrix.push_back(mid(J[e]) / unknowns_[e % kJoints].scale);
-    solution.condition = approx_condition(matrix, kJoints);
+    solution.condition = condition_at(root);
     solutions_.found.push_back(std::move(solution));
+  }
+
+  [[nodiscard]] double condition_at(const Root& root) const {
+    const std::size_t n = unknowns_.size();
+    std::vector<Interval> J = jacobian_at(chain_, posture_at(chain_, root.values), n);
+    if (at_.direction) J = along(*at_.direction, J);
+    std::vector<double> matrix;
+    for (std::size_t e = 0; e < J.size(); ++e) matrix.push_back(mid(J[e]) / unknowns_[e % n].scale);
+    return approx_condition(matrix, n);
   }
 
   void note_limits(CertainSolution& solution, const ArmUnknown& unknown,
@@ -349,7 +365,7 @@ class ArmSolver {
   const LinkFrame& target_;
   const std::vector<ArmUnknown>& unknowns_;
   const std::map<std::size_t, SlideRange> slides_;  ///< by unknown
-  const std::vector<std::size_t> systems_;          ///< of four unknowns
+  const std::vector<std::size_t> systems_;          ///< without two unknowns
   const Problem problem_{};
   RootSettings settings_;
   Solutions solutions_;

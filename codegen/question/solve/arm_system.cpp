@@ -160,7 +160,7 @@ std::optional<RootSystem::Values> WholeArm::at(std::size_t lane) const {
 
 void WholeArm::add_rates(Values& values, std::size_t n, const ArmPosture& posture,
                          const Matrix3& E) const {
-  values.rates_by_unknown.assign(n * n * n, Interval(0.0));
+  values.rates_by_unknown.assign(n * kJoints * n, Interval(0.0));
   for (std::size_t k = 0; k < chain_.size(); ++k) {
     const Vector3 v = velocity_by(chain_, posture, k);
     for (std::size_t j = 0; j <= k; ++j) {
@@ -172,14 +172,39 @@ void WholeArm::add_rates(Values& values, std::size_t n, const ArmPosture& postur
                           : Vector3{0.0, 0.0, 0.0};
       const auto add = [&](std::size_t by, std::size_t column) {
         for (std::size_t i = 0; i < 3; ++i) {
-          values.rates_by_unknown[(by * n + i) * n + column] += of_place[i];
-          values.rates_by_unknown[(by * n + 3 + i) * n + column] += of_turn[i];
+          values.rates_by_unknown[(by * kJoints + i) * n + column] += of_place[i];
+          values.rates_by_unknown[(by * kJoints + 3 + i) * n + column] += of_turn[i];
         }
       };
       add(chain_[j].unknown, chain_[k].unknown);
       if (j < k) add(chain_[k].unknown, chain_[j].unknown);
     }
   }
+}
+
+std::vector<Interval> along(const Vector3& n, const std::vector<Interval>& rows) {
+  const std::size_t m = rows.size() / 6;
+  std::vector<Interval> result(rows.begin(), rows.begin() + std::ptrdiff_t(3 * m));
+  for (std::size_t k = 0; k < m; ++k)
+    result.push_back(dot(n, {rows[3 * m + k], rows[4 * m + k], rows[5 * m + k]}));
+  return result;
+}
+
+std::optional<RootSystem::Values> ArmAboutDirection::at(std::size_t lane) const {
+  auto values = whole_.at(lane);
+  if (!values) return std::nullopt;
+  values->value = along(direction_, values->value);
+  values->by_unknown = along(direction_, values->by_unknown);
+  std::vector<Interval> rates;
+  const std::size_t size = 6 * kFourJoints;
+  for (std::size_t k = 0; k * size < values->rates_by_unknown.size(); ++k) {
+    const auto first = values->rates_by_unknown.begin() + std::ptrdiff_t(k * size);
+    const auto of_unknown =
+        along(direction_, std::vector<Interval>(first, first + std::ptrdiff_t(size)));
+    rates.insert(rates.end(), of_unknown.begin(), of_unknown.end());
+  }
+  values->rates_by_unknown = std::move(rates);
+  return values;
 }
 
 OppositeAxes::OppositeAxes(const ArmChain& chain, const LinkFrame& target) {

@@ -40,6 +40,27 @@ class WholeArm final : public RootSystem {
   bool are_rates_needed_ = false;
 };
 
+/// An arm that turns about one direction n alone, with four unknowns. E is a rotation about n, so the equations are those
+/// of the origin and n·e = 0 for the axial vector e of E.
+class ArmAboutDirection final : public RootSystem {
+ public:
+  ArmAboutDirection(const ArmChain& chain, const LinkFrame& target, const Vector3& direction)
+      : whole_(chain, target, true), direction_(direction) {}
+
+  void evaluate(std::span<const Box> boxes, bool are_rates_needed) override {
+    whole_.evaluate(boxes, are_rates_needed);
+  }
+  /// `also`: 3 less the trace of E.
+  [[nodiscard]] std::optional<Values> at(std::size_t lane) const override;
+
+ private:
+  WholeArm whole_;
+  const Vector3 direction_;
+};
+
+/// Joins the last three of six rows of numbers to one: n·(their columns).
+[[nodiscard]] std::vector<Interval> along(const Vector3& n, const std::vector<Interval>& rows);
+
 /// Σ k_ij·u_i·v_j with u = (1, cos a, sin a) and v = (1, cos b, sin b).
 using Bilinear = std::array<std::array<Interval, 3>, 3>;
 

@@ -9,7 +9,6 @@
 namespace regulus::detail {
 namespace {
 
-constexpr std::size_t kEquations = 5;
 /// Coefficients below this are not counted: rounding leaves them.
 constexpr double kCounted = 1e-12;
 /// Sums of so many for each joint are within the digits of a wave.
@@ -198,30 +197,37 @@ std::size_t terms_of(const ArmChain& chain, const LinkFrame& target, const Coupl
   return terms;
 }
 
+CoupledAxes::Rows CoupledAxes::rows_of(std::size_t unknowns, bool turns) {
+  if (unknowns == kFour) return {{0, 1, 2, 3}, {4}};
+  return turns ? Rows{{0, 2}, {}} : Rows{{0, 1}, {}};
+}
+
 std::optional<RootSystem::Values> CoupledAxes::at(std::size_t lane) const {
-  const TrigForms::Values functions = equations_->functions_at(boxes_[lane]);
+  const std::size_t n = rows_.searched.size();
+  Box box = boxes_[lane];
+  box.resize(kFour, Interval(0.0));
+  const TrigForms::Values functions = equations_->functions_at(box);
   const auto derivative = [&](std::size_t equation, std::initializer_list<std::size_t> by) {
     std::array<std::size_t, kFour> orders{};
-    for (const std::size_t angle : by) ++orders[angle];
+    for (const std::size_t unknown : by) ++orders[unknown];
     return equations_->value(equation, functions, orders);
   };
   Values values;
-  for (std::size_t e = 0; e < kFour; ++e) {
+  for (const std::size_t e : rows_.searched) {
     values.value.push_back(derivative(e, {}));
-    for (std::size_t j = 0; j < kFour; ++j) values.by_unknown.push_back(derivative(e, {j}));
+    for (std::size_t j = 0; j < n; ++j) values.by_unknown.push_back(derivative(e, {j}));
   }
-  values.also = {derivative(kEquations - 1, {})};
-  for (std::size_t k = 0; has_rates_ && k < kFour; ++k)
-    for (std::size_t e = 0; e < kFour; ++e)
-      for (std::size_t j = 0; j < kFour; ++j)
-        values.rates_by_unknown.push_back(derivative(e, {j, k}));
+  for (const std::size_t e : rows_.also) values.also.push_back(derivative(e, {}));
+  for (std::size_t k = 0; has_rates_ && k < n; ++k)
+    for (const std::size_t e : rows_.searched)
+      for (std::size_t j = 0; j < n; ++j) values.rates_by_unknown.push_back(derivative(e, {j, k}));
   return values;
 }
 
 std::array<double, 2> approx_left_out(const ArmChain& chain, const LinkFrame& target,
                                       const CoupledChoice& choice, std::span<const double> four) {
   std::vector<Interval> values(kJoints, Interval(0.0));
-  for (std::size_t i = 0; i < kFour; ++i) values[choice.searched[i]] = Interval(four[i]);
+  for (std::size_t i = 0; i < four.size(); ++i) values[choice.searched[i]] = Interval(four[i]);
   const ArmJoint &a = chain[choice.a], &b = chain[choice.b];
   // J_a·M·J_b = N.
   const LinkFrame M = frame_between(chain, target, choice.a, choice.b, values),

@@ -9,10 +9,10 @@
 
 namespace regulus::detail {
 
-/// The joints of the chain whose unknowns are left out, and the other unknowns.
+/// The joints of the chain whose unknowns are left out, and the other unknowns: four or fewer.
 struct CoupledChoice {
   std::size_t a = 0, b = 0;
-  std::array<std::size_t, kFour> searched{};
+  std::vector<std::size_t> searched{};
 };
 
 /// Two unknowns that move one joint each, a and b, in a closed loop J₁B₁…J_nB_n = I. Joint b turns, joint a turns
@@ -45,18 +45,26 @@ struct CoupledChoice {
 
 class CoupledAxes final : public RootSystem {
  public:
-  explicit CoupledAxes(std::shared_ptr<const TrigForms> equations)
-      : equations_(std::move(equations)) {}
+  /// Which equations are those of a system, and which other ones its solutions meet. With two unknowns the arm turns
+  /// about one direction alone. Then both axes that turn have it, L is fixed, and the equations of P are all: k·P and
+  /// |P|², or e·P and f·P.
+  struct Rows {
+    std::vector<std::size_t> searched, also;
+  };
+  [[nodiscard]] static Rows rows_of(std::size_t unknowns, bool turns);
+
+  CoupledAxes(std::shared_ptr<const TrigForms> equations, Rows rows)
+      : equations_(std::move(equations)), rows_(std::move(rows)) {}
 
   void evaluate(std::span<const Box> boxes, bool has_rates) override {
     boxes_.assign(boxes.begin(), boxes.end());
     has_rates_ = has_rates;
   }
-  /// `also`: the fifth equation.
   [[nodiscard]] std::optional<Values> at(std::size_t lane) const override;
 
  private:
   const std::shared_ptr<const TrigForms> equations_;
+  const Rows rows_;
   std::vector<Box> boxes_;
   bool has_rates_ = false;
 };

@@ -32,6 +32,8 @@ constexpr const char* kNoProofOfSlides =
     "a list of postures of an arm with joints that slide has no proof in a file";
 constexpr const char* kNoProofOfFollowers =
     "a list of postures of an arm with joints that follow others has no proof in a file";
+constexpr const char* kNoProofOfFour =
+    "a list of postures of an arm that turns about one direction has no proof in a file";
 constexpr const char* kNoProofOfTolerances =
     "this list is without the tolerances and errors of the file, so it has no proof in a file";
 constexpr const char* kAtBorder = "a solution may be at the end of the range of an unknown";
@@ -198,6 +200,7 @@ std::string obstacle_of(const Request& request, const Solutions& solutions) {
     if (std::ranges::any_of(
             joints, [](const SerialJoint& joint) { return joint.kind == JointKind::kPrismatic; }))
       return kNoProofOfSlides;
+    if (solutions.unknowns.size() < 6) return kNoProofOfFour;
     return solutions.opposite == 0 ? kNoProofOfCount : "";
   }
   return "";

@@ -113,6 +113,17 @@ struct Gap {
 };
 
 /// Of the joints that follow none; turns are anywhere in their periods.
+/// The same of an arm that turns about the z axis of the base alone.
+struct LevelGap {
+  const Gap gap;
+
+  Numbers operator()(const Numbers& q) const {
+    const Numbers all = gap(q);
+    return {all[0], all[1], all[2], all[5]};
+  }
+  [[nodiscard]] bool is_posture(const Numbers& q) const { return gap.is_posture(q); }
+};
+
 inline Numbers random_values(RandomSource& random, const Arm& arm) {
   Numbers q;
   for (const Joint& joint : arm)
@@ -146,11 +157,11 @@ inline int count_near(const Solutions& solutions, const Numbers& q, const Number
 }
 
 /// The planted posture is in the list once, each of the list is one, and no start leads to another one.
-inline void expect_all(const Arm& arm, const Numbers& planted, const Solutions& solutions,
-                       RandomSource& random, int starts) {
+template <class Equations>
+void expect_all(const Equations& gap, const Arm& arm, const Numbers& planted,
+                const Solutions& solutions, RandomSource& random, int starts) {
   const Numbers periods = periods_of(arm);
   EXPECT_EQ(count_near(solutions, planted, periods, 1e-7), 1) << text_of(arm, planted);
-  const Gap gap{arm, end_of(arm, planted)};
   for (std::size_t i = 0; i < periods.size(); ++i)
     EXPECT_NEAR(solutions.unknowns[i].period, periods[i], 1e-9);
   for (const CertainSolution& s : solutions.found) {
@@ -167,6 +178,11 @@ inline void expect_all(const Arm& arm, const Numbers& planted, const Solutions& 
       EXPECT_EQ(count_near(solutions, found, periods, 1e-6), 1) << text_of(arm, planted);
     }
   }
+}
+
+inline void expect_all(const Arm& arm, const Numbers& planted, const Solutions& solutions,
+                       RandomSource& random, int starts) {
+  expect_all(Gap{arm, end_of(arm, planted)}, arm, planted, solutions, random, starts);
 }
 
 inline Vec random_vector(RandomSource& random) {

@@ -101,7 +101,8 @@ TEST(CoupledAxes, HaveTheDerivativesOfTheirEquations) {
       const std::vector<double> posture = random_place(random, n);
       const LinkFrame target =
           posture_at(chain, std::vector<Interval>(posture.begin(), posture.end())).end;
-      CoupledAxes system(std::make_shared<TrigForms>(coupled_equations(chain, target, choice)));
+      CoupledAxes system(std::make_shared<TrigForms>(coupled_equations(chain, target, choice)),
+                         CoupledAxes::rows_of(kFour, chain[choice.a].turns));
       expect_derivatives(system, random_place(random, kFour));
       std::vector<double> four;
       for (const std::size_t k : choice.searched) four.push_back(posture[k]);
