@@ -273,7 +273,7 @@ std::optional<RootSystem::Values> OppositeAxes::at(std::size_t lane) const {
       values.by_unknown.push_back(derivative(equations_[e], order));
     }
   }
-  values.also = {derivative(equations_[kFour], {})};
+  values.also = {derivative(equations_[kFourJoints], {})};
   for (std::size_t k = 0; has_rates_ && k < kFourJoints; ++k)
     for (std::size_t e = 0; e < kFourJoints; ++e)
       for (std::size_t j = 0; j < kFourJoints; ++j) {
