@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "codegen/model/mechanism/serial.hpp"
@@ -35,11 +36,19 @@ struct LinkFrame {
 [[nodiscard]] LinkFrame compose(const LinkFrame& first, const LinkFrame& second) noexcept;
 [[nodiscard]] LinkFrame inverse(const LinkFrame& frame) noexcept;
 
+/// The derivatives of a frame by each uncertain quantity; empty: they are not asked for.
+using FrameRates = std::vector<LinkFrame>;
+/// Returns those of compose(first, second). One of the two has none if it is constant.
+[[nodiscard]] FrameRates rates_of_product(const LinkFrame& first, const FrameRates& of_first,
+                                          const LinkFrame& second, const FrameRates& of_second);
+[[nodiscard]] FrameRates rates_of_inverse(const LinkFrame& frame, const FrameRates& rates);
+
 /// A joint that turns about, or slides along, an axis through the origin of its frame.
 struct ArmJoint {
   bool turns = true;
-  LinkFrame origin;   ///< in the frame that the joint before moves
-  Vector3 axis = {};  ///< a unit vector
+  LinkFrame origin;       ///< in the frame that the joint before moves
+  Vector3 axis = {};      ///< a unit vector
+  FrameRates rates = {};  ///< of the origin
   std::size_t unknown = 0;
   Interval factor = 1.0;  ///< the joint's value is so many times that of the unknown
 
@@ -58,16 +67,20 @@ enum class ArmGeometry : std::uint8_t { kNominal, kWithinTolerances };
 /// Encloses the arm, for all of these values. Offsets of joints that follow others are parts of their
 /// origins.
 ///
+/// `varying`: with derivatives by these symbols.
+///
 /// Throws    InputError if a number of it has no certain value.
-[[nodiscard]] ArmChain enclose_chain(const Model& model, ArmGeometry geometry);
+[[nodiscard]] ArmChain enclose_chain(const Model& model, ArmGeometry geometry,
+                                     const std::vector<GiNaC::symbol>& varying = {});
 
 /// Encloses the value of each unknown (arm_unknowns.hpp), turns in radians. One without a value has 0: it
 /// is free to bring the tool to its place.
 [[nodiscard]] std::vector<Interval> enclose_values(const Model& model, const Motion& motion);
 
-/// Encloses the frame of the last joint when the tool is at x, y, z, roll, pitch, yaw.
-[[nodiscard]] LinkFrame enclose_target(const Model& model, const std::vector<GiNaC::ex>& tool,
-                                       ArmGeometry geometry);
+/// Encloses the frame of the last joint when the tool is at x, y, z, roll, pitch, yaw, and its derivatives.
+[[nodiscard]] std::pair<LinkFrame, FrameRates> enclose_target(
+    const Model& model, const std::vector<GiNaC::ex>& tool, ArmGeometry geometry,
+    const std::vector<GiNaC::symbol>& varying = {});
 
 /// The frame that the last joint moves, and each joint's axis and origin, all in the base.
 struct ArmPosture {

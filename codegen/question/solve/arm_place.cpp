@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <tuple>
 #include <utility>
 
 #include "codegen/kernel/formulation/variety.hpp"
@@ -41,11 +42,18 @@ std::vector<std::string> held_joints(const Model& model, const Motion& motion,
 
 /// Makes a joint a part of the link behind it.
 void fix(ArmAtPlace& arm, std::size_t joint, const Interval& value) {
-  const LinkFrame link = compose(arm.chain[joint].origin, arm.chain[joint].moved(value));
-  if (joint + 1 < arm.chain.size())
-    arm.chain[joint + 1].origin = compose(link, arm.chain[joint + 1].origin);
-  else
+  const ArmJoint& fixed = arm.chain[joint];
+  const LinkFrame moved = fixed.moved(value), link = compose(fixed.origin, moved);
+  const FrameRates rates = rates_of_product(fixed.origin, fixed.rates, moved, {});
+  if (joint + 1 < arm.chain.size()) {
+    ArmJoint& next = arm.chain[joint + 1];
+    next.rates = rates_of_product(link, rates, next.origin, next.rates);
+    next.origin = compose(link, next.origin);
+  } else {
+    arm.target_rates = rates_of_product(arm.target, arm.target_rates, inverse(link),
+                                        rates_of_inverse(link, rates));
     arm.target = compose(arm.target, inverse(link));
+  }
   arm.chain.erase(arm.chain.begin() + std::ptrdiff_t(joint));
 }
 
@@ -161,19 +169,28 @@ std::vector<std::size_t> coupled_systems(const ArmAtPlace& arm) {
 }  // namespace
 
 ArmAtPlace arm_at_place(const Request& request, const std::vector<std::string>& held) {
+  return arm_at_place(request, held,
+                      has_tolerances(request) && !has_errors(request.motion)
+                          ? ArmGeometry::kWithinTolerances
+                          : ArmGeometry::kNominal,
+                      {});
+}
+
+ArmAtPlace arm_at_place(const Request& request, const std::vector<std::string>& held,
+                        ArmGeometry geometry, const std::vector<GiNaC::symbol>& varying) {
   const FloatingPointScope nearest(FloatingPointRounding::kNearest);
   const Model& model = request.model;
   ArmAtPlace arm;
-  arm.geometry = has_tolerances(request) && !has_errors(request.motion)
-                     ? ArmGeometry::kWithinTolerances
-                     : ArmGeometry::kNominal;
-  arm.chain = enclose_chain(model, arm.geometry);
+  arm.geometry = geometry;
+  arm.chain = enclose_chain(model, geometry, varying);
   const std::vector<std::string> names = held_joints(model, request.motion, held);
   const std::vector<Interval> values = enclose_values(model, request.motion);
   arm.unknowns = unknowns_of(*model.arm);
-  arm.target = request.motion.tool.empty()
-                   ? posture_at(enclose_chain(model, ArmGeometry::kNominal), values).end
-                   : enclose_target(model, request.motion.tool, arm.geometry);
+  if (request.motion.tool.empty())
+    arm.target = posture_at(enclose_chain(model, ArmGeometry::kNominal), values).end;
+  else
+    std::tie(arm.target, arm.target_rates) =
+        enclose_target(model, request.motion.tool, geometry, varying);
   fix_unmoved(arm);
   for (const std::string& name : names) hold(arm, model, name, values);
   if (arm.unknowns.size() != kJoints) take_direction(arm, request);

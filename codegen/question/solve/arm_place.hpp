@@ -22,6 +22,7 @@ struct ArmAtPlace {
   ArmGeometry geometry;
   ArmChain chain;  ///< of the joints that are free; those that are held are parts of its links
   LinkFrame target;
+  FrameRates target_rates = {};
   std::vector<ArmUnknown> unknowns;  ///< those of the chain
   /// Of an arm that turns about one direction alone (arm_direction.hpp) and has four unknowns.
   std::optional<Vector3> direction{};
@@ -40,6 +41,10 @@ struct ArmAtPlace {
 /// Throws    UsageError for an arm that has not six joints that are free to move and follow none, or four if
 ///           it turns about one direction.
 [[nodiscard]] ArmAtPlace arm_at_place(const Request& request, const std::vector<std::string>& held);
+/// The same for a geometry, with derivatives.
+[[nodiscard]] ArmAtPlace arm_at_place(const Request& request, const std::vector<std::string>& held,
+                                      ArmGeometry geometry,
+                                      const std::vector<GiNaC::symbol>& varying);
 
 /// The number of the system of all unknowns. Those before it are of four joints of a plain arm, and the other two
 /// are opposite: N + 2 and N + 5 modulo 6 in the system of number N. Those behind it are of an arm

@@ -15,6 +15,7 @@
 #include "codegen/question/solve/arm_place.hpp"
 #include "codegen/question/solve/arm_slides.hpp"
 #include "codegen/question/solve/arm_system.hpp"
+#include "codegen/question/solve/arm_tubes.hpp"
 #include "codegen/question/solve/platform_legs.hpp"
 #include "codegen/question/solve/root_search.hpp"
 #include "codegen/question/solve/system_solutions.hpp"
@@ -49,6 +50,7 @@ class ArmSolver {
         unknowns_(at_.unknowns),
         slides_(slide_ranges(at_, request)),
         systems_(systems_without_two(at_)) {
+    if (varies()) tubes_.emplace(request, run.held);
     for (const ArmUnknown& u : unknowns_)
       solutions_.unknowns.push_back({model_.pose[u.pose].name, model_.pose[u.pose].unit,
                                      !u.is_periodic  ? 0
@@ -221,7 +223,8 @@ class ArmSolver {
     const auto others = approx_following(at_, first, values);
     for (std::size_t i = 0; i < searched.size(); ++i) near[searched[i]] = values[i];
     for (std::size_t i = 0; i < following.size(); ++i) near[following[i]] = others[i];
-    auto root = judge_of_arm().root_near({}, near);
+    auto root = tubes_ ? tubes_->posture_near(near) : std::nullopt;
+    if (!root) root = judge_of_arm().root_near({}, near);
     if (!root || !is_posture(*root)) return false;
     // It is regular, so that no other values of the two joints fit the same four.
     std::vector<Interval> same;
@@ -366,6 +369,7 @@ class ArmSolver {
   const std::vector<ArmUnknown>& unknowns_;
   const std::map<std::size_t, SlideRange> slides_;  ///< by unknown
   const std::vector<std::size_t> systems_;          ///< without two unknowns
+  std::optional<ArmTubes> tubes_{};
   const Problem problem_{};
   RootSettings settings_;
   Solutions solutions_;

@@ -253,9 +253,16 @@ ListProof prove_list(const Request& request, const Solutions& solutions) {
     return list;
   // A search proves wider tubes. And legs that meet in the middle of the tolerances have 16 complex
   // poses there, and others elsewhere.
-  try_proof(lines_of(solutions, listed),
-            (is_arm ? fmt::format("opposite {}\n", solutions.opposite) : "") + proof_of(listed));
-  return list;
+  const std::string proof =
+      (is_arm ? fmt::format("opposite {}\n", solutions.opposite) : "") + proof_of(listed);
+  try_proof(lines_of(solutions, listed), proof);
+  const ListProof first = list;
+  // The verifier's tubes of postures are wider than those that follow the uncertain quantities, of all joints.
+  for (const double part : {0.25, 1.0, 4.0}) {
+    if (!is_arm || !varies || list.doubt.empty()) break;
+    if (const auto lines = wider_lines_of(solutions, listed, part)) try_proof(*lines, proof);
+  }
+  return list.doubt.empty() ? list : first;
 }
 
 }  // namespace regulus::detail
