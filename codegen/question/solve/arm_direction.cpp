@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "codegen/model/exact/certain_sign.hpp"
+#include "codegen/model/exact/parsed_expression.hpp"
 #include "codegen/model/mechanism/joint_screws.hpp"
 #include "codegen/model/mechanism/rotation.hpp"
 #include "codegen/question/solve/arm_unknowns.hpp"
@@ -85,7 +86,7 @@ std::optional<std::size_t> common_direction(const std::vector<Direction>& spins)
 
 }  // namespace
 
-std::optional<ArmDirection> direction_of(const Model& model, ArmGeometry geometry) {
+std::optional<ArmDirection> direction_of(const Model& model, ArmGeometry geometry) try {
   const GiNaC::exmap certain = certain_numbers(model, geometry);
   if (!keep_links_their_turns(model, certain)) return std::nullopt;
   const auto of_base = spins_seen_from(model, 0, certain);
@@ -94,6 +95,8 @@ std::optional<ArmDirection> direction_of(const Model& model, ArmGeometry geometr
   const auto of_end = spins_seen_from(model, model.arm->joints.size(), certain);
   if (!of_end) return std::nullopt;
   return ArmDirection{(*of_base)[*number], (*of_end)[*number]};
+} catch (const ParseRefusal&) {  // too many terms
+  return std::nullopt;
 }
 
 IsTurnedTo is_turned_to(const ArmDirection& direction, const Model& model, ArmGeometry geometry,

@@ -193,7 +193,7 @@ ArmAtPlace arm_at_place(const Request& request, const std::vector<std::string>& 
         enclose_target(model, request.motion.tool, geometry, varying);
   fix_unmoved(arm);
   for (const std::string& name : names) hold(arm, model, name, values);
-  if (arm.unknowns.size() != kJoints) take_direction(arm, request);
+  if (arm.unknowns.size() < kJoints) take_direction(arm, request);
   require_joints(arm, request);
   return arm;
 }

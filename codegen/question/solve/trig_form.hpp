@@ -22,7 +22,7 @@ struct TrigFunction {
 
   friend auto operator<=>(const TrigFunction&, const TrigFunction&) = default;
 };
-inline constexpr long kWaveBase = 4096;
+inline constexpr long kWaveBase = 256;  ///< its seventh power is a long
 
 /// Σ c·f₁·f₂·f₃·f₄ with functions f_k of the unknowns.
 class TrigForm {
