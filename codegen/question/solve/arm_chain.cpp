@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/solve/arm_chain.hpp"
 
+#include <algorithm>
+
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/degrees.hpp"
 #include "codegen/model/mechanism/rotation.hpp"
 #include "codegen/model/place.hpp"
+#include "codegen/question/solve/arm_unknowns.hpp"
 #include "codegen/question/solve/nominal.hpp"
 #include "codegen/question/solve/platform_legs.hpp"
 #include "runtime/interval/elementary.hpp"
@@ -79,6 +82,33 @@ LinkFrame inverse(const LinkFrame& frame) noexcept {
   return {back, times(back, Vector3{0, 0, 0} - frame.d)};
 }
 
+FrameRates rates_of_product(const LinkFrame& first, const FrameRates& of_first,
+                            const LinkFrame& second, const FrameRates& of_second) {
+  FrameRates rates;
+  for (std::size_t k = 0; k < std::max(of_first.size(), of_second.size()); ++k) {
+    LinkFrame rate{Matrix3{}, Vector3{}};
+    const auto add = [&rate](const Matrix3& R, const Vector3& d) {
+      for (std::size_t e = 0; e < 9; ++e) rate.R[e] += R[e];
+      rate.d = rate.d + d;
+    };
+    if (!of_first.empty())
+      add(times(of_first[k].R, second.R), times(of_first[k].R, second.d) + of_first[k].d);
+    if (!of_second.empty()) add(times(first.R, of_second[k].R), times(first.R, of_second[k].d));
+    rates.push_back(rate);
+  }
+  return rates;
+}
+
+FrameRates rates_of_inverse(const LinkFrame& frame, const FrameRates& rates) {
+  FrameRates result;
+  for (const LinkFrame& rate : rates) {
+    const Matrix3 back = transposed(rate.R);
+    result.push_back(
+        {back, Vector3{0, 0, 0} - times(back, frame.d) - times(transposed(frame.R), rate.d)});
+  }
+  return result;
+}
+
 LinkFrame ArmJoint::moved(const Interval& value) const noexcept {
   LinkFrame frame;
   if (turns)
@@ -101,6 +131,22 @@ class ArmNumbers {
     return geometry_ == ArmGeometry::kNominal ? enclose_constant(nominal_.at(number), kWhat)
                                               : enclose_uncertain(model_, number, kWhat);
   }
+  [[nodiscard]] FrameRates rates(const Placement& placement,
+                                 const std::vector<GiNaC::symbol>& varying) const {
+    FrameRates rates;
+    for (const GiNaC::symbol& symbol : varying) {
+      const auto rate = [&](const GiNaC::ex& number) {
+        const GiNaC::ex derivative = number.diff(symbol);
+        return derivative.is_zero() ? Interval(0.0) : enclose(derivative);
+      };
+      LinkFrame& frame = rates.emplace_back();
+      for (unsigned i = 0; i < 3; ++i) {
+        frame.d[i] = rate(placement.p[i]);
+        for (unsigned j = 0; j < 3; ++j) frame.R[3 * i + j] = rate(placement.R(i, j));
+      }
+    }
+    return rates;
+  }
   [[nodiscard]] LinkFrame enclose(const Placement& placement) const {
     LinkFrame frame;
     for (unsigned i = 0; i < 3; ++i) {
@@ -118,14 +164,25 @@ class ArmNumbers {
 
 }  // namespace
 
-ArmChain enclose_chain(const Model& model, ArmGeometry geometry) {
+ArmChain enclose_chain(const Model& model, ArmGeometry geometry,
+                       const std::vector<GiNaC::symbol>& varying) {
   const ArmNumbers numbers(model, geometry);
+  const std::vector<JointRule> rules = joint_rules(*model.arm);
   ArmChain chain;
-  for (const SerialJoint& joint : model.arm->joints) {
+  for (std::size_t j = 0; j < rules.size(); ++j) {
+    const SerialJoint& joint = model.arm->joints[j];
     ArmJoint& enclosing = chain.emplace_back();
     enclosing.turns = joint.kind == JointKind::kRevolute;
     enclosing.origin = numbers.enclose(joint.origin);
+    enclosing.rates = numbers.rates(joint.origin, varying);
     for (std::size_t i = 0; i < 3; ++i) enclosing.axis[i] = numbers.enclose(joint.axis[i]);
+    enclosing.unknown = rules[j].unknown;
+    enclosing.factor = enclose_constant(rules[j].factor, "a multiplier");
+    if (rules[j].offset.is_zero()) continue;
+    const Interval offset = enclose_constant(rules[j].offset, "an offset");
+    const LinkFrame moved = enclosing.moved(offset);
+    enclosing.rates = rates_of_product(enclosing.origin, enclosing.rates, moved, {});
+    enclosing.origin = compose(enclosing.origin, moved);
   }
   return chain;
 }
@@ -134,11 +191,12 @@ std::vector<Interval> enclose_values(const Model& model, const Motion& motion) {
   const NominalGeometry nominal(model);
   const bool is_by_tool = !motion.tool.empty();
   const std::vector<GiNaC::ex> pose = is_by_tool ? motion.pose : pose_of(motion);
+  const std::vector<ArmUnknown> unknowns = unknowns_of(*model.arm);
   std::vector<Interval> values;
   for (std::size_t i = 0; i < pose.size(); ++i) {
-    const bool turns_in_degrees =
-        model.arm->joints[i].kind == JointKind::kRevolute && is_in_degrees(model.pose[i].unit);
-    const GiNaC::ex unit = turns_in_degrees ? one_degree() : GiNaC::ex(1);
+    const bool turns_in_degrees = unknowns[i].turns && is_in_degrees(model.pose[i].unit);
+    const GiNaC::ex unit =
+        (turns_in_degrees ? one_degree() : GiNaC::ex(1)) / long(unknowns[i].scale);
     const bool is_free = is_by_tool && !keeps_value(model, motion, i);
     values.push_back(is_free ? Interval(0)
                              : enclose_constant(nominal.at(pose[i] * unit), model.pose[i].name));
@@ -146,34 +204,44 @@ std::vector<Interval> enclose_values(const Model& model, const Motion& motion) {
   return values;
 }
 
-LinkFrame enclose_target(const Model& model, const std::vector<GiNaC::ex>& tool,
-                         ArmGeometry geometry) {
+std::pair<LinkFrame, FrameRates> enclose_target(const Model& model,
+                                                const std::vector<GiNaC::ex>& tool,
+                                                ArmGeometry geometry,
+                                                const std::vector<GiNaC::symbol>& varying) {
   const Placement place{rotation_roll_pitch_yaw(tool[3], tool[4], tool[5]),
                         {tool[0], tool[1], tool[2]}};
-  return compose(ArmNumbers(model, ArmGeometry::kNominal).enclose(place),
-                 inverse(ArmNumbers(model, geometry).enclose(model.arm->tool)));
+  const ArmNumbers numbers(model, geometry);
+  const LinkFrame at = ArmNumbers(model, ArmGeometry::kNominal).enclose(place),
+                  tip = numbers.enclose(model.arm->tool);
+  const FrameRates rates = rates_of_inverse(tip, numbers.rates(model.arm->tool, varying));
+  return {compose(at, inverse(tip)), rates_of_product(at, {}, inverse(tip), rates)};
 }
 
-ArmPosture posture_at(const ArmChain& chain, std::span<const Interval> values) {
+ArmPosture posture_at(const ArmChain& chain, std::span<const Interval> unknowns) {
   ArmPosture posture;
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    const LinkFrame at = compose(posture.end, chain[i].origin);
-    posture.axes.push_back(times(at.R, chain[i].axis));
+  for (const ArmJoint& joint : chain) {
+    const LinkFrame at = compose(posture.end, joint.origin);
+    posture.axes.push_back(times(at.R, joint.axis));
     posture.origins.push_back(at.d);
-    posture.end = compose(at, chain[i].moved(values[i]));
+    posture.end = compose(at, joint.moved(joint.value_at(unknowns)));
   }
   return posture;
 }
 
-std::vector<Interval> jacobian_at(const ArmChain& chain, const ArmPosture& posture) {
-  const std::size_t n = chain.size();
-  std::vector<Interval> J(6 * n, Interval(0.0));
-  for (std::size_t k = 0; k < n; ++k) {
-    const Vector3& z = posture.axes[k];
-    const Vector3 v = chain[k].turns ? cross(z, posture.end.d - posture.origins[k]) : z;
+Vector3 velocity_by(const ArmChain& chain, const ArmPosture& posture, std::size_t joint) {
+  const Vector3& z = posture.axes[joint];
+  return chain[joint].turns ? cross(z, posture.end.d - posture.origins[joint]) : z;
+}
+
+std::vector<Interval> jacobian_at(const ArmChain& chain, const ArmPosture& posture,
+                                  std::size_t unknowns) {
+  std::vector<Interval> J(6 * unknowns, Interval(0.0));
+  for (std::size_t k = 0; k < chain.size(); ++k) {
+    const Vector3 v = velocity_by(chain, posture, k);
     for (std::size_t i = 0; i < 3; ++i) {
-      J[i * n + k] = v[i];
-      if (chain[k].turns) J[(3 + i) * n + k] = z[i];
+      J[i * unknowns + chain[k].unknown] += chain[k].factor * v[i];
+      if (chain[k].turns)
+        J[(3 + i) * unknowns + chain[k].unknown] += chain[k].factor * posture.axes[k][i];
     }
   }
   return J;

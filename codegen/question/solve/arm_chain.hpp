@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "codegen/model/mechanism/serial.hpp"
@@ -35,14 +36,27 @@ struct LinkFrame {
 [[nodiscard]] LinkFrame compose(const LinkFrame& first, const LinkFrame& second) noexcept;
 [[nodiscard]] LinkFrame inverse(const LinkFrame& frame) noexcept;
 
+/// The derivatives of a frame by each uncertain quantity; empty: they are not asked for.
+using FrameRates = std::vector<LinkFrame>;
+/// Returns those of compose(first, second). One of the two has none if it is constant.
+[[nodiscard]] FrameRates rates_of_product(const LinkFrame& first, const FrameRates& of_first,
+                                          const LinkFrame& second, const FrameRates& of_second);
+[[nodiscard]] FrameRates rates_of_inverse(const LinkFrame& frame, const FrameRates& rates);
+
 /// A joint that turns about, or slides along, an axis through the origin of its frame.
 struct ArmJoint {
   bool turns = true;
-  LinkFrame origin;   ///< in the frame that the joint before moves
-  Vector3 axis = {};  ///< a unit vector
+  LinkFrame origin;       ///< in the frame that the joint before moves
+  Vector3 axis = {};      ///< a unit vector
+  FrameRates rates = {};  ///< of the origin
+  std::size_t unknown = 0;
+  Interval factor = 1.0;  ///< the joint's value is so many times that of the unknown
 
   /// Encloses what the joint does.
   [[nodiscard]] LinkFrame moved(const Interval& value) const noexcept;
+  [[nodiscard]] Interval value_at(std::span<const Interval> unknowns) const noexcept {
+    return factor == Interval(1.0) ? unknowns[unknown] : factor * unknowns[unknown];
+  }
 };
 
 using ArmChain = std::vector<ArmJoint>;
@@ -50,27 +64,38 @@ using ArmChain = std::vector<ArmJoint>;
 /// Which values the geometry of an arm has.
 enum class ArmGeometry : std::uint8_t { kNominal, kWithinTolerances };
 
-/// Encloses the arm, for all of these values.
+/// Encloses the arm, for all of these values. Offsets of joints that follow others are parts of their
+/// origins.
+///
+/// `varying`: with derivatives by these symbols.
 ///
 /// Throws    InputError if a number of it has no certain value.
-[[nodiscard]] ArmChain enclose_chain(const Model& model, ArmGeometry geometry);
+[[nodiscard]] ArmChain enclose_chain(const Model& model, ArmGeometry geometry,
+                                     const std::vector<GiNaC::symbol>& varying = {});
 
-/// Encloses the value of each joint, turns in radians. A joint without a value has 0: it is free to
-/// bring the tool to its place.
+/// Encloses the value of each unknown (arm_unknowns.hpp), turns in radians. One without a value has 0: it
+/// is free to bring the tool to its place.
 [[nodiscard]] std::vector<Interval> enclose_values(const Model& model, const Motion& motion);
 
-/// Encloses the frame of the last joint when the tool is at x, y, z, roll, pitch, yaw.
-[[nodiscard]] LinkFrame enclose_target(const Model& model, const std::vector<GiNaC::ex>& tool,
-                                       ArmGeometry geometry);
+/// Encloses the frame of the last joint when the tool is at x, y, z, roll, pitch, yaw, and its derivatives.
+[[nodiscard]] std::pair<LinkFrame, FrameRates> enclose_target(
+    const Model& model, const std::vector<GiNaC::ex>& tool, ArmGeometry geometry,
+    const std::vector<GiNaC::symbol>& varying = {});
 
 /// The frame that the last joint moves, and each joint's axis and origin, all in the base.
 struct ArmPosture {
   LinkFrame end;
   std::vector<Vector3> axes, origins;
 };
-[[nodiscard]] ArmPosture posture_at(const ArmChain& chain, std::span<const Interval> values);
+[[nodiscard]] ArmPosture posture_at(const ArmChain& chain, std::span<const Interval> unknowns);
 
-/// Returns the forward Jacobian, row-major: the velocity of the end's origin, and its angular velocity.
-[[nodiscard]] std::vector<Interval> jacobian_at(const ArmChain& chain, const ArmPosture& posture);
+/// Returns the velocity that a joint of the chain gives to the end's origin.
+[[nodiscard]] Vector3 velocity_by(const ArmChain& chain, const ArmPosture& posture,
+                                  std::size_t joint);
+
+/// Returns the forward Jacobian by the unknowns, row-major: the velocity of the end's origin, and its
+/// angular velocity.
+[[nodiscard]] std::vector<Interval> jacobian_at(const ArmChain& chain, const ArmPosture& posture,
+                                                std::size_t unknowns);
 
 }  // namespace regulus::detail

@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <memory>
-#include <numeric>
+#include <tuple>
+#include <utility>
 
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/model/place.hpp"
-#include "codegen/question/solve/arm_system.hpp"
+#include "codegen/question/solve/arm_direction.hpp"
+#include "codegen/question/solve/coupled_axes.hpp"
 #include "codegen/question/solve/platform_legs.hpp"
 #include "codegen/support/errors.hpp"
 #include "runtime/interval/floating_point_scope.hpp"
@@ -18,7 +20,10 @@
 namespace regulus::detail {
 namespace {
 
-constexpr std::size_t kSearchedJoints = 4;
+/// The four joints of OppositeAxes among six, and the other two.
+constexpr std::array<std::size_t, 4> kSearched = {0, 1, 3, 4};
+constexpr std::array<std::size_t, 2> kFollowing = {2, 5};
+constexpr std::size_t kMostChoices = 3;
 
 /// Returns the joints of the option, and those to which a motion by the tool gives a value.
 std::vector<std::string> held_joints(const Model& model, const Motion& motion,
@@ -36,54 +41,83 @@ std::vector<std::string> held_joints(const Model& model, const Motion& motion,
 }
 
 /// Makes a joint a part of the link behind it.
-void hold(ArmAtPlace& arm, const Model& model, const std::string& name,
-          const std::vector<Interval>& values) {
-  const auto at =
-      std::ranges::find(arm.free, name, [&model](std::size_t i) { return model.pose[i].name; });
-  if (at == arm.free.end()) throw UsageError("no joint " + in_quotes(name) + " is free to be held");
-  const auto k = std::size_t(at - arm.free.begin());
-  const LinkFrame link = compose(arm.chain[k].origin, arm.chain[k].moved(values[*at]));
-  if (k + 1 < arm.chain.size())
-    arm.chain[k + 1].origin = compose(link, arm.chain[k + 1].origin);
-  else
+void fix(ArmAtPlace& arm, std::size_t joint, const Interval& value) {
+  const ArmJoint& fixed = arm.chain[joint];
+  const LinkFrame moved = fixed.moved(value), link = compose(fixed.origin, moved);
+  const FrameRates rates = rates_of_product(fixed.origin, fixed.rates, moved, {});
+  if (joint + 1 < arm.chain.size()) {
+    ArmJoint& next = arm.chain[joint + 1];
+    next.rates = rates_of_product(link, rates, next.origin, next.rates);
+    next.origin = compose(link, next.origin);
+  } else {
+    arm.target_rates = rates_of_product(arm.target, arm.target_rates, inverse(link),
+                                        rates_of_inverse(link, rates));
     arm.target = compose(arm.target, inverse(link));
-  arm.chain.erase(arm.chain.begin() + std::ptrdiff_t(k));
-  arm.free.erase(at);
+  }
+  arm.chain.erase(arm.chain.begin() + std::ptrdiff_t(joint));
 }
 
-void require_six_joints(const ArmAtPlace& arm, const Request& request) {
-  if (arm.chain.size() == kJoints) return;
+/// Joints that follow others by the multiplier 0 do not move.
+void fix_unmoved(ArmAtPlace& arm) {
+  for (std::size_t i = arm.chain.size(); i-- > 0;)
+    if (arm.chain[i].factor == Interval(0.0)) fix(arm, i, 0.0);
+}
+
+/// Makes joints that an unknown moves parts of the links behind them.
+void hold(ArmAtPlace& arm, const Model& model, const std::string& name,
+          const std::vector<Interval>& values) {
+  const auto at = std::ranges::find(
+      arm.unknowns, name, [&model](const ArmUnknown& u) { return model.pose[u.pose].name; });
+  if (at == arm.unknowns.end())
+    throw UsageError("no joint " + in_quotes(name) + " is free to be held");
+  const auto k = std::size_t(at - arm.unknowns.begin());
+  for (std::size_t i = arm.chain.size(); i-- > 0;) {
+    const ArmJoint& joint = arm.chain[i];
+    if (joint.unknown == k) fix(arm, i, joint.factor * values[at->pose]);
+  }
+  for (ArmJoint& joint : arm.chain)
+    if (joint.unknown > k) --joint.unknown;
+  arm.unknowns.erase(at);
+}
+
+/// Finds whether the arm is one of four unknowns, and whether it is turned away from the place.
+void take_direction(ArmAtPlace& arm, const Request& request) {
+  const auto direction = direction_of(request.model, arm.geometry);
+  if (!direction) return;
+  arm.direction.emplace();
+  for (std::size_t i = 0; i < 3; ++i)
+    (*arm.direction)[i] = enclose_constant(direction->of_base[i], "a direction of the arm");
+  if (request.motion.tool.empty()) return;
+  const IsTurnedTo turned =
+      is_turned_to(*direction, request.model, arm.geometry, request.motion.tool);
+  arm.is_turned_away = turned == IsTurnedTo::kNo;
+  if (turned == IsTurnedTo::kUnknown)
+    throw UsageError(
+        "the arm turns about one direction alone, and it is not shown that this place has an "
+        "orientation of it; give the place by values of the joints");
+}
+
+void require_joints(const ArmAtPlace& arm, const Request& request) {
+  const std::size_t free = arm.unknowns.size(), fixed = arm.direction ? kFour : kJoints;
+  if (free == fixed) return;
   throw UsageError(fmt::format(
-      "{} joints are free to move, and a frame fixes six; {}", arm.chain.size(),
-      arm.chain.size() < kJoints ? "postures are found of arms with six"
+      "{} joints are free to move, and {}; {}", free,
+      arm.direction ? "as the arm turns about one direction alone, a place fixes four"
+                    : "a frame fixes six",
+      free < fixed
+          ? (arm.direction ? "postures are found of such arms with four"
+                           : "postures are found of arms with six, and of arms with four that "
+                             "turn about one direction alone")
       : !request.motion.tool.empty()
           ? "give values that some keep, such as at " + request.model.pose.back().name + "=VALUE"
           : "name some that keep their values by hold"));
 }
 
-}  // namespace
-
-ArmAtPlace arm_at_place(const Request& request, const std::vector<std::string>& held) {
-  const FloatingPointScope nearest(FloatingPointRounding::kNearest);
-  const Model& model = request.model;
-  for (const SerialJoint& joint : model.arm->joints)
-    if (joint.follows)
-      throw UsageError("the postures of an arm with joints that follow others are not found");
-  ArmAtPlace arm;
-  arm.geometry = has_tolerances(request) && !has_errors(request.motion)
-                     ? ArmGeometry::kWithinTolerances
-                     : ArmGeometry::kNominal;
-  arm.chain = enclose_chain(model, arm.geometry);
-  const std::vector<std::string> names = held_joints(model, request.motion, held);
-  const std::vector<Interval> values = enclose_values(model, request.motion);
-  arm.free.resize(arm.chain.size());
-  std::iota(arm.free.begin(), arm.free.end(), std::size_t{0});
-  arm.target = request.motion.tool.empty()
-                   ? posture_at(enclose_chain(model, ArmGeometry::kNominal), values).end
-                   : enclose_target(model, request.motion.tool, arm.geometry);
-  for (const std::string& name : names) hold(arm, model, name, values);
-  require_six_joints(arm, request);
-  return arm;
+/// Returns the loop that the system of this number of four joints is about, and its end.
+std::pair<ArmChain, LinkFrame> loop_from(const ArmAtPlace& arm, std::size_t number) {
+  auto loop = rotated_loop(arm.chain, arm.target, number);
+  move_origins(loop.first, loop.second);
+  return loop;
 }
 
 std::vector<std::size_t> opposite_systems(const ArmChain& chain) {
@@ -94,20 +128,125 @@ std::vector<std::size_t> opposite_systems(const ArmChain& chain) {
   return {(std::size_t(slide) + kJoints - 2) % kJoints};  // it is the third joint of the loop
 }
 
-std::pair<ArmChain, LinkFrame> loop_from(const ArmAtPlace& arm, std::size_t number) {
-  auto loop = rotated_loop(arm.chain, arm.target, number);
-  move_origins(loop.first, loop.second);
-  return loop;
+// Arms with joints that follow others, and those that turn about one direction.
+
+std::size_t number_of(std::size_t a, std::size_t b) { return kWholeArm + 1 + kJoints * a + b; }
+
+std::array<std::size_t, 2> pair_of(std::size_t number) {
+  return {(number - kWholeArm - 1) / kJoints, (number - kWholeArm - 1) % kJoints};
+}
+
+CoupledChoice choice_of(const ArmAtPlace& arm, std::size_t number) {
+  const auto joint_of = [&](std::size_t unknown) {
+    return std::size_t(std::ranges::find(arm.chain, unknown, &ArmJoint::unknown) -
+                       arm.chain.begin());
+  };
+  const auto pair = pair_of(number);
+  return {joint_of(pair[0]), joint_of(pair[1]), divided_unknowns(arm, number).searched};
+}
+
+/// Both move one joint. If one slides, it is the first of the pair.
+bool may_be_left_out(const ArmAtPlace& arm, std::size_t a, std::size_t b) {
+  const auto &first = arm.unknowns[a], &second = arm.unknowns[b];
+  return a != b && first.is_alone && second.is_alone && second.turns && (!first.turns || a < b);
+}
+
+std::vector<std::size_t> coupled_systems(const ArmAtPlace& arm) {
+  std::vector<std::pair<std::size_t, std::size_t>> found;  // terms and number
+  for (std::size_t a = 0; a < arm.unknowns.size(); ++a)
+    for (std::size_t b = 0; b < arm.unknowns.size(); ++b) {
+      if (!may_be_left_out(arm, a, b)) continue;
+      const std::size_t number = number_of(a, b);
+      found.emplace_back(terms_of(arm.chain, arm.target, choice_of(arm, number)), number);
+    }
+  std::ranges::sort(found);
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = 0; i < std::min(found.size(), kMostChoices); ++i)
+    numbers.push_back(found[i].second);
+  return numbers;
+}
+
+}  // namespace
+
+ArmAtPlace arm_at_place(const Request& request, const std::vector<std::string>& held) {
+  return arm_at_place(request, held,
+                      has_tolerances(request) && !has_errors(request.motion)
+                          ? ArmGeometry::kWithinTolerances
+                          : ArmGeometry::kNominal,
+                      {});
+}
+
+ArmAtPlace arm_at_place(const Request& request, const std::vector<std::string>& held,
+                        ArmGeometry geometry, const std::vector<GiNaC::symbol>& varying) {
+  const FloatingPointScope nearest(FloatingPointRounding::kNearest);
+  const Model& model = request.model;
+  ArmAtPlace arm;
+  arm.geometry = geometry;
+  arm.chain = enclose_chain(model, geometry, varying);
+  const std::vector<std::string> names = held_joints(model, request.motion, held);
+  const std::vector<Interval> values = enclose_values(model, request.motion);
+  arm.unknowns = unknowns_of(*model.arm);
+  if (request.motion.tool.empty())
+    arm.target = posture_at(enclose_chain(model, ArmGeometry::kNominal), values).end;
+  else
+    std::tie(arm.target, arm.target_rates) =
+        enclose_target(model, request.motion.tool, geometry, varying);
+  fix_unmoved(arm);
+  for (const std::string& name : names) hold(arm, model, name, values);
+  if (arm.unknowns.size() < kJoints) take_direction(arm, request);
+  require_joints(arm, request);
+  return arm;
+}
+
+bool ArmAtPlace::is_plain() const { return std::ranges::all_of(unknowns, &ArmUnknown::is_alone); }
+
+std::unique_ptr<RootSystem> ArmAtPlace::equations(bool has_rates) const {
+  if (direction) return std::make_unique<ArmAboutDirection>(chain, target, *direction);
+  return std::make_unique<WholeArm>(chain, target, has_rates);
+}
+
+std::vector<std::size_t> systems_without_two(const ArmAtPlace& arm) {
+  return arm.is_plain() && !arm.direction ? opposite_systems(arm.chain) : coupled_systems(arm);
+}
+
+DividedUnknowns divided_unknowns(const ArmAtPlace& arm, std::size_t number) {
+  DividedUnknowns divided;
+  if (number < kWholeArm) {
+    for (const std::size_t i : kSearched) divided.searched.push_back((i + number) % kJoints);
+    std::ranges::transform(kFollowing, divided.following.begin(),
+                           [&](std::size_t i) { return (i + number) % kJoints; });
+    return divided;
+  }
+  divided.following = pair_of(number);
+  for (std::size_t k = 0; k < arm.unknowns.size(); ++k)
+    if (std::ranges::find(divided.following, k) == divided.following.end())
+      divided.searched.push_back(k);
+  return divided;
+}
+
+std::array<double, 2> approx_following(const ArmAtPlace& arm, std::size_t number,
+                                       std::span<const double> searched) {
+  if (number > kWholeArm)
+    return approx_left_out(arm.chain, arm.target, choice_of(arm, number), searched);
+  const auto [loop, end] = loop_from(arm, number);
+  return OppositeAxes::approx_others(loop, end, searched);
 }
 
 RootSystems systems_of_arm(const ArmAtPlace& arm, std::size_t number) {
   if (number == kWholeArm) {
     const auto whole = std::make_shared<const ArmAtPlace>(arm);
-    return {number, kJoints,
-            [whole] { return std::make_unique<WholeArm>(whole->chain, whole->target); }};
+    return {number, arm.unknowns.size(), [whole] { return whole->equations(false); }};
+  }
+  if (number > kWholeArm) {
+    const CoupledChoice choice = choice_of(arm, number);
+    const auto forms =
+        std::make_shared<const TrigForms>(coupled_equations(arm.chain, arm.target, choice));
+    const auto rows = CoupledAxes::rows_of(choice.searched.size(), arm.chain[choice.a].turns);
+    return {number, choice.searched.size(),
+            [forms, rows] { return std::make_unique<CoupledAxes>(forms, rows); }};
   }
   const auto loop = std::make_shared<const std::pair<ArmChain, LinkFrame>>(loop_from(arm, number));
-  return {number, kSearchedJoints,
+  return {number, kSearched.size(),
           [loop] { return std::make_unique<OppositeAxes>(loop->first, loop->second); }};
 }
 

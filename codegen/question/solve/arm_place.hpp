@@ -3,12 +3,17 @@
 // for its postures.
 #pragma once
 
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "codegen/model/request.hpp"
 #include "codegen/question/solve/arm_chain.hpp"
+#include "codegen/question/solve/arm_system.hpp"
+#include "codegen/question/solve/arm_unknowns.hpp"
 #include "codegen/question/solve/root_judge.hpp"
 
 namespace regulus::detail {
@@ -17,28 +22,52 @@ struct ArmAtPlace {
   ArmGeometry geometry;
   ArmChain chain;  ///< of the joints that are free; those that are held are parts of its links
   LinkFrame target;
-  std::vector<std::size_t> free;  ///< by joint of the chain: its number in the pose
+  FrameRates target_rates = {};
+  std::vector<ArmUnknown> unknowns;  ///< those of the chain
+  /// Of an arm that turns about one direction alone (arm_direction.hpp) and has four unknowns.
+  std::optional<Vector3> direction{};
+  bool is_turned_away = false;  ///< it has none of the orientation that is asked for
+
+  /// True if each joint is an unknown.
+  [[nodiscard]] bool is_plain() const;
+  /// Returns the equations of all unknowns. They live no longer than this.
+  [[nodiscard]] std::unique_ptr<RootSystem> equations(bool has_rates) const;
 };
 
-/// `held`: joints that keep their values, beside those to which a motion by the tool gives one.
+/// `held`: joints that keep their values, beside those to which a motion by the tool gives one. Joints that
+/// follow them keep theirs, too.
 ///
 /// Requires  request.model.arm; the motion has values.
-/// Throws    UsageError for an arm that has not six joints that are free to move.
+/// Throws    UsageError for an arm that has not six joints that are free to move and follow none, or four if
+///           it turns about one direction.
 [[nodiscard]] ArmAtPlace arm_at_place(const Request& request, const std::vector<std::string>& held);
+/// The same for a geometry, with derivatives.
+[[nodiscard]] ArmAtPlace arm_at_place(const Request& request, const std::vector<std::string>& held,
+                                      ArmGeometry geometry,
+                                      const std::vector<GiNaC::symbol>& varying);
 
-/// The number of the system of all six joints. Those before it are of four joints, and the other two are
-/// opposite: N + 2 and N + 5 modulo 6 in the system of number N.
+/// The number of the system of all unknowns. Those before it are of four joints of a plain arm, and the other two
+/// are opposite: N + 2 and N + 5 modulo 6 in the system of number N. Those behind it are of an arm
+/// with joints that follow others, or that turns about one direction, and number the pair that is left out.
 inline constexpr std::size_t kWholeArm = 6;
 /// If all joints turn, each pair of opposite ones has one number, below this.
 inline constexpr std::size_t kOppositePairs = 3;
 
-/// Returns the numbers of the systems of four joints that there are: none if more than one joint slides.
-[[nodiscard]] std::vector<std::size_t> opposite_systems(const ArmChain& chain);
+/// Returns the numbers of the systems without two unknowns, the best one first: none if several joints of a plain
+/// arm slide, or if fewer than two of another arm have no followers.
+[[nodiscard]] std::vector<std::size_t> systems_without_two(const ArmAtPlace& arm);
 
-/// Returns the loop that the system of this number of four joints is about, and its end.
-[[nodiscard]] std::pair<ArmChain, LinkFrame> loop_from(const ArmAtPlace& arm, std::size_t number);
+/// The unknowns of such a system, in their order, and the other two.
+struct DividedUnknowns {
+  std::vector<std::size_t> searched;
+  std::array<std::size_t, 2> following{};
+};
 
-/// Requires  number: kWholeArm, or one of opposite_systems().
+/// Requires  of these three: number is one of systems_without_two(), for the last one also kWholeArm.
+[[nodiscard]] DividedUnknowns divided_unknowns(const ArmAtPlace& arm, std::size_t number);
+/// Returns the two that follow from values of the others, approximately.
+[[nodiscard]] std::array<double, 2> approx_following(const ArmAtPlace& arm, std::size_t number,
+                                                     std::span<const double> searched);
 [[nodiscard]] RootSystems systems_of_arm(const ArmAtPlace& arm, std::size_t number);
 
 }  // namespace regulus::detail

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/kernel/formulation/variety.hpp"
@@ -14,6 +15,7 @@
 #include "codegen/question/solve/arm_place.hpp"
 #include "codegen/question/solve/arm_slides.hpp"
 #include "codegen/question/solve/arm_system.hpp"
+#include "codegen/question/solve/arm_tubes.hpp"
 #include "codegen/question/solve/platform_legs.hpp"
 #include "codegen/question/solve/root_search.hpp"
 #include "codegen/question/solve/system_solutions.hpp"
@@ -35,9 +37,6 @@ constexpr double kOverlapOfTurn = 0x1p-8;  ///< of the search over a turn, in ra
 /// E is no half turn if 3 less its trace is below this.
 constexpr double kHalfTurn = 4;
 const Interval kTurn = Interval(2.0) * kPi;
-/// The four joints of OppositeAxes among six, and the other two.
-constexpr std::array<std::size_t, 4> kSearched = {0, 1, 3, 4};
-constexpr std::array<std::size_t, 2> kFollowing = {2, 5};
 
 class ArmSolver {
  public:
@@ -48,15 +47,15 @@ class ArmSolver {
         geometry_(at_.geometry),
         chain_(at_.chain),
         target_(at_.target),
-        free_(at_.free),
+        unknowns_(at_.unknowns),
         slides_(slide_ranges(at_, request)),
-        systems_(opposite_systems(chain_)),
-        all_turn_(std::ranges::all_of(chain_, &ArmJoint::turns)) {
-    for (const std::size_t i : free_)
-      solutions_.unknowns.push_back({model_.pose[i].name, model_.pose[i].unit,
-                                     !turns(i)       ? 0
-                                     : in_degrees(i) ? 360
-                                                     : mid(kTurn)});
+        systems_(systems_without_two(at_)) {
+    if (varies()) tubes_.emplace(request, run.held);
+    for (const ArmUnknown& u : unknowns_)
+      solutions_.unknowns.push_back({model_.pose[u.pose].name, model_.pose[u.pose].unit,
+                                     !u.is_periodic  ? 0
+                                     : in_degrees(u) ? 360 * u.scale
+                                                     : mid(kTurn) * u.scale});
   }
 
   Solutions solve() {
@@ -64,11 +63,12 @@ class ArmSolver {
     settings_ = root_settings_of(run_);
     settings_.boxes_after_problem = kBoxesAfterProblem;
     const FloatingPointScope nearest(FloatingPointRounding::kNearest);
+    if (at_.is_turned_away) return of_other_orientations();
     Attempt best = systems_.empty() ? by_all_joints() : by_opposite_axes();
     for (Root& root : best.postures) add(root);
     sort_by_values(solutions_.found);
     for (std::vector<Interval>& box : best.open)
-      for (std::size_t k = 0; k < kJoints; ++k) box[k] = in_unit(k, box[k]);
+      for (std::size_t k = 0; k < box.size(); ++k) box[k] = in_unit(k, box[k]);
     solutions_.open = std::move(best.open);
     solutions_.completeness =
         best.obstacle.empty() ? Completeness::kComplete : Completeness::kIncomplete;
@@ -82,55 +82,67 @@ class ArmSolver {
   }
 
  private:
+  Solutions of_other_orientations() {
+    solutions_.completeness = Completeness::kComplete;
+    solutions_.how =
+        "as the arm turns about one direction alone, and the tool's orientation is another";
+    return std::move(solutions_);
+  }
+
   /// Says where joints that slide were looked for, if postures may be elsewhere.
   [[nodiscard]] std::string searched_ranges() const {
     std::string text;
     for (const auto& [k, slide] : slides_)
       if (!slide.has_all)
         text += fmt::format("{}{} in {}{}", text.empty() ? ", of those with " : ", ",
-                            solutions_.unknowns[k].name, short_interval(slide.range),
+                            solutions_.unknowns[k].name, short_interval(in_unit(k, slide.range)),
                             unit_suffix(solutions_.unknowns[k].unit));
     return text;
   }
 
   struct Attempt {
-    std::vector<Root> postures;  ///< of all six joints, in radians
+    std::vector<Root> postures;  ///< of all six unknowns, in radians
     std::vector<std::vector<Interval>> open;
     std::string obstacle;  ///< empty: the list is whole
     std::optional<Reason> stopped_by{};
   };
 
-  [[nodiscard]] bool turns(std::size_t joint) const {
-    return model_.arm->joints[joint].kind == JointKind::kRevolute;
-  }
-  [[nodiscard]] bool in_degrees(std::size_t joint) const {
-    return turns(joint) && is_in_degrees(model_.pose[joint].unit);
+  [[nodiscard]] bool in_degrees(const ArmUnknown& unknown) const {
+    return unknown.turns && is_in_degrees(model_.pose[unknown.pose].unit);
   }
 
-  /// Returns the value of a joint of the chain in the unit of the report.
-  [[nodiscard]] Interval in_unit(std::size_t joint, const Interval& value) const {
-    return in_degrees(free_[joint]) ? Interval(180.0) * value / kPi : value;
+  /// Returns the value of the joint that is the unknown's, in the unit of the report.
+  [[nodiscard]] Interval in_unit(std::size_t unknown, const Interval& value) const {
+    const Interval joint = value_of(unknown, value);
+    return in_degrees(unknowns_[unknown]) ? Interval(180.0) * joint / kPi : joint;
+  }
+  /// The same in radians.
+  [[nodiscard]] Interval value_of(std::size_t unknown, const Interval& value) const {
+    return Interval(unknowns_[unknown].scale) * value;
   }
 
   [[nodiscard]] bool varies() const { return geometry_ != ArmGeometry::kNominal; }
 
   /// The whole arm near a posture. Nothing of the question but its sizes is read.
   [[nodiscard]] RootJudge judge_of_arm() const {
-    const auto arm = [this] { return std::make_unique<WholeArm>(chain_, target_, varies()); };
-    return RootJudge({problem_, {0, 0, kJoints, 0}, arm});
+    const auto arm = [this] { return at_.equations(varies()); };
+    return RootJudge({problem_, {0, 0, unknowns_.size(), 0}, arm});
   }
 
-  /// True if E at a solution of WholeArm is the unit matrix, and not a half turn.
-  [[nodiscard]] bool is_posture(const Root& root) const {
-    WholeArm arm(chain_, target_);
+  /// 3 less the trace of E.
+  [[nodiscard]] Interval trace_gap(const Root& root) const {
+    const auto arm = at_.equations(false);
     const std::vector<RootSystem::Box> boxes = {root.values};
-    arm.evaluate(boxes, false);
-    return arm.at(0)->also.front().hi < kHalfTurn;
+    arm->evaluate(boxes, false);
+    return arm->at(0)->also.front();
   }
+
+  /// True if E at a solution of the equations is the unit matrix, and not a half turn.
+  [[nodiscard]] bool is_posture(const Root& root) const { return trace_gap(root).hi < kHalfTurn; }
 
   /// All postures, if as many as the theorem allows are certain among complex numbers.
   std::optional<Attempt> by_counting() {
-    if (varies() || !all_turn_) return std::nullopt;
+    if (varies() || at_.direction || !at_.is_plain() || !slides_.empty()) return std::nullopt;
     ArmToEnd arm;
     for (std::size_t k = 0; k < kJoints; ++k)
       arm.joints[k] = {{chain_[k].origin.R, chain_[k].origin.d}, chain_[k].axis};
@@ -163,7 +175,9 @@ class ArmSolver {
         if (first == systems_.front() || attempt.obstacle.empty() ||
             attempt.postures.size() > best.postures.size()) {
           best = std::move(attempt);
-          solutions_.opposite = (first + kFollowing[0]) % kOppositePairs + 1;
+          solutions_.opposite = at_.is_plain() && !at_.direction
+                                    ? divided_unknowns(at_, first).following[0] % kOppositePairs + 1
+                                    : 0;
         }
         if (is_last) return best;
       }
@@ -177,49 +191,48 @@ class ArmSolver {
 
   Attempt by_opposite_axes(std::size_t first) {
     const RootSystems systems = systems_of_arm(at_, first);
-    const auto [loop, end] = loop_from(at_, first);
-    const Interval circle(-mid(kPi) - kOverlapOfTurn, mid(kPi) + kOverlapOfTurn);
-    Problem problem;
-    problem.outer.assign(kSearched.size(), circle);
+    const auto [searched, following] = divided_unknowns(at_, first);
+    const auto [problem, periods] = ranges_of(searched);
     const RootQuestion question = systems.question(problem);
-    const RootList list = search_roots(question, std::vector<Interval>(kSearched.size(), kTurn),
-                                       settings_, run_.progress);
+    const RootList list = search_roots(question, periods, settings_, run_.progress);
     count(list);
     RootJudge judge(question);
     Attempt attempt;
     attempt.stopped_by = list.stopped_by;
     for (const std::vector<Interval>& box : list.open)
-      attempt.open.push_back(all_joints(box, first));
+      attempt.open.push_back(all_unknowns(box, first));
     if (!list.is_complete) attempt.obstacle = obstacle_of(list, attempt.open);
     for (const Root& four : list.roots)
-      if (!add_posture(attempt, four, judge, loop, end, first)) {
-        attempt.open.push_back(all_joints(four.values, first));
+      if (!add_posture(attempt, four, judge, systems, first)) {
+        attempt.open.push_back(all_unknowns(four.values, first));
         attempt.obstacle = "a solution of four joints is not shown to be a posture, or none";
       }
     return attempt;
   }
 
   /// Returns false if neither is shown.
-  bool add_posture(Attempt& attempt, const Root& four, RootJudge& judge, const ArmChain& loop,
-                   const LinkFrame& end, std::size_t first) const {
-    OppositeAxes axes(loop, end);
+  bool add_posture(Attempt& attempt, const Root& four, RootJudge& judge, const RootSystems& systems,
+                   std::size_t first) const {
+    const auto system = systems.system();
     const std::vector<RootSystem::Box> boxes = {four.values};
-    axes.evaluate(boxes, false);
-    if (!contains_zero(axes.at(0)->also.front())) return true;  // the other hand
-    std::vector<double> near(kJoints), searched;
-    for (const Interval& value : four.values) searched.push_back(mid(value));
-    const auto others = OppositeAxes::approx_others(loop, end, searched);
-    for (std::size_t i = 0; i < kSearched.size(); ++i)
-      near[(kSearched[i] + first) % kJoints] = searched[i];
-    for (std::size_t i = 0; i < kFollowing.size(); ++i)
-      near[(kFollowing[i] + first) % kJoints] = others[i];
-    auto root = judge_of_arm().root_near({}, near);
+    system->evaluate(boxes, false);
+    if (!std::ranges::all_of(system->at(0)->also, contains_zero)) return true;  // the other hand
+    const auto [searched, following] = divided_unknowns(at_, first);
+    std::vector<double> near(unknowns_.size()), values;
+    for (const Interval& value : four.values) values.push_back(mid(value));
+    const auto others = approx_following(at_, first, values);
+    for (std::size_t i = 0; i < searched.size(); ++i) near[searched[i]] = values[i];
+    for (std::size_t i = 0; i < following.size(); ++i) near[following[i]] = others[i];
+    auto root = tubes_ ? tubes_->posture_near(near) : std::nullopt;
+    if (!root) root = judge_of_arm().root_near({}, near);
     if (!root || !is_posture(*root)) return false;
     // It is regular, so that no other values of the two joints fit the same four.
     std::vector<Interval> same;
-    for (std::size_t i = 0; i < kSearched.size(); ++i) {
-      const Interval& value = root->values[(kSearched[i] + first) % kJoints];
-      const double whole = std::round((four.center[i] - mid(value)) / mid(kTurn));
+    for (std::size_t i = 0; i < searched.size(); ++i) {
+      const Interval& value = root->values[searched[i]];
+      const double whole = unknowns_[searched[i]].is_periodic
+                               ? std::round((four.center[i] - mid(value)) / mid(kTurn))
+                               : 0;
       same.push_back(value + Interval(whole) * kTurn);
     }
     // The box of a root may be smaller than the enclosures: it is the only one much farther, too.
@@ -229,15 +242,23 @@ class ArmSolver {
     return true;
   }
 
-  Attempt by_all_joints() {
-    Problem problem;
-    std::vector<Interval> periods;
-    for (std::size_t k = 0; k < kJoints; ++k) {
-      periods.push_back(chain_[k].turns ? kTurn : Interval(0.0));
-      problem.outer.push_back(chain_[k].turns
-                                  ? Interval(-mid(kPi) - kOverlapOfTurn, mid(kPi) + kOverlapOfTurn)
-                                  : slides_.at(k).range);
+  /// Where these unknowns are searched, and their periods.
+  [[nodiscard]] std::pair<Problem, std::vector<Interval>> ranges_of(
+      std::span<const std::size_t> searched) const {
+    const Interval circle(-mid(kPi) - kOverlapOfTurn, mid(kPi) + kOverlapOfTurn);
+    std::pair<Problem, std::vector<Interval>> ranges;
+    for (const std::size_t k : searched) {
+      const bool is_periodic = unknowns_[k].is_periodic;
+      ranges.first.outer.push_back(is_periodic ? circle : slides_.at(k).range);
+      ranges.second.push_back(is_periodic ? kTurn : Interval(0.0));
     }
+    return ranges;
+  }
+
+  Attempt by_all_joints() {
+    std::vector<std::size_t> all(unknowns_.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    const auto [problem, periods] = ranges_of(all);
     const RootSystems systems = systems_of_arm(at_, kWholeArm);
     const RootList list =
         search_roots(systems.question(problem), periods, settings_, run_.progress);
@@ -251,10 +272,7 @@ class ArmSolver {
         attempt.postures.push_back(root);
         continue;
       }
-      WholeArm arm(chain_, target_);
-      const std::vector<RootSystem::Box> boxes = {root.values};
-      arm.evaluate(boxes, false);
-      if (!contains_zero(arm.at(0)->also.front())) continue;  // a half turn
+      if (!contains_zero(trace_gap(root))) continue;  // a half turn
       attempt.obstacle = "a solution is not told from a half turn";
       attempt.open.push_back(root.values);
     }
@@ -272,7 +290,7 @@ class ArmSolver {
                                         const std::vector<std::vector<Interval>>& open) const {
     if (list.stopped_by) return describe(*list.stopped_by);
     std::string place;
-    for (std::size_t k = 0; k < kJoints && !open.empty(); ++k)
+    for (std::size_t k = 0; k < unknowns_.size() && !open.empty(); ++k)
       if (const Interval& value = open.front()[k]; width_ru(value) < 1)
         place += fmt::format("{}{} = {:.6g}{}", place.empty() ? ", near " : ", ",
                              solutions_.unknowns[k].name, mid(in_unit(k, value)),
@@ -282,21 +300,20 @@ class ArmSolver {
            place;
   }
 
-  /// A box of four joints as one of all six.
-  [[nodiscard]] std::vector<Interval> all_joints(const std::vector<Interval>& four,
-                                                 std::size_t first) const {
-    std::vector<Interval> all(kJoints, Interval(-kPi.hi, kPi.hi));
-    for (std::size_t k = 0; k < kJoints; ++k)
-      if (!chain_[k].turns) all[k] = slides_.at(k).range;
-    for (std::size_t i = 0; i < kSearched.size(); ++i)
-      all[(kSearched[i] + first) % kJoints] = four[i];
+  /// A box of four unknowns as one of all six.
+  [[nodiscard]] std::vector<Interval> all_unknowns(const std::vector<Interval>& four,
+                                                   std::size_t first) const {
+    std::vector<Interval> all(unknowns_.size(), Interval(-kPi.hi, kPi.hi));
+    for (const auto& [k, slide] : slides_) all[k] = slide.range;
+    const auto searched = divided_unknowns(at_, first).searched;
+    for (std::size_t i = 0; i < searched.size(); ++i) all[searched[i]] = four[i];
     return all;
   }
 
   /// In radians.
-  [[nodiscard]] Interval limits_of(std::size_t joint) const {
-    const GiNaC::ex unit = in_degrees(joint) ? one_degree() : GiNaC::ex(1);
-    const Range& range = model_.limits[joint];
+  [[nodiscard]] Interval limits_of(const ArmUnknown& unknown) const {
+    const GiNaC::ex unit = in_degrees(unknown) ? one_degree() : GiNaC::ex(1);
+    const Range& range = model_.limits[unknown.pose];
     return hull(enclose_constant(range.lo * unit, "range"),
                 enclose_constant(range.hi * unit, "range"));
   }
@@ -304,26 +321,32 @@ class ArmSolver {
   void add(const Root& root) {
     CertainSolution solution{{}, 0, root.sign};
     if (!model_.limits.empty()) solution.limits = WithinLimits::kWithin;
-    for (std::size_t k = 0; k < kJoints; ++k) {
-      const std::size_t i = free_[k];
+    for (std::size_t k = 0; k < unknowns_.size(); ++k) {
       Interval value = root.values[k];
-      if (turns(i)) value -= Interval(std::round(mid(value) / mid(kTurn))) * kTurn;
-      if (!model_.limits.empty()) note_limits(solution, i, value);
+      if (unknowns_[k].is_periodic) value -= Interval(std::round(mid(value) / mid(kTurn))) * kTurn;
+      if (!model_.limits.empty()) note_limits(solution, unknowns_[k], value_of(k, value));
       solution.values.push_back(in_unit(k, value));
     }
-    const std::vector<Interval> J = jacobian_at(chain_, posture_at(chain_, root.values));
-    std::vector<double> matrix;
-    for (const Interval& entry : J) matrix.push_back(mid(entry));
-    solution.condition = approx_condition(matrix, kJoints);
+    solution.condition = condition_at(root);
     solutions_.found.push_back(std::move(solution));
   }
 
-  void note_limits(CertainSolution& solution, std::size_t joint, const Interval& value) const {
-    const Interval limits = limits_of(joint);
+  [[nodiscard]] double condition_at(const Root& root) const {
+    const std::size_t n = unknowns_.size();
+    std::vector<Interval> J = jacobian_at(chain_, posture_at(chain_, root.values), n);
+    if (at_.direction) J = along(*at_.direction, J);
+    std::vector<double> matrix;
+    for (std::size_t e = 0; e < J.size(); ++e) matrix.push_back(mid(J[e]) / unknowns_[e % n].scale);
+    return approx_condition(matrix, n);
+  }
+
+  void note_limits(CertainSolution& solution, const ArmUnknown& unknown,
+                   const Interval& value) const {
+    const Interval limits = limits_of(unknown), period = Interval(unknown.scale) * kTurn;
     bool is_within = false, may_be = false;
-    const double turns_to_try = turns(joint) ? std::ceil(mag(limits) / mid(kTurn)) + 1 : 0;
+    const double turns_to_try = unknown.is_periodic ? std::ceil(mag(limits) / mid(period)) + 1 : 0;
     for (double turn = -turns_to_try; turn <= turns_to_try; ++turn) {
-      const Interval moved = value + Interval(turn) * kTurn;
+      const Interval moved = value + Interval(turn) * period;
       is_within = is_within || certain_subset(moved, limits);
       may_be = may_be || !certain_disjoint(moved, limits);
     }
@@ -334,7 +357,7 @@ class ArmSolver {
     }
     solution.limits = WithinLimits::kBeyond;
     solution.beyond += fmt::format("{}{} is beyond its limits", solution.beyond.empty() ? "" : ", ",
-                                   model_.pose[joint].name);
+                                   model_.pose[unknown.pose].name);
   }
 
   const Model& model_;
@@ -343,10 +366,10 @@ class ArmSolver {
   const ArmGeometry geometry_;
   const ArmChain& chain_;
   const LinkFrame& target_;
-  const std::vector<std::size_t>& free_;
-  const std::map<std::size_t, SlideRange> slides_;
-  const std::vector<std::size_t> systems_;  ///< of four joints
-  const bool all_turn_;
+  const std::vector<ArmUnknown>& unknowns_;
+  const std::map<std::size_t, SlideRange> slides_;  ///< by unknown
+  const std::vector<std::size_t> systems_;          ///< without two unknowns
+  std::optional<ArmTubes> tubes_{};
   const Problem problem_{};
   RootSettings settings_;
   Solutions solutions_;

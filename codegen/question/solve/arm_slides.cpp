@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/solve/arm_slides.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 
 #include "codegen/kernel/formulation/variety.hpp"
+#include "codegen/model/degrees.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus::detail {
@@ -48,16 +51,33 @@ std::optional<Interval> share_of(const std::vector<Vector3>& g, std::size_t n) {
 }
 
 /// The range of the model, with the value that the motion gives.
-Interval range_of(const Request& request, std::size_t joint) {
+Interval range_of(const Request& request, const ArmUnknown& unknown) {
   const Model& model = request.model;
-  if (model.limits.empty())
+  const PoseParameter& p = model.pose[unknown.pose];
+  if (model.limits.empty() && unknown.is_alone)
     throw UsageError(
         "where joints slide with turns between them, give each joint of the arm a range");
-  const Range& range = model.limits[joint];
-  Interval all = hull(enclose_constant(range.lo, "range"), enclose_constant(range.hi, "range"));
-  if (request.motion.tool.empty()) all = hull(all, enclose_values(model, request.motion)[joint]);
+  if (model.limits.empty())
+    throw UsageError(
+        fmt::format("no number of turns of {} is known that brings back what follows it, so it is "
+                    "looked for in "
+                    "its range; give each joint of the arm a range",
+                    p.name));
+  const Range& range = model.limits[unknown.pose];
+  const GiNaC::ex unit = unknown.turns && is_in_degrees(p.unit) ? one_degree() : GiNaC::ex(1);
+  Interval all =
+      hull(enclose_constant(range.lo * unit, "range"), enclose_constant(range.hi * unit, "range"));
+  if (request.motion.tool.empty())
+    all = hull(all, enclose_values(model, request.motion)[unknown.pose]);
   const double room = (kBeyond - 1) * width_ru(all);
   return all + Interval(-room, room);
+}
+
+/// True if the reach bounds what slides: no unknown slides two joints, or turns one and slides another.
+bool slide_alone(const ArmAtPlace& arm) {
+  return std::ranges::all_of(arm.chain, [&](const ArmJoint& joint) {
+    return joint.turns || arm.unknowns[joint.unknown].is_alone;
+  });
 }
 
 }  // namespace
@@ -66,15 +86,18 @@ std::map<std::size_t, SlideRange> slide_ranges(const ArmAtPlace& arm, const Requ
   std::vector<std::size_t> slides;
   for (std::size_t k = 0; k < arm.chain.size(); ++k)
     if (!arm.chain[k].turns) slides.push_back(k);
-  const std::vector<Vector3> directions = directions_of(arm.chain, slides);
+  const std::vector<Vector3> directions =
+      slide_alone(arm) ? directions_of(arm.chain, slides) : std::vector<Vector3>{};
   const Interval reach = reach_of(arm);
   std::map<std::size_t, SlideRange> ranges;
   for (std::size_t n = 0; n < slides.size(); ++n) {
     const auto share = directions.empty() ? std::nullopt : share_of(directions, n);
     const double most = share ? (Interval(kBeyond) * *share * reach).hi : 0;
-    ranges[slides[n]] = share ? SlideRange{Interval(-most, most), true}
-                              : SlideRange{range_of(request, arm.free[slides[n]]), false};
+    if (share) ranges[arm.chain[slides[n]].unknown] = SlideRange{Interval(-most, most), true};
   }
+  for (std::size_t k = 0; k < arm.unknowns.size(); ++k)
+    if (!arm.unknowns[k].is_periodic && !ranges.contains(k))
+      ranges[k] = SlideRange{range_of(request, arm.unknowns[k]), false};
   return ranges;
 }
 

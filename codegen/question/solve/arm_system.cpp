@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "codegen/question/solve/approx_vectors.hpp"
 #include "runtime/interval/elementary.hpp"
 
 namespace regulus::detail {
@@ -13,7 +14,7 @@ using detail::cross;  // those below would hide them
 using detail::dot;
 using detail::times;
 
-constexpr std::size_t kFour = 4;
+constexpr std::size_t kFourJoints = 4;
 
 /// Half of M − Mᵀ as a vector.
 Vector3 axial(const Matrix3& M) {
@@ -106,12 +107,7 @@ struct Line {
 /// is seen from a frame in which the slide's has the rotation R.
 std::array<std::array<Bilinear, 2>, 5> slide_along(const Vector3& k, const Matrix3& R,
                                                    const Line& before, const Line& behind) {
-  std::size_t least = 0;
-  for (std::size_t i = 1; i < 3; ++i)
-    if (mag(k[i]) < mag(k[least])) least = i;
-  Vector3 unit = {0.0, 0.0, 0.0};
-  unit[least] = Interval(1.0);
-  const Vector3 e = cross(k, unit), f = cross(k, e);
+  const Vector3 e = cross(k, farthest_unit(k)), f = cross(k, e);
   const auto both = [&](const Vector3& u, Form Line::*of) {
     return std::array<Bilinear, 2>{dot(times(R, u), before.*of), dot(u, behind.*of)};
   };
@@ -137,23 +133,6 @@ Interval value_of(const Bilinear& form, const Vector3& u, const Vector3& v) {
   return result;
 }
 
-// Approximate vectors.
-
-using Point3 = std::array<double, 3>;
-Point3 middle(const Vector3& v) { return {mid(v[0]), mid(v[1]), mid(v[2])}; }
-double approx_dot(const Point3& u, const Point3& v) {
-  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-}
-Point3 approx_cross(const Point3& u, const Point3& v) {
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-}
-/// The angle about `axis` from one vector to another, and how long their parts across it are.
-std::pair<double, double> approx_angle(const Point3& axis, const Point3& from, const Point3& to) {
-  const double along = approx_dot(axis, from) * approx_dot(axis, to);
-  const double c = approx_dot(from, to) - along, s = approx_dot(axis, approx_cross(from, to));
-  return {std::atan2(s, c), std::hypot(c, s)};
-}
-
 }  // namespace
 
 std::optional<RootSystem::Values> WholeArm::at(std::size_t lane) const {
@@ -163,37 +142,69 @@ std::optional<RootSystem::Values> WholeArm::at(std::size_t lane) const {
   Values values;
   for (const Vector3* part : {&gap, &turn})
     values.value.insert(values.value.end(), part->begin(), part->end());
-  values.by_unknown = jacobian_at(chain_, posture);
+  const std::size_t n = boxes_[lane].size();
+  values.by_unknown.assign(kJoints * n, Interval(0.0));
   for (std::size_t k = 0; k < chain_.size(); ++k) {
-    const Vector3& z = posture.axes[k];
-    const Vector3 rate = axial(across(z, E));
-    for (std::size_t i = 0; i < 3; ++i)
-      values.by_unknown[(3 + i) * chain_.size() + k] = chain_[k].turns ? rate[i] : Interval(0.0);
+    const Vector3 v = velocity_by(chain_, posture, k);
+    const Vector3 rate =
+        chain_[k].turns ? axial(across(posture.axes[k], E)) : Vector3{0.0, 0.0, 0.0};
+    for (std::size_t i = 0; i < 3; ++i) {
+      values.by_unknown[i * n + chain_[k].unknown] += chain_[k].factor * v[i];
+      values.by_unknown[(3 + i) * n + chain_[k].unknown] += chain_[k].factor * rate[i];
+    }
   }
   values.also = {Interval(3.0) - (E[0] + E[4] + E[8])};
-  if (has_rates_ && are_rates_needed_) add_rates(values, posture, E);
+  if (has_rates_ && are_rates_needed_) add_rates(values, n, posture, E);
   return values;
 }
 
-void WholeArm::add_rates(Values& values, const ArmPosture& posture, const Matrix3& E) const {
-  const std::size_t n = chain_.size();
-  values.rates_by_unknown.assign(n * n * n, Interval(0.0));
-  for (std::size_t k = 0; k < n; ++k) {
-    const Vector3 v = {values.by_unknown[k], values.by_unknown[n + k],
-                       values.by_unknown[2 * n + k]};
+void WholeArm::add_rates(Values& values, std::size_t n, const ArmPosture& posture,
+                         const Matrix3& E) const {
+  values.rates_by_unknown.assign(n * kJoints * n, Interval(0.0));
+  for (std::size_t k = 0; k < chain_.size(); ++k) {
+    const Vector3 v = velocity_by(chain_, posture, k);
     for (std::size_t j = 0; j <= k; ++j) {
       if (!chain_[j].turns) continue;
-      const Vector3 of_place = cross(posture.axes[j], v);
-      const Vector3 of_turn = chain_[k].turns
-                                  ? axial(across(posture.axes[j], across(posture.axes[k], E)))
-                                  : Vector3{0.0, 0.0, 0.0};
-      for (std::size_t i = 0; i < 3; ++i)
-        for (const auto& [by, column] : {std::pair{j, k}, {k, j}}) {
-          values.rates_by_unknown[(by * n + i) * n + column] = of_place[i];
-          values.rates_by_unknown[(by * n + 3 + i) * n + column] = of_turn[i];
+      const Interval factor = chain_[j].factor * chain_[k].factor;
+      const Vector3 of_place = factor * cross(posture.axes[j], v);
+      const Vector3 of_turn =
+          chain_[k].turns ? factor * axial(across(posture.axes[j], across(posture.axes[k], E)))
+                          : Vector3{0.0, 0.0, 0.0};
+      const auto add = [&](std::size_t by, std::size_t column) {
+        for (std::size_t i = 0; i < 3; ++i) {
+          values.rates_by_unknown[(by * kJoints + i) * n + column] += of_place[i];
+          values.rates_by_unknown[(by * kJoints + 3 + i) * n + column] += of_turn[i];
         }
+      };
+      add(chain_[j].unknown, chain_[k].unknown);
+      if (j < k) add(chain_[k].unknown, chain_[j].unknown);
     }
   }
+}
+
+std::vector<Interval> along(const Vector3& n, const std::vector<Interval>& rows) {
+  const std::size_t m = rows.size() / 6;
+  std::vector<Interval> result(rows.begin(), rows.begin() + std::ptrdiff_t(3 * m));
+  for (std::size_t k = 0; k < m; ++k)
+    result.push_back(dot(n, {rows[3 * m + k], rows[4 * m + k], rows[5 * m + k]}));
+  return result;
+}
+
+std::optional<RootSystem::Values> ArmAboutDirection::at(std::size_t lane) const {
+  auto values = whole_.at(lane);
+  if (!values) return std::nullopt;
+  values->value = along(direction_, values->value);
+  values->by_unknown = along(direction_, values->by_unknown);
+  std::vector<Interval> rates;
+  const std::size_t size = 6 * kFourJoints;
+  for (std::size_t k = 0; k * size < values->rates_by_unknown.size(); ++k) {
+    const auto first = values->rates_by_unknown.begin() + std::ptrdiff_t(k * size);
+    const auto of_unknown =
+        along(direction_, std::vector<Interval>(first, first + std::ptrdiff_t(size)));
+    rates.insert(rates.end(), of_unknown.begin(), of_unknown.end());
+  }
+  values->rates_by_unknown = std::move(rates);
+  return values;
 }
 
 OppositeAxes::OppositeAxes(const ArmChain& chain, const LinkFrame& target) {
@@ -244,9 +255,9 @@ OppositeAxes::OppositeAxes(const ArmChain& chain, const LinkFrame& target) {
 }
 
 std::optional<RootSystem::Values> OppositeAxes::at(std::size_t lane) const {
-  std::array<std::array<Vector3, 3>, kFour> t;
-  for (std::size_t i = 0; i < kFour; ++i) t[i] = powers(boxes_[lane][i]);
-  const auto derivative = [&](const Equation& e, std::array<std::size_t, kFour> order) {
+  std::array<std::array<Vector3, 3>, kFourJoints> t;
+  for (std::size_t i = 0; i < kFourJoints; ++i) t[i] = powers(boxes_[lane][i]);
+  const auto derivative = [&](const Equation& e, std::array<std::size_t, kFourJoints> order) {
     const bool has_left = order[2] + order[3] == 0, has_right = order[0] + order[1] == 0;
     Interval value(0.0);
     if (has_left) value += value_of(e.left, t[0][order[0]], t[1][order[1]]);
@@ -254,19 +265,19 @@ std::optional<RootSystem::Values> OppositeAxes::at(std::size_t lane) const {
     return value;
   };
   Values values;
-  for (std::size_t e = 0; e < kFour; ++e) {
+  for (std::size_t e = 0; e < kFourJoints; ++e) {
     values.value.push_back(derivative(equations_[e], {}));
-    for (std::size_t j = 0; j < kFour; ++j) {
-      std::array<std::size_t, kFour> order{};
+    for (std::size_t j = 0; j < kFourJoints; ++j) {
+      std::array<std::size_t, kFourJoints> order{};
       ++order[j];
       values.by_unknown.push_back(derivative(equations_[e], order));
     }
   }
-  values.also = {derivative(equations_[kFour], {})};
-  for (std::size_t k = 0; has_rates_ && k < kFour; ++k)
-    for (std::size_t e = 0; e < kFour; ++e)
-      for (std::size_t j = 0; j < kFour; ++j) {
-        std::array<std::size_t, kFour> order{};
+  values.also = {derivative(equations_[kFourJoints], {})};
+  for (std::size_t k = 0; has_rates_ && k < kFourJoints; ++k)
+    for (std::size_t e = 0; e < kFourJoints; ++e)
+      for (std::size_t j = 0; j < kFourJoints; ++j) {
+        std::array<std::size_t, kFourJoints> order{};
         ++order[j], ++order[k];
         values.rates_by_unknown.push_back(derivative(equations_[e], order));
       }
@@ -291,11 +302,7 @@ std::array<double, 2> OppositeAxes::approx_others(const ArmChain& chain, const L
   const LinkFrame last =
       compose(inverse(compose(compose(before, chain[2].moved(Interval(third))), after)), target);
   const Point3 a = middle(chain[5].axis);
-  std::size_t least = 0;
-  for (std::size_t i = 1; i < 3; ++i)
-    if (std::fabs(a[i]) < std::fabs(a[least])) least = i;
-  Vector3 across{};
-  across[least] = Interval(1.0);
+  const Vector3 across = farthest_unit(chain[5].axis);
   return {third, approx_angle(a, middle(across), middle(times(last.R, across))).first};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The equations of an arm of six joints whose end is at a given frame.
+// The equations of an arm of six unknowns whose end is at a given frame.
 #pragma once
 
 #include "codegen/question/solve/arm_chain.hpp"
@@ -10,12 +10,13 @@ namespace regulus::detail {
 /// As many joints as a frame has freedoms.
 inline constexpr std::size_t kJoints = 6;
 
-/// All six joints: the end's origin is at that of the frame, and E = R(q)·R*ᵀ has no axial vector.
+/// All unknowns: the end's origin is at that of the frame, and E = R(q)·R*ᵀ has no axial vector.
 /// Then E is the unit matrix or a half turn; at the first the derivatives are regular exactly where the
 /// forward Jacobian is. Its trace tells them apart.
 ///
 /// With z_k the axes, v_k the velocities of the end's origin, and j ≤ k, the second derivatives by joints that turn
-/// are z_j × v_k and the axial vector of [z_j]×[z_k]×E: what is behind joint j turns with it, as one body.
+/// are z_j × v_k and the axial vector of [z_j]×[z_k]×E: what is behind joint j turns with it, as one body. An unknown
+/// that moves several joints has the sum of their columns, each times its factor.
 class WholeArm final : public RootSystem {
  public:
   /// `has_rates`: with second derivatives, where they are asked for.
@@ -30,7 +31,7 @@ class WholeArm final : public RootSystem {
   [[nodiscard]] std::optional<Values> at(std::size_t lane) const override;
 
  private:
-  void add_rates(Values& values, const ArmPosture& posture, const Matrix3& E) const;
+  void add_rates(Values& values, std::size_t n, const ArmPosture& posture, const Matrix3& E) const;
 
   const ArmChain& chain_;
   const LinkFrame& target_;
@@ -38,6 +39,27 @@ class WholeArm final : public RootSystem {
   std::vector<Box> boxes_;
   bool are_rates_needed_ = false;
 };
+
+/// An arm that turns about one direction n alone, with four unknowns. E is a rotation about n, so the equations are those
+/// of the origin and n·e = 0 for the axial vector e of E.
+class ArmAboutDirection final : public RootSystem {
+ public:
+  ArmAboutDirection(const ArmChain& chain, const LinkFrame& target, const Vector3& direction)
+      : whole_(chain, target, true), direction_(direction) {}
+
+  void evaluate(std::span<const Box> boxes, bool are_rates_needed) override {
+    whole_.evaluate(boxes, are_rates_needed);
+  }
+  /// `also`: 3 less the trace of E.
+  [[nodiscard]] std::optional<Values> at(std::size_t lane) const override;
+
+ private:
+  WholeArm whole_;
+  const Vector3 direction_;
+};
+
+/// Joins the last three of six rows of numbers to one: n·(their columns).
+[[nodiscard]] std::vector<Interval> along(const Vector3& n, const std::vector<Interval>& rows);
 
 /// Σ k_ij·u_i·v_j with u = (1, cos a, sin a) and v = (1, cos b, sin b).
 using Bilinear = std::array<std::array<Interval, 3>, 3>;

@@ -179,12 +179,9 @@ Listed list_of(const Request& request, const Solutions& solutions) {
   return is_in_plane(request) ? planar_list(request, solutions) : pose_list(request, solutions);
 }
 
-std::string lines_of(const Solutions& solutions, const Listed& listed) {
-  std::vector<std::vector<Interval>> tubes = widened(solutions, listed, kWiderWidth);
-  for (double part = kWiderWidth / 4; !listed.middles.empty() && part > kLeastWider; part /= 4) {
-    if (are_disjoint(tubes)) break;
-    tubes = widened(solutions, listed, part);
-  }
+namespace {
+
+std::string text_of(const std::vector<std::vector<Interval>>& tubes) {
   std::string lines;
   for (const auto& tube : tubes) {
     lines += "solution";
@@ -192,6 +189,28 @@ std::string lines_of(const Solutions& solutions, const Listed& listed) {
     lines += '\n';
   }
   return lines;
+}
+
+}  // namespace
+
+std::string lines_of(const Solutions& solutions, const Listed& listed) {
+  std::vector<std::vector<Interval>> tubes = widened(solutions, listed, kWiderWidth);
+  for (double part = kWiderWidth / 4; !listed.middles.empty() && part > kLeastWider; part /= 4) {
+    if (are_disjoint(tubes)) break;
+    tubes = widened(solutions, listed, part);
+  }
+  return text_of(tubes);
+}
+
+std::optional<std::string> wider_lines_of(const Solutions& solutions, const Listed& listed,
+                                          double part) {
+  std::vector<std::vector<Interval>> tubes = widened(solutions, listed, kWiderWidth);
+  for (std::vector<Interval>& tube : tubes) {
+    double widest = 0;
+    for (const Interval& x : tube) widest = std::max(widest, width_ru(x));
+    for (Interval& x : tube) x += Interval(-part * widest, part * widest);
+  }
+  return are_disjoint(tubes) ? std::optional(text_of(tubes)) : std::nullopt;
 }
 
 std::string proof_of(const Listed& listed) {

@@ -2,6 +2,7 @@
 // The lines `solution` and `from` of the certificate of a list that a search proves.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,10 @@ struct Listed {
 ///
 /// Rounding  outward; MXCSR at nearest.
 [[nodiscard]] std::string lines_of(const Solutions& solutions, const Listed& listed);
+
+/// The same of angles, each wider by a part of the widest of its solution; nullopt: two lines would overlap.
+[[nodiscard]] std::optional<std::string> wider_lines_of(const Solutions& solutions,
+                                                        const Listed& listed, double part);
 
 /// Returns the proof of a search: empty but for where solutions were followed from.
 [[nodiscard]] std::string proof_of(const Listed& listed);

@@ -38,8 +38,8 @@ RootSystems systems_of(const Request& request, const std::vector<std::string>& h
   if (!request.model.arm)
     return number < 2 * kChartsOfRotations ? systems_of_platform(request, number) : RootSystems();
   const ArmAtPlace arm = arm_at_place(request, held);
-  const std::vector<std::size_t> opposite = opposite_systems(arm.chain);
-  const bool exist = number == kWholeArm || std::ranges::find(opposite, number) != opposite.end();
+  const std::vector<std::size_t> four = systems_without_two(arm);
+  const bool exist = number == kWholeArm || std::ranges::find(four, number) != four.end();
   return exist ? systems_of_arm(arm, number) : RootSystems();
 }
 

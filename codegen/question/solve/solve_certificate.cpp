@@ -30,6 +30,10 @@ constexpr const char* kNoProofOfCount =
     "that these are all is shown by a count of complex postures, which has no proof in a file";
 constexpr const char* kNoProofOfJoints =
     "a list of postures that a search over all six joints found has no proof in a file";
+constexpr const char* kNoProofOfFollowers =
+    "a list of postures of an arm with joints that follow others has no proof in a file";
+constexpr const char* kNoProofOfFour =
+    "a list of postures of an arm that turns about one direction has no proof in a file";
 constexpr const char* kNoProofOfTolerances =
     "this list is without the tolerances and errors of the file, so it has no proof in a file";
 constexpr const char* kAtBorder = "a solution may be at the end of the range of an unknown";
@@ -190,10 +194,15 @@ std::string obstacle_of(const Request& request, const Solutions& solutions) {
                ? kAtBorder
                : "";
   if (solutions.is_nominal) return kNoProofOfTolerances;
-  if (!request.model.arm || solutions.opposite != 0) return "";
+  if (!request.model.arm) return "";
+  const std::vector<SerialJoint>& joints = request.model.arm->joints;
+  if (std::ranges::any_of(joints,
+                          [](const SerialJoint& joint) { return joint.follows.has_value(); }))
+    return kNoProofOfFollowers;
+  if (solutions.unknowns.size() < 6) return kNoProofOfFour;
+  if (solutions.opposite != 0) return "";
   const bool all_turn = std::ranges::all_of(
-      request.model.arm->joints,
-      [](const SerialJoint& joint) { return joint.kind == JointKind::kRevolute; });
+      joints, [](const SerialJoint& joint) { return joint.kind == JointKind::kRevolute; });
   return all_turn ? kNoProofOfCount : kNoProofOfJoints;
 }
 
@@ -244,9 +253,16 @@ ListProof prove_list(const Request& request, const Solutions& solutions) {
     return list;
   // A search proves wider tubes. And legs that meet in the middle of the tolerances have 16 complex
   // poses there, and others elsewhere.
-  try_proof(lines_of(solutions, listed),
-            (is_arm ? fmt::format("opposite {}\n", solutions.opposite) : "") + proof_of(listed));
-  return list;
+  const std::string proof =
+      (is_arm ? fmt::format("opposite {}\n", solutions.opposite) : "") + proof_of(listed);
+  try_proof(lines_of(solutions, listed), proof);
+  const ListProof first = list;
+  // The verifier's tubes of postures are wider than those that follow the uncertain quantities, of all joints.
+  for (const double part : {0.25, 1.0, 4.0}) {
+    if (!is_arm || !varies || list.doubt.empty()) break;
+    if (const auto lines = wider_lines_of(solutions, listed, part)) try_proof(*lines, proof);
+  }
+  return list.doubt.empty() ? list : first;
 }
 
 }  // namespace regulus::detail
