@@ -113,8 +113,11 @@ class ArmSolver {
 
   /// Returns the value of the joint that is the unknown's, in the unit of the report.
   [[nodiscard]] Interval in_unit(std::size_t unknown, const Interval& value) const {
-    const Interval joint = value_of(unknown, value);
-    return in_degrees(unknowns_[unknown]) ? Interval(180.0) * joint / kPi : joint;
+    return in_unit(unknowns_[unknown], value_of(unknown, value));
+  }
+  /// `joint`: its value in radians.
+  [[nodiscard]] Interval in_unit(const ArmUnknown& unknown, const Interval& joint) const {
+    return in_degrees(unknown) ? Interval(180.0) * joint / kPi : joint;
   }
   /// The same in radians.
   [[nodiscard]] Interval value_of(std::size_t unknown, const Interval& value) const {
@@ -324,8 +327,9 @@ class ArmSolver {
     for (std::size_t k = 0; k < unknowns_.size(); ++k) {
       Interval value = root.values[k];
       if (unknowns_[k].is_periodic) value -= Interval(std::round(mid(value) / mid(kTurn))) * kTurn;
-      if (!model_.limits.empty()) note_limits(solution, unknowns_[k], value_of(k, value));
-      solution.values.push_back(in_unit(k, value));
+      value = value_of(k, value);
+      if (!model_.limits.empty()) value = within_limits(solution, unknowns_[k], value);
+      solution.values.push_back(in_unit(unknowns_[k], value));
     }
     solution.condition = condition_at(root);
     solutions_.found.push_back(std::move(solution));
@@ -340,24 +344,27 @@ class ArmSolver {
     return approx_condition(matrix, n);
   }
 
-  void note_limits(CertainSolution& solution, const ArmUnknown& unknown,
-                   const Interval& value) const {
+  /// Notes whether the value is within the limits of its joint, and returns it: whole turns on if it is
+  /// within them only then.
+  Interval within_limits(CertainSolution& solution, const ArmUnknown& unknown,
+                         const Interval& value) const {
     const Interval limits = limits_of(unknown), period = Interval(unknown.scale) * kTurn;
-    bool is_within = false, may_be = false;
+    bool may_be = false;
     const double turns_to_try = unknown.is_periodic ? std::ceil(mag(limits) / mid(period)) + 1 : 0;
-    for (double turn = -turns_to_try; turn <= turns_to_try; ++turn) {
-      const Interval moved = value + Interval(turn) * period;
-      is_within = is_within || certain_subset(moved, limits);
-      may_be = may_be || !certain_disjoint(moved, limits);
-    }
-    if (is_within) return;
+    for (double turns = 0; turns <= turns_to_try; ++turns)
+      for (const double turn : {-turns, turns}) {
+        const Interval moved = turn == 0 ? value : value + Interval(turn) * period;
+        if (certain_subset(moved, limits)) return moved;
+        may_be = may_be || !certain_disjoint(moved, limits);
+      }
     if (may_be) {
       if (solution.limits == WithinLimits::kWithin) solution.limits = WithinLimits::kUnknown;
-      return;
+      return value;
     }
     solution.limits = WithinLimits::kBeyond;
     solution.beyond += fmt::format("{}{} is beyond its limits", solution.beyond.empty() ? "" : ", ",
                                    model_.pose[unknown.pose].name);
+    return value;
   }
 
   const Model& model_;

@@ -127,6 +127,41 @@ TEST(AllPosturesOfArmsWithASphericalWrist, ContainThePlantedOne) {
   }
 }
 
+/// A range may begin beyond a turn about 0.
+TEST(AllPosturesOfAnArm, HaveValuesWithinTheLimitsOfTheirJoints) {
+  const double right = std::numbers::pi / 2, turn = 4 * right;
+  const Arm arm = {{{0.1, -right, 0.4},
+                    {0.45, 0, 0},
+                    {0.03, right, 0},
+                    {0, -right, 0.42},
+                    {0, right, 0},
+                    {0, 0, 0.08}}};
+  const std::vector<double> q = {0.3 + turn, 0.5, -0.4, 0.6, 0.8, -0.2};
+  std::string text = text_of(arm, q);
+  const auto limit = [&text](const std::string& before, const std::string& range) {
+    for (std::size_t at = text.find(before); at != std::string::npos;
+         at = text.find(before, at + 1))
+      text.insert(text.find(" }", at), ", range = " + range);
+  };
+  limit("{ name = \"q1\"", "[1.8, 8.5]");
+  for (int joint = 2; joint <= 6; ++joint)
+    limit(fmt::format("{{ name = \"q{}\"", joint), "[-4, 4]");
+  text.erase(text.find("[motion.at]"));
+  std::vector<std::string> at;
+  for (std::size_t i = 0; i < q.size(); ++i) at.push_back(fmt::format("q{}={:.17g}", i + 1, q[i]));
+  const Solutions solutions = solved(text, at);
+  ASSERT_TRUE(is_complete(solutions)) << solutions.obstacle;
+  int moved = 0;
+  for (const CertainSolution& s : solutions.found) {
+    EXPECT_EQ(s.limits, WithinLimits::kWithin);
+    EXPECT_GE(s.values[0].lo, 1.8);
+    EXPECT_LE(s.values[0].hi, 8.5);
+    moved += s.values[0].lo > turn / 2;
+  }
+  EXPECT_GE(moved, 1);
+  expect_reach(arm, q, solutions);
+}
+
 TEST(AllPosturesOfAnArm, AreNotCompleteAtASingularOne) {
   const double right = std::numbers::pi / 2;
   const Arm arm = {{{0.1, -right, 0.4},
