@@ -73,6 +73,15 @@ Matrix3 transposed(const Matrix3& R) noexcept {
   return {R[0], R[3], R[6], R[1], R[4], R[7], R[2], R[5], R[8]};
 }
 
+Vector3 axial(const Matrix3& M) noexcept {
+  const Interval half(0.5);
+  return {half * (M[7] - M[5]), half * (M[2] - M[6]), half * (M[3] - M[1])};
+}
+
+Matrix3 across(const Vector3& z, const Matrix3& A) noexcept {
+  return times({0.0, -z[2], z[1], z[2], 0.0, -z[0], -z[1], z[0], 0.0}, A);
+}
+
 LinkFrame compose(const LinkFrame& first, const LinkFrame& second) noexcept {
   return {times(first.R, second.R), times(first.R, second.d) + first.d};
 }

@@ -26,6 +26,10 @@ using Matrix3 = std::array<Interval, 9>;  ///< row-major
 [[nodiscard]] Vector3 times(const Matrix3& R, const Vector3& v) noexcept;
 [[nodiscard]] Matrix3 times(const Matrix3& A, const Matrix3& B) noexcept;
 [[nodiscard]] Matrix3 transposed(const Matrix3& R) noexcept;
+/// Returns half of M − Mᵀ as a vector.
+[[nodiscard]] Vector3 axial(const Matrix3& M) noexcept;
+/// Returns [z]×A.
+[[nodiscard]] Matrix3 across(const Vector3& z, const Matrix3& A) noexcept;
 
 /// A rotation and a translation: x becomes Rx + d.
 struct LinkFrame {

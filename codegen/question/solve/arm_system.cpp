@@ -16,17 +16,6 @@ using detail::times;
 
 constexpr std::size_t kFourJoints = 4;
 
-/// Half of M − Mᵀ as a vector.
-Vector3 axial(const Matrix3& M) {
-  const Interval half(0.5);
-  return {half * (M[7] - M[5]), half * (M[2] - M[6]), half * (M[3] - M[1])};
-}
-
-/// [z]×A.
-Matrix3 across(const Vector3& z, const Matrix3& A) {
-  return times({0.0, -z[2], z[1], z[2], 0.0, -z[0], -z[1], z[0], 0.0}, A);
-}
-
 /// A vector of bilinear forms.
 struct Form {
   std::array<std::array<Vector3, 3>, 3> k{};

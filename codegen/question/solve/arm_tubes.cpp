@@ -15,14 +15,6 @@ constexpr int kStepsToPosture = 12, kTrialsOfTube = 10;
 constexpr double kRoomOfTube = 1.25;
 constexpr double kLeastRadiusOfTube = 0x1p-40;
 
-Vector3 axial_of(const Matrix3& M) {
-  return {Interval(0.5) * (M[7] - M[5]), Interval(0.5) * (M[2] - M[6]),
-          Interval(0.5) * (M[3] - M[1])};
-}
-Matrix3 across_of(const Vector3& z, const Matrix3& A) {
-  return times({0.0, -z[2], z[1], z[2], 0.0, -z[0], -z[1], z[0], 0.0}, A);
-}
-
 /// What moves the end: a joint, or a quantity that varies in the origin before it.
 struct Mover {
   std::size_t column;  ///< m quantities, then n unknowns
@@ -49,7 +41,7 @@ class VaryingArm {
   }
 
   [[nodiscard]] std::vector<Interval> value() const {
-    const Vector3 gap = posture_.end.d - arm_.target.d, turn = axial_of(E_);
+    const Vector3 gap = posture_.end.d - arm_.target.d, turn = axial(E_);
     return projected({gap[0], gap[1], gap[2], turn[0], turn[1], turn[2]});
   }
 
@@ -57,9 +49,9 @@ class VaryingArm {
   [[nodiscard]] std::vector<Interval> derivatives() const {
     std::vector<Interval> rows(6 * all_, Interval(0.0));
     for (const Mover& mover : movers_)
-      add(rows, mover.column, mover.velocity, axial_of(across_of(mover.spin, E_)));
+      add(rows, mover.column, mover.velocity, axial(across(mover.spin, E_)));
     for (std::size_t k = 0; k < turned_.size(); ++k)
-      add(rows, k, Vector3{0, 0, 0} - arm_.target_rates[k].d, axial_of(turned_[k]));
+      add(rows, k, Vector3{0, 0, 0} - arm_.target_rates[k].d, axial(turned_[k]));
     return projected(rows);
   }
 
@@ -70,7 +62,7 @@ class VaryingArm {
       for (std::size_t a = 0; a <= b; ++a) add_pair(rates, movers_[a], movers_[b], a != b);
     for (const Mover& mover : movers_)
       for (std::size_t k = 0; k < turned_.size() && mover.column >= m_; ++k) {
-        const Vector3 turn = axial_of(across_of(mover.spin, turned_[k]));
+        const Vector3 turn = axial(across(mover.spin, turned_[k]));
         add(rates[mover.column], k, {0, 0, 0}, turn);
         add(rates[k], mover.column, {0, 0, 0}, turn);
       }
@@ -93,7 +85,7 @@ class VaryingArm {
   void add_quantity(const LinkFrame& before, std::size_t joint, std::size_t k) {
     const LinkFrame& rate = arm_.chain[joint].rates[k];
     const LinkFrame& origin = arm_.chain[joint].origin;
-    const Vector3 spin = times(before.R, axial_of(times(rate.R, transposed(origin.R))));
+    const Vector3 spin = times(before.R, axial(times(rate.R, transposed(origin.R))));
     const Vector3 velocity =
         cross(spin, posture_.end.d - posture_.origins[joint]) + times(before.R, rate.d);
     if (spin == Vector3{0, 0, 0} && velocity == Vector3{0, 0, 0}) return;
@@ -120,7 +112,7 @@ class VaryingArm {
                 bool is_pair) const {
     if (first.column < m_ && second.column < m_) return;
     const Vector3 of_place = cross(first.spin, second.velocity),
-                  of_turn = axial_of(across_of(first.spin, across_of(second.spin, E_)));
+                  of_turn = axial(across(first.spin, across(second.spin, E_)));
     add(rates[first.column], second.column, of_place, of_turn);
     if (is_pair) add(rates[second.column], first.column, of_place, of_turn);
   }

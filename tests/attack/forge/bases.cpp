@@ -302,6 +302,7 @@ std::vector<Base> of_the_library() {
       {"cables", "cable_8", {"check", "work"}},
       {"poses", "dietmaier", {"solve", "legs"}},
       {"poses in the plane", "rpr_6", {"solve", "legs"}},
+      {"poses that are followed", "rpr_6", {"solve", "legs", "--tolerance", "base=0.1"}},
   };
 }
 
