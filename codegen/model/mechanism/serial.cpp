@@ -102,8 +102,8 @@ void describe_rows(Model& model, const Serial& robot, const std::vector<std::siz
   const std::size_t followers = robot.joints.size() - model.pose.size();
   if (followers > 0)
     model.matrix_notes.push_back(plural(followers, "more joint") +
-                                 (followers == 1 ? " follows" : " follow") +
-                                 " these, and adds to their columns");
+                                 (followers == 1 ? " follows these, and adds to their columns"
+                                                 : " follow these, and add to their columns"));
   if (rows.size() < 6)
     model.matrix_notes.push_back(describe_motion(rows) +
                                  (rows.size() == 5
