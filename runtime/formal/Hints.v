@@ -4,6 +4,9 @@
 From Coq Require Import List PrimFloat.
 Import ListNotations.
 
+(** More than rounding makes of an enclosure of a sine. *)
+Definition width_of_rounding : float := 0x1p-40.
+
 Definition get (a : list (list float)) (i j : nat) : float := nth j (nth i a []) nan.
 
 Definition tabulate {A} (m n : nat) (f : nat -> nat -> A) : list (list A) :=

@@ -4,6 +4,7 @@ From Coq Require Import Reals QArith Qreals Lra Lia List.
 From Interval Require Import Real.Xreal Missing.Stdlib.
 From Interval Require Import Interval.Interval Interval.Float_full.
 From Interval Require Import Float.Primitive_ops Float.Basic.
+From Regulus Require Hints.
 From Regulus Require Import LinearAlgebra.
 Import ListNotations.
 Open Scope R_scope.
@@ -158,7 +159,8 @@ Proof. exact (I.cos_correct precision i (Xreal x)). Qed.
 Definition sine (i : interval) : interval :=
   let width j := PrimFloat.sub (I.upper j) (I.lower j) in
   let s := I.sin precision i in
-  if PrimFloat.ltb (width s) (PrimFloat.add (width i) (width i)) then s
+  let twice := PrimFloat.add (width i) (width i) in
+  if PrimFloat.ltb (width s) (PrimFloat.add twice Hints.width_of_rounding) then s
   else I.meet s (I.cos precision (subtract (divide (I.pi precision) (integer 2)) i)).
 
 Lemma sin_encloses i x : encloses i x -> encloses (sine i) (sin x).
