@@ -117,7 +117,7 @@ class ArmEquations : private BilinearForms {
     return certain_equal(q_.graph, node, a_.number(number), kProductsOfFrame);
   }
 
-  /// What a joint does.
+  /// Returns the movement of a joint with this value.
   PlacementNodes moved(const VectorNodes& axis, bool slides, NodeId value) {
     if (slides) return {a_.identity(), a_.scaled(value, axis)};
     return {a_.turn(axis, value), zero_};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All postures of an arm of six joints that turn, as all solutions of equations. PROOF.md, "All postures".
+// All postures of an arm of six joints, which turn but for at most one, as all solutions of equations.
+// PROOF.md, "All postures".
 #pragma once
 
 #include "runtime/verifier/question.hpp"
@@ -18,13 +19,13 @@ struct PostureSearch {
   NodeId trace = kNoNode;               ///< of all six, in the question of these; see below
 };
 
-/// Puts the equations of all six angles, within half a turn of the middle of the lines, into
-/// `question.closure`, and returns those of four of them. The six have solutions of two kinds: at a
+/// Puts the equations of all six joints, angles within half a turn of the middle of the lines, into
+/// `question.closure`, and returns those of four angles. The six have solutions of two kinds: at a
 /// posture `trace` is 3, and otherwise −1. The joints 3 + pair and 6 + pair, modulo 6, follow from the
-/// others.
+/// others; one of them is a joint that slides.
 ///
 /// Requires  question.solutions has an arm, and there is no closure; pair < kPairsOfJoints.
-/// Throws    Rejection for a line `solution` with an angle that is too large; Unfinished if a number of
+/// Throws    Rejection for a line `solution` with a value that is too large, or if another joint slides; Unfinished if a number of
 ///           the arm has no certain value, or if a frame is not shown to be a rotation.
 [[nodiscard]] PostureSearch form_posture_equations(Question& question, std::size_t pair);
 

@@ -137,6 +137,8 @@ class ClosureReader {
                    "a range [lower, upper]");
     const ParsedExpression lo = plain_constant(ends[0], unit), hi = plain_constant(ends[1], unit);
     const Range range = checked_range(lo, hi, toml_.place(entry));
+    if (!is_certainly(CertainSign::kPositive, range.hi - range.lo))
+      toml_.reject(entry, entry.path + " is one number, where no unknown stays", "widen the range");
     warn_about_angle(reading_.model.warnings, range, unit, toml_.place(entry));
     return range;
   }

@@ -63,6 +63,12 @@ void relabel(PreparedSearch& p, const Request& request, const ClosedSystem& syst
   p.variety.inner.resize(system.shape.variables);
 }
 
+/// Returns the part of a range that is certain. If there is none it is a point, in which no tube is: an
+/// Interval with its ends in the wrong order would be the whole line.
+Interval certain_part(const Interval& lo, const Interval& hi) {
+  return lo.hi <= hi.lo ? Interval(lo.hi, hi.lo) : Interval(lo.lo);
+}
+
 void fill_start(PreparedClosure& prepared) {
   const Closure& closure = *prepared.request.model.closure;
   BranchStart& start = prepared.start;
@@ -74,11 +80,10 @@ void fill_start(PreparedClosure& prepared) {
     start.radius.push_back(enclose_constant(closure.start_radius[i], "radius." + name));
     prepared.near_start.unknowns.push_back(mid(start.values.back()));
   }
-  // The part of each range that is certain.
   for (std::size_t i = 0; i < closure.unknowns.size(); ++i) {
     const std::string name = "range." + closure.unknowns[i].name;
-    prepared.ranges.push_back(Interval(enclose_constant(closure.ranges[i].lo, name).hi,
-                                       enclose_constant(closure.ranges[i].hi, name).lo));
+    prepared.ranges.push_back(certain_part(enclose_constant(closure.ranges[i].lo, name),
+                                           enclose_constant(closure.ranges[i].hi, name)));
   }
   // The start has no errors, so copies of the unknowns have the same values there.
   for (std::size_t i = 0; i + closure.unknowns.size() < prepared.shape.unknowns; ++i) {

@@ -24,7 +24,7 @@ struct ArmAtPlace {
   LinkFrame target;
   FrameRates target_rates = {};
   std::vector<ArmUnknown> unknowns;  ///< those of the chain
-  /// Of an arm that turns about one direction alone (arm_direction.hpp) and has four unknowns.
+  /// An arm of four unknowns that turns about one direction alone has this one (arm_direction.hpp).
   std::optional<Vector3> direction{};
   bool is_turned_away = false;  ///< it has none of the orientation that is asked for
 

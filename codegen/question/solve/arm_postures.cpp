@@ -245,7 +245,7 @@ class ArmSolver {
     return true;
   }
 
-  /// Where these unknowns are searched, and their periods.
+  /// Returns the ranges in which these unknowns are searched, and their periods.
   [[nodiscard]] std::pair<Problem, std::vector<Interval>> ranges_of(
       std::span<const std::size_t> searched) const {
     const Interval circle(-mid(kPi) - kOverlapOfTurn, mid(kPi) + kOverlapOfTurn);

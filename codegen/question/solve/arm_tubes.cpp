@@ -15,7 +15,7 @@ constexpr int kStepsToPosture = 12, kTrialsOfTube = 10;
 constexpr double kRoomOfTube = 1.25;
 constexpr double kLeastRadiusOfTube = 0x1p-40;
 
-/// What moves the end: a joint, or a quantity that varies in the origin before it.
+/// A joint moves the end, and so does a quantity that varies in the origin before it.
 struct Mover {
   std::size_t column;  ///< m quantities, then n unknowns
   Vector3 spin, velocity;
@@ -107,7 +107,7 @@ class VaryingArm {
     }
   }
 
-  /// What is behind the first one turns with it, as one body.
+  /// All links behind the first one turn with it, as one body.
   void add_pair(std::vector<std::vector<Interval>>& rates, const Mover& first, const Mover& second,
                 bool is_pair) const {
     if (first.column < m_ && second.column < m_) return;

@@ -124,6 +124,7 @@ TEST(ClosureRefusal, RangesAndRadii) {
   expect_refused_closure("phi = [-1, 1]", "phi = [0.3, 1]", 19, "the start of 'phi' is not within",
                          "widen the range");
   expect_refused_closure("phi = [-1, 1]", "phi = [1, -1]", 19, "is empty", "lower end");
+  expect_refused_closure("phi = [-1, 1]", "phi = [0.2, \"1/5\"]", 19, "is one number", "widen");
   expect_refused_closure("phi = [-1, 1]", "phi = 1", 19, "closure.range.phi", "a range");
   expect_refused_closure("phi = [-1, 1]", "theta = [-1, 1]", 19,
                          "unknown key 'closure.range.theta'", "phi");

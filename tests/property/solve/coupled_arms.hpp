@@ -28,7 +28,7 @@ struct Joint {
 };
 using Arm = std::vector<Joint>;
 
-/// Of joints that are not the same after some turns.
+/// Joints that no number of turns brings back have this range.
 constexpr double kRange = 1.5;
 
 inline Mat rotation_of(const std::array<double, 4>& q) {
@@ -112,7 +112,7 @@ struct Gap {
   }
 };
 
-/// Of the joints that follow none; turns are anywhere in their periods.
+/// Returns values of the joints that follow none; angles are anywhere in their periods.
 /// The same of an arm that turns about the z axis of the base alone.
 struct LevelGap {
   const Gap gap;

@@ -81,7 +81,7 @@ TEST(PosturesOfAnArmWithAParallelogram, AreThoseWithoutIt) {
   }
 }
 
-/// What one of the six moves beside itself, and in which way it is not the same after any turn.
+/// One of the six moves another joint too, so that no turn brings both back.
 struct Pair {
   std::size_t leader;
   bool leader_slides, follower_slides;

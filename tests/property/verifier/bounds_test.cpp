@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Computes the quantities that the test of regularity bounds at points of the box, with 200 bits;
 // they must lie within the bounds.
-#include <arb_mat.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +8,7 @@
 #include <random>
 #include <sstream>
 
+#include "runtime/verifier/ball_matrix.hpp"
 #include "runtime/verifier/touched_rows.hpp"
 
 namespace regulus::detail::test {
@@ -17,22 +17,6 @@ namespace {
 using namespace verifier;
 
 constexpr long kBits = 200;
-
-/// A matrix of balls.
-class BallMatrix {
- public:
-  BallMatrix(std::size_t rows, std::size_t columns) {
-    arb_mat_init(value_, slong(rows), slong(columns));
-  }
-  BallMatrix(const BallMatrix&) = delete;
-  BallMatrix& operator=(const BallMatrix&) = delete;
-  ~BallMatrix() { arb_mat_clear(value_); }
-  arb_mat_struct* get() { return value_; }
-  arb_ptr at(std::size_t i, std::size_t j) { return arb_mat_entry(value_, slong(i), slong(j)); }
-
- private:
-  arb_mat_t value_;
-};
 
 /// Three questions: entries with products of moving quantities; quantities of one row; both and a
 /// rectangular matrix. {claim, the lines after alpha}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the verifier proves of loads where some forces have no limits. The oracle is the one solution of a
-// square system at random poses of a box, and forces that are planted where there are several.
+// The verifier proves that forces hold a load, some of them without limits. The oracle is the one solution of
+// a square system at random poses of a box, and forces that are planted where there are several.
 #include <gtest/gtest.h>
 
 #include <sstream>
