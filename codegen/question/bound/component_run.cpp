@@ -15,6 +15,8 @@ namespace regulus::detail {
 namespace {
 
 constexpr int kMostRefinements = 3;
+/// No gap is smaller where values count as 0: so few digits more can doubles prove of 0.
+constexpr double kLeastGap = 0x1p-10;
 constexpr const char* kNoTime = "no search was likely to end within the time left";
 
 }  // namespace
@@ -88,7 +90,7 @@ MarginQuestion ComponentRun::choose_question() {
   bordered_ = border(request_, component());
   std::optional<double> sampled;
   if (!bordered_.parameter.empty()) {
-    const Reference reference = choose_reference(component(), samples());
+    const Reference reference = choose_reference(component(), samples(), least_that_counts());
     sampled = reference.sampled;
     reference_ = reference.approx;
     if (reference_ != 0) bordered_ = border(request_, component(), reference.value());
@@ -103,11 +105,15 @@ bool ComponentRun::is_zero_where_defined() const {
   return !are_proofs_wanted() && detail::is_zero_where_defined(bordered_, component());
 }
 
+double ComponentRun::least_that_counts() const {
+  return std::max(settings_.gap, kLeastGap) * negligible(request_.model, component());
+}
+
 /// Both ends are nearly 0, beside what causes the quantity or beside its reference. That a magnitude
 /// attains 0 says nothing.
 bool ComponentRun::is_negligible() const {
-  const double most = settings_.gap * std::max(negligible(request_.model, component()),
-                                               kNegligiblePart * std::fabs(reference_));
+  const double most =
+      std::max(least_that_counts(), settings_.gap * kNegligiblePart * std::fabs(reference_));
   if (!result_.proved || result_.is_unbounded) return false;
   if (!result_.attained && !component().is_absolute) return false;
   const double attained = result_.attained ? result_.attained->approx : 0;

@@ -72,6 +72,7 @@ class ComponentRun {
   [[nodiscard]] MarginQuestion choose_question();
   [[nodiscard]] bool is_zero_where_defined() const;
   [[nodiscard]] bool is_zero_everywhere() const;
+  [[nodiscard]] double least_that_counts() const;
   [[nodiscard]] bool is_negligible() const;
   void set_ends(const Ends& ends);
 };

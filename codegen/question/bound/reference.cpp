@@ -15,6 +15,7 @@ namespace regulus::detail {
 namespace {
 
 constexpr double kBeyond = 1.01;  ///< an end of the bracket that is certainly singular
+constexpr double kPartOfLeast = 0.5;
 
 /// To three digits: the last ones of a sample are not the same with every C library.
 double rounded(double x) { return std::stod(fmt::format("{:.2e}", x)); }
@@ -23,7 +24,8 @@ double rounded(double x) { return std::stod(fmt::format("{:.2e}", x)); }
 
 GiNaC::ex Reference::value() const { return shortest_decimal(approx); }
 
-Reference choose_reference(const Component& component, const std::vector<double>& values) {
+Reference choose_reference(const Component& component, const std::vector<double>& values,
+                           double least) {
   Reference result;
   if (values.empty()) return result;
   const bool direct = traits_of(component.kind).is_always_least;
@@ -32,6 +34,7 @@ Reference choose_reference(const Component& component, const std::vector<double>
     result.approx = extreme == 0 ? -1 : rounded(2 * extreme);
     extreme = extreme == 0 ? 1 : -extreme;
   }
+  if (component.is_absolute && !direct) extreme = std::max(extreme, kPartOfLeast * least);
   if (extreme > 0) result.sampled = direct ? extreme : 1 / extreme;
   return result;
 }

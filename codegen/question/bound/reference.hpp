@@ -21,9 +21,10 @@ struct Reference {
 };
 
 /// Chooses y below the largest of some values of the component, so that the bound is y + 1/R with
-/// R > 0.
+/// R > 0. A magnitude below `least` counts as 0 if that is proved of it: what is sampled is not less,
+/// for no test can tell 0 from the rounding of the samples.
 [[nodiscard]] Reference choose_reference(const Component& component,
-                                         const std::vector<double>& values);
+                                         const std::vector<double>& values, double least);
 
 /// Returns the question of a bracket from 0 to just above `sampled`, or without an upper end.
 [[nodiscard]] MarginQuestion question_beyond(const Bordered& bordered,
