@@ -92,6 +92,15 @@ std::string BranchProver::contradiction(const Box& point, LeafClaim claim) {
   if (test_.has_no_solution(point, *tube_)) return "the tube has no configuration";
   if (!quantity_ || claim == LeafClaim::kBranch) return "";
   if (!test_.has_one_solution(point, *tube_)) return "";
+  if (std::string why = contradiction_in_test(claim); !why.empty()) return why;
+  std::vector<double> near;
+  for (const Interval p : test_.middle_of(*tube_, point)) near.push_back(mid(p));
+  const auto solution = test_.solution_near(point, std::move(near), test_.radius_of(*tube_));
+  if (!solution || test_.place_of(*solution, *tube_, point) != Place::kInside) return "";
+  return contradiction_in_test(claim);
+}
+
+std::string BranchProver::contradiction_in_test(LeafClaim claim) {
   if (claim == LeafClaim::kInfeasible) return quantity_->keeps_bound(test_) ? all_keep_ : "";
   return quantity_->attains_bound(test_) ? "the quantity is beyond the bound" : "";
 }

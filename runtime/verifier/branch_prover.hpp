@@ -35,7 +35,10 @@ class BranchProver final : public SplittingProver {
   [[nodiscard]] bool needs_no_bound(const Box& box, LeafClaim claim);
   [[nodiscard]] BoxAnswer decide(const Box& box, LeafClaim claim) override;
   [[nodiscard]] std::optional<std::size_t> variable_to_split(const Box& box) const override;
+  /// The tube, or a box about the solution that is in it, shows it.
   [[nodiscard]] std::string contradiction(const Box& point, LeafClaim claim) override;
+  /// After the test was true.
+  [[nodiscard]] std::string contradiction_in_test(LeafClaim claim);
 
   const Variety& variety_;
   BranchTest test_;

@@ -7,7 +7,10 @@ namespace regulus::verifier {
 namespace {
 
 constexpr int kMostMiddlesTried = 64;
-constexpr std::size_t kCornerBits = 7, kCorners = 1 << kCornerBits;
+/// Beyond so many variables, some share the side of a corner.
+constexpr std::size_t kMostCornerBits = 10;
+/// A leaf that takes more is often false.
+constexpr std::uint64_t kBoxesOfDoubt = 256;
 
 }  // namespace
 
@@ -23,6 +26,8 @@ void SplittingProver::prove(const Leaf& leaf) {
   const Box& box = leaf.box;
   const LeafClaim claim = leaf.claim;
   const std::uint64_t before = boxes_;
+  std::uint64_t boxes_at_next_look = 1;
+  bool has_doubt = false;
   waiting_.assign(1, box);
   while (!waiting_.empty()) {
     const Box part = std::move(waiting_.back());
@@ -46,7 +51,15 @@ void SplittingProver::prove(const Leaf& leaf) {
     if (!has_met_point_ && looks_for_points_) look_for_point(part);
     if (answer == BoxAnswer::kProved) continue;
     const auto k = variable_to_split(part);
-    if (boxes_ == before + 1) look_for_contradiction(part, claim);
+    const std::uint64_t boxes_of_leaf = boxes_ - before;
+    if (boxes_of_leaf >= boxes_at_next_look) {
+      look_for_contradiction(part, claim);
+      boxes_at_next_look = 2 * boxes_of_leaf;
+    }
+    if (boxes_of_leaf >= kBoxesOfDoubt && !has_doubt) {
+      has_doubt = true;
+      look_at_corners(box, claim);
+    }
     if (!k) give_up("not proved in a box that cannot be split any more");
     auto [lower, upper] = halves(part, *k);
     waiting_.push_back(std::move(upper));
@@ -73,12 +86,13 @@ void SplittingProver::look_for_contradiction(const Box& box, LeafClaim claim) {
 
 /// The same at corners of a leaf, where extreme values often are.
 void SplittingProver::look_at_corners(const Box& leaf, LeafClaim claim) {
-  for (std::size_t corner = 0; corner < kCorners; ++corner) {
+  const std::size_t bits = std::min(leaf.size(), kMostCornerBits);
+  for (std::size_t corner = 0; corner >> bits == 0; ++corner) {
     Box point = leaf;
     bool is_inside = true;
     for (std::size_t k = 0; k < leaf.size(); ++k)
       if (const auto& inner = variety_.inner[k]) {
-        const bool upper = ((corner >> (k % kCornerBits)) & 1) != 0;
+        const bool upper = ((corner >> (k % bits)) & 1) != 0;
         const double x = std::clamp(upper ? leaf[k].hi : leaf[k].lo, inner->lo, inner->hi);
         is_inside = is_inside && contains(leaf[k], x);
         point[k] = verifier::point(x);
