@@ -84,7 +84,7 @@ TEST_F(RanksOnABranch, CompareAThresholdAsOneThreadDoes) {
   std::ofstream(file("way.csv")) << "theta\n0\n1\n-1\n";
   for (const Words& along : {Words{}, Words{"--waypoints", file("way.csv")}}) {
     const Words asked = joined({model("four_bar"), "swing", "--quiet"}, along);
-    for (const char* alpha : {"0.0623", "0.07"}) {
+    for (const char* alpha : {"0.06", "0.07"}) {
       const Words check = joined(joined({"check"}, asked), {"--alpha", alpha, "--certificate"});
       const CommandResult one = run_command(one_thread(joined(check, {file("one")})));
       const CommandResult many = run_command(ranks(2, joined(check, {file("many")})));
@@ -92,9 +92,9 @@ TEST_F(RanksOnABranch, CompareAThresholdAsOneThreadDoes) {
       EXPECT_NE(text_of(file("one")), "");
       EXPECT_TRUE(text_of(file("many")) == text_of(file("one"))) << alpha;
     }
-    for (const Words& more :
-         {Words{"margin", "--alpha", "0.05:0.07"}, Words{"locate", "--alpha", "0.07"}}) {
-      const Words words = joined(joined({more[0]}, asked), {more[1], more[2]});
+    for (const Words& more : {Words{"margin", "--alpha", "0.05:0.07", "--gap", "0.1"},
+                              Words{"locate", "--alpha", "0.07"}}) {
+      const Words words = joined(joined({more[0]}, asked), Words(more.begin() + 1, more.end()));
       EXPECT_EQ(run_command(ranks(2, words)).output, run_command(one_thread(words)).output);
     }
   }

@@ -102,7 +102,7 @@ TEST_F(SolvingRanks, ShareTheBoxesOfOnePlace) {
 TEST_F(SolvingRanks, GoOnWithTheirPlaces) {
   std::ofstream table(file("lengths.csv"));
   table << "rho_1, rho_2, rho_3\n";
-  for (int k = 0; k < 400; ++k) table << "14.98, 15." << 30 + k % 10 << ", 12\n";
+  for (int k = 0; k < 150; ++k) table << "14.98, 15." << 30 + k % 10 << ", 12\n";
   table.close();
   const Words solve = {"solve",         model("rpr_6"), "--waypoints", file("lengths.csv"),
                        "--certificate", file("proof")};
