@@ -8,7 +8,7 @@
 namespace regulus {
 
 /// Larger matrices are refused before a search, so that workspaces fit on the stack.
-inline constexpr std::size_t kMaxColumns = 12;
+inline constexpr std::size_t kMaxColumns = 16;
 inline constexpr std::size_t kMaxRows = 24;
 
 /// The largest order of a matrix P given to the H-matrix test

@@ -13,6 +13,7 @@
 #include "codegen/question/quantity/determinant_of_inverse.hpp"
 #include "codegen/question/quantity/quantity_traits.hpp"
 #include "codegen/support/errors.hpp"
+#include "runtime/regularity/lanes.hpp"
 
 namespace regulus {
 
@@ -65,6 +66,7 @@ class Components {
             "only bound has the finite errors of a platform; ask for error, to first order");
       require_inverse();
       require_few_rows();
+      require_few_entries();
     }
     const VectorSet* const set = choose_data();
     if (traits_->compares_units) require_one_unit();
@@ -179,6 +181,18 @@ class Components {
           fmt::format("{}: the {}×{} matrix is not square, so it has no inverse; "
                       "sigma-min, sigma-max, speed and condition --norm 2 can be bounded",
                       options_.quantity, rows, columns));
+  }
+
+  /// A matrix of both orders has the singular values.
+  void require_few_entries() const {
+    const std::size_t order = model_.matrix.rows() + model_.matrix.cols();
+    const bool is_singular_value =
+        quantity_.kind == QuantityKind::kSigmaMin || quantity_.kind == QuantityKind::kSigmaMax;
+    if (is_singular_value && order > kMaxColumns)
+      throw UsageError(fmt::format(
+          "{}: the {}×{} matrix has {} rows and columns together; of more than {}, "
+          "condition --norm 2 can be bounded",
+          options_.quantity, model_.matrix.rows(), model_.matrix.cols(), order, kMaxColumns));
   }
 
   void require_few_rows() const {
