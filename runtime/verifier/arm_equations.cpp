@@ -40,8 +40,9 @@ class ArmEquations {
   [[nodiscard]] bool has_none() const { return arm_.is_turned_away; }
 
   /// The equations of all: the end's origin is at its place, and E = R(q)·R*ᵀ is symmetric. Returns its trace.
-  NodeId form_all() {
+  NodeId form_all(const std::optional<JointPair>& left_out) {
     bound_slides();
+    if (left_out) reaches_.erase(left_out->first), reaches_.erase(left_out->second);
     ClosureLines closure;
     std::vector<NodeId> values;
     for (std::size_t k = 0; k < arm_.free.size(); ++k) {
@@ -97,8 +98,11 @@ class ArmEquations {
     return search;
   }
 
-  /// Throws Rejection if a posture may be at a value that is not searched.
+  /// Throws Rejection if a posture may be at a value that is not searched, or for a range that nothing needs.
   void require_ranges(const std::vector<std::size_t>& searched) const {
+    for (std::size_t k = 0; k < arm_.free.size(); ++k)
+      if (arm_.free[k].turns != 0 && arm_.free[k].lower != kNoNode)
+        throw Rejection("joint " + std::to_string(k + 1) + " comes back, and needs no range");
     for (const std::size_t k : searched)
       if (arm_.free[k].turns == 0 && arm_.free[k].lower == kNoNode && !reaches_.contains(k))
         throw Rejection("joint " + std::to_string(k + 1) +
@@ -357,7 +361,7 @@ class ArmEquations {
 
 PostureSearch form_posture_equations(Question& question, std::optional<JointPair> left_out) {
   ArmEquations equations(question);
-  const NodeId trace = equations.form_all();
+  const NodeId trace = equations.form_all(left_out);
   PostureSearch search{question};
   if (left_out) {
     search = equations.form_some(*left_out);

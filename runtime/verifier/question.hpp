@@ -148,6 +148,7 @@ struct ArmJointLine {
   static constexpr std::size_t kNone = std::size_t(-1);
 
   bool slides = false;
+  bool is_of_tool = false;           ///< it is no joint: the tool may be turned about its z axis
   std::array<NodeId, 9> rotation{};  ///< of the frame, row by row
   std::array<NodeId, 3> place{}, axis{};
   NodeId held = kNoNode;  ///< the value that it keeps; kNoNode: it is free, or follows another

@@ -61,11 +61,14 @@ class SolutionReader {
     legs_ = 0;
     ArmLines& arm = s_.arm.emplace();
     while (is_joint()) read_joint(arm);
+    if (reader_.is("turning-tool")) read_turning_tool(arm);
     require_leaders(arm);
     values_ = std::size_t(std::ranges::count_if(arm.joints, is_free));
     if (values_ != kJointsOfArm && values_ != kJointsOfLevelArm)
       throw Rejection("expected 6 or 4 lines of joints that are free, found " +
                       std::to_string(values_));
+    if (values_ != kJointsOfArm && arm.joints.back().is_of_tool)
+      throw Rejection("a tool that may be turned is of an arm of five joints");
     while (reader_.is("joint-range")) read_range(arm);
     if (!reader_.is("tip")) {
       arm.values = reader_.list("joint-value", values_);
@@ -110,6 +113,19 @@ class SolutionReader {
     arm.joints.push_back(joint);
   }
 
+  /// Reads the frame of the tool. Its turn about the z axis is a free joint.
+  void read_turning_tool(ArmLines& arm) {
+    const std::vector<NodeId> all =
+        numbers("turning-tool", "joint " + std::to_string(arm.joints.size()) + '_', kNumbersOfFrame,
+                kNumbersOfFrame);
+    const NodeId none = q_.graph.number(Rational(0L));
+    ArmJointLine& turn = arm.joints.emplace_back();
+    turn.is_of_tool = true;
+    std::copy_n(all.begin(), 9, turn.rotation.begin());
+    std::copy_n(all.begin() + 9, 3, turn.place.begin());
+    turn.axis = {none, none, q_.graph.number(Rational(1L))};
+  }
+
   /// Returns a number that is stated from 1, counted from 0.
   std::size_t number_of_line(NodeId stated) const {
     const Node& node = q_.graph.nodes()[std::size_t(stated)];
@@ -121,7 +137,8 @@ class SolutionReader {
   static void require_leaders(const ArmLines& arm) {
     for (const ArmJointLine& joint : arm.joints)
       if (follows(joint) &&
-          (joint.leader >= arm.joints.size() || follows(arm.joints[joint.leader])))
+          (joint.leader >= arm.joints.size() || follows(arm.joints[joint.leader]) ||
+           arm.joints[joint.leader].is_of_tool))
         throw Rejection("a joint follows line " + std::to_string(joint.leader + 1) +
                         " of joints, which is none of a joint that follows no other");
   }
@@ -242,7 +259,8 @@ std::string ArmLines::description() const {
     return joint.held == kNoNode && !is_following(joint);
   };
   return format::describe_arm(std::size_t(std::ranges::count_if(joints, is_free)),
-                              std::ranges::any_of(joints, is_following), !ranges.empty());
+                              joints.back().is_of_tool, std::ranges::any_of(joints, is_following),
+                              !ranges.empty());
 }
 
 void read_solution_lines(Lines& lines, Question& question) {

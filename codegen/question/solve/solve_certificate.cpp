@@ -17,6 +17,7 @@
 #include "codegen/question/solve/nominal.hpp"
 #include "codegen/question/solve/platform_legs.hpp"
 #include "codegen/question/solve/system_solutions.hpp"
+#include "codegen/question/solve/turning_tool.hpp"
 #include "runtime/interval/floating_point_scope.hpp"
 #include "runtime/verifier/verify.hpp"
 
@@ -149,7 +150,7 @@ class ArmLines {
 
   [[nodiscard]] std::string robot() const {
     return format::describe_arm(
-        solutions_.unknowns.size(),
+        solutions_.unknowns.size(), is_turn_of_tool(model_, model_.pose.size() - 1),
         std::ranges::any_of(model_.arm->joints,
                             [](const SerialJoint& joint) { return joint.follows.has_value(); }),
         !range_lines().empty());
@@ -177,6 +178,8 @@ class ArmLines {
   [[nodiscard]] std::string joint_line(std::size_t k) const {
     const SerialJoint& joint = model_.arm->joints[k];
     std::vector<ex> numbers = stated(joint.origin);
+    if (!joint.follows && is_turn_of_tool(model_, number_[k]))
+      return "turning-tool " + expressions(numbers) + '\n';
     for (const ex& x : joint.axis) numbers.push_back(stated(x));
     if (joint.follows)
       numbers.insert(numbers.end(), {ex(static_cast<unsigned long>(joint.follows->leader + 1)),

@@ -10,6 +10,7 @@
 #include "codegen/question/solve/platform_legs.hpp"
 #include "codegen/question/solve/platform_poses.hpp"
 #include "codegen/question/solve/system_solutions.hpp"
+#include "codegen/question/solve/turning_tool.hpp"
 #include "codegen/support/errors.hpp"
 #include "runtime/interval/floating_point_scope.hpp"
 
@@ -43,6 +44,7 @@ Request solve_request_of(Model model, const ModelOptions& options,
         "one place a line, or name a motion that has one place, or give its values by at");
   require_place_alone(request.motion);
   require_values(request);
+  let_tool_turn(request);
   return request;
 }
 

@@ -26,8 +26,9 @@ class PostureComparison : private PlaceReading {
     q_.variables.empty() ? require_no_tolerances() : require_no_errors();
     const bool is_by_tool = has(motion_ + "tool[0]");
     const bool has_values = name_joints(is_by_tool);
-    const SectionArm arm = read_arm(scope);
+    SectionArm arm = read_arm(scope);
     const ArmLines& stated = *q_.solutions->arm;
+    if (stated.joints.back().is_of_tool) add_turn_of_tool(arm);
     if (arm.joints.size() != stated.joints.size())
       comparer_.refuse_model("its arm has " + std::to_string(arm.joints.size()) +
                              " joints, and not " + std::to_string(stated.joints.size()));
@@ -38,7 +39,7 @@ class PostureComparison : private PlaceReading {
                                       : "the motion gives values of the joints");
     if (!stated.tool.empty()) {
       for (std::size_t k = 0; k < stated.joints.size(); ++k)
-        if (!arm.joints[k].leader)
+        if (!arm.joints[k].leader && !arm.joints[k].is_of_tool)
           compare_kept(arm.joints[k], stated.joints[k], "joint " + std::to_string(k) + "_15",
                        is_by_tool);
       return compare_tool(arm.tool, is_by_tool);
@@ -82,6 +83,17 @@ class PostureComparison : private PlaceReading {
     return has_all;
   }
 
+  /// A free joint behind all others, about the z axis of the tool.
+  void add_turn_of_tool(SectionArm& arm) {
+    GraphAlgebra algebra(q_.graph);
+    SectionJoint turn{"the tool", false, arm.tool};
+    turn.axis = {algebra.number(0), algebra.number(0), algebra.number(1)};
+    turn.value = algebra.number(0);
+    turn.is_of_tool = true;
+    arm.joints.push_back(std::move(turn));
+    arm.tool = algebra.at_rest();
+  }
+
   /// By the constants of the certificate if these have tolerances.
   SectionArm read_arm(const Scope& stated) {
     if (q_.variables.empty()) return section_->arm(comparer_);
@@ -100,6 +112,8 @@ class PostureComparison : private PlaceReading {
     if (joint.leader) from.place = "a joint that follows " + joint.name;
     const ArmJointLine& stated = q_.solutions->arm->joints[number];
     const bool follows = stated.leader != ArmJointLine::kNone;
+    if (joint.is_of_tool != stated.is_of_tool)
+      comparer_.refuse(from, "a tool that may be turned about its z axis");
     if (joint.leader.has_value() != follows)
       comparer_.refuse(from,
                        follows ? "a joint that follows another" : "a joint that follows none");
@@ -111,6 +125,7 @@ class PostureComparison : private PlaceReading {
       comparer_.note_difference(joint.name + " keeps its value");
     }
     compare_frame(joint.origin, from, "joint " + std::to_string(number) + '_');
+    if (joint.is_of_tool) return;  // the axis is not stated
     for (std::size_t i = 0; i < 3; ++i)
       comparer_.compare(from, joint.axis[i],
                         "joint " + std::to_string(number) + '_' + std::to_string(12 + i));

@@ -86,6 +86,7 @@ struct SectionJoint {
   /// one's, and the offset; angles in radians.
   std::optional<std::size_t> leader{};
   NodeId multiplier = kNoNode, offset = kNoNode;
+  bool is_of_tool = false;  ///< it is no joint: the tool may be turned about its z axis
 };
 
 /// An arm without its tolerances; the frame of the tool is that in the frame of the last joint.

@@ -190,6 +190,29 @@ q4 = 1
 tool = [1.4, 0.5, 1.2, 0.1, 0, 1]
 )";
 
+constexpr const char* kFive = R"(regulus = 1
+name = "arm of five joints"
+
+[serial]
+unit = "m"
+angle_unit = "deg"
+tool = { xyz = [0.05, 0, 0.12], rpy = [0, 70, 0] }
+joints = [
+  { name = "q1", xyz = [0, 0, 0.4] },
+  { name = "q2", xyz = [0.1, 0, 0], axis = [0, 1, 0] },
+  { name = "q3", xyz = [0.45, 0, 0], axis = [0, 1, 0] },
+  { name = "q4", xyz = [0.1, 0, 0.03], axis = [1, 0, 0] },
+  { name = "q5", xyz = [0.42, 0, 0], axis = [0, 1, 0] },
+]
+
+[motion.here]
+q1 = 20
+q2 = -35
+q3 = 70
+q4 = 50
+q5 = -40
+)";
+
 }  // namespace
 
 std::vector<Base> of_mechanisms() {
@@ -295,6 +318,7 @@ std::vector<Base> of_solutions() {
       {"postures with a slide", kSlide, {"solve", "here", "--hold", "rail"}},
       {"postures with a parallelogram", kParallelogram, {"solve", "here"}},
       {"postures by the tool with a parallelogram", kParallelogram, {"solve", "tool"}},
+      {"postures of five joints", kFive, {"solve", "here"}},
       {"postures on a screw", kScrew, {"solve", "here"}},
       {"postures of a palletizer", kPalletizer, {"solve", "here"}},
       {"a place that a palletizer is turned away from", kPalletizer, {"solve", "away"}},

@@ -144,6 +144,7 @@ class Evaluated {
                                               "held-sliding-joint",
                                               "following-joint",
                                               "following-sliding-joint",
+                                              "turning-tool",
                                               "tip",
                                               "tool"};
     if (kLists.contains(line.key)) return add_values(line, parted(line.text, " | "));

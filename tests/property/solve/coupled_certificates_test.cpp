@@ -18,8 +18,10 @@ Lines with_claim(Lines lines, const std::string& verdict) {
     free += line.starts_with("joint ") || line.starts_with("sliding-joint ");
     followers += line.starts_with("following-");
   }
-  const std::string robot =
-      format::describe_arm(free, followers > 0, count_of(lines, "joint-range") > 0);
+  const bool has_turning_tool = count_of(lines, "turning-tool") > 0;
+  free += has_turning_tool;
+  const std::string robot = format::describe_arm(free, has_turning_tool, followers > 0,
+                                                 count_of(lines, "joint-range") > 0);
   return claiming(std::move(lines), verdict, robot.c_str(), "posture", "postures");
 }
 
