@@ -132,10 +132,13 @@ class PostureComparison : private PlaceReading {
   }
 
   void compare_following(const SectionJoint& joint, const FilePlace& from, const std::string& key) {
+    const auto of = [&from](const char* what) {
+      return FilePlace{std::string(what) + from.place, from.line, from.text};
+    };
     const NodeId line = q_.graph.number(Rational(long(*joint.leader) + 1));
-    comparer_.compare(from, line, key + "15");
-    comparer_.compare(from, joint.multiplier, key + "16");
-    comparer_.compare(from, joint.offset, key + "17");
+    comparer_.compare(of("the line of the leader of "), line, key + "15");
+    comparer_.compare(of("the multiplier of "), joint.multiplier, key + "16");
+    comparer_.compare(of("the offset of "), joint.offset, key + "17");
   }
 
   /// The certificate may state larger ranges than the file.
