@@ -20,10 +20,14 @@ using GiNaC::ex;
 
 constexpr std::size_t kJointsOfPlace = 5;
 
-std::size_t free_joints(const Request& request) {
-  std::size_t free = 0;
-  for (std::size_t k = 0; k < request.model.pose.size(); ++k)
-    free += keeps_value(request.model, request.motion, k) ? 0 : 1;
+/// The names of the joints that are free.
+std::vector<std::string> free_joints(const Request& request, const std::vector<std::string>& held) {
+  std::vector<std::string> free;
+  for (std::size_t k = 0; k < request.model.pose.size(); ++k) {
+    const std::string& name = request.model.pose[k].name;
+    const bool is_held = std::ranges::find(held, name) != held.end();
+    if (!is_held && !keeps_value(request.model, request.motion, k)) free.push_back(name);
+  }
   return free;
 }
 
@@ -53,13 +57,14 @@ std::string name_of_turn(const Model& model) {
 
 }  // namespace
 
-void let_tool_turn(Request& request) {
+void let_tool_turn(Request& request, const std::vector<std::string>& held) {
   Model& model = request.model;
   Motion& motion = request.motion;
-  if (!model.arm || free_joints(request) != kJointsOfPlace ||
-      direction_of(model, ArmGeometry::kNominal))
-    return;
-  if (is_axis_of_last(model))
+  if (!model.arm) return;
+  const std::vector<std::string> free = free_joints(request, held);
+  if (free.size() != kJointsOfPlace || direction_of(model, ArmGeometry::kNominal)) return;
+  const bool is_last_free = std::ranges::find(free, model.arm->joints.back().name) != free.end();
+  if (is_last_free && is_axis_of_last(model))
     throw UsageError(
         "5 joints are free to move, and the last one turns about the z axis of the tool: place and "
         "direction of this "

@@ -2,6 +2,9 @@
 // Arms with five joints: they bring the tool to a place, and its z axis to a direction.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "codegen/model/request.hpp"
 
 namespace regulus::detail {
@@ -11,8 +14,10 @@ namespace regulus::detail {
 /// are all that is asked of the five. Other requests, and those about arms that turn about one direction alone, stay as
 /// they are.
 ///
+/// `held`: joints that keep their values, beside those to which a motion by the tool gives one.
+///
 /// Throws    UsageError if the last joint turns about this axis, too.
-void let_tool_turn(Request& request);
+void let_tool_turn(Request& request, const std::vector<std::string>& held);
 
 /// True if it is the joint that has been added.
 [[nodiscard]] bool is_turn_of_tool(const Model& model, std::size_t pose);

@@ -161,6 +161,29 @@ TEST(ListsOfAnArmOfFiveJoints, AreOfThisToolAlone) {
   }
 }
 
+/// An arm of six joints that holds its first one is the arm of the five behind it.
+TEST(AnArmThatHoldsOneOfSixJoints, IsOneOfFive) {
+  RandomSource random(94);
+  const ToolArm five = random_tool_arm(random, false);
+  ToolArm six = five;
+  six.arm.insert(six.arm.begin(), {.xyz = {0.1, 0.2, 0.3}, .axis = {0, 3, 4}});
+  Numbers planted = random_values(random, six.arm);
+  ModelOptions options;
+  options.text = six.text(planted);
+  SearchOptions search;
+  search.threads = 1;
+  SolveRun run{search, {}};
+  run.held = {"q1"};
+  const Solutions held = solve(read_solve_request(options, {}, run.held), run);
+  planted.erase(planted.begin());
+  const Solutions known = solved(five.text(planted));
+  ASSERT_TRUE(is_complete(held)) << held.obstacle;
+  ASSERT_TRUE(is_complete(known));
+  EXPECT_EQ(held.found.size(), known.found.size());
+  for (const CertainSolution& s : known.found)
+    EXPECT_EQ(count_of_five(held, middle_of({s.values.begin(), s.values.begin() + 5})), 1);
+}
+
 /// Where the last joint turns about the tool's axis, nothing fixes it.
 TEST(AnArmOfFiveJoints, IsRefusedIfTheLastTurnsAboutTheToolsAxis) {
   RandomSource random(93);
