@@ -200,7 +200,7 @@ class Topics {
 
   Found operator()(const AskSolve& asked) const {
     if (!is_told_) return std::nullopt;
-    const Request request = read_solve_request(asked.model, {});
+    const Request request = read_solve_request(asked.model, {}, asked.held);
     if (auto equations = kernel_request(request))
       return about_equations(prepare_system(*std::move(equations), 0, forming(asked.search), {},
                                             DerivativesBy::kUnknowns),

@@ -43,7 +43,7 @@ class FoundSolutions final : public SolveAnswer {
   FoundSolutions(const AskSolve& asked, const Services& services)
       : search_(asked.search),
         held_(asked.held),
-        request_(read_solve_request(asked.model, watch_of(services, search_))) {
+        request_(read_solve_request(asked.model, watch_of(services, search_), held_)) {
     set_outputs_aside(asked.model, asked.search, services);
     const SolveAsked about{request_, search_, held_};
     SearchCheckpoint checkpoint(
@@ -267,7 +267,7 @@ class SolutionsAtPlaces final : public SolveAnswer {
   /// A mistake in a row is told with its place.
   Request request_at(const PlaceRow& row, const Model& model) const {
     try {
-      return solve_request_of(model, asked_.model, row.numbers);
+      return solve_request_of(model, asked_.model, row.numbers, asked_.held);
     } catch (const InputError& error) {
       if (asked_.table.empty())
         throw UsageError(fmt::format("at: place {}: {}", row.line, error.what()));

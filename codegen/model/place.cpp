@@ -225,6 +225,7 @@ std::vector<PlacedNumber> place_of(const Model& model, const Motion& motion) {
                                                                  : motion.pose;
   std::vector<PlacedNumber> place;
   for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!motion.has_no_pose() && model.pose[i].is_deviation) continue;
     const GiNaC::ex unit =
         !motion.tool.empty() && is_in_degrees(names[i].unit) ? one_degree() : GiNaC::ex(1);
     place.push_back({names[i].name, names[i].unit, numbers[i].subs(values) / unit});

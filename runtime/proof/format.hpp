@@ -271,6 +271,18 @@ inline constexpr const char* kOfThreeLegs =
     "a platform on three legs in the plane with these anchors and lengths";
 inline constexpr const char* kOfSixLegs = "a platform on six legs with these anchors and lengths";
 inline constexpr const char* kOfArm = "an arm of these six joints whose end is at this place";
+/// Of an arm of six or four free joints. `has_turning_tool`: one of the six is a turn of its tool.
+[[nodiscard]] inline std::string describe_arm(std::size_t free, bool has_turning_tool,
+                                              bool has_followers, bool has_ranges) {
+  return std::string("an arm of these ") +
+         (free == 4          ? "four"
+          : has_turning_tool ? "five"
+                             : "six") +
+         " joints" + (has_followers ? " and those that follow them" : "") +
+         (has_ranges ? ", within the lines 'joint-range'," : "") +
+         (has_turning_tool ? " whose tool is at this place, with its z axis in this direction,"
+                           : " whose end is at this place");
+}
 
 /// Returns a claim about all solutions in words.
 [[nodiscard]] inline std::string describe_solutions_claim(const ClaimedSolutions& claimed) {

@@ -6,215 +6,233 @@
 #include <map>
 
 #include "runtime/verifier/algebra.hpp"
-#include "runtime/verifier/bilinear_forms.hpp"
 #include "runtime/verifier/evaluation.hpp"
 #include "runtime/verifier/middle_angle.hpp"
+#include "runtime/verifier/moving_arm.hpp"
 #include "runtime/verifier/proof.hpp"
 #include "runtime/verifier/rounding.hpp"
+#include "runtime/verifier/trig_sums.hpp"
 #include "runtime/verifier/variety.hpp"
 
 namespace regulus::verifier {
 namespace {
 
 constexpr long kBitsOfNumbers = 128;
-constexpr std::uint64_t kProductsOfFrame = 1 << 16;
+constexpr std::uint64_t kProductsOfZero = 1 << 12;
 constexpr double kParallel = 1e-12;  ///< axes whose squared sine is less
-constexpr std::array<std::size_t, 4> kSearched = {0, 1, 3, 4};
 
 using Three = std::array<double, 3>;
 double approx_dot(const Three& u, const Three& v) {
   return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 }
 
-/// J₁B₁J₂B₂…J₆B₆ = 1 with the rotation J_i about axis i through the origin.
-struct Loop {
-  std::array<VectorNodes, kJointsOfArm> axis;
-  std::array<PlacementNodes, kJointsOfArm> behind;  ///< B_i
+/// A line through P with the direction L, seen from a joint.
+struct LineSums {
+  TrigVector point, direction, moment;  ///< P, L, P × L
+  TrigSum square, along;                ///< |P|², P·L
 };
 
-class ArmEquations : private BilinearForms {
+class ArmEquations {
  public:
-  ArmEquations(Question& q, std::size_t pair)
-      : BilinearForms(q.graph), q_(q), arm_(*q.solutions->arm), first_(pair) {
-    q_.alpha = a_.number(0);
-    for (const Interval place : enclose_variety(q_).outer)
-      places_.emplace_back(place, kBitsOfNumbers);
-  }
+  explicit ArmEquations(Question& q)
+      : q_(q), a_(q.graph), places_(places_of(q)), arm_(read_moving_arm(q, places_)) {}
 
-  /// The six equations: the end's origin is at its place, and E = R(q)·R*ᵀ is symmetric.
-  NodeId form_all() {
-    read_joints();
-    PlacementNodes end = a_.at_rest();
-    for (std::size_t i = 0; i < kJointsOfArm; ++i)
-      end = a_.product(a_.product(end, before_[i]), moved(axis_[i], slides_[i], unknown(i)));
-    const VectorNodes gap = a_.difference(end.p, target_.p);
-    const MatrixNodes E = a_.product(end.R, a_.transposed(target_.R));
+  [[nodiscard]] bool has_none() const { return arm_.is_turned_away; }
+
+  /// The equations of all: the end's origin is at its place, and E = R(q)·R*ᵀ is symmetric. Returns its trace.
+  NodeId form_all(const std::optional<JointPair>& left_out) {
+    bound_slides();
+    if (left_out) reaches_.erase(left_out->first), reaches_.erase(left_out->second);
     ClosureLines closure;
-    closure.equations = {gap.begin(), gap.end()};
-    for (std::size_t i = 0; i < 3; ++i)
-      closure.equations.push_back(
-          a_.difference(E[(i + 2) % 3][(i + 1) % 3], E[(i + 1) % 3][(i + 2) % 3]));
-    for (std::size_t i = 0; i < kJointsOfArm; ++i) {
-      closure.names.push_back("joint " + std::to_string(i + 1));
-      const auto [middle, radius] = slides_[i] ? range_of_slide(i) : range_of_angle(i);
+    std::vector<NodeId> values;
+    for (std::size_t k = 0; k < arm_.free.size(); ++k) {
+      values.push_back(unknown(k));
+      closure.names.push_back("joint " + std::to_string(k + 1));
+      const auto [middle, radius] = range_of(k);
       closure.middle.push_back(middle);
       closure.radius.push_back(radius);
     }
+    const PlacementNodes end = arm_.end(a_, values);
+    const VectorNodes gap = a_.difference(end.p, arm_.target.p);
+    const MatrixNodes E = a_.product(end.R, a_.transposed(arm_.target.R));
+    VectorNodes axial{};
+    for (std::size_t i = 0; i < 3; ++i)
+      axial[i] = a_.difference(E[(i + 2) % 3][(i + 1) % 3], E[(i + 1) % 3][(i + 2) % 3]);
+    closure.equations = {gap.begin(), gap.end()};
+    if (arm_.direction)
+      closure.equations.push_back(a_.dot(*arm_.direction, axial));
+    else
+      closure.equations.insert(closure.equations.end(), axial.begin(), axial.end());
     q_.closure = std::move(closure);
     return a_.sum(a_.sum(E[0][0], E[1][1]), E[2][2]);
   }
 
-  /// The equations of four angles, in the variables 0 to 3.
-  std::vector<NodeId> form_four() {
-    find_first();
+  /// The equations without two joints, in the variables of the others.
+  PostureSearch form_some(JointPair pair) {
+    find_pair(pair);
     close_loop();
-    return equations_of(turned_loop());
+    const std::size_t free = arm_.free.size();
+    std::vector<std::size_t> searched;
+    for (std::size_t step = 1; step < free; ++step) {
+      const std::size_t k = (pair_.second + step) % free;
+      if (k != pair_.first) searched.push_back(k);
+    }
+    require_ranges(searched);
+    ClosureLines closure;
+    closure.equations = equations_without_pair(searched);
+    std::vector<NodeId> also;
+    if (free < kJointsOfArm) {  // both axes have the one direction: it is no condition
+      const std::size_t other = arm_.free[pair_.first].slides ? 1 : 2;
+      closure.equations = {closure.equations[0], closure.equations[other]};
+    } else {
+      also = {closure.equations.back()};
+      closure.equations.pop_back();
+    }
+    for (const std::size_t k : searched) {
+      closure.names.push_back(q_.closure->names[k]);
+      closure.middle.push_back(q_.closure->middle[k]);
+      closure.radius.push_back(q_.closure->radius[k]);
+    }
+    PostureSearch search{q_, std::move(searched), std::move(also)};
+    search.question.closure = std::move(closure);
+    return search;
   }
-  /// Returns the joint that is the first of the loop then.
-  [[nodiscard]] std::size_t first() const noexcept { return first_; }
+
+  /// Throws Rejection if a posture may be at a value that is not searched, or for a range that nothing needs.
+  void require_ranges(const std::vector<std::size_t>& searched) const {
+    for (std::size_t k = 0; k < arm_.free.size(); ++k)
+      if (arm_.free[k].turns != 0 && arm_.free[k].lower != kNoNode)
+        throw Rejection("joint " + std::to_string(k + 1) + " comes back, and needs no range");
+    for (const std::size_t k : searched)
+      if (arm_.free[k].turns == 0 && arm_.free[k].lower == kNoNode && !reaches_.contains(k))
+        throw Rejection("joint " + std::to_string(k + 1) +
+                        " is searched, and has neither turns that bring all back nor a range");
+  }
 
  private:
+  static std::vector<Ball> places_of(Question& q) {
+    q.alpha = q.graph.number(Rational(0L));
+    std::vector<Ball> places;
+    for (const Interval place : enclose_variety(q).outer)
+      places.emplace_back(place, kBitsOfNumbers);
+    return places;
+  }
+
   /// The unknown with a number.
   NodeId unknown(std::size_t number) {
     return q_.graph.add(Op::kVariable, int(q_.variables.size() + number));
   }
 
-  /// The middle and the radius.
-  using RangeNodes = std::pair<NodeId, NodeId>;
-
-  RangeNodes range_of_angle(std::size_t joint) {
-    return {middle_angle(q_.solutions->solutions, joint, q_.graph), q_.graph.add(Op::kPi)};
+  /// Returns the middle and the radius.
+  std::pair<NodeId, NodeId> range_of(std::size_t k) {
+    const FreeJoint& joint = arm_.free[k];
+    if (joint.lower != kNoNode)
+      return {a_.quotient(a_.sum(joint.lower, joint.upper), a_.number(2)),
+              a_.quotient(a_.difference(joint.upper, joint.lower), a_.number(2))};
+    if (joint.turns == 0) return range_of_lines(k);
+    return {middle_angle(q_.solutions->solutions, k, q_.graph),
+            a_.product(a_.number(joint.turns), q_.graph.add(Op::kPi))};
   }
 
-  /// The lines are in it. It is no part of the claim: a slide follows from the four angles.
-  RangeNodes range_of_slide(std::size_t joint) {
+  /// The lines are in it. It is no part of the claim: the joint follows from the others, or is nowhere else.
+  std::pair<NodeId, NodeId> range_of_lines(std::size_t k) {
     Interval all = point(0.0);
-    for (const SolutionLine& line : q_.solutions->solutions) all = hull(all, line.values[joint]);
+    if (const auto reach = reaches_.find(k); reach != reaches_.end())
+      all = {-reach->second, reach->second};
+    for (const SolutionLine& line : q_.solutions->solutions) all = hull(all, line.values[k]);
     if (!(mag(all) <= kLargest)) throw Rejection("the value of a slide is too large");
     const double radius = std::ldexp(1.0, 2 + std::ilogb(mag(all) + 1.0));
     return {a_.number(0), q_.graph.number(rational_of(radius))};
   }
 
-  // The arm.
-
-  static PlacementNodes frame(const std::array<NodeId, 9>& R, const std::array<NodeId, 3>& p) {
-    return {{{{R[0], R[1], R[2]}, {R[3], R[4], R[5]}, {R[6], R[7], R[8]}}}, p};
-  }
-
-  /// Shows that the rows of a frame are of length 1 and across each other, and that it is no mirror.
-  void require_rotation(const MatrixNodes& R, const std::string& what) {
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = i; j < 3; ++j)
-        if (!is_equal(a_.dot(R[i], R[j]), i == j ? 1 : 0))
-          throw Unfinished(what + " is not shown to be a rotation");
-    const auto volume =
-        evaluate(q_.graph, {a_.dot(R[0], a_.cross(R[1], R[2]))}, places_, kBitsOfNumbers);
-    if (!volume || arb_is_positive((*volume)[0].get()) == 0)
-      throw Unfinished(what + " is not shown not to mirror");
-  }
-
-  bool is_equal(NodeId node, long number) {
-    return certain_equal(q_.graph, node, a_.number(number), kProductsOfFrame);
-  }
-
-  /// Returns the movement of a joint with this value.
-  PlacementNodes moved(const VectorNodes& axis, bool slides, NodeId value) {
-    if (slides) return {a_.identity(), a_.scaled(value, axis)};
-    return {a_.turn(axis, value), zero_};
-  }
-
-  /// Joints that keep their values become parts of the links behind them.
-  void read_joints() {
-    PlacementNodes since = a_.at_rest();
+  /// Slides one behind the other move the end by Σ s_k·g_k with fixed directions g_k, and not farther than the links
+  /// are long together. With h_k·g_k = 1 and h_k·g_j = 0 for all others, |s_k| is at most so much times |h_k|.
+  void bound_slides() {
+    std::vector<std::size_t> slides;
+    NodeId reach = length(arm_.target.p);
     for (std::size_t i = 0; i < arm_.joints.size(); ++i) {
-      const ArmJointLine& joint = arm_.joints[i];
-      const PlacementNodes at = frame(joint.rotation, joint.place);
-      require_rotation(at.R, "the frame of joint " + std::to_string(i + 1));
-      if (!is_equal(a_.dot(joint.axis, joint.axis), 1))
-        throw Unfinished("the axis of joint " + std::to_string(i + 1) +
-                         " is not shown to be of length 1");
-      since = a_.product(since, at);
-      if (joint.held != kNoNode) {
-        since = a_.product(since, moved(joint.axis, joint.slides, joint.held));
-        continue;
-      }
-      before_.push_back(since);
-      axis_.push_back(joint.axis);
-      slides_.push_back(joint.slides);
-      since = a_.at_rest();
+      const MovingJoint& joint = arm_.joints[i];
+      reach = a_.sum(reach, length(joint.before.p));
+      if (!joint.slides) continue;
+      if (!arm_.free[joint.leader].is_alone || (!slides.empty() && slides.back() + 1 != i)) return;
+      slides.push_back(i);
     }
-    target_ = arm_.tool.empty() ? placed_by_values(since) : placed_by_tool(since);
+    if (slides.empty() || slides.size() > 3) return;
+    std::vector<VectorNodes> g;
+    MatrixNodes R = a_.identity();
+    for (const std::size_t i : slides) {
+      if (!g.empty()) R = a_.product(R, arm_.joints[i].before.R);
+      g.push_back(a_.product(R, arm_.joints[i].axis));
+    }
+    for (std::size_t n = 0; n < g.size(); ++n) {
+      const VectorNodes h = across_others(g, n);
+      const auto most =
+          evaluate(q_.graph, {a_.quotient(a_.product(reach, length(h)), a_.dot(h, g[n]))}, places_,
+                   kBitsOfNumbers);
+      if (most && is_bounded((*most)[0].enclosure()))
+        reaches_[arm_.joints[slides[n]].leader] = mag((*most)[0].enclosure());
+    }
   }
 
-  /// The last joint that moves is where it is if the uncertain quantities are in the middles of their ranges. `behind`:
-  /// from the last free joint to it.
-  PlacementNodes placed_by_values(const PlacementNodes& behind) {
-    PlacementNodes end = a_.at_rest();
-    for (std::size_t i = 0; i < kJointsOfArm; ++i)
-      end = a_.product(a_.product(end, before_[i]), moved(axis_[i], slides_[i], arm_.values[i]));
-    if (q_.variables.empty()) return end;
-    end = a_.product(end, behind);
-    for (VectorNodes& row : end.R) row = in_middle(row);
-    end.p = in_middle(end.p);
-    return a_.product(end, a_.inverse(behind));
+  NodeId length(const VectorNodes& v) { return a_.root(a_.dot(v, v)); }
+
+  /// Returns a vector across all but one of up to three, which is in the space of all.
+  VectorNodes across_others(const std::vector<VectorNodes>& g, std::size_t n) {
+    if (g.size() == 1) return g[0];
+    if (g.size() == 3) return a_.cross(g[(n + 1) % 3], g[(n + 2) % 3]);
+    return a_.cross(a_.cross(g[0], g[1]), g[1 - n]);
   }
 
-  VectorNodes in_middle(VectorNodes v) {
-    std::map<NodeId, NodeId> middles;
-    for (std::size_t k = 0; k < q_.variables.size(); ++k)
-      middles.emplace(q_.graph.add(Op::kVariable, int(k)),
-                      a_.quotient(a_.sum(q_.variables[k].lo, q_.variables[k].hi), a_.number(2)));
-    for (NodeId& node : v) node = replaced(q_.graph, node, middles);
-    return v;
-  }
+  // The loop J₁B₁J₂B₂…J_nB_n = 1, with the movement J_i of joint i.
 
-  /// Returns the frame that the last free joint turns.
-  PlacementNodes placed_by_tool(const PlacementNodes& behind) {
-    const std::vector<NodeId>& at = arm_.tool;
-    const PlacementNodes tool = {a_.turn_of_roll_pitch_yaw({at[3], at[4], at[5]}),
-                                 {at[0], at[1], at[2]}};
-    std::array<NodeId, 9> R{};
-    std::copy_n(arm_.tip.begin(), R.size(), R.begin());
-    const PlacementNodes tip = frame(R, {arm_.tip[9], arm_.tip[10], arm_.tip[11]});
-    require_rotation(tip.R, "the frame of the tool");
-    return a_.product(tool, a_.inverse(a_.product(behind, tip)));
-  }
-
-  // The loop.
-
-  /// If a joint slides, it is to be the third.
-  void find_first() {
-    if (std::ranges::count(slides_, true) > 1) throw Unfinished("more than one joint slides");
-    const auto slide = std::ranges::find(slides_, true);
-    if (slide == slides_.end()) return;
-    const std::size_t before = std::size_t(slide - slides_.begin()) + kJointsOfArm - 2;
-    if (before % kPairsOfJoints != first_ % kPairsOfJoints)
+  /// If a joint slides, it is the first of the pair.
+  void find_pair(JointPair pair) {
+    if (pair.first == pair.second || std::max(pair.first, pair.second) >= arm_.free.size())
+      throw Rejection("the proof names no two joints that are free");
+    if (arm_.free[pair.second].slides) std::swap(pair.first, pair.second);
+    if (pair.are_opposite && !arm_.free[pair.first].slides &&
+        std::ranges::any_of(arm_.free, &FreeJoint::slides))
       throw Rejection("the line 'opposite' is not about the joint that slides");
-    first_ = before % kJointsOfArm;
-    has_slide_ = true;
+    for (const std::size_t k : {pair.first, pair.second}) {
+      const std::string name = "joint " + std::to_string(k + 1);
+      const FreeJoint& joint = arm_.free[k];
+      if (!joint.is_alone) throw Rejection("another joint follows " + name);
+      if (joint.lower != kNoNode) throw Rejection(name + " has a range, and is not searched");
+      if (k == pair.second && joint.slides) throw Rejection("both joints that are left out slide");
+    }
+    pair_ = pair;
+    first_ = number_of(pair.first);
+    second_ = number_of(pair.second);
   }
 
-  /// O₁J₁…O₆J₆ = T is J₁O₂J₂…O₆J₆(T⁻¹O₁) = 1.
+  /// Of a joint that nothing follows.
+  std::size_t number_of(std::size_t free) const {
+    return std::size_t(std::ranges::find(arm_.joints, free, &MovingJoint::leader) -
+                       arm_.joints.begin());
+  }
+
+  /// O₁J₁…O_nJ_n = T is J₁O₂J₂…O_nJ_n(T⁻¹O₁) = 1.
   void close_loop() {
-    for (std::size_t i = 0; i + 1 < kJointsOfArm; ++i) loop_.behind[i] = before_[i + 1];
-    loop_.behind[kJointsOfArm - 1] = a_.product(a_.inverse(target_), before_[0]);
-    for (std::size_t i = 0; i < kJointsOfArm; ++i) loop_.axis[i] = axis_[i];
-    for (std::size_t i = 1; i <= kJointsOfArm; ++i) move_origin(i % kJointsOfArm);
+    const std::size_t n = arm_.joints.size();
+    for (const MovingJoint& joint : arm_.joints) behind_.push_back(joint.before);
+    std::ranges::rotate(behind_, behind_.begin() + 1);
+    behind_.back() = a_.product(a_.inverse(arm_.target), behind_.back());
+    for (std::size_t i = 1; i <= n; ++i) move_origin(i % n);
   }
 
   /// A shift along its axis does not change a joint. It brings the origin near the axis before, where
   /// more coefficients are small.
   void move_origin(std::size_t joint) {
-    PlacementNodes& before = loop_.behind[(joint + kJointsOfArm - 1) % kJointsOfArm];
-    PlacementNodes& behind = loop_.behind[joint];
-    const Three b = approx(loop_.axis[(joint + kJointsOfArm - 1) % kJointsOfArm]),
-                a = approx(a_.product(before.R, loop_.axis[joint])), d = approx(before.p);
+    const std::size_t n = behind_.size(), last = (joint + n - 1) % n;
+    PlacementNodes &before = behind_[last], &behind = behind_[joint];
+    const VectorNodes& axis = arm_.joints[joint].axis;
+    const Three b = approx(arm_.joints[last].axis), a = approx(a_.product(before.R, axis)),
+                d = approx(before.p);
     const double ab = approx_dot(a, b), across = 1 - ab * ab;
     const double shift = across < kParallel ? -approx_dot(d, a)
                                             : (ab * approx_dot(d, b) - approx_dot(d, a)) / across;
     if (!std::isfinite(shift)) return;
-    const NodeId t = q_.graph.number(rational_of(shift));
-    const VectorNodes along = a_.scaled(t, loop_.axis[joint]);
+    const VectorNodes along = a_.scaled(q_.graph.number(rational_of(shift)), axis);
     before.p = a_.sum(before.p, a_.product(before.R, along));
     behind.p = a_.difference(behind.p, along);
   }
@@ -226,138 +244,135 @@ class ArmEquations : private BilinearForms {
             mid((*values)[2].enclosure())};
   }
 
-  Loop turned_loop() const {
-    Loop result;
-    for (std::size_t i = 0; i < kJointsOfArm; ++i) {
-      result.axis[i] = loop_.axis[(i + first_) % kJointsOfArm];
-      result.behind[i] = loop_.behind[(i + first_) % kJointsOfArm];
+  // The equations, as PROOF.md derives them. `s`: sums by the unknowns that are searched.
+
+  LineSums axis_of_second(TrigSums& s) const {
+    LineSums line;
+    line.direction = s.constant(arm_.joints[second_].axis);
+    return line;
+  }
+
+  /// A point x becomes Rx + d.
+  void move(TrigSums& s, LineSums& line, const PlacementNodes& frame) {
+    line.point = s.product(frame.R, line.point);
+    line.direction = s.product(frame.R, line.direction);
+    line.moment = s.sum(s.product(frame.R, line.moment), s.cross(frame.p, line.direction));
+    line.square = s.sum(s.sum(line.square, s.dot(frame.p, line.point), 2),
+                        s.constant(a_.dot(frame.p, frame.p)));
+    line.along = s.sum(line.along, s.dot(frame.p, line.direction));
+    line.point = s.sum(line.point, s.constant(frame.p));
+  }
+
+  /// A point x becomes Rᵀ(x − d).
+  void move_back(TrigSums& s, LineSums& line, const PlacementNodes& frame) {
+    const MatrixNodes back = a_.transposed(frame.R);
+    line.square = s.sum(s.sum(line.square, s.dot(frame.p, line.point), -2),
+                        s.constant(a_.dot(frame.p, frame.p)));
+    line.along = s.sum(line.along, s.dot(frame.p, line.direction), -1);
+    line.moment = s.product(back, s.sum(line.moment, s.cross(frame.p, line.direction), -1));
+    line.point = s.product(back, s.sum(line.point, s.constant(frame.p), -1));
+    line.direction = s.product(back, line.direction);
+  }
+
+  /// Applies the movement of a joint, or with the sign −1 that back.
+  void pass(TrigSums& s, LineSums& line, std::size_t number, long sign,
+            const std::vector<std::size_t>& searched) {
+    const MovingJoint& joint = arm_.joints[number];
+    const auto x = std::size_t(std::ranges::find(searched, joint.leader) - searched.begin());
+    if (!joint.slides) {
+      for (TrigVector* part : {&line.point, &line.direction, &line.moment})
+        *part = s.turned(*part, joint.axis, x, joint.factor, sign);
+      return;
     }
-    return result;
+    // P becomes P + x·v.
+    const VectorNodes v = a_.scaled(a_.product(a_.number(sign), joint.factor), joint.axis);
+    line.square = s.sum(s.sum(line.square, s.times_unknown(s.dot(v, line.point), x), 2),
+                        s.times_unknown(s.times_unknown(s.constant(a_.dot(v, v)), x), x));
+    line.along = s.sum(line.along, s.times_unknown(s.dot(v, line.direction), x));
+    line.moment = s.sum(line.moment, s.times_unknown(s.cross(v, line.direction), x));
+    line.point = s.sum(line.point, s.times_unknown(s.constant(v), x));
   }
 
-  // The equations, as PROOF.md derives them.
+  std::vector<NodeId> equations_without_pair(const std::vector<std::size_t>& searched) {
+    TrigSums s(q_.graph, searched.size());
+    const std::size_t n = arm_.joints.size();
+    LineSums between = axis_of_second(s), around = between;
+    for (std::size_t i = (second_ + n - 1) % n;; i = (i + n - 1) % n) {
+      move(s, between, behind_[i]);
+      if (i == first_) break;
+      pass(s, between, i, 1, searched);
+    }
+    for (std::size_t i = second_;;) {
+      move_back(s, around, behind_[i]);
+      i = (i + 1) % n;
+      if (i == first_) break;
+      pass(s, around, i, -1, searched);
+    }
+    std::vector<NodeId> unknowns;
+    for (std::size_t k = 0; k < searched.size(); ++k) unknowns.push_back(unknown(k));
+    std::vector<NodeId> equations;
+    for (TrigSum& gap : gaps(s, around, between)) {
+      std::erase_if(gap, [this](const auto& term) { return is_zero(term.second); });
+      equations.push_back(s.expression(gap, unknowns));
+    }
+    return equations;
+  }
 
-  /// Returns the sum of a form times 1, cos, sin of one variable and 1, cos, sin of another.
-  NodeId expression(const Number& form, std::size_t first, std::size_t second) {
-    const auto powers = [this](std::size_t variable) {
-      const NodeId x = unknown(variable);
-      return VectorNodes{a_.number(1), a_.cosine(x), a_.sine(x)};
+  /// A rotation about k changes none of these, and a shift along k none of the others. The last one is no equation of
+  /// the search.
+  std::vector<TrigSum> gaps(TrigSums& s, const LineSums& around, const LineSums& between) {
+    const VectorNodes& k = arm_.joints[first_].axis;
+    const auto gap = [&](const VectorNodes& by, TrigVector LineSums::*part) {
+      return s.sum(s.dot(by, around.*part), s.dot(by, between.*part), -1);
     };
-    const VectorNodes u = powers(first), v = powers(second);
-    return a_.dot(u, {a_.dot(v, form[0]), a_.dot(v, form[1]), a_.dot(v, form[2])});
-  }
-
-  using Side = std::array<Number, 5>;
-
-  /// A slide along k changes no product of the point with a vector across k, and none of the direction. `seen`:
-  /// the products with a vector.
-  template <class Seen>
-  Side along_slide(const VectorNodes& k, const Seen& seen) {
+    if (!arm_.joints[first_].slides)
+      return {gap(k, &LineSums::point), gap(k, &LineSums::direction),
+              s.sum(around.square, between.square, -1), s.sum(around.along, between.along, -1),
+              gap(k, &LineSums::moment)};
     const Three near = approx(k);
     std::size_t least = 0;
     for (std::size_t i = 1; i < 3; ++i)
       if (std::fabs(near[i]) < std::fabs(near[least])) least = i;
-    VectorNodes unit = zero_;
+    VectorNodes unit = a_.zero();
     unit[least] = a_.number(1);
     const VectorNodes e = a_.cross(k, unit), f = a_.cross(k, e);
-    const auto [point_e, direction_e] = seen(e);
-    const auto [point_f, direction_f] = seen(f);
-    return {point_e, point_f, direction_e, direction_f, seen(k).second};
+    return {gap(e, &LineSums::point), gap(f, &LineSums::point), gap(e, &LineSums::direction),
+            gap(f, &LineSums::direction), gap(k, &LineSums::direction)};
   }
 
-  /// By the joints 1 and 2: P and L are where axis 6 is, seen from joint 3.
-  Side side_of_base(const Loop& loop) {
-    const PlacementNodes back = a_.inverse(loop.behind[5]);
-    const VectorNodes g = back.p, h = a_.product(back.R, loop.axis[5]), d1 = loop.behind[0].p,
-                      d2 = loop.behind[1].p;
-    const MatrixNodes R1 = a_.transposed(loop.behind[0].R);
-    const VectorNodes k = a_.product(loop.behind[1].R, loop.axis[2]);
-    const auto back1 = [&](const VectorNodes& v) {
-      return turned(constant(v), Angle::kFirst, loop.axis[0], -1);
-    };
-    const auto back2 = [&](const Form& form) {
-      return turned(times(R1, form), Angle::kSecond, loop.axis[1], -1);
-    };
-    const Form w = back1(g), H = back1(h), x = back2(minus(w, d1)), M = back2(H),
-               N = back2(difference(back1(a_.cross(g, h)), cross(d1, H)));
-    if (has_slide_)
-      return along_slide(loop.axis[2], [&](const VectorNodes& by) {
-        const VectorNodes v = a_.product(loop.behind[1].R, by);
-        return std::pair(dot(v, minus(x, d2)), dot(v, M));
-      });
-    const NodeId squares = a_.sum(a_.sum(a_.dot(g, g), a_.dot(d1, d1)), a_.dot(d2, d2));
-    return {dot(k, minus(x, d2)), dot(k, M),
-            plus(plus(number(squares), dot(d1, w), -2), dot(d2, x), -2),
-            plus(plus(number(a_.dot(g, h)), dot(d1, H), -1), dot(d2, M), -1),
-            dot(k, difference(N, cross(d2, M)))};
-  }
-
-  /// By the joints 4 and 5.
-  Side side_of_end(const Loop& loop) {
-    const PlacementNodes &B3 = loop.behind[2], &B4 = loop.behind[3], &B5 = loop.behind[4];
-    const VectorNodes &d3 = B3.p, &d4 = B4.p, &d5 = B5.p, l = a_.product(B5.R, loop.axis[5]);
-    const MatrixNodes R3 = a_.transposed(B3.R);
-    const VectorNodes k = a_.product(R3, loop.axis[2]), d = a_.product(R3, d3),
-                      e = a_.product(a_.transposed(B4.R), d4);
-    const auto by5 = [&](const VectorNodes& v) {
-      return turned(constant(v), Angle::kSecond, loop.axis[4], 1);
-    };
-    const auto by4 = [&](const Form& form) { return turned(form, Angle::kFirst, loop.axis[3], 1); };
-    const Form D = by5(d5), u = by5(l), m = by5(a_.cross(d5, l)), u4 = times(B4.R, u);
-    const Form W = by4(plus(times(B4.R, D), d4)), U = by4(u4),
-               C = by4(sum(cross(d4, u4), times(B4.R, m)));
-    if (has_slide_)
-      return along_slide(loop.axis[2], [&](const VectorNodes& by) {
-        const VectorNodes v = a_.product(R3, by);
-        return std::pair(plus(number(a_.dot(by, d3)), dot(v, W)), dot(v, U));
-      });
-    const NodeId squares = a_.sum(a_.sum(a_.dot(d3, d3), a_.dot(d4, d4)), a_.dot(d5, d5));
-    return {plus(number(a_.dot(loop.axis[2], d3)), dot(k, W)), dot(k, U),
-            plus(plus(number(squares), dot(e, D), 2), dot(d, W), 2),
-            plus(plus(number(a_.dot(d5, l)), dot(e, u)), dot(d, U)), dot(k, sum(C, cross(d, U)))};
-  }
-
-  std::vector<NodeId> equations_of(const Loop& loop) {
-    const Side base = side_of_base(loop), end = side_of_end(loop);
-    std::vector<NodeId> result;
-    for (std::size_t e = 0; e < base.size(); ++e)
-      result.push_back(a_.difference(expression(base[e], 0, 1), expression(end[e], 2, 3)));
-    return result;
+  /// Of a coefficient. Where a follower turns back what its leader turns, many are 0.
+  bool is_zero(NodeId coefficient) {
+    const auto value = evaluate(q_.graph, {coefficient}, places_, kBitsOfNumbers);
+    return value && arb_contains_zero((*value)[0].get()) != 0 &&
+           certain_equal(q_.graph, coefficient, a_.number(0), kProductsOfZero);
   }
 
   Question& q_;
-  const ArmLines arm_;
-  std::size_t first_;
-  bool has_slide_ = false;
-  std::vector<Ball> places_;  ///< of the uncertain quantities
-  std::vector<PlacementNodes> before_;
-  std::vector<VectorNodes> axis_;
-  std::vector<bool> slides_;
-  PlacementNodes target_{};
-  Loop loop_{};
+  GraphAlgebra a_;
+  const std::vector<Ball> places_;  ///< of the uncertain quantities
+  const MovingArm arm_;
+  std::map<std::size_t, double> reaches_{};  ///< of free joints that slide
+  JointPair pair_{};                         ///< free joints
+  std::size_t first_ = 0, second_ = 0;       ///< the same, as joints that move
+  std::vector<PlacementNodes> behind_;       ///< B_i
 };
 
 }  // namespace
 
-PostureSearch form_posture_equations(Question& question, std::size_t pair) {
-  ArmEquations equations(question, pair);
-  const NodeId trace = equations.form_all();
-  std::vector<NodeId> four = equations.form_four();
+PostureSearch form_posture_equations(Question& question, std::optional<JointPair> left_out) {
+  ArmEquations equations(question);
+  const NodeId trace = equations.form_all(left_out);
   PostureSearch search{question};
-  const ClosureLines& all = *question.closure;
-  ClosureLines closure;
-  search.trace = trace;
-  search.also = four.back();
-  four.pop_back();
-  closure.equations = std::move(four);
-  for (const std::size_t joint : kSearched) {
-    const std::size_t i = (joint + equations.first()) % kJointsOfArm;
-    search.searched.push_back(i);
-    closure.names.push_back(all.names[i]);
-    closure.middle.push_back(all.middle[i]);
-    closure.radius.push_back(all.radius[i]);
+  if (left_out) {
+    search = equations.form_some(*left_out);
+  } else {
+    for (std::size_t k = 0; k < question.closure->names.size(); ++k) search.searched.push_back(k);
+    if (!equations.has_none()) equations.require_ranges(search.searched);
+    GraphAlgebra algebra(search.question.graph);
+    search.also = {algebra.difference(trace, algebra.number(3))};
   }
-  search.question.closure = std::move(closure);
+  search.trace = trace;
+  search.has_none = equations.has_none();
   return search;
 }
 

@@ -367,8 +367,8 @@ format::ClaimedSet Question::claimed_set() const {
 std::string Question::claim() const {
   if (solutions)
     return format::describe_solutions_claim({solutions->verdict,
-                                             closure                       ? format::kOfUnknowns
-                                             : solutions->arm              ? format::kOfArm
+                                             closure          ? format::kOfUnknowns
+                                             : solutions->arm ? solutions->arm->description()
                                              : solutions->legs.size() == 3 ? format::kOfThreeLegs
                                                                            : format::kOfSixLegs,
                                              closure          ? "configuration"

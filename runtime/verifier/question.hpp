@@ -145,10 +145,22 @@ struct LegLine {
 /// A joint of an arm: the frame that it moves in, seen from the one that the joint before moves, and its
 /// axis through the origin, of length 1, about which it turns or along which it slides. These are constant expressions.
 struct ArmJointLine {
+  static constexpr std::size_t kNone = std::size_t(-1);
+
   bool slides = false;
+  bool is_of_tool = false;           ///< it is no joint: the tool may be turned about its z axis
   std::array<NodeId, 9> rotation{};  ///< of the frame, row by row
   std::array<NodeId, 3> place{}, axis{};
-  NodeId held = kNoNode;  ///< the value that it keeps; kNoNode: it is free
+  NodeId held = kNoNode;  ///< the value that it keeps; kNoNode: it is free, or follows another
+  /// The number of the line of the joint that it follows: its value is multiplier times that one's, and the offset.
+  std::size_t leader = kNone;
+  NodeId multiplier = kNoNode, offset = kNoNode;
+};
+
+/// The claim is about values of a free joint, by its number, that are in a range.
+struct JointRange {
+  std::size_t joint = 0;
+  NodeId lower = kNoNode, upper = kNoNode;
 };
 
 /// An arm whose end is at a place.
@@ -157,6 +169,9 @@ struct ArmLines {
   /// The frame of the tool, seen from that which the last joint turns; and where the tool is: x, y, z,
   /// roll, pitch, yaw. Empty: the end is where the free joints put it that have these values.
   std::vector<NodeId> tip, tool, values;
+  std::vector<JointRange> ranges{};
+
+  [[nodiscard]] std::string description() const;
 };
 
 /// A solution: the enclosure of each of its values.
@@ -221,8 +236,8 @@ struct Question {
   /// "pose x", "error x", "entry 0", "scale 0", "constraint 0", "reach 0", "wrench 0",
   /// "wrench-spread 0", "wrench-ball 0", "least 0", "largest 0", "motor-error 0", "stiffness 0",
   /// "factor 0", "unknown p", "unknown-radius p", "start x", "equation 0",
-  /// "base 0_x", "platform 0_x", "square 0", "square-spread 0", "joint 0_0" to "joint 0_15", "tip 0", "tool 0",
-  /// "joint-value 0".
+  /// "base 0_x", "platform 0_x", "square 0", "square-spread 0", "joint 0_0" to "joint 0_17", "tip 0", "tool 0",
+  /// "joint-value 0", "joint-range 0" and "joint-range-end 0".
   std::map<std::string, StatedValue, std::less<>> stated;
   Scope actual;     ///< names of constants and of poses with their errors
   Scope commanded;  ///< names of parameters, constants and commanded poses

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
-#include "runtime/verifier/arm_equations.hpp"
 #include "runtime/verifier/constant_lines.hpp"
+#include "runtime/verifier/moving_arm.hpp"
 #include "runtime/verifier/planar_platform.hpp"
 #include "runtime/verifier/proof.hpp"
 
@@ -16,10 +16,18 @@ constexpr std::size_t kLegsInSpace = 6, kValuesInSpace = 7, kValuesInPlane = 3;
 constexpr std::string_view kPlusMinus = " +- ";
 /// A line `leg` has so many bars.
 constexpr std::ptrdiff_t kBarsInPlane = 4;
-constexpr std::array<const char*, 4> kJointKeys = {"joint", "held-joint", "sliding-joint",
-                                                   "held-sliding-joint"};
-constexpr std::size_t kMostJoints = 64, kNumbersOfJoint = 15, kNumbersOfFrame = 12,
-                      kNumbersOfTool = 6;
+struct JointKey {
+  const char* word;
+  bool slides, is_held, follows;
+};
+constexpr std::array<JointKey, 6> kJointKeys = {{{"joint", false, false, false},
+                                                 {"held-joint", false, true, false},
+                                                 {"following-joint", false, false, true},
+                                                 {"sliding-joint", true, false, false},
+                                                 {"held-sliding-joint", true, true, false},
+                                                 {"following-sliding-joint", true, false, true}}};
+constexpr std::size_t kMostJoints = 64, kNumbersOfJoint = 15, kNumbersOfFollower = 18,
+                      kNumbersOfFrame = 12, kNumbersOfTool = 6;
 
 class SolutionReader {
  public:
@@ -51,15 +59,19 @@ class SolutionReader {
  private:
   void read_arm() {
     legs_ = 0;
-    values_ = kJointsOfArm;
     ArmLines& arm = s_.arm.emplace();
     while (is_joint()) read_joint(arm);
-    const auto free = std::ranges::count(arm.joints, kNoNode, &ArmJointLine::held);
-    if (std::size_t(free) != kJointsOfArm)
-      throw Rejection("expected " + std::to_string(kJointsOfArm) + " lines 'joint', found " +
-                      std::to_string(free));
+    if (reader_.is("turning-tool")) read_turning_tool(arm);
+    require_leaders(arm);
+    values_ = std::size_t(std::ranges::count_if(arm.joints, is_free));
+    if (values_ != kJointsOfArm && values_ != kJointsOfLevelArm)
+      throw Rejection("expected 6 or 4 lines of joints that are free, found " +
+                      std::to_string(values_));
+    if (values_ != kJointsOfArm && arm.joints.back().is_of_tool)
+      throw Rejection("a tool that may be turned is of an arm of five joints");
+    while (reader_.is("joint-range")) read_range(arm);
     if (!reader_.is("tip")) {
-      arm.values = reader_.list("joint-value", kJointsOfArm);
+      arm.values = reader_.list("joint-value", values_);
       return;
     }
     arm.tip = numbers("tip", "tip ", kNumbersOfFrame, kNumbersOfFrame);
@@ -67,26 +79,82 @@ class SolutionReader {
   }
 
   [[nodiscard]] bool is_joint() const {
-    return std::ranges::any_of(kJointKeys, [this](const char* key) { return reader_.is(key); });
+    return std::ranges::any_of(kJointKeys,
+                               [this](const JointKey& key) { return reader_.is(key.word); });
   }
 
-  /// A line that begins with `held` has a value behind the other numbers.
+  static bool follows(const ArmJointLine& joint) { return joint.leader != ArmJointLine::kNone; }
+  static bool is_free(const ArmJointLine& joint) {
+    return joint.held == kNoNode && !follows(joint);
+  }
+
+  /// Behind the other numbers a line of a joint that is held has a value, and one of a joint that follows another the
+  /// number of that line, a multiplier and an offset.
   void read_joint(ArmLines& arm) {
     if (arm.joints.size() == kMostJoints) throw Rejection("there are too many joints");
-    const auto* const key =
-        std::ranges::find_if(kJointKeys, [this](const char* word) { return reader_.is(word); });
-    const std::size_t kind = std::size_t(key - kJointKeys.begin());
-    const bool is_held = kind % 2 != 0;
-    const std::string number = std::to_string(arm.joints.size());
-    const std::vector<NodeId> all = numbers(*key, "joint " + number + '_',
-                                            kNumbersOfJoint + (is_held ? 1 : 0), kNumbersOfJoint);
+    const JointKey& key = *std::ranges::find_if(
+        kJointKeys, [this](const JointKey& each) { return reader_.is(each.word); });
+    const std::size_t count = key.follows   ? kNumbersOfFollower
+                              : key.is_held ? kNumbersOfJoint + 1
+                                            : kNumbersOfJoint;
+    const std::vector<NodeId> all = numbers(
+        key.word, "joint " + std::to_string(arm.joints.size()) + '_', count, kNumbersOfJoint);
     ArmJointLine joint;
-    joint.slides = kind >= 2;
+    joint.slides = key.slides;
     std::copy_n(all.begin(), 9, joint.rotation.begin());
     std::copy_n(all.begin() + 9, 3, joint.place.begin());
     std::copy_n(all.begin() + 12, 3, joint.axis.begin());
-    if (is_held) joint.held = all.back();
+    if (key.is_held) joint.held = all.back();
+    if (key.follows) {
+      joint.leader = number_of_line(all[kNumbersOfJoint]);
+      joint.multiplier = all[kNumbersOfJoint + 1];
+      joint.offset = all[kNumbersOfJoint + 2];
+    }
     arm.joints.push_back(joint);
+  }
+
+  /// Reads the frame of the tool. Its turn about the z axis is a free joint.
+  void read_turning_tool(ArmLines& arm) {
+    const std::vector<NodeId> all =
+        numbers("turning-tool", "joint " + std::to_string(arm.joints.size()) + '_', kNumbersOfFrame,
+                kNumbersOfFrame);
+    const NodeId none = q_.graph.number(Rational(0L));
+    ArmJointLine& turn = arm.joints.emplace_back();
+    turn.is_of_tool = true;
+    std::copy_n(all.begin(), 9, turn.rotation.begin());
+    std::copy_n(all.begin() + 9, 3, turn.place.begin());
+    turn.axis = {none, none, q_.graph.number(Rational(1L))};
+  }
+
+  /// Returns a number that is stated from 1, counted from 0.
+  std::size_t number_of_line(NodeId stated) const {
+    const Node& node = q_.graph.nodes()[std::size_t(stated)];
+    for (std::size_t k = 0; node.op == Op::kConstant && k < kMostJoints; ++k)
+      if (q_.graph.rational(node.a) == Rational(long(k) + 1)) return k;
+    throw Rejection("a joint that follows another names no line of a joint");
+  }
+
+  static void require_leaders(const ArmLines& arm) {
+    for (const ArmJointLine& joint : arm.joints)
+      if (follows(joint) &&
+          (joint.leader >= arm.joints.size() || follows(arm.joints[joint.leader]) ||
+           arm.joints[joint.leader].is_of_tool))
+        throw Rejection("a joint follows line " + std::to_string(joint.leader + 1) +
+                        " of joints, which is none of a joint that follows no other");
+  }
+
+  /// Reads `joint-range N in E : E`, with N rising.
+  void read_range(ArmLines& arm) {
+    const auto [joint, range] = reader_.two_parts("joint-range", " in ");
+    const std::size_t number = read_count(joint, values_), mark = range.find(" : ");
+    if (number == 0 || (!arm.ranges.empty() && number <= arm.ranges.back().joint + 1))
+      throw Rejection("the joints of ranges are counted from 1, and rise");
+    if (mark == std::string_view::npos) throw Rejection("expected 'joint-range N in E : E'");
+    const std::string name = std::to_string(number - 1);
+    const NodeId lower = reader_.constant("joint-range", name, range.substr(0, mark)),
+                 upper = reader_.constant("joint-range-end", name, range.substr(mark + 3));
+    arm.ranges.push_back({number - 1, lower, upper});
+    reader_.advance();
   }
 
   /// Reads a line `KEY E | E | …`. The stated values are KIND and the number of each. The first `uncertain` ones may
@@ -182,6 +250,18 @@ class SolutionReader {
 };
 
 }  // namespace
+
+std::string ArmLines::description() const {
+  const auto is_following = [](const ArmJointLine& joint) {
+    return joint.leader != ArmJointLine::kNone;
+  };
+  const auto is_free = [&](const ArmJointLine& joint) {
+    return joint.held == kNoNode && !is_following(joint);
+  };
+  return format::describe_arm(std::size_t(std::ranges::count_if(joints, is_free)),
+                              joints.back().is_of_tool, std::ranges::any_of(joints, is_following),
+                              !ranges.empty());
+}
 
 void read_solution_lines(Lines& lines, Question& question) {
   SolutionReader(lines, question).read();

@@ -6,6 +6,7 @@
 
 #include "runtime/verifier/arm_equations.hpp"
 #include "runtime/verifier/box_search.hpp"
+#include "runtime/verifier/moving_arm.hpp"
 #include "runtime/verifier/proof.hpp"
 #include "runtime/verifier/solution_lines.hpp"
 #include "runtime/verifier/variety.hpp"
@@ -33,15 +34,16 @@ class SolutionSearch {
     std::iota(searched_.begin(), searched_.end(), std::size_t{0});
     if (postures == nullptr) return;
     searched_ = postures->searched;
-    some_.emplace(postures->question, std::vector<NodeId>{postures->also}, places_, clock_, options,
-                  result);
+    some_.emplace(postures->question, postures->also, places_, clock_, options, result);
     trace_.emplace(q_, std::vector<NodeId>{postures->trace});
     trace_node_ = postures->trace;
+    has_none_ = postures->has_none;
   }
 
   void check() {
     if (!Evaluation(q_, q_.motion_defined).run(places_))
       throw Unfinished("an expression of the motion has no certain value");
+    if (has_none_) return require_none();
     enclose_ranges();
     if (!claim_.from.empty()) return follow();
     for (const SolutionLine& line : claim_.solutions) {
@@ -56,6 +58,13 @@ class SolutionSearch {
   }
 
  private:
+  /// The place has an orientation that the arm has nowhere.
+  void require_none() {
+    if (claim_.solutions.empty()) return;
+    lines_.name_line(claim_.solutions.front().line);
+    throw Rejection("the arm has no posture with this orientation");
+  }
+
   void enclose_ranges() {
     for (std::size_t i = 0; i < q_.closure->names.size(); ++i) {
       const auto values =
@@ -223,10 +232,31 @@ class SolutionSearch {
   std::optional<BoxSearch> some_;
   std::optional<Evaluation> trace_;
   NodeId trace_node_ = kNoNode;
+  bool has_none_ = false;
   Box outer_, inner_;          ///< contain the ranges of the unknowns, are within them
   std::vector<double> scale_;  ///< a small part of each range
   std::vector<Box> reach_;     ///< by line, of the searched unknowns
 };
+
+/// Reads the line that says how postures are searched; nullopt: by all joints.
+std::optional<JointPair> read_left_out(const std::string& line) {
+  const auto words = words_of(line);
+  const auto joint = [&](std::size_t word, std::size_t most) {
+    const std::size_t number = read_count(words[word], most);
+    if (number == 0) throw Rejection("joints are counted from 1");
+    return number - 1;
+  };
+  if (words.size() == 2 && words[0] == "opposite") {
+    const std::size_t first = joint(1, kPairsOfJoints);
+    // With the second one the loop of the search begins; PROOF.md counts from its third joint.
+    return first + 1 == kPairsOfJoints ? JointPair{first, first + kPairsOfJoints, true}
+                                       : JointPair{first + kPairsOfJoints, first, true};
+  }
+  if (words.size() == 3 && words[0] == "left-out")
+    return JointPair{joint(1, kJointsOfArm), joint(2, kJointsOfArm)};
+  if (words.size() == 2 && words[0] == "left-out" && words[1] == "none") return std::nullopt;
+  throw Rejection("expected 'opposite N' or 'left-out' after 'proof'");
+}
 
 }  // namespace
 
@@ -243,14 +273,10 @@ void search_solutions(Lines& lines, Question& question, const Options& options,
     expect_end();
     return SolutionSearch(lines, question, nullptr, options, result).check();
   }
-  const auto words = words_of(lines.text());
-  if (words.size() != 2 || words[0] != "opposite")
-    throw Rejection("expected 'opposite N' after 'proof'");
-  const std::size_t pair = read_count(words[1], kPairsOfJoints);
-  if (pair == 0) throw Rejection("joints are counted from 1");
+  const std::optional<JointPair> left_out = read_left_out(lines.text());
   if (!lines.next()) throw Rejection("the file ends before the line 'end'");
   expect_end();
-  PostureSearch postures = form_posture_equations(question, pair % kPairsOfJoints);
+  PostureSearch postures = form_posture_equations(question, left_out);
   SolutionSearch(lines, question, &postures, options, result).check();
 }
 

@@ -106,8 +106,9 @@ void require_joints(const ArmAtPlace& arm, const Request& request) {
                     : "a frame fixes six",
       free < fixed
           ? (arm.direction ? "postures are found of such arms with four"
-                           : "postures are found of arms with six, and of arms with four that "
-                             "turn about one direction alone")
+                           : "postures are found of arms with six, of arms with five, whose "
+                             "tool may turn about its z axis, and of arms with four that turn "
+                             "about one direction alone")
       : !request.motion.tool.empty()
           ? "give values that some keep, such as at " + request.model.pose.back().name + "=VALUE"
           : "name some that keep their values by hold"));

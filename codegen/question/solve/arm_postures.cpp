@@ -56,6 +56,8 @@ class ArmSolver {
                                      !u.is_periodic  ? 0
                                      : in_degrees(u) ? 360 * u.scale
                                                      : mid(kTurn) * u.scale});
+    for (const auto& [k, slide] : slides_)
+      if (!slide.has_all) solutions_.unknowns[k].range = slide.range;
   }
 
   Solutions solve() {
@@ -84,6 +86,7 @@ class ArmSolver {
  private:
   Solutions of_other_orientations() {
     solutions_.completeness = Completeness::kComplete;
+    solutions_.left_out.emplace();
     solutions_.how =
         "as the arm turns about one direction alone, and the tool's orientation is another";
     return std::move(solutions_);
@@ -135,8 +138,7 @@ class ArmSolver {
   /// 3 less the trace of E.
   [[nodiscard]] Interval trace_gap(const Root& root) const {
     const auto arm = at_.equations(false);
-    const std::vector<RootSystem::Box> boxes = {root.values};
-    arm->evaluate(boxes, false);
+    arm->evaluate(std::vector<RootSystem::Box>{root.values}, false);
     return arm->at(0)->also.front();
   }
 
@@ -178,9 +180,7 @@ class ArmSolver {
         if (first == systems_.front() || attempt.obstacle.empty() ||
             attempt.postures.size() > best.postures.size()) {
           best = std::move(attempt);
-          solutions_.opposite = at_.is_plain() && !at_.direction
-                                    ? divided_unknowns(at_, first).following[0] % kOppositePairs + 1
-                                    : 0;
+          note_left_out(first);
         }
         if (is_last) return best;
       }
@@ -190,6 +190,13 @@ class ArmSolver {
       }
     }
     return best;
+  }
+
+  void note_left_out(std::size_t system) {
+    const auto [a, b] = divided_unknowns(at_, system).following;
+    const bool is_usual = at_.is_plain() && !at_.direction;
+    solutions_.opposite = is_usual ? a % kOppositePairs + 1 : 0;
+    if (!is_usual) solutions_.left_out = {a + 1, b + 1};
   }
 
   Attempt by_opposite_axes(std::size_t first) {
@@ -261,6 +268,7 @@ class ArmSolver {
   Attempt by_all_joints() {
     std::vector<std::size_t> all(unknowns_.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
+    solutions_.left_out.emplace();
     const auto [problem, periods] = ranges_of(all);
     const RootSystems systems = systems_of_arm(at_, kWholeArm);
     const RootList list =

@@ -73,10 +73,15 @@ bool are_disjoint(const std::vector<std::vector<Interval>>& tubes) {
   return true;
 }
 
-/// The values of an unknown that turns, in radians, within less than a turn if they are not all around.
+Interval angle_pi() { return enclose_constant(GiNaC::Pi, "pi"); }
+
+/// The values of an unknown that turns, in radians, within less than a period if they are not all around.
 std::vector<Interval> angles_of(const Solutions& solutions, std::size_t unknown) {
-  const Interval turn = Interval(2.0) * enclose_constant(GiNaC::Pi, "pi");
-  const Interval unit = turn / Interval(solutions.unknowns[unknown].period);
+  const SolvedUnknown& u = solutions.unknowns[unknown];
+  const double turns = std::round(u.period / (u.unit == "deg" ? 360 : 2 * std::numbers::pi));
+  const Interval once = Interval(2.0) * angle_pi(),
+                 turn = turns == 1 ? once : Interval(turns) * once;
+  const Interval unit = turn / Interval(u.period);
   std::vector<Interval> angles;
   std::vector<double> order;
   for (const CertainSolution& solution : solutions.found) {
@@ -118,16 +123,17 @@ Listed planar_list(const Request& request, const Solutions& solutions) {
 Listed posture_list(const Solutions& solutions) {
   const std::size_t joints = solutions.unknowns.size();
   std::vector<std::vector<Interval>> values(joints);
+  Listed listed{{}, usual_sizes(solutions)};
   for (std::size_t i = 0; i < joints; ++i) {
-    if (solutions.unknowns[i].period != 0)
+    const SolvedUnknown& u = solutions.unknowns[i];
+    if (u.period != 0)
       values[i] = angles_of(solutions, i);
     else
       for (const CertainSolution& solution : solutions.found)
-        values[i].push_back(solution.values[i]);
+        values[i].push_back(u.unit == "deg" ? solution.values[i] * angle_pi() / Interval(180.0)
+                                            : solution.values[i]);
+    if (u.period != 0 || u.unit == "deg") listed.sizes[i] = 1;  // in radians
   }
-  Listed listed{{}, usual_sizes(solutions)};
-  for (std::size_t i = 0; i < joints; ++i)
-    if (solutions.unknowns[i].period != 0) listed.sizes[i] = 1;  // in radians
   for (std::size_t k = 0; k < solutions.found.size(); ++k) {
     auto& tube = listed.tubes.emplace_back();
     for (const auto& of_joint : values) tube.push_back(of_joint[k]);

@@ -61,6 +61,8 @@ void put(ByteWriter& to, const Solutions& s) {
     to.put_text(unknown.name);
     to.put_text(unknown.unit);
     to.put(unknown.period);
+    to.put(unknown.range.has_value());
+    to.put(unknown.range.value_or(Interval(0.0)));
   });
   to.put(s.is_nominal);
   to.put_each(s.found, [&to](const CertainSolution& solution) { put(to, solution); });
@@ -74,6 +76,8 @@ void put(ByteWriter& to, const Solutions& s) {
   to.put(s.complex_found.value_or(0));
   put_lists(to, s.roots);
   to.put(s.opposite);
+  to.put(s.left_out.has_value());
+  put_numbers(to, s.left_out.value_or(std::vector<std::size_t>{}));
   to.put(s.boxes);
   to.put(s.seconds);
   to.put(s.stopped_by.has_value());
@@ -87,6 +91,9 @@ Solutions take_solutions(ByteReader& from) {
     unknown.name = from.take_text();
     unknown.unit = from.take_text();
     unknown.period = from.take<double>();
+    const bool has_range = from.take_flag();
+    const auto range = from.take<Interval>();
+    if (has_range) unknown.range = range;
   });
   s.is_nominal = from.take_flag();
   from.take_each([&] { s.found.push_back(take_solution(from)); });
@@ -101,6 +108,9 @@ Solutions take_solutions(ByteReader& from) {
   if (is_known) s.complex_found = complex;
   s.roots = take_lists<Complex>(from);
   s.opposite = from.take<std::size_t>();
+  const bool has_pair = from.take_flag();
+  const auto pair = from.take_list<std::size_t>();
+  if (has_pair) s.left_out = pair;
   s.boxes = from.take<std::uint64_t>();
   s.seconds = from.take<double>();
   const bool is_stopped = from.take_flag();

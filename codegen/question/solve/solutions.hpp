@@ -19,6 +19,8 @@ struct SolvedUnknown {
   std::string name, unit;  ///< "deg": the values are numbers of degrees
   /// Its values are the same after this; 0: it does not turn. Solutions that differ by it are one.
   double period = 0;
+  /// Others than these may be beyond this range, in lengths or radians; nullopt: there are none.
+  std::optional<Interval> range{};
 };
 
 /// Says whether a solution is within the limits of the model: of joints, of legs, of unknowns.
@@ -65,6 +67,9 @@ struct Solutions {
   /// Postures of an arm whose joints turn have this number N, 1 to 3: joints N and N + 3 follow from those
   /// that were searched. 0: no such search has found them.
   std::size_t opposite = 0;
+  /// Postures of another arm: the numbers, from 1, of the unknowns that follow from those that were searched.
+  /// nullopt: no search has found them.
+  std::optional<std::vector<std::size_t>> left_out{};
   std::uint64_t boxes = 0;  ///< of the search
   double seconds = 0;
   std::optional<Reason> stopped_by{};  ///< the limit that ended it

@@ -17,6 +17,7 @@
 #include "codegen/question/solve/nominal.hpp"
 #include "codegen/question/solve/platform_legs.hpp"
 #include "codegen/question/solve/system_solutions.hpp"
+#include "codegen/question/solve/turning_tool.hpp"
 #include "runtime/interval/floating_point_scope.hpp"
 #include "runtime/verifier/verify.hpp"
 
@@ -28,12 +29,6 @@ using GiNaC::ex;
 constexpr const char* kNoSolutionCertain = "no solution is certain, so nothing is claimed";
 constexpr const char* kNoProofOfCount =
     "that these are all is shown by a count of complex postures, which has no proof in a file";
-constexpr const char* kNoProofOfJoints =
-    "a list of postures that a search over all six joints found has no proof in a file";
-constexpr const char* kNoProofOfFollowers =
-    "a list of postures of an arm with joints that follow others has no proof in a file";
-constexpr const char* kNoProofOfFour =
-    "a list of postures of an arm that turns about one direction has no proof in a file";
 constexpr const char* kNoProofOfTolerances =
     "this list is without the tolerances and errors of the file, so it has no proof in a file";
 constexpr const char* kAtBorder = "a solution may be at the end of the range of an unknown";
@@ -91,9 +86,9 @@ std::string head_with(const Solutions& solutions, const std::string& claim,
   return head_text(verdict_of(solutions), claim, question + lines);
 }
 
-std::string head_of_robot(const Request& request, const Solutions& solutions, const char* robot,
-                          const std::string& question, const std::string& lines,
-                          std::size_t uncertain = 0) {
+std::string head_of_robot(const Request& request, const Solutions& solutions,
+                          const std::string& robot, const std::string& question,
+                          const std::string& lines, std::size_t uncertain = 0) {
   const Model& model = request.model;
   const bool is_arm = model.arm != nullptr;
   return head_with(
@@ -130,39 +125,107 @@ std::vector<ex> numbers_of(const Placement& placement, const Stated& stated) {
   return numbers;
 }
 
-/// `solutions`: its unknowns are the joints that are free.
-std::string arm_lines(const Request& request, const Solutions& solutions) {
-  const Model& model = request.model;
-  const NominalGeometry nominal(model);
-  const bool is_by_tool = !request.motion.tool.empty();
-  const std::vector<ex> pose = is_by_tool ? request.motion.pose : pose_of(request.motion);
-  const bool varies = has_tolerances(request);
-  std::string joints = varies ? geometry_lines(model, uncertain_names(request)) : "", values;
-  const auto stated = [&](const ex& x) { return varies ? x : nominal.at(x); };
-  for (std::size_t k = 0; k < model.arm->joints.size(); ++k) {
-    const SerialJoint& joint = model.arm->joints[k];
-    std::vector<ex> numbers = numbers_of(joint.origin, stated);
-    for (const ex& x : joint.axis) numbers.push_back(stated(x));
-    const bool is_free = std::ranges::any_of(solutions.unknowns, [&](const SolvedUnknown& unknown) {
-      return unknown.name == model.pose[k].name;
-    });
-    const ex unit = is_in_degrees(model.pose[k].unit) ? one_degree() : ex(1);
-    const ex value = is_by_tool && is_free ? ex(0) : nominal.at(pose[k] * unit);
-    if (!is_free) numbers.push_back(value);
-    joints += is_free ? "" : "held-";
-    joints += (joint.kind == JointKind::kPrismatic ? "sliding-joint " : "joint ") +
-              expressions(numbers) + '\n';
-    if (is_free) values += "joint-value " + expression_text(value) + '\n';
+/// The lines of an arm, in the order in which they are written.
+class ArmLines {
+ public:
+  /// `solutions`: its unknowns are the joints that are free.
+  ArmLines(const Request& request, const Solutions& solutions)
+      : model_(request.model), request_(request), solutions_(solutions), nominal_(request.model) {
+    std::size_t next = 0;
+    for (const SerialJoint& joint : model_.arm->joints)
+      number_.push_back(joint.follows ? 0 : next++);
   }
-  if (!is_by_tool) return joints + values;
-  return joints + "tip " + expressions(numbers_of(model.arm->tool, stated)) + "\ntool " +
-         expressions(request.motion.tool) + '\n';
-}
+
+  [[nodiscard]] std::string text() const {
+    std::string text = varies_ ? geometry_lines(model_, uncertain_names(request_)) : "", values;
+    for (std::size_t k = 0; k < model_.arm->joints.size(); ++k) {
+      text += joint_line(k);
+      if (is_free(k)) values += "joint-value " + expression_text(value_of(k)) + '\n';
+    }
+    text += range_lines();
+    if (!is_by_tool_) return text + values;
+    return text + "tip " + expressions(stated(model_.arm->tool)) + "\ntool " +
+           expressions(request_.motion.tool) + '\n';
+  }
+
+  [[nodiscard]] std::string robot() const {
+    return format::describe_arm(
+        solutions_.unknowns.size(), is_turn_of_tool(model_, model_.pose.size() - 1),
+        std::ranges::any_of(model_.arm->joints,
+                            [](const SerialJoint& joint) { return joint.follows.has_value(); }),
+        !range_lines().empty());
+  }
+
+ private:
+  [[nodiscard]] ex stated(const ex& x) const { return varies_ ? x : nominal_.at(x); }
+  [[nodiscard]] std::vector<ex> stated(const Placement& frame) const {
+    return numbers_of(frame, [this](const ex& x) { return stated(x); });
+  }
+  [[nodiscard]] const PoseParameter& pose(std::size_t joint) const {
+    return model_.pose[number_[joint]];
+  }
+  [[nodiscard]] bool is_free(std::size_t joint) const {
+    return !model_.arm->joints[joint].follows &&
+           std::ranges::find(solutions_.unknowns, pose(joint).name, &SolvedUnknown::name) !=
+               solutions_.unknowns.end();
+  }
+  /// In lengths or radians. The tool brings free joints to others.
+  [[nodiscard]] ex value_of(std::size_t joint) const {
+    const ex unit = is_in_degrees(pose(joint).unit) ? one_degree() : ex(1);
+    return is_by_tool_ && is_free(joint) ? ex(0) : nominal_.at(values_[number_[joint]] * unit);
+  }
+
+  [[nodiscard]] std::string joint_line(std::size_t k) const {
+    const SerialJoint& joint = model_.arm->joints[k];
+    std::vector<ex> numbers = stated(joint.origin);
+    if (!joint.follows && is_turn_of_tool(model_, number_[k]))
+      return "turning-tool " + expressions(numbers) + '\n';
+    for (const ex& x : joint.axis) numbers.push_back(stated(x));
+    if (joint.follows)
+      numbers.insert(numbers.end(), {ex(static_cast<unsigned long>(joint.follows->leader + 1)),
+                                     joint.follows->multiplier, joint.follows->offset});
+    else if (!is_free(k))
+      numbers.push_back(value_of(k));
+    return fmt::format("{}{} {}\n",
+                       joint.follows ? "following-"
+                       : is_free(k)  ? ""
+                                     : "held-",
+                       joint.kind == JointKind::kPrismatic ? "sliding-joint" : "joint",
+                       expressions(numbers));
+  }
+
+  /// Of the joints that were looked for in ranges.
+  [[nodiscard]] std::string range_lines() const {
+    std::string text;
+    for (std::size_t k = 0; k < solutions_.unknowns.size() && solutions_.left_out; ++k) {
+      const auto& range = solutions_.unknowns[k].range;
+      if (range && std::ranges::find(*solutions_.left_out, k + 1) == solutions_.left_out->end())
+        text += fmt::format("joint-range {} in {} : {}\n", k + 1, range->lo, range->hi);
+    }
+    return text;
+  }
+
+  const Model& model_;
+  const Request& request_;
+  const Solutions& solutions_;
+  const NominalGeometry nominal_;
+  const bool is_by_tool_ = !request_.motion.tool.empty(), varies_ = has_tolerances(request_);
+  const std::vector<ex> values_ = is_by_tool_ ? request_.motion.pose : pose_of(request_.motion);
+  std::vector<std::size_t> number_;  ///< by joint: its parameter of the pose, if it follows none
+};
 
 std::string head_of_arm(const Request& request, const Solutions& solutions,
                         const std::string& lines) {
-  return head_of_robot(request, solutions, format::kOfArm, arm_lines(request, solutions), lines,
+  const ArmLines arm(request, solutions);
+  return head_of_robot(request, solutions, arm.robot(), arm.text(), lines,
                        uncertain_names(request).size());
+}
+
+/// How an arm was searched.
+std::string search_line(const Solutions& solutions) {
+  if (solutions.opposite != 0) return fmt::format("opposite {}\n", solutions.opposite);
+  const std::vector<std::size_t>& pair = *solutions.left_out;
+  return pair.empty() ? "left-out none\n" : fmt::format("left-out {} {}\n", pair[0], pair[1]);
 }
 
 std::string head_of_equations(const Request& request, const Solutions& solutions,
@@ -194,16 +257,8 @@ std::string obstacle_of(const Request& request, const Solutions& solutions) {
                ? kAtBorder
                : "";
   if (solutions.is_nominal) return kNoProofOfTolerances;
-  if (!request.model.arm) return "";
-  const std::vector<SerialJoint>& joints = request.model.arm->joints;
-  if (std::ranges::any_of(joints,
-                          [](const SerialJoint& joint) { return joint.follows.has_value(); }))
-    return kNoProofOfFollowers;
-  if (solutions.unknowns.size() < 6) return kNoProofOfFour;
-  if (solutions.opposite != 0) return "";
-  const bool all_turn = std::ranges::all_of(
-      joints, [](const SerialJoint& joint) { return joint.kind == JointKind::kRevolute; });
-  return all_turn ? kNoProofOfCount : kNoProofOfJoints;
+  if (!request.model.arm || solutions.opposite != 0 || solutions.left_out) return "";
+  return kNoProofOfCount;
 }
 
 struct Trial {
@@ -225,13 +280,14 @@ Trial trial_of(const std::string& head, const std::string& proof) {
               : ""};
 }
 
-}  // namespace
-
-ListProof prove_list(const Request& request, const Solutions& solutions) {
-  const FloatingPointScope nearest(FloatingPointRounding::kNearest);
+struct TriedProof {
   ListProof list;
-  list.obstacle = obstacle_of(request, solutions);
-  if (!list.obstacle.empty()) return list;
+  bool is_verified = false;
+};
+
+TriedProof try_list(const Request& request, const Solutions& solutions) {
+  ListProof list;
+  bool is_verified = false;
   const bool is_arm = request.model.arm != nullptr, varies = has_tolerances(request),
              is_complete = solutions.completeness == Completeness::kComplete,
              is_in_space = !is_arm && !request.model.closure && !is_in_plane(request),
@@ -245,16 +301,15 @@ ListProof prove_list(const Request& request, const Solutions& solutions) {
     if (!list.obstacle.empty()) return true;
     const Trial trial = trial_of(list.head, list.proof);
     list.doubt = trial.doubt;
-    return trial.is_verified;
+    return is_verified = trial.is_verified;
   };
   if (is_counted && (try_proof(solution_lines(solutions, size_of(request, solutions), varies),
                                root_lines(roots_of(solutions))) ||
                      listed.middles.empty()))
-    return list;
+    return {list, is_verified};
   // A search proves wider tubes. And legs that meet in the middle of the tolerances have 16 complex
   // poses there, and others elsewhere.
-  const std::string proof =
-      (is_arm ? fmt::format("opposite {}\n", solutions.opposite) : "") + proof_of(listed);
+  const std::string proof = (is_arm ? search_line(solutions) : "") + proof_of(listed);
   try_proof(lines_of(solutions, listed), proof);
   const ListProof first = list;
   // The verifier's tubes of postures are wider than those that follow the uncertain quantities, of all joints.
@@ -262,7 +317,48 @@ ListProof prove_list(const Request& request, const Solutions& solutions) {
     if (!is_arm || !varies || list.doubt.empty()) break;
     if (const auto lines = wider_lines_of(solutions, listed, part)) try_proof(*lines, proof);
   }
-  return list.doubt.empty() ? list : first;
+  return {list.doubt.empty() ? list : first, is_verified};
+}
+
+/// The searches of an arm that the verifier may take in the place of one by all joints: without one that slides and one
+/// that turns.
+std::vector<std::vector<std::size_t>> pairs_of(const Request& request, const Solutions& solutions) {
+  std::vector<std::vector<std::size_t>> pairs;
+  const bool is_by_all = solutions.left_out && solutions.left_out->empty();
+  if (!is_by_all || solutions.unknowns.size() < 6) return pairs;
+  std::vector<std::size_t> slides, turning;
+  const std::vector<SerialJoint>& joints = request.model.arm->joints;
+  for (std::size_t j = 0, pose = 0; j < joints.size(); ++j) {
+    if (joints[j].follows) continue;
+    const auto at = std::ranges::find(solutions.unknowns, request.model.pose[pose++].name,
+                                      &SolvedUnknown::name);
+    const bool has_followers = std::ranges::any_of(joints, [j](const SerialJoint& other) {
+      return other.follows && other.follows->leader == j;
+    });
+    if (at == solutions.unknowns.end() || has_followers) continue;
+    (joints[j].kind == JointKind::kPrismatic ? slides : turning)
+        .push_back(std::size_t(at - solutions.unknowns.begin()) + 1);
+  }
+  for (const std::size_t a : slides)
+    for (const std::size_t b : turning) pairs.push_back({a, b});
+  return pairs;
+}
+
+}  // namespace
+
+ListProof prove_list(const Request& request, const Solutions& solutions) {
+  const FloatingPointScope nearest(FloatingPointRounding::kNearest);
+  if (const std::string obstacle = obstacle_of(request, solutions); !obstacle.empty()) {
+    ListProof none;
+    none.obstacle = obstacle;
+    return none;
+  }
+  Solutions as = solutions;
+  for (const std::vector<std::size_t>& pair : pairs_of(request, solutions)) {
+    as.left_out = pair;
+    if (TriedProof tried = try_list(request, as); tried.is_verified) return std::move(tried.list);
+  }
+  return try_list(request, solutions).list;
 }
 
 }  // namespace regulus::detail

@@ -10,6 +10,7 @@
 #include "codegen/question/solve/platform_legs.hpp"
 #include "codegen/question/solve/platform_poses.hpp"
 #include "codegen/question/solve/system_solutions.hpp"
+#include "codegen/question/solve/turning_tool.hpp"
 #include "codegen/support/errors.hpp"
 #include "runtime/interval/floating_point_scope.hpp"
 
@@ -28,12 +29,13 @@ void require_place_alone(const Motion& motion) {
 
 }  // namespace
 
-Request read_solve_request(const ModelOptions& options, const FormingWatch& watch) {
-  return solve_request_of(read_model(model_text(options), options, &watch), options, {});
+Request read_solve_request(const ModelOptions& options, const FormingWatch& watch,
+                           const std::vector<std::string>& held) {
+  return solve_request_of(read_model(model_text(options), options, &watch), options, {}, held);
 }
 
 Request solve_request_of(Model model, const ModelOptions& options,
-                         std::span<const GivenNumber> more) {
+                         std::span<const GivenNumber> more, const std::vector<std::string>& held) {
   ModelOptions given = options;
   given.takes_legs = true;
   Request request = request_of(std::move(model), given, more);
@@ -43,6 +45,7 @@ Request solve_request_of(Model model, const ModelOptions& options,
         "one place a line, or name a motion that has one place, or give its values by at");
   require_place_alone(request.motion);
   require_values(request);
+  let_tool_turn(request, held);
   return request;
 }
 

@@ -13,13 +13,15 @@
 
 namespace regulus::detail {
 
-/// Reads the model, and the place that the options name.
+/// Reads the model, and the place that the options name. `held`: joints of an arm that keep their values.
 ///
 /// Throws    as read_request(); UsageError if the motion is along way-points or has ranges.
-[[nodiscard]] Request read_solve_request(const ModelOptions& options, const FormingWatch& watch);
+[[nodiscard]] Request read_solve_request(const ModelOptions& options, const FormingWatch& watch,
+                                         const std::vector<std::string>& held = {});
 /// The same of a model that is read, with `more` numbers of the place.
 [[nodiscard]] Request solve_request_of(Model model, const ModelOptions& options,
-                                       std::span<const GivenNumber> more);
+                                       std::span<const GivenNumber> more,
+                                       const std::vector<std::string>& held = {});
 
 /// Returns what the solutions of a model are called.
 [[nodiscard]] SolvedNoun noun_of(const Request& request);

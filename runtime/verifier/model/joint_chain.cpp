@@ -210,7 +210,9 @@ class ChainReader {
         has("multiplier") ? section_.constant(joint_ + "multiplier") : algebra_.number(1);
     const auto value = [&](NodeId leading) { return value_of(joint, multiplier, leading); };
     joint.rate = algebra_.product(multiplier, units_of(joint, leader->slides));
+    joint.follows = has("mimic");
     joint.value = value(pose->second);
+    joint.offset = value(algebra_.number(0));
     joint.free_pose = depends_on_variables(q_.graph, pose->second)
                           ? pose->second
                           : any_number(q_.graph, joint.column);

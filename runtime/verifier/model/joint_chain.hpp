@@ -17,8 +17,10 @@ struct ChainJoint {
   PlacementNodes origin{};  ///< of its frame in that of the joint before, all joints at 0
   VectorNodes axis{};       ///< through the origin of its frame; of length 1
   std::size_t column = 0;   ///< of the joint, or of the one that it follows
+  bool follows = false;     ///< another joint
   NodeId rate = kNoNode;    ///< its speed at unit speed of the column's joint
   NodeId value = kNoNode;
+  NodeId offset = kNoNode;      ///< the same while the column's joint is at 0
   NodeId free_value = kNoNode;  ///< the same if a motion gives its pose parameter no value,
   NodeId free_pose = kNoNode;   ///< but this
 };

@@ -5,31 +5,24 @@
 #include <utility>
 
 #include "runtime/verifier/evaluation.hpp"
-#include "runtime/verifier/model/equality.hpp"
-#include "runtime/verifier/model/joint_chain.hpp"
+#include "runtime/verifier/model/place_reading.hpp"
+#include "runtime/verifier/model/posture_comparison.hpp"
 #include "runtime/verifier/planar_platform.hpp"
 #include "runtime/verifier/quantity_lines.hpp"
 
 namespace regulus::verifier {
 namespace {
 
-constexpr std::string_view kGeometry = "geometry.";
 constexpr long kBits = 1024;
 
-class PlaceComparison {
+class PlaceComparison : private PlaceReading {
  public:
   PlaceComparison(QuestionComparer& comparer, SectionReading* section)
-      : comparer_(comparer),
-        q_(comparer.question()),
-        values_(comparer.values()),
-        section_(section),
-        motion_("motion." + q_.motion + '.') {}
+      : PlaceReading(comparer, section) {}
 
   void run() {
-    if (section_ == nullptr) comparer_.refuse_model("it has none of [gough], [legs] and [serial]");
     const Scope stated = std::exchange(q_.actual, {});
     name_constants();
-    if (q_.solutions->arm) return compare_arm(stated);
     const std::vector<SectionLeg> legs = section_->telescopic_legs(comparer_);
     if (legs.size() != q_.solutions->legs.size())
       comparer_.refuse_model("it has " + std::to_string(legs.size()) + " legs, and not " +
@@ -39,40 +32,6 @@ class PlaceComparison {
   }
 
  private:
-  [[nodiscard]] bool has(const std::string& place) const { return values_.contains(place); }
-  [[nodiscard]] bool starts(WrittenValues::const_iterator at, std::string_view with) const {
-    return at != values_.end() && at->first.starts_with(with);
-  }
-
-  /// The constants of [geometry] have their values, whatever their tolerances are.
-  void name_constants() {
-    const Scope none;
-    for (auto at = values_.lower_bound(kGeometry); starts(at, kGeometry); ++at) {
-      const std::string rest = at->first.substr(kGeometry.size());
-      std::string name = rest.substr(0, rest.find_first_of(".["));
-      std::string key = rest.substr(name.size());
-      if (key.starts_with(".value")) key = key.substr(6);
-      if (key.starts_with("["))
-        name += '_' + std::to_string(std::stoul(key.substr(1)) + 1);
-      else if (!key.empty())
-        continue;  // a tolerance, a radius or a group
-      const NodeId value = comparer_.expression_at(at->first, none);
-      comparer_.expect_defined(comparer_.place_of(at->first), value);
-      q_.actual.emplace(name, value);
-    }
-  }
-
-  /// Returns the value of a pose parameter in the motion, which may be a range from a number to the same;
-  /// kNoNode: it has none.
-  NodeId value_of(const std::string& pose) {
-    const std::string place = motion_ + pose;
-    if (has(place)) return comparer_.pose_at(place, pose);
-    if (!has(place + "[0]") || !has(place + "[1]") || has(place + "[2]")) return kNoNode;
-    const NodeId lo = comparer_.pose_at(place + "[0]", pose),
-                 hi = comparer_.pose_at(place + "[1]", pose);
-    return equality(q_, lo, hi) == Equality::kEqual ? lo : kNoNode;
-  }
-
   void compare_anchors(const std::vector<SectionLeg>& legs) {
     for (std::size_t i = 0; i < legs.size(); ++i) {
       compare_point(legs[i].base, "base", i);
@@ -93,133 +52,6 @@ class PlaceComparison {
       comparer_.compare(comparer_.place_of(point.place + '[' + std::to_string(axis) + ']'),
                         point.value[axis],
                         std::string(kind) + ' ' + std::to_string(leg) + '_' + "xyz"[axis]);
-  }
-
-  // An arm.
-
-  void compare_arm(const Scope& scope) {
-    require_known_keys();
-    q_.variables.empty() ? require_no_tolerances() : require_no_errors();
-    const bool is_by_tool = has(motion_ + "tool[0]");
-    const bool has_values = name_joints(is_by_tool);
-    const SectionArm arm = read_arm(scope);
-    const ArmLines& stated = *q_.solutions->arm;
-    if (arm.joints.size() != stated.joints.size())
-      comparer_.refuse_model("its arm has " + std::to_string(arm.joints.size()) +
-                             " joints, and not " + std::to_string(stated.joints.size()));
-    for (std::size_t k = 0; k < arm.joints.size(); ++k) compare_joint(arm.joints[k], k);
-    if (is_by_tool ? stated.tool.empty() : has_values && !stated.tool.empty())
-      require_place_option(is_by_tool ? "the motion gives the place of the tool"
-                                      : "the motion gives values of the joints");
-    if (!stated.tool.empty()) {
-      for (std::size_t k = 0; k < stated.joints.size(); ++k)
-        compare_kept(arm.joints[k], stated.joints[k], "joint " + std::to_string(k) + "_15",
-                     is_by_tool);
-      return compare_tool(arm.tool, is_by_tool);
-    }
-    std::size_t free = 0;
-    for (std::size_t k = 0; k < arm.joints.size(); ++k)
-      if (stated.joints[k].held != kNoNode)
-        compare_value(arm.joints[k], "joint " + std::to_string(k) + "_15", has_values);
-      else
-        compare_value(arm.joints[k], "joint-value " + std::to_string(free++), has_values);
-  }
-
-  /// `what`: the file says, and not that of the certificate.
-  void require_place_option(const std::string& what) {
-    if (!comparer_.may_differ(kPlaceOption)) comparer_.refuse_model(what);
-    comparer_.note_difference(what + "; the place is that of the certificate");
-  }
-
-  /// The value that a joint keeps beside the tool may be an option, as that it keeps one.
-  void compare_kept(const SectionJoint& joint, const ArmJointLine& stated, const std::string& key,
-                    bool is_by_tool) {
-    const bool has_value = value_of(joint.name) != kNoNode;
-    if (stated.held != kNoNode)
-      compare_value(joint, key, has_value);
-    else if (has_value && is_by_tool)
-      comparer_.leave_out(comparer_.place_of(motion_ + joint.name),
-                          "the certificate has a joint that keeps no value");
-  }
-
-  /// Gives each joint its value of the motion, or any. Returns false if the file has no such motion.
-  bool name_joints(bool is_by_tool) {
-    bool has_all = !is_by_tool;
-    Scope values;
-    for (const SectionPose& pose : section_->pose()) {
-      values[pose.name] = value_of(pose.name);
-      has_all = has_all && values[pose.name] != kNoNode;
-    }
-    if (!has_all && !is_by_tool)
-      require_place_option("the motion '" + q_.motion + "' gives no value of each joint");
-    for (const auto& [name, value] : values)
-      q_.actual.insert_or_assign(name, has_all || (is_by_tool && value != kNoNode)
-                                           ? value
-                                           : q_.graph.number(Rational(0L)));
-    return has_all;
-  }
-
-  /// By the constants of the certificate if these have tolerances.
-  SectionArm read_arm(const Scope& stated) {
-    if (q_.variables.empty()) return section_->arm(comparer_);
-    const Scope nominal = q_.actual;
-    const auto poses = section_->pose();
-    for (const auto& [name, node] : stated)
-      if (std::ranges::find(poses, name, &SectionPose::name) == poses.end())
-        q_.actual.insert_or_assign(name, node);
-    SectionArm arm = section_->arm(comparer_);
-    q_.actual = nominal;
-    return arm;
-  }
-
-  void compare_joint(const SectionJoint& joint, std::size_t number) {
-    const FilePlace from = place_of_joint(values_, joint.name);
-    const ArmJointLine& stated = q_.solutions->arm->joints[number];
-    if (joint.slides != stated.slides)
-      comparer_.refuse(from, stated.slides ? "a joint that slides" : "a joint that turns");
-    if (stated.held != kNoNode) {
-      if (!comparer_.may_differ(kHoldOption)) comparer_.refuse(from, "a joint that is held");
-      comparer_.note_difference(joint.name + " keeps its value");
-    }
-    compare_frame(joint.origin, from, "joint " + std::to_string(number) + '_');
-    for (std::size_t i = 0; i < 3; ++i)
-      comparer_.compare(from, joint.axis[i],
-                        "joint " + std::to_string(number) + '_' + std::to_string(12 + i));
-  }
-
-  void compare_frame(const PlacementNodes& frame, const FilePlace& from, const std::string& key) {
-    for (std::size_t i = 0; i < 9; ++i)
-      comparer_.compare(from, frame.R[i / 3][i % 3], key + std::to_string(i));
-    for (std::size_t i = 0; i < 3; ++i)
-      comparer_.compare(from, frame.p[i], key + std::to_string(9 + i));
-  }
-
-  void compare_value(const SectionJoint& joint, const std::string& key, bool has_values) {
-    if (!has_values) return comparer_.note_compared(key);
-    const std::string place = motion_ + joint.name;
-    comparer_.compare(comparer_.place_of(has(place) ? place : place + "[0]"), joint.value, key,
-                      kPlaceOption);
-  }
-
-  void compare_tool(const PlacementNodes& tip, bool is_in_file) {
-    if (has(motion_ + "tool[6]"))
-      comparer_.refuse_model("the motion's tool has more than six numbers");
-    compare_frame(tip, {"the frame of the tool", 0, "another"}, "tip ");
-    const bool in_degrees = is_arm_in_degrees(values_);
-    GraphAlgebra algebra(q_.graph);
-    for (std::size_t i = 0; i < 6; ++i) {
-      const std::string key = "tool " + std::to_string(i),
-                        place = motion_ + "tool[" + std::to_string(i) + ']';
-      if (!is_in_file) {
-        comparer_.note_compared(key);
-        continue;
-      }
-      if (!has(place)) comparer_.refuse_model("the motion's tool has fewer than six numbers");
-      const bool is_in_degrees = i >= 3 && in_degrees;
-      const NodeId number = comparer_.constant_at(place, is_in_degrees);
-      comparer_.compare(comparer_.place_of(place), is_in_degrees ? algebra.degrees(number) : number,
-                        key, kPlaceOption);
-    }
   }
 
   // A platform.
@@ -341,56 +173,13 @@ class PlaceComparison {
       comparer_.leave_out(comparer_.place_of(error->first), "the file does not give the pose");
     compare_errors_of_lengths(legs);
   }
-
-  /// Postures are without control errors.
-  void require_no_errors() {
-    for (const auto& [place, value] : values_)
-      if (place.starts_with(motion_ + "error") && !is_zero(value))
-        comparer_.leave_out(comparer_.place_of(place), "the claim is without control errors");
-  }
-
-  static bool is_zero(const WrittenValue& value) {
-    return !value.is_string && !value.text.empty() &&
-           value.text.find_first_not_of("0.") == std::string::npos;
-  }
-
-  /// The claim is about one platform.
-  void require_no_tolerances() {
-    for (const auto& [place, value] : values_) {
-      const bool is_of_robot = place.starts_with(kGeometry) || place.starts_with("gough.") ||
-                               place.starts_with("legs.") || place.starts_with("serial.");
-      const bool is_spread = is_of_robot && (place.find("tolerance") != std::string::npos ||
-                                             place.find(".radius") != std::string::npos);
-      if ((is_spread || place.starts_with(motion_ + "error")) && !is_zero(value))
-        comparer_.leave_out(comparer_.place_of(place),
-                            "the claim is without tolerances and errors");
-    }
-  }
-
-  /// A threshold is no part of the claim.
-  void require_known_keys() {
-    for (auto at = values_.lower_bound(motion_); starts(at, motion_); ++at) {
-      const std::string rest = at->first.substr(motion_.size());
-      const std::string name = rest.substr(0, rest.find_first_of(".["));
-      const auto poses = section_->pose();
-      const bool is_pose = std::ranges::any_of(poses, [&](const SectionPose& p) {
-        return p.name == name && (rest == name || rest == name + "[0]" || rest == name + "[1]");
-      });
-      if (!is_pose && name != "legs" && name != "tool" && name != "error" && name != "alpha")
-        comparer_.leave_out(comparer_.place_of(at->first), "this reader does not know it");
-    }
-  }
-
-  QuestionComparer& comparer_;
-  Question& q_;
-  const WrittenValues& values_;
-  SectionReading* const section_;
-  const std::string motion_;  ///< "motion.NAME."
 };
 
 }  // namespace
 
 void compare_robot_at_place(QuestionComparer& comparer, SectionReading* section) {
+  if (section == nullptr) comparer.refuse_model("it has none of [gough], [legs] and [serial]");
+  if (comparer.question().solutions->arm) return compare_postures(comparer, section);
   PlaceComparison(comparer, section).run();
 }
 

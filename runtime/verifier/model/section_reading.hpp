@@ -74,13 +74,19 @@ struct SectionPoint {
   VectorNodes value{};
 };
 
-/// A joint of an arm that moves, and follows no other.
+/// A joint of an arm that moves.
 struct SectionJoint {
-  std::string name;
+  std::string name;  ///< its own, or that of its leader
   bool slides = false;
   PlacementNodes origin{};  ///< of its frame in that of the joint before, all joints at 0
   VectorNodes axis{};       ///< through the origin of its frame; of length 1
   NodeId value = kNoNode;   ///< by the pose of Question::actual; an angle in radians
+  std::string range{};      ///< its place in the file; "": it has none
+  /// Of a joint that follows another, its leader, by its number among all: the value is multiplier times that
+  /// one's, and the offset; angles in radians.
+  std::optional<std::size_t> leader{};
+  NodeId multiplier = kNoNode, offset = kNoNode;
+  bool is_of_tool = false;  ///< it is no joint: the tool may be turned about its z axis
 };
 
 /// An arm without its tolerances; the frame of the tool is that in the frame of the last joint.
@@ -136,7 +142,7 @@ class SectionReading {
     throw Unfinished("the file describes no platform on legs of variable length");
   }
 
-  /// Returns the arm. Throws Unfinished if the robot is none, or if a joint follows another.
+  /// Returns the arm. Throws Unfinished if the robot is none.
   [[nodiscard]] virtual SectionArm arm(SectionComparer&) {
     throw Unfinished("the file describes no arm");
   }

@@ -31,12 +31,22 @@ class SerialReading final : public SectionReading {
 
   [[nodiscard]] SectionArm arm(SectionComparer& comparer) override {
     const ReadArm chain = read_arm(comparer);
-    if (chain.joints.size() != names_.size())
-      throw Unfinished("a joint of the arm follows another");
+    std::vector<std::size_t> leaders;
+    for (std::size_t k = 0; k < chain.joints.size(); ++k)
+      if (!chain.joints[k].follows) leaders.push_back(k);
     SectionArm arm{{}, chain.tool};
-    for (const ChainJoint& joint : chain.joints)
-      arm.joints.push_back(
-          {names_[joint.column].name, joint.slides, joint.origin, joint.axis, joint.value});
+    for (std::size_t k = 0; k < chain.joints.size(); ++k) {
+      const ChainJoint& joint = chain.joints[k];
+      if (leaders.size() != names_.size() || (!joint.follows && leaders[joint.column] != k))
+        throw Unfinished("the joints of the arm are not those that have names");
+      const ChainName& leader = names_[joint.column];
+      SectionJoint& read = arm.joints.emplace_back(SectionJoint{
+          leader.name, joint.slides, joint.origin, joint.axis, joint.value, leader.range});
+      if (!joint.follows) continue;
+      read.leader = leaders[joint.column];
+      read.multiplier = joint.rate;
+      read.offset = joint.offset;
+    }
     return arm;
   }
 

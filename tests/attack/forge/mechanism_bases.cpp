@@ -110,6 +110,109 @@ q6 = 0.9
 q7 = 0.1
 )";
 
+constexpr const char* kParallelogram = R"(regulus = 1
+name = "arm with a parallelogram"
+
+[serial]
+unit = "m"
+angle_unit = "deg"
+tool = { xyz = [0.01, 0, 0.08], rpy = [0, 30, 0] }
+joints = [
+  { name = "q1", xyz = [0, 0, 0.4] },
+  { name = "q2", xyz = [0.1, 0, 0], axis = [0, 1, 0] },
+  { mimic = "q2", multiplier = -1, offset = 10, xyz = [0.45, 0, 0], axis = [0, 1, 0] },
+  { name = "q3", axis = [0, 1, 0] },
+  { name = "q4", xyz = [0.03, 0, 0], axis = [1, 0, 0] },
+  { name = "q5", xyz = [0.42, 0, 0], axis = [0, 1, 0] },
+  { name = "q6", rpy = [0, 0, 15], axis = [3, 0, 4] },
+]
+
+[motion.here]
+q1 = 20
+q2 = -35
+q3 = 70
+q4 = 50
+q5 = -40
+q6 = 10
+
+[motion.tool]
+tool = [0.5, 0.1, 0.3, 0.2, 0.4, "60*deg"]
+)";
+
+constexpr const char* kScrew = R"(regulus = 1
+name = "arm on a screw"
+
+[serial]
+unit = "m"
+joints = [
+  { name = "q1", xyz = [0, 0, 0.4], range = [-1.5, 1.5] },
+  { mimic = "q1", type = "prismatic", multiplier = 0.1, offset = 0.2, xyz = [0.45, 0, 0] },
+  { name = "q2", xyz = [0.1, 0, 0], axis = [0, 1, 0], range = [-4, 4] },
+  { name = "q3", xyz = [0.2, 0.1, 0.05], axis = [0, 1, 0], range = [-4, 4] },
+  { name = "q4", xyz = [0.03, 0, 0], axis = [1, 0, 0], range = [-4, 4] },
+  { name = "q5", xyz = [0.42, 0, 0], axis = [0, 1, 0], range = [-4, 4] },
+  { name = "q6", rpy = [0, 0, 0.15], axis = [3, 0, 4], range = [-4, 4] },
+]
+
+[motion.here]
+q1 = 0.2
+q2 = 0.35
+q3 = 0.7
+q4 = 0.5
+q5 = -1.4
+q6 = 0.1
+)";
+
+constexpr const char* kPalletizer = R"(regulus = 1
+name = "palletizer"
+
+[geometry]
+upper = { value = 1.15, tolerance = 0.000001 }
+
+[serial]
+unit = "m"
+joints = [
+  { name = "q1", xyz = [0, 0, 0.8] },
+  { name = "q2", xyz = [0.35, 0, 0], axis = [0, 1, 0] },
+  { mimic = "q2", multiplier = -1, xyz = [0, 0, "upper"], axis = [0, 1, 0] },
+  { name = "q3", axis = [0, 1, 0] },
+  { mimic = "q3", multiplier = -1, xyz = [1.2, 0, 0], axis = [0, 1, 0] },
+  { name = "q4", xyz = [0.25, 0, -0.2], axis = [0, 0, -1] },
+]
+
+[motion.here]
+q1 = 0.3
+q2 = 0.2
+q3 = 0.4
+q4 = 1
+
+[motion.away]
+tool = [1.4, 0.5, 1.2, 0.1, 0, 1]
+)";
+
+constexpr const char* kFive = R"(regulus = 1
+name = "arm of five joints"
+
+[serial]
+unit = "m"
+angle_unit = "deg"
+tool = { xyz = [0.05, 0, 0.12], rpy = [0, 70, 0] }
+joints = [
+  { name = "q1", xyz = [0, 0, 0.4] },
+  { name = "q2", xyz = [0.1, 0, 0], axis = [0, 1, 0] },
+  { name = "q3", xyz = [0.45, 0, 0], axis = [0, 1, 0] },
+  { name = "q4", xyz = [0.1, 0, 0.03], axis = [1, 0, 0] },
+  { name = "q5", xyz = [0.42, 0, 0], axis = [0, 1, 0] },
+]
+
+[motion.here]
+q1 = 20
+q2 = -35
+q3 = 70
+q4 = 50
+q5 = -40
+)";
+
 }  // namespace
 
 std::vector<Base> of_mechanisms() {
@@ -213,6 +316,12 @@ std::vector<Base> of_solutions() {
       {"postures by the tool", kWrist, {"solve", "tool"}},
       {"postures beside a held joint", kElbow, {"solve", "here", "--hold", "q3"}},
       {"postures with a slide", kSlide, {"solve", "here", "--hold", "rail"}},
+      {"postures with a parallelogram", kParallelogram, {"solve", "here"}},
+      {"postures by the tool with a parallelogram", kParallelogram, {"solve", "tool"}},
+      {"postures of five joints", kFive, {"solve", "here"}},
+      {"postures on a screw", kScrew, {"solve", "here"}},
+      {"postures of a palletizer", kPalletizer, {"solve", "here"}},
+      {"a place that a palletizer is turned away from", kPalletizer, {"solve", "away"}},
   };
 }
 

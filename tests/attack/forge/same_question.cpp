@@ -15,9 +15,9 @@ namespace regulus::detail::attack {
 namespace {
 
 constexpr int kPoints = 3, kSpecialPoints = 48;
-/// Labels, and lines that change the proof only.
-const std::set<std::string> kIgnored{"model", "sha256",    "combined",
-                                     "norms", "reference", "solution"};
+/// Labels, what is the claim and not the file's, and lines that change the proof only.
+const std::set<std::string> kIgnored{"model",     "sha256",   "combined",   "norms",
+                                     "reference", "solution", "joint-range"};
 /// Their words are labels, not names of quantities.
 const std::set<std::string> kLabelled{"load", "twist", "quantity", "side"};
 /// Not compared line by line: the claim says that all of them have a value. Of an expression, this is the
@@ -137,8 +137,16 @@ class Evaluated {
     if (line.key == "pose") return add_pose(line);
     if (line.key == "piecewise") return begin_pieces(line);
     if (line.key == "piece") return add_piece(line);
-    static const std::set<std::string> kLists{
-        "leg", "joint", "held-joint", "sliding-joint", "held-sliding-joint", "tip", "tool"};
+    static const std::set<std::string> kLists{"leg",
+                                              "joint",
+                                              "held-joint",
+                                              "sliding-joint",
+                                              "held-sliding-joint",
+                                              "following-joint",
+                                              "following-sliding-joint",
+                                              "turning-tool",
+                                              "tip",
+                                              "tool"};
     if (kLists.contains(line.key)) return add_values(line, parted(line.text, " | "));
     if (line.key == "limits") return add_values(line, parted(line.text, " : "));
     if (line.key == "wrench") return add_values(line, parted(line.text, " +- "));

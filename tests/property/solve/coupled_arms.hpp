@@ -255,4 +255,21 @@ inline Arm random_arm(RandomSource& random, std::size_t followers) {
   }
 }
 
+/// Shoulder, elbow and a wrist, of random lengths. With a parallelogram the orientation of the forearm does not
+/// depend on q2.
+inline Arm usual_arm(RandomSource& random, bool has_parallelogram) {
+  const auto length = [&] { return random.between(0.1, 0.8); };
+  Arm arm = {{.xyz = {0, 0, length()}},
+             {.xyz = {length(), 0, 0}, .axis = {0, 1, 0}},
+             {.xyz = {0, 0, length()}, .axis = {0, 1, 0}},
+             {.xyz = {length(), 0, length() / 4}, .axis = {1, 0, 0}},
+             {.xyz = {length(), 0, 0}, .axis = {0, 1, 0}},
+             {.xyz = {length(), 0, 0}, .axis = {1, 0, 0}}};
+  if (!has_parallelogram) return arm;
+  arm.insert(arm.begin() + 2,
+             {.xyz = arm[2].xyz, .axis = {0, 1, 0}, .leader = 1, .multiplier = -1});
+  arm[3].xyz = {};
+  return arm;
+}
+
 }  // namespace regulus::detail::test::coupled_arms

@@ -41,23 +41,6 @@ TEST(PosturesOfAnArmWithTwoFollowers, AreThoseThatNewtonFinds) {
   EXPECT_GE(complete, rounds * 3 / 4);
 }
 
-/// Shoulder, elbow and a wrist, of random lengths. With a parallelogram the orientation of the forearm does not
-/// depend on q2.
-Arm usual_arm(RandomSource& random, bool has_parallelogram) {
-  const auto length = [&] { return random.between(0.1, 0.8); };
-  Arm arm = {{.xyz = {0, 0, length()}},
-             {.xyz = {length(), 0, 0}, .axis = {0, 1, 0}},
-             {.xyz = {0, 0, length()}, .axis = {0, 1, 0}},
-             {.xyz = {length(), 0, length() / 4}, .axis = {1, 0, 0}},
-             {.xyz = {length(), 0, 0}, .axis = {0, 1, 0}},
-             {.xyz = {length(), 0, 0}, .axis = {1, 0, 0}}};
-  if (!has_parallelogram) return arm;
-  arm.insert(arm.begin() + 2,
-             {.xyz = arm[2].xyz, .axis = {0, 1, 0}, .leader = 1, .multiplier = -1});
-  arm[3].xyz = {};
-  return arm;
-}
-
 /// With q3 + q2 in the place of q3 the same arm has no parallelogram.
 TEST(PosturesOfAnArmWithAParallelogram, AreThoseWithoutIt) {
   for (int round = 0; round < trials(6, 60); ++round) {
