@@ -65,8 +65,7 @@ class Components {
         throw UsageError(
             "only bound has the finite errors of a platform; ask for error, to first order");
       require_inverse();
-      require_few_rows();
-      require_few_entries();
+      require_small_matrix();
     }
     const VectorSet* const set = choose_data();
     if (traits_->compares_units) require_one_unit();
@@ -184,24 +183,19 @@ class Components {
   }
 
   /// A matrix of both orders has the singular values.
-  void require_few_entries() const {
-    const std::size_t order = model_.matrix.rows() + model_.matrix.cols();
-    const bool is_singular_value =
-        quantity_.kind == QuantityKind::kSigmaMin || quantity_.kind == QuantityKind::kSigmaMax;
-    if (is_singular_value && order > kMaxColumns)
-      throw UsageError(fmt::format(
-          "{}: the {}×{} matrix has {} rows and columns together; of more than {}, "
-          "condition --norm 2 can be bounded",
-          options_.quantity, model_.matrix.rows(), model_.matrix.cols(), order, kMaxColumns));
-  }
-
-  void require_few_rows() const {
-    if (quantity_.kind == QuantityKind::kDeterminantMax &&
-        model_.matrix.rows() > kMostRowsOfDeterminant)
+  void require_small_matrix() const {
+    const std::size_t rows = model_.matrix.rows(), columns = model_.matrix.cols();
+    const QuantityKind kind = quantity_.kind;
+    if (kind == QuantityKind::kDeterminantMax && rows > kMostRowsOfDeterminant)
       throw UsageError(
-          fmt::format("{}: the matrix has {} rows; a determinant of at most {} is "
-                      "multiplied out",
-                      options_.quantity, model_.matrix.rows(), kMostRowsOfDeterminant));
+          fmt::format("{}: the matrix has {} rows; a determinant of at most {} is multiplied out",
+                      options_.quantity, rows, kMostRowsOfDeterminant));
+    if ((kind == QuantityKind::kSigmaMin || kind == QuantityKind::kSigmaMax) &&
+        rows + columns > kMaxColumns)
+      throw UsageError(
+          fmt::format("{}: the {}×{} matrix has {} rows and columns together; of more than {}, "
+                      "condition --norm 2 can be bounded",
+                      options_.quantity, rows, columns, rows + columns, kMaxColumns));
   }
 
   void require(const std::vector<GiNaC::ex>& values, const char* key, const char* meaning) const {

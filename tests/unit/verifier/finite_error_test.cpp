@@ -102,7 +102,7 @@ TEST(AFiniteError, IsThatOfThePage) {
 TEST(AFiniteError, IsVerifiedIfItIsKept) {
   expect(Outcome::kVerified, {"601/10000"});
   expect(Outcome::kVerified, {"1/10"});
-  expect(Outcome::kUnfinished, {"5979/100000"});
+  expect(Outcome::kRejected, {"5979/100000"});
   expect(Outcome::kRejected, {"58/1000"});
 }
 
