@@ -271,7 +271,7 @@ inline constexpr const char* kOfThreeLegs =
     "a platform on three legs in the plane with these anchors and lengths";
 inline constexpr const char* kOfSixLegs = "a platform on six legs with these anchors and lengths";
 inline constexpr const char* kOfArm = "an arm of these six joints whose end is at this place";
-/// Of an arm of six or four free joints. `has_turning_tool`: one of the six is a turn of its tool.
+/// Describes an arm of six or four free joints. `has_turning_tool`: one of the six is a turn of its tool.
 [[nodiscard]] inline std::string describe_arm(std::size_t free, bool has_turning_tool,
                                               bool has_followers, bool has_ranges) {
   return std::string("an arm of these ") +

@@ -205,7 +205,7 @@ class ArmEquations {
     second_ = number_of(pair.second);
   }
 
-  /// Of a joint that nothing follows.
+  /// Returns the number, among all that move, of a free joint that nothing follows.
   std::size_t number_of(std::size_t free) const {
     return std::size_t(std::ranges::find(arm_.joints, free, &MovingJoint::leader) -
                        arm_.joints.begin());
@@ -340,7 +340,7 @@ class ArmEquations {
             gap(f, &LineSums::direction), gap(k, &LineSums::direction)};
   }
 
-  /// Of a coefficient. Where a follower turns back what its leader turns, many are 0.
+  /// Shows that a coefficient is 0. Where a follower turns back what its leader turns, many are.
   bool is_zero(NodeId coefficient) {
     const auto value = evaluate(q_.graph, {coefficient}, places_, kBitsOfNumbers);
     return value && arb_contains_zero((*value)[0].get()) != 0 &&

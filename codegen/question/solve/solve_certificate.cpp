@@ -194,7 +194,7 @@ class ArmLines {
                        expressions(numbers));
   }
 
-  /// Of the joints that were looked for in ranges.
+  /// Returns a line for each joint that was looked for in a range.
   [[nodiscard]] std::string range_lines() const {
     std::string text;
     for (std::size_t k = 0; k < solutions_.unknowns.size() && solutions_.left_out; ++k) {
@@ -221,7 +221,7 @@ std::string head_of_arm(const Request& request, const Solutions& solutions,
                        uncertain_names(request).size());
 }
 
-/// How an arm was searched.
+/// Returns the line that says how an arm was searched.
 std::string search_line(const Solutions& solutions) {
   if (solutions.opposite != 0) return fmt::format("opposite {}\n", solutions.opposite);
   const std::vector<std::size_t>& pair = *solutions.left_out;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What comparisons of places with a model file share: the robot's constants and the motion's values.
+// Reads the robot's constants and the motion's values, for all comparisons of places with a model file.
 #pragma once
 
 #include "runtime/verifier/model/question_comparer.hpp"
