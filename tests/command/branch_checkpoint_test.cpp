@@ -16,6 +16,7 @@
 #include "tests/support/bars.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/damage.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/temporary_directory.hpp"
 #include "tests/support/trials.hpp"
 
@@ -55,13 +56,8 @@ class BranchCheckpoint : public testing::Test {
     strip(report);
     return report;
   }
-  [[nodiscard]] static std::string text_of(const std::string& path) {
-    std::ostringstream text;
-    text << std::ifstream(path).rdbuf();
-    return text.str();
-  }
   [[nodiscard]] bool is_saved() const {
-    return text_of(file_).find("\"steps\"") != std::string::npos;
+    return file_contents(file_).find("\"steps\"") != std::string::npos;
   }
   void wait_until_saved() const {
     for (int i = 0; !is_saved() && i < 20000; ++i)
@@ -149,7 +145,7 @@ TEST_F(BranchCheckpoint, OfAPavedLoadLeadsToTheSameReport) {
   const Words question{"--load", "L", "--resolution", "1/512", "--threads", "1", "--output", lines};
   // The last line is the summary, with its times.
   const auto boxes = [&] {
-    const std::string text = text_of(lines);
+    const std::string text = file_contents(lines);
     return text.substr(0, text.rfind('\n', text.size() - 2));
   };
   ASSERT_LE(ask("locate", question).exit_code, 2);
@@ -193,11 +189,11 @@ TEST_F(BranchCheckpoint, SurvivesKills) {
 TEST_F(BranchCheckpoint, OfAnotherQuestionIsRefused) {
   const auto expect_refused = [this](const std::string& command, Words more) {
     more.insert(more.end(), {"--checkpoint", file_});
-    const std::string before = text_of(file_);
+    const std::string before = file_contents(file_);
     const CommandResult other = ask(command, more);
     EXPECT_EQ(other.exit_code, 65) << other.output;
     EXPECT_THAT(other.errors, HasSubstr("it is about another question"));
-    EXPECT_EQ(text_of(file_), before);
+    EXPECT_EQ(file_contents(file_), before);
   };
   ASSERT_EQ(ask("bound", {"error", "--gap", "0.3", "--checkpoint", file_}).exit_code, 0);
   expect_refused("bound", {"speed", "--gap", "0.3"});
@@ -218,7 +214,7 @@ TEST_F(BranchCheckpoint, IfDamagedIsRefusedOrRight) {
   Words start = kept;
   start.insert(start.end(), {"--max-boxes", "20"});
   ASSERT_EQ(ask("bound", start).exit_code, 2);
-  const std::string saved = text_of(file_);
+  const std::string saved = file_contents(file_);
   const std::size_t state = saved.find("\"known\"");
   ASSERT_NE(state, std::string::npos);
   const Words splices{" ", "-", "=", "7", "0:1 ", "=0x0p+0 ", "null", "{}", "\"", "1e9", "0:0 "};

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/command.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/interrupted_runs.hpp"
 #include "tests/support/temporary_directory.hpp"
 
@@ -42,7 +43,7 @@ class ThresholdOfAFourBar : public testing::Test {
   /// The model without the control error of `swing`, and with this line in its place.
   void write_model(const std::string& line) const {
     const std::string error = "error = { theta = \"0.5*deg\" }\n";
-    std::string text = text_of(REGULUS_SOURCE_DIR "/models/four_bar.toml");
+    std::string text = file_contents(REGULUS_SOURCE_DIR "/models/four_bar.toml");
     text.replace(text.find(error), error.size(), line);
     std::ofstream(model_) << text;
   }
@@ -105,7 +106,7 @@ TEST_F(ThresholdOfAFourBar, IsThatOfTheFile) {
   };
   write_model("alpha = \"1/17\"\n");
   ASSERT_EQ(run({"check", model_, "swing", "--certificate", path("proof")}), 0);
-  EXPECT_THAT(text_of(path("proof")), HasSubstr("\nalpha 1/17\n"));
+  EXPECT_THAT(file_contents(path("proof")), HasSubstr("\nalpha 1/17\n"));
   const Words verify{"verify", path("proof"), "--model", model_};
   EXPECT_EQ(run(verify), 0);
   // A bound and a load have no threshold.
@@ -146,7 +147,7 @@ TEST_F(ThresholdOfAFourBar, IsLocated) {
                                            path("lines"), "--certificate", path("proof")});
   ASSERT_EQ(run.exit_code, 1) << run.errors;
   EXPECT_EQ(verify(path("proof"), {"--allow-options"}).exit_code, 0);
-  std::istringstream lines(text_of(path("lines")));
+  std::istringstream lines(file_contents(path("lines")));
   int free = 0, singular = 0;
   for (std::string line; std::getline(lines, line);) {
     const json box = json::parse(line);
@@ -160,7 +161,7 @@ TEST_F(ThresholdOfAFourBar, IsLocated) {
       free += is_free, singular += is_singular;
     }
   }
-  EXPECT_GT(free, 0) << text_of(path("lines"));
+  EXPECT_GT(free, 0) << file_contents(path("lines"));
   EXPECT_GT(singular, 0);
 }
 
@@ -178,9 +179,9 @@ TEST_F(ThresholdOfAFourBar, ContinuesAndGoesInShards) {
     for (const char* most : {"3", "12", "20"})
       EXPECT_EQ(check("part", {"--checkpoint", path("saved"), "--max-boxes", most}).exit_code, 2);
     EXPECT_EQ(check("part", {"--checkpoint", path("saved")}).exit_code, 0);
-    EXPECT_TRUE(text_of(path("part")) == text_of(path("whole")));
+    EXPECT_TRUE(file_contents(path("part")) == file_contents(path("whole")));
     EXPECT_EQ(check("shards", {"--shard-size", "4kiB"}).exit_code, 0);
-    EXPECT_THAT(text_of(path("shards")), HasSubstr("regulus-certificate-index"));
+    EXPECT_THAT(file_contents(path("shards")), HasSubstr("regulus-certificate-index"));
     Words more{"--allow-options"};
     if (is_along) more.insert(more.end(), {"--waypoints", path("way.csv")});
     EXPECT_EQ(verify(path("shards"), more).exit_code, 0);
@@ -197,7 +198,7 @@ TEST_F(ThresholdOfAFourBar, IsATheoremAboutTheDeterminant) {
   };
   const CommandResult above = written("0.06");
   EXPECT_EQ(above.exit_code, 0) << above.errors;
-  const std::string text = text_of(path("proof.v"));
+  const std::string text = file_contents(path("proof.v"));
   EXPECT_THAT(text, HasSubstr("Definition the_side : side := Beyond."));
   EXPECT_THAT(text, HasSubstr("branch_determinant the_closure the_side the_limit"));
   std::filesystem::remove(path("proof.v"));
@@ -209,7 +210,7 @@ TEST_F(ThresholdOfAFourBar, IsATheoremAboutTheDeterminant) {
 
 TEST_F(ThresholdOfAFourBar, HasAPage) {
   ASSERT_EQ(ask("check", {"--alpha", "0.06", "--page", path("page.html")}).exit_code, 0);
-  EXPECT_THAT(text_of(path("page.html")), HasSubstr("is more than 0.06"));
+  EXPECT_THAT(file_contents(path("page.html")), HasSubstr("is more than 0.06"));
   ASSERT_EQ(ask("locate", {"--alpha", "0.07", "--page", path("page.html")}).exit_code, 1);
 }
 

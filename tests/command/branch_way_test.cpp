@@ -12,6 +12,7 @@
 
 #include "tests/support/bars.hpp"
 #include "tests/support/command.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/interrupted_runs.hpp"
 #include "tests/support/temporary_directory.hpp"
 
@@ -98,7 +99,7 @@ TEST_F(BranchOnWay, ContinuesAMargin) {
   };
   const CommandResult whole = margin(path("whole"));
   ASSERT_EQ(whole.exit_code, 0) << whole.errors;
-  const json searches = json::parse(text_of(path("saved")));
+  const json searches = json::parse(file_contents(path("saved")));
   ASSERT_EQ(searches.at("known").at("brackets").size(), 1U);
   const std::size_t count = searches.at("known").at("brackets").front().size();
   ASSERT_GT(count, 3U);
@@ -112,7 +113,8 @@ TEST_F(BranchOnWay, ContinuesAMargin) {
     for (const char* key : {"bracket", "certified_claim", "boxes", "closed"})
       EXPECT_EQ(report.at(key), first.at(key)) << key << kept;
     for (const char* end : {".safe", ".singular"})
-      EXPECT_TRUE(text_of(path("part") + end) == text_of(path("whole") + end)) << end << kept;
+      EXPECT_TRUE(file_contents(path("part") + end) == file_contents(path("whole") + end))
+          << end << kept;
   }
   write_way("0\n100\n-120\n131\n0\n");
   const CommandResult other = margin(path("other"));
@@ -128,7 +130,7 @@ TEST_F(BranchOnWay, IsPavedUpToItsEnd) {
   const double at = (kToggle * 180 / std::numbers::pi + 120) / 260;
   EXPECT_EQ(report.at("segment").at("segment"), 3);
   EXPECT_NEAR(double(report.at("segment").at("s").at(0)), at, 1e-9);
-  std::istringstream lines(text_of(path("lines")));
+  std::istringstream lines(file_contents(path("lines")));
   std::string free, undecided;
   std::getline(lines, free);
   std::getline(lines, undecided);
@@ -140,7 +142,7 @@ TEST_F(BranchOnWay, IsPavedUpToItsEnd) {
   EXPECT_EQ(json::parse(undecided).at("segments"), json({3, 4}));
   // The proof says up to where the branch is certain.
   EXPECT_EQ(ask("locate", {"--certificate", path("proof")}).exit_code, 1);
-  EXPECT_THAT(text_of(path("proof")), HasSubstr("\nverdict PAVING\n"));
+  EXPECT_THAT(file_contents(path("proof")), HasSubstr("\nverdict PAVING\n"));
   EXPECT_EQ(verified(path("proof")), 0);
   write_way("0\n100\n-120\n141\n0\n");
   EXPECT_EQ(verified(path("proof")), 1);
@@ -150,10 +152,11 @@ TEST_F(BranchOnWay, IsPavedUpToItsEnd) {
   // The branch is kept up to the third segment, and on a part of that.
   const std::string kept =
       "[(* piece 1 *) Kept;\n   (* piece 2 *) Kept;\n   (* piece 3 *) Parted 0 ";
-  EXPECT_THAT(text_of(path("proof.v")), HasSubstr(kept));
-  EXPECT_THAT(text_of(path("proof.v")), HasSubstr(" Kept LeftOut;\n   (* piece 4 *) LeftOut]"));
+  EXPECT_THAT(file_contents(path("proof.v")), HasSubstr(kept));
+  EXPECT_THAT(file_contents(path("proof.v")),
+              HasSubstr(" Kept LeftOut;\n   (* piece 4 *) LeftOut]"));
   EXPECT_THAT(
-      text_of(path("proof.v")),
+      file_contents(path("proof.v")),
       HasSubstr("\nTheorem the_claim : one_branch_along_in the_closure pieces the_parts.\n"));
 }
 
@@ -174,7 +177,7 @@ TEST_F(BranchOnWay, IsNotFollowedWhereItHasNoPose) {
   const CommandResult run = run_command(words);
   EXPECT_EQ(run.exit_code, 2) << run.errors;
   EXPECT_THAT(run.output, HasSubstr("the constraints exclude every pose of the segment"));
-  const std::string lines = text_of(path("lines"));
+  const std::string lines = file_contents(path("lines"));
   EXPECT_THAT(lines, HasSubstr("{\"kind\":\"free\",\"segments\":[1,2]"));
   EXPECT_THAT(lines, HasSubstr("{\"kind\":\"undecided\",\"segments\":[4,4]"));
   Words margin = words;
@@ -191,7 +194,7 @@ TEST_F(BranchOnWay, HasPages) {
     Words words = more;
     words.insert(words.end(), {"--page", path("page.html")});
     EXPECT_LE(ask(command, words).exit_code, 1);
-    return text_of(path("page.html"));
+    return file_contents(path("page.html"));
   };
   EXPECT_THAT(page_of("check", {}), HasSubstr("piecewise"));
   EXPECT_THAT(page_of("check", {}), HasSubstr("NO SINGULARITY"));
@@ -243,8 +246,8 @@ TEST_F(BarsOnWay, ContinueABound) {
   const json a = json::parse(last.output), b = json::parse(whole.output);
   for (const char* key : {"proved", "attained", "boxes"}) EXPECT_EQ(a.at(key), b.at(key)) << key;
   for (const char* end : {".psi.safe", ".psi.singular"}) {
-    EXPECT_NE(text_of(path("whole") + end), "") << end;
-    EXPECT_TRUE(text_of(path("part") + end) == text_of(path("whole") + end)) << end;
+    EXPECT_NE(file_contents(path("whole") + end), "") << end;
+    EXPECT_TRUE(file_contents(path("part") + end) == file_contents(path("whole") + end)) << end;
   }
 }
 
@@ -305,7 +308,7 @@ TEST_F(BarsOnWay, ArePavedForALoad) {
   EXPECT_EQ(proof.exit_code, 0) << proof.output;
   EXPECT_THAT(proof.errors, HasSubstr(" infeasible, "));
   // The stretches have no gaps, and their shares are those of the report.
-  std::istringstream lines(text_of(path("lines")));
+  std::istringstream lines(file_contents(path("lines")));
   std::map<std::string, double> shares;
   double at = 0;
   std::string line;
@@ -326,10 +329,10 @@ TEST_F(BarsOnWay, ArePavedForALoad) {
     EXPECT_GT(shares[kind], 0.05) << kind;
     EXPECT_NEAR(shares[kind], report.at("share").at(kind), 1e-9) << kind;
   }
-  EXPECT_THAT(text_of(path("way.svg")), HasSubstr("bars, m, load L"));
+  EXPECT_THAT(file_contents(path("way.svg")), HasSubstr("bars, m, load L"));
   Words paged{"--load", "L", "--page", path("page.html")};
   EXPECT_EQ(ask_bars("locate", paged).exit_code, 1);
-  EXPECT_THAT(text_of(path("page.html")), HasSubstr("infeasible segment"));
+  EXPECT_THAT(file_contents(path("page.html")), HasSubstr("infeasible segment"));
 }
 
 /// The data name the segments.
@@ -340,7 +343,7 @@ TEST_F(BarsOnWay, HavePages) {
     words.insert(words.end(), {"--page", path("page.html")});
     const CommandResult run = ask_bars(command, words);
     EXPECT_EQ(run.exit_code, 0) << run.errors;
-    const std::string page = text_of(path("page.html"));
+    const std::string page = file_contents(path("page.html"));
     EXPECT_THAT(page, HasSubstr("piecewise")) << command;
     EXPECT_THAT(page, HasSubstr("\"segments\":2}")) << command;
   }

@@ -9,6 +9,7 @@
 #include "runtime/proof/format.hpp"
 #include "tests/support/certificates.hpp"
 #include "tests/support/command.hpp"
+#include "tests/support/files.hpp"
 
 namespace regulus::detail::test {
 namespace {
@@ -83,7 +84,7 @@ TEST_F(InShards, SmallProofsStayInOneFile) {
   ASSERT_EQ(check_into("proof", "1MB").exit_code, 0);
   ASSERT_EQ(check({"--certificate", file("one")}).exit_code, 0);
   EXPECT_FALSE(fs::exists(file("proof.shards")));
-  EXPECT_EQ(contents(file("proof")), contents(file("one")));
+  EXPECT_EQ(file_contents(file("proof")), file_contents(file("one")));
 }
 
 TEST_F(InShards, AnEarlierProofGoesAsideWithItsShards) {
@@ -118,14 +119,14 @@ TEST_F(InShards, FilesOfTheUserAreNotRemoved) {
   const CommandResult result = check_into("proof", "4kiB");
   EXPECT_EQ(result.exit_code, 74);
   EXPECT_THAT(result.errors, HasSubstr("has the file notes.txt"));
-  EXPECT_EQ(contents(file("proof.shards/notes.txt")), "mine");
+  EXPECT_EQ(file_contents(file("proof.shards/notes.txt")), "mine");
 }
 
 TEST_F(InShards, APageDoesNotContainThem) {
   const CommandResult result =
       check({"--certificate", file("proof"), "--shard-size", "4kiB", "--page", file("page.html")});
   ASSERT_EQ(result.exit_code, 0) << result.errors;
-  const std::string page = contents(file("page.html"));
+  const std::string page = file_contents(file("page.html"));
   EXPECT_THAT(page, HasSubstr("its proof is in several files"));
   EXPECT_THAT(page, Not(HasSubstr(format::kIndexMagic)));
 }

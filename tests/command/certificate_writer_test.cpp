@@ -11,6 +11,7 @@
 #include "runtime/proof/writer.hpp"
 #include "tests/support/cached_command.hpp"
 #include "tests/support/certificates.hpp"
+#include "tests/support/files.hpp"
 
 namespace regulus::detail::test {
 namespace {
@@ -39,7 +40,7 @@ std::string witness_of(const Interval& positive, const Interval& negative) {
                             "the full 1x1 matrix of the model is singular at some pose of the "
                             "variety"});
   EXPECT_TRUE(writer.finish(result));
-  return contents(path);
+  return file_contents(path);
 }
 
 TEST(ASignOfADeterminantThatUnderflows, IsThatOfTheOtherEnd) {

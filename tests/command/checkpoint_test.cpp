@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/command.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/interrupted_runs.hpp"
 
 namespace regulus::detail::test {
@@ -69,9 +70,9 @@ TEST_F(CheckpointOption, ACertificateGoesOnWithIt) {
 TEST_F(CheckpointOption, ACertificateMayComeLater) {
   ASSERT_EQ(check({"--max-boxes", "300"}).exit_code, 2);
   ASSERT_EQ(check({"--certificate", file("late")}).exit_code, 0);
-  const std::string late = text_of(file("late"));
+  const std::string late = file_contents(file("late"));
   ASSERT_EQ(check({"--certificate", file("late")}).exit_code, 0);
-  EXPECT_TRUE(late == text_of(file("late")));
+  EXPECT_TRUE(late == file_contents(file("late")));
 }
 
 /// With one engine, a certificate written in pieces is the same as one written without a stop.

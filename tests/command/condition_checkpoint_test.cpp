@@ -12,6 +12,7 @@
 
 #include "tests/support/command.hpp"
 #include "tests/support/damage.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/temporary_directory.hpp"
 #include "tests/support/trials.hpp"
 #include "tests/support/turn_model.hpp"
@@ -44,14 +45,8 @@ class ConditionCheckpointTest : public testing::Test {
     facts["place"] = report.at("components")[0].at("place");
     return facts;
   }
-  [[nodiscard]] static std::string text_of(const std::string& path) {
-    std::ostringstream text;
-    text << std::ifstream(path).rdbuf();
-    return text.str();
-  }
-
   [[nodiscard]] bool is_saved() const {
-    return text_of(file_).find("\"steps\"") != std::string::npos;
+    return file_contents(file_).find("\"steps\"") != std::string::npos;
   }
   void wait_until_saved() const {
     for (int i = 0; !is_saved() && i < 20000; ++i)
@@ -110,7 +105,7 @@ TEST_F(ConditionCheckpointTest, IsSavedAtAnInterrupt) {
   const CommandResult interrupted = run.wait();
   EXPECT_EQ(interrupted.exit_code, 2) << interrupted.errors;
   const json report = json::parse(interrupted.output);
-  const json state = json::parse(text_of(file_)).at("known").at("tree");
+  const json state = json::parse(file_contents(file_)).at("known").at("tree");
   EXPECT_FALSE(state.at("open").get<std::string>().empty());
   std::vector<std::string> stopped = question;
   stopped.insert(stopped.end(), {"--max-boxes", "1"});
@@ -119,12 +114,12 @@ TEST_F(ConditionCheckpointTest, IsSavedAtAnInterrupt) {
 
 TEST_F(ConditionCheckpointTest, OfAnotherQuestionIsRefused) {
   ASSERT_EQ(ask({"--gap", "0.3", "--checkpoint", file_}).exit_code, 0);
-  const std::string before = text_of(file_);
+  const std::string before = file_contents(file_);
   const CommandResult other = ask({"--range", "x=0:2", "--gap", "0.3", "--checkpoint", file_});
   EXPECT_EQ(other.exit_code, 65);
   EXPECT_THAT(other.errors, HasSubstr("it is about another question"));
   EXPECT_EQ(regulus({"bound", model_, "sigma-max", "--checkpoint", file_}).exit_code, 65);
-  EXPECT_EQ(text_of(file_), before);
+  EXPECT_EQ(file_contents(file_), before);
 }
 
 TEST_F(ConditionCheckpointTest, IfDamagedIsRefusedOrRight) {
@@ -132,7 +127,7 @@ TEST_F(ConditionCheckpointTest, IfDamagedIsRefusedOrRight) {
   std::vector<std::string> start = question;
   start.insert(start.end(), {"--max-boxes", "100"});
   ASSERT_EQ(ask(start).exit_code, 2);
-  const std::string saved = text_of(file_);
+  const std::string saved = file_contents(file_);
   const std::size_t state = saved.find("\"tree\"");
   ASSERT_NE(state, std::string::npos);
   const std::vector<std::string> splices{" ",        "-",    "=",  "7",  "0:1 ",

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "tests/support/bounded_model.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/legs/inverse_kinematics.hpp"
 
 namespace regulus::detail::test {
@@ -101,7 +102,7 @@ TEST_F(ConstraintRows, OfADeltaTakeNoLimits) {
                                               "--threads", "1", "--certificate", certificate});
     EXPECT_EQ(result.output, is_held ? "FEASIBLE\n" : "INFEASIBLE\n") << result.errors;
     EXPECT_THAT(result.errors, HasSubstr("N m"));
-    EXPECT_THAT(text_of(certificate), HasSubstr("limits free\nlimits free\nlimits free\n"));
+    EXPECT_THAT(file_contents(certificate), HasSubstr("limits free\nlimits free\nlimits free\n"));
     EXPECT_EQ(verify(certificate).output, "VERIFIED\n") << verify(certificate).errors;
     EXPECT_EQ(run_command({kVerify, certificate}).output, "VERIFIED\n");
   }
@@ -115,7 +116,7 @@ TEST_F(ConstraintRows, OfADeltaTakeNoLimitsInAPaving) {
       run_command({kCommand, "locate", model_, "--load", "tip", "--threads", "1", "--resolution",
                    "1/16", "--range", "z=-0.24:-0.16", "--certificate", certificate});
   EXPECT_EQ(result.output, "INFEASIBLE\n") << result.errors;
-  const std::string text = text_of(certificate);
+  const std::string text = file_contents(certificate);
   EXPECT_THAT(text, HasSubstr(" infeasible\n"));
   EXPECT_THAT(text, HasSubstr(" feasible\n"));
   const CommandResult verified =
@@ -176,7 +177,7 @@ TEST_F(ConstraintRows, WithErrorsOfMotorsAreNotVerified) {
             0);
   const std::string safe = certificate + ".v_x.safe";
   EXPECT_EQ(verify(safe).output, "VERIFIED\n") << verify(safe).errors;
-  std::string text = text_of(safe);
+  std::string text = file_contents(safe);
   const std::string none = "motor-error 0\n";
   ASSERT_NE(text.find(none), std::string::npos);
   text.replace(text.find(none), none.size(), "motor-error 1/1000\n");
@@ -192,7 +193,7 @@ TEST_F(ConstraintRows, WithLimitsOfMotorsAreNotVerified) {
                          "y=0:0", "--certificate", certificate})
                 .exit_code,
             0);
-  const std::string text = text_of(certificate);
+  const std::string text = file_contents(certificate);
   for (const auto& [from, to] :
        {std::pair<std::string, std::string>{"limits free\n", "limits -100 : 100\n"},
         {"limits -6/5 : 6/5\n", "limits free\n"}}) {

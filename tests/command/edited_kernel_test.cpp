@@ -9,7 +9,7 @@
 #include "tests/support/cached_command.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::detail::test {
+namespace regulus::detail::test::edited_kernel {
 namespace {
 
 using nlohmann::json;
@@ -146,4 +146,4 @@ TEST_F(EditedKernel, ThatCannotBeReadIsAFileError) {
 }
 
 }  // namespace
-}  // namespace regulus::detail::test
+}  // namespace regulus::detail::test::edited_kernel

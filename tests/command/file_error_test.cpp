@@ -73,7 +73,6 @@ TEST_F(FileTrouble, AnAnswerIsToldWithoutItsProof) {
 
 /// Every option that names a file to write, before anything is searched or renamed.
 TEST_F(FileTrouble, AFolderInWhichNothingCanBeMadeIsSaidBeforeTheSearch) {
-  using Words = std::vector<std::string>;
   const Words check = {"check", kPlanar, "regular"}, locate = {"locate", kPlanar, "regular"},
               margin = {"margin", kPlanar, "regular", "--tolerance", "base=0:0.1"},
               bound = {"bound", kPlanar, "regular", "determinant"},

@@ -9,6 +9,7 @@
 
 #include "runtime/files/sha256.hpp"
 #include "tests/support/command.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace regulus::detail::test {
@@ -21,11 +22,6 @@ using testing::Not;
 
 std::string filter(const std::string& name) {
   return REGULUS_BINARY_DIR "/filters/" + name + ".so";
-}
-
-std::string bytes_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 /// Method `reg` alone decides few boxes, so that most remain for a filter.
@@ -74,7 +70,7 @@ TEST(Filter, IsDescribedInJson) {
   EXPECT_EQ(filters[0]["name"], "timid");
   EXPECT_EQ(filters[0]["boxes"], 0);
   EXPECT_EQ(filters[1]["path"], filter("gershgorin"));
-  EXPECT_EQ(filters[1]["sha256"], sha256(bytes_of(filter("gershgorin"))));
+  EXPECT_EQ(filters[1]["sha256"], sha256(file_contents(filter("gershgorin"))));
   EXPECT_GT(filters[1]["boxes"], 0);
   EXPECT_EQ(report("T1", {}, "auto")["filters"], json::array());
 }
@@ -132,9 +128,11 @@ TEST(Filter, IsRefusedWhenItCannotBeUsed) {
 }
 
 TEST(Filter, InTheManualIsTheOneTestedHere) {
-  const std::string source = bytes_of(REGULUS_SOURCE_DIR "/tests/command/filters/gershgorin.cpp");
+  const std::string source =
+      file_contents(REGULUS_SOURCE_DIR "/tests/command/filters/gershgorin.cpp");
   const std::string shown = source.substr(source.find("// Gershgorin"));
-  EXPECT_THAT(bytes_of(REGULUS_SOURCE_DIR "/codegen/use/command/METHODS.md"), HasSubstr(shown));
+  EXPECT_THAT(file_contents(REGULUS_SOURCE_DIR "/codegen/use/command/METHODS.md"),
+              HasSubstr(shown));
 }
 
 }  // namespace

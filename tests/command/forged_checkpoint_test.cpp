@@ -12,10 +12,11 @@
 
 #include "tests/command/forged_checkpoints.hpp"
 #include "tests/support/command.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/interrupted_runs.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus::detail::test {
+namespace regulus::detail::test::forged_checkpoint {
 namespace {
 
 /// det = (x² − 2)² + 2(y² − 3)², which is 0 at (√2, √3) alone, and has no other sign nearby. There
@@ -244,7 +245,7 @@ class ForgedCheckpoint : public testing::TestWithParam<Kind> {
     more.insert(more.end(), {"--max-boxes", std::to_string(boxes), "--checkpoint", path("saved")});
     const CommandResult stopped = run(more);
     EXPECT_LE(stopped.exit_code, 2) << stopped.errors;
-    const std::string text = text_of(path("saved"));
+    const std::string text = file_contents(path("saved"));
     return text.empty() ? json() : json::parse(text);
   }
   /// Returns the file of a run that is stopped as late as can be.
@@ -327,4 +328,4 @@ INSTANTIATE_TEST_SUITE_P(NightlyOf, ForgedCheckpoint, testing::ValuesIn(every_se
                          name_of);
 
 }  // namespace
-}  // namespace regulus::detail::test
+}  // namespace regulus::detail::test::forged_checkpoint

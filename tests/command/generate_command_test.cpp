@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/command.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/temporary_directory.hpp"
 #include "tests/support/trials.hpp"
 
@@ -21,11 +22,6 @@ using testing::StartsWith;
 
 CommandResult generate(std::vector<std::string> words) { return regulus({"generate"}, words); }
 
-std::string read(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 TEST(GenerateCommand, ListsWhatItWrote) {
   const TemporaryDirectory folder;
   const CommandResult result =
@@ -36,7 +32,7 @@ TEST(GenerateCommand, ListsWhatItWrote) {
        {".h", ".hpp", ".cpp", "_kernel.inc", "_avx512.cpp", "_avx2.cpp", "_portable.cpp"}) {
     const fs::path file = folder.path() / ("planar_3rpr_regular" + std::string(end));
     expected += file.string() + "\n";
-    EXPECT_THAT(read(file), StartsWith("// SPDX-License-Identifier: Apache-2.0")) << file;
+    EXPECT_THAT(file_contents(file), StartsWith("// SPDX-License-Identifier: Apache-2.0")) << file;
   }
   EXPECT_EQ(result.output, expected);
 }
@@ -59,7 +55,7 @@ TEST(GenerateCommand, WritesTheTextThatExplainShows) {
       0);
   const auto body = [](const std::string& text) { return text.substr(text.find("// Model ")); };
   const CommandResult shown = regulus({"explain", kPlanar, "regular", "--stage", "text"});
-  EXPECT_EQ(body(read(folder.path() / "generated_kernel.inc")), body(shown.output));
+  EXPECT_EQ(body(file_contents(folder.path() / "generated_kernel.inc")), body(shown.output));
 }
 
 /// Addresses differ from process to process, and the order of GiNaC's terms depends on them.
@@ -80,8 +76,8 @@ TEST(GenerateCommand, WritesADependencyFile) {
                       "--depfile", dependencies})
                 .exit_code,
             0);
-  EXPECT_THAT(read(dependencies), StartsWith((folder.path() / "arm.h").string() + " "));
-  EXPECT_THAT(read(dependencies), HasSubstr(": " + kPlanar + "\n"));
+  EXPECT_THAT(file_contents(dependencies), StartsWith((folder.path() / "arm.h").string() + " "));
+  EXPECT_THAT(file_contents(dependencies), HasSubstr(": " + kPlanar + "\n"));
 }
 
 TEST(GenerateCommand, CompilesTheKernelForEachInstructionSet) {
@@ -91,7 +87,7 @@ TEST(GenerateCommand, CompilesTheKernelForEachInstructionSet) {
                 .exit_code,
             0);
   for (const char* object : {"arm_avx2.o", "arm_portable.o"}) {
-    const std::string bytes = read(folder.path() / object);
+    const std::string bytes = file_contents(folder.path() / object);
     EXPECT_THAT(bytes, StartsWith("\x7f"
                                   "ELF"));
     EXPECT_THAT(

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "tests/support/bounded_model.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/legs/inverse_kinematics.hpp"
 
 namespace regulus::detail::test {
@@ -117,7 +118,7 @@ TEST_F(HingeRows, GiveWayToNoForce) {
   write(hinges_model(155, ""));
   const std::string certificate = path("deflection");
   EXPECT_EQ(bound({"deflection", "--freedom", "v_z", "--certificate", certificate}).exit_code, 0);
-  const std::string safe = certificate + ".v_z.safe", text = text_of(safe);
+  const std::string safe = certificate + ".v_z.safe", text = file_contents(safe);
   EXPECT_THAT(text, HasSubstr("stiffness rigid\nstiffness rigid\nstiffness rigid\n"));
   EXPECT_EQ(verify(safe).output, "VERIFIED\n") << verify(safe).errors;
   EXPECT_EQ(verify(certificate + ".v_z.singular").output, "VERIFIED\n");

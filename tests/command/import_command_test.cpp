@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/support/command.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/robots/robot_file.hpp"
 #include "tests/support/temporary_directory.hpp"
 
@@ -100,11 +101,6 @@ TEST(ImportCommand, HasAnExitCodeForEachKindOfMistake) {
   EXPECT_EQ(regulus({"import", robot_path("ur5e.urdf"), "-o", directory.path()}).exit_code, 74);
 }
 
-std::string text_in(const std::string& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 TEST(ImportCommand, NeverOverwritesAModelThatAPersonHasEdited) {
   const TemporaryDirectory directory;
   const std::string model = directory.path() / "arm.toml";
@@ -112,26 +108,26 @@ TEST(ImportCommand, NeverOverwritesAModelThatAPersonHasEdited) {
     return regulus({"import", robot_path("ur5e.urdf"), "-o", model, "--quiet"});
   };
   ASSERT_EQ(import().exit_code, 0);
-  const std::string written = text_in(model);
+  const std::string written = file_contents(model);
   EXPECT_EQ(import().exit_code, 0);
-  EXPECT_EQ(text_in(model + ".old"), written);
+  EXPECT_EQ(file_contents(model + ".old"), written);
 
   std::ofstream(model, std::ios::app) << "# my motion\n";
   const CommandResult refused = import();
   EXPECT_EQ(refused.exit_code, 74);
   EXPECT_THAT(refused.errors, HasSubstr("arm.toml was not written by regulus import, or was edited "
                                         "since; move it, or name another file"));
-  EXPECT_EQ(text_in(model), written + "# my motion\n");
+  EXPECT_EQ(file_contents(model), written + "# my motion\n");
 
   // Moved to a name that the next run would replace.
   std::filesystem::rename(model, model + ".old");
   EXPECT_EQ(import().exit_code, 0);
   EXPECT_EQ(import().exit_code, 74);
-  EXPECT_EQ(text_in(model + ".old"), written + "# my motion\n");
+  EXPECT_EQ(file_contents(model + ".old"), written + "# my motion\n");
 
   std::ofstream(model) << "another file\n";
   EXPECT_EQ(import().exit_code, 74);
-  EXPECT_EQ(text_in(model), "another file\n");
+  EXPECT_EQ(file_contents(model), "another file\n");
 }
 
 TEST(ImportCommand, MakesAPlatformOfAHexapod) {

@@ -9,7 +9,7 @@
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::detail::test {
+namespace regulus::detail::test::loads_in_degrees {
 namespace {
 
 using testing::HasSubstr;
@@ -98,4 +98,4 @@ TEST_F(LoadsInDegrees, AreNotVerifiedWithTheirFile) {
 }
 
 }  // namespace
-}  // namespace regulus::detail::test
+}  // namespace regulus::detail::test::loads_in_degrees

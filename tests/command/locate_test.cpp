@@ -14,7 +14,7 @@
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::detail::test {
+namespace regulus::detail::test::locate {
 namespace {
 
 using nlohmann::json;
@@ -369,4 +369,4 @@ TEST(Locate, PavesAVarietyOfOnePose) {
 }
 
 }  // namespace
-}  // namespace regulus::detail::test
+}  // namespace regulus::detail::test::locate

@@ -7,8 +7,9 @@
 #include <cmath>
 
 #include "tests/support/bounded_model.hpp"
+#include "tests/support/files.hpp"
 
-namespace regulus::detail::test {
+namespace regulus::detail::test::motors_in_degrees {
 namespace {
 
 using testing::HasSubstr;
@@ -52,7 +53,7 @@ TEST_F(MotorsInDegrees, AreNotVerifiedWithAnotherNumber) {
   write(sine("deg", "error = \"0.1*deg\""));
   const std::string certificate = path("proof"), safe = certificate + ".s.safe";
   EXPECT_EQ(bound({"error", "--certificate", certificate}).exit_code, 0);
-  std::string text = text_of(safe);
+  std::string text = file_contents(safe);
   const std::string stated = "motor-error 1/10\n";
   ASSERT_NE(text.find(stated), std::string::npos) << text;
   text.replace(text.find(stated), stated.size(), "motor-error 1/1800*pi\n");
@@ -128,4 +129,4 @@ leg = [
 }
 
 }  // namespace
-}  // namespace regulus::detail::test
+}  // namespace regulus::detail::test::motors_in_degrees

@@ -13,6 +13,7 @@
 #include "codegen/answer/picture/gnuplot.hpp"
 #include "codegen/support/errors.hpp"
 #include "tests/support/command.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace regulus::detail::test {
@@ -23,11 +24,6 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-std::string contents(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 class PictureFile : public testing::Test {
  protected:
   std::string draw(const std::string& name, std::vector<std::string> words) {
@@ -35,7 +31,7 @@ class PictureFile : public testing::Test {
     words.insert(words.begin(), {kCommand, "locate"});
     words.insert(words.end(), {"--picture", path.string(), "--output", "/dev/null"});
     result_ = run_command(words);
-    return contents(path);
+    return file_contents(path);
   }
   TemporaryDirectory folder_;
   CommandResult result_;

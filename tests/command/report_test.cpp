@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "tests/support/command.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace regulus::detail::test {
@@ -17,15 +18,9 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-std::string text_of(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
-
 /// The data of a page.
 nlohmann::json data_of(const fs::path& file) {
-  const std::string page = text_of(file), begin = "data-sha256=\"";
+  const std::string page = file_contents(file), begin = "data-sha256=\"";
   const std::size_t at = page.find('>', page.find(begin)) + 1;
   return nlohmann::json::parse(page.substr(at, page.find("</script>", at) - at));
 }
@@ -53,7 +48,7 @@ TEST_F(AReport, HasTheVerdictTheProofAndTheModel) {
   EXPECT_EQ(made.output, "NO SINGULARITY\n");
   EXPECT_THAT(made.errors, HasSubstr("page       " + page_));
   const nlohmann::json data = data_of(page_);
-  EXPECT_EQ(data["model"]["text"], text_of(kModels + "robot_1.toml"));
+  EXPECT_EQ(data["model"]["text"], file_contents(kModels + "robot_1.toml"));
   EXPECT_THAT(data["certificate"].get<std::string>(),
               HasSubstr(data["question"].get<std::string>()));
   EXPECT_THAT(data["question"].get<std::string>(), HasSubstr("parameter x in -1 : 1\n"));
@@ -63,7 +58,7 @@ TEST_F(AReport, HasTheVerdictTheProofAndTheModel) {
 
 TEST_F(AReport, SaysThatItIsNotCheckedUntilItsProgramHasProvedIt) {
   EXPECT_EQ(report({kModels + "orthoglide.toml", "cube", "--quiet"}).exit_code, 0);
-  const std::string page = text_of(page_);
+  const std::string page = file_contents(page_);
   EXPECT_THAT(page, HasSubstr("<h1 id=\"verdict\" class=\"unchecked\">NO SINGULARITY</h1>"));
   EXPECT_THAT(page,
               HasSubstr(">Not checked yet: the proof in this page has not been run here.</p>"));
@@ -110,7 +105,7 @@ TEST_F(AReport, KeepsThePageOfAnEarlierRunAside) {
   std::ofstream(page_) << "earlier";
   EXPECT_EQ(report({kModels + "orthoglide.toml", "no-such-motion"}).exit_code, 64);
   EXPECT_FALSE(fs::exists(page_));
-  EXPECT_EQ(text_of(page_ + ".old"), "earlier");
+  EXPECT_EQ(file_contents(page_ + ".old"), "earlier");
 }
 
 TEST_F(AReport, RefusesWhatItCannotShow) {
@@ -158,7 +153,7 @@ TEST_F(APage, OfACheckKeepsTheFileThatIsWanted) {
   const std::string proof = folder_.path() / "proof";
   const auto data =
       page_of({"check", kModels + "robot_1.toml", "wide_15", "--certificate", proof}, 0);
-  EXPECT_EQ(data["certificate"], text_of(proof));
+  EXPECT_EQ(data["certificate"], file_contents(proof));
 }
 
 TEST_F(APage, OfAPavingHasItsBoxes) {

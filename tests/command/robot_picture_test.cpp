@@ -183,7 +183,6 @@ TEST(PictureOfARobot, IsThatOfAPlatformOnSixLegsFromAboveAndBefore) {
 
 /// The remedies of the messages help.
 TEST(PictureOfARobot, IsRefusedWhereTheMapIsNotItsPlaceAndSaysWhatHelps) {
-  using Words = std::vector<std::string>;
   const auto refused = [](const Words& words) {
     Words all{kCommand, "locate", "--robot", "--picture", "p.svg"};
     all.insert(all.end(), words.begin(), words.end());

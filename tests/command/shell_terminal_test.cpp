@@ -55,7 +55,7 @@ class Terminal {
       pollfd wait{end_, POLLIN, 0};
       if (poll(&wait, 1, 60000) <= 0) return false;
       char part[4096];
-      const ssize_t n = read(end_, part, sizeof part);
+      const ssize_t n = ::read(end_, part, sizeof part);
       if (n <= 0) return false;
       seen_.append(part, std::size_t(n));
     }

@@ -17,6 +17,7 @@
 #include "tests/command/forged_checkpoints.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/damage.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/temporary_directory.hpp"
 #include "tests/support/trials.hpp"
 
@@ -60,11 +61,6 @@ const Words kArm = {library_model("puma_560_serial"),
 
 class SolveCheckpoint : public testing::Test {
  protected:
-  [[nodiscard]] static std::string text_of(const std::string& path) {
-    std::ostringstream text;
-    text << std::ifstream(path).rdbuf();
-    return text.str();
-  }
   [[nodiscard]] std::string path(const std::string& name) const { return folder_.path() / name; }
 
   /// `name`: of the files beside the report.
@@ -98,10 +94,10 @@ class SolveCheckpoint : public testing::Test {
     };
     json report = json::parse(run.output);
     strip(report);
-    return report.dump(1) + text_of(path(name + ".jsonl")) + text_of(path(name));
+    return report.dump(1) + file_contents(path(name + ".jsonl")) + file_contents(path(name));
   }
   [[nodiscard]] json saved() const {
-    const std::string text = text_of(path("saved"));
+    const std::string text = file_contents(path("saved"));
     return text.empty() ? json() : json::parse(text);
   }
   /// Returns the file of a run that is stopped after so many boxes at a place.
@@ -137,7 +133,7 @@ class SolveCheckpoint : public testing::Test {
                                          std::size_t searches) const {
     RunningCommand run(words(question, "many", kept()));
     for (int i = 0; i < 20000; ++i) {
-      const json file = json::parse(text_of(path("saved")), nullptr, false);
+      const json file = json::parse(file_contents(path("saved")), nullptr, false);
       if (file.is_object() && file.at("known").size() >= searches) break;
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
@@ -195,7 +191,7 @@ TEST_F(SolveCheckpoint, ContinuesWithMoreThreadsAndSaysSo) {
   const CommandResult last = run_command(all);
   EXPECT_EQ(last.output, "COMPLETE: 12 poses\n");
   EXPECT_THAT(last.errors, HasSubstr("continued from " + path("saved")));
-  EXPECT_EQ(text_of(path("many")), text_of(path("whole"))) << whole.errors;
+  EXPECT_EQ(file_contents(path("many")), file_contents(path("whole"))) << whole.errors;
 }
 
 /// Whatever is done to the file, no list is whole that is not.
@@ -283,11 +279,11 @@ TEST_F(SolveCheckpoint, ThatIsDamagedIsRefusedOrHasNoEffect) {
 TEST_F(SolveCheckpoint, OfAnotherQuestionIsRefused) {
   const json genuine = saved_after(kButterfly, "100");
   const auto expect_refused = [this](const Words& question) {
-    const std::string before = text_of(path("saved"));
+    const std::string before = file_contents(path("saved"));
     const CommandResult other = solve(question, "many", kept());
     EXPECT_EQ(other.exit_code, 65) << other.output;
     EXPECT_THAT(other.errors, HasSubstr("it is about another question"));
-    EXPECT_EQ(text_of(path("saved")), before);
+    EXPECT_EQ(file_contents(path("saved")), before);
   };
   expect_refused({library_model("double_butterfly"), "--at", "theta=67.39"});
   expect_refused(table(2));

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "tests/support/command.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace regulus::detail::test {
@@ -42,12 +43,6 @@ waypoints = "way.csv"
 interpolation = "cubic"
 error = { y = 0.01 }
 )";
-
-std::string contents_of(const std::string& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
 
 class Trajectories : public testing::Test {
  protected:
@@ -199,7 +194,7 @@ TEST_F(Trajectories, OfSplinesAreComparedWithTheirSlopes) {
         file("way.csv", "t [s],x,y,dx,dy\n0,1,1,0," + slope + "\n1,1,2,0,0\n2,1,1,0,-1.5\n"));
     const std::string proof = path("proof.txt");
     EXPECT_EQ(regulus({"check", hermite, "curve", "--certificate", proof}).exit_code, 0);
-    std::string certificate = contents_of(proof);
+    std::string certificate = file_contents(proof);
     const std::size_t sum = certificate.find("sha256 ") + 7;
     static_cast<void>(file("proof.txt", certificate.replace(sum, 64, "-")));
     return run_command({kVerify, proof, "--model", cubic}).output;
@@ -215,7 +210,7 @@ TEST_F(Trajectories, AreRejectedIfACertificateIsChanged) {
   static_cast<void>(file("way.csv", circle()));
   const std::string proof = path("proof.txt");
   ASSERT_EQ(regulus({"check", model, "way", "--certificate", proof}).exit_code, 0);
-  const std::string text = contents_of(proof);
+  const std::string text = file_contents(proof);
   const auto answer = [&](const std::string& from, const std::string& to) {
     std::string changed = text;
     const std::size_t at = changed.find(from);
@@ -377,7 +372,7 @@ TEST_F(Trajectories, GiveTheSameCertificateForAnyNumberOfThreads) {
                        "--certificate", proof})
                   .exit_code,
               0);
-    const std::string text = contents_of(proof);
+    const std::string text = file_contents(proof);
     EXPECT_TRUE(first.empty() || text == first);
     first = text;
   }

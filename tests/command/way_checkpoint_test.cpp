@@ -12,10 +12,11 @@
 
 #include "tests/support/command.hpp"
 #include "tests/support/damage.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/interrupted_runs.hpp"
 #include "tests/support/trials.hpp"
 
-namespace regulus::detail::test {
+namespace regulus::detail::test::way_checkpoint {
 namespace {
 
 using nlohmann::json;
@@ -136,10 +137,10 @@ class KeptSearchTest : public testing::TestWithParam<Asked> {
     json report = json::parse(run.output);
     for (const char* key : {"seconds", "proof", "certificate", "threads", "options"})
       report.erase(key);
-    std::string lines = text_of(path(name + ".lines"));
+    std::string lines = file_contents(path(name + ".lines"));
     if (!lines.empty()) lines.resize(lines.rfind('\n', lines.size() - 2));
     report.erase("certificate_obstacle");
-    return report.dump(1) + lines + text_of(path(name + ".proof"));
+    return report.dump(1) + lines + file_contents(path(name + ".proof"));
   }
   [[nodiscard]] CommandResult ask(const Asked& asked, const std::string& name,
                                   const std::vector<std::string>& more) const {
@@ -212,12 +213,12 @@ TEST_P(KeptSearchTest, IsTheSameAfterSignalsAndTimes) {
 TEST_P(KeptSearchTest, OfAnotherQuestionIsRefused) {
   stop_after(GetParam(), {20});
   ASSERT_TRUE(is_saved());
-  const std::string saved = text_of(path("saved"));
+  const std::string saved = file_contents(path("saved"));
   const CommandResult other =
       ask(GetParam(), "other", {"--tolerance", "base=0.00002", "--checkpoint", path("saved")});
   EXPECT_EQ(other.exit_code, 65);
   EXPECT_THAT(other.errors, HasSubstr("it is about another question"));
-  EXPECT_EQ(text_of(path("saved")), saved);
+  EXPECT_EQ(file_contents(path("saved")), saved);
 }
 
 /// What a damaged file says is refused, or judged again.
@@ -225,7 +226,7 @@ TEST_P(KeptSearchTest, IfDamagedIsRefusedOrRight) {
   const CommandResult whole = ask(GetParam(), "whole", {"--threads", "1"});
   const std::uint64_t boxes = json::parse(whole.output).at("boxes");
   stop_after(GetParam(), {boxes / 2});
-  const std::string saved = text_of(path("saved"));
+  const std::string saved = file_contents(path("saved"));
   const std::size_t known = saved.find("\"known\"");
   ASSERT_NE(known, std::string::npos);
   const std::vector<std::string> splices{" ",  "-",  "=",    "7",  "0:1 ", "-2 ",
@@ -298,11 +299,11 @@ class ForgedSearch : public KeptSearchTest {
     const CommandResult whole = ask(easy, "easy", {});
     const std::uint64_t boxes = json::parse(whole.output).at("boxes");
     for (std::uint64_t n = 63; n > 0 && !is_saved(); --n) stop_after(easy, {boxes * n / 64});
-    json saved = json::parse(text_of(path("saved")));
+    json saved = json::parse(file_contents(path("saved")));
     EXPECT_FALSE(saved.at("known").empty());
     std::filesystem::remove(path("saved"));
     stop_after(hard, {1});
-    saved["question"] = json::parse(text_of(path("saved"))).at("question");
+    saved["question"] = json::parse(file_contents(path("saved"))).at("question");
     std::ofstream(path("saved")) << saved.dump();
     return ask(hard, "forged", {"--checkpoint", path("saved")});
   }
@@ -364,4 +365,4 @@ TEST_F(ForgedSearch, OfAnotherRangeIsRefused) {
 }
 
 }  // namespace
-}  // namespace regulus::detail::test
+}  // namespace regulus::detail::test::way_checkpoint

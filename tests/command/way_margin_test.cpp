@@ -10,9 +10,10 @@
 #include <sstream>
 
 #include "tests/support/command.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/temporary_directory.hpp"
 
-namespace regulus::detail::test {
+namespace regulus::detail::test::way_margin {
 namespace {
 
 using nlohmann::json;
@@ -49,12 +50,6 @@ velocity = [1, 1]
 waypoints = "way.csv"
 y = 0
 )toml";
-
-std::string contents_of(const std::string& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
 
 /// A circle of 100 way-points about (2, 2), but row `bad` is below the winches.
 std::string circle(int bad = -1) {
@@ -114,7 +109,7 @@ TEST_F(WayMargin, HasProofsOfBothEnds) {
           regulus({"verify", proof + end, "--model", cart_, "--allow-options"});
       EXPECT_EQ(compared.exit_code, 0) << end << compared.errors;
     }
-    std::string text = contents_of(proof + ".safe");
+    std::string text = file_contents(proof + ".safe");
     const std::size_t leaf = text.rfind("\nl ");
     text.erase(leaf, text.find('\n', leaf + 1) - leaf);
     EXPECT_FALSE(proves(file("shorter", text)));
@@ -149,7 +144,7 @@ TEST_F(WayMargin, ContinuesFromItsCheckpoint) {
   };
   const CommandResult whole = ask(path("whole"));
   ASSERT_EQ(whole.exit_code, 0) << whole.errors;
-  const json searches = json::parse(contents_of(saved));
+  const json searches = json::parse(file_contents(saved));
   ASSERT_EQ(searches["known"]["brackets"].size(), 1U);
   const json& bracket = searches["known"]["brackets"].front();
   ASSERT_GT(bracket.size(), 3U);
@@ -163,7 +158,7 @@ TEST_F(WayMargin, ContinuesFromItsCheckpoint) {
     for (const char* key : {"bracket", "certified_claim", "boxes", "closed"})
       EXPECT_EQ(report[key], first[key]) << key << kept;
     for (const char* end : {".safe", ".singular"})
-      EXPECT_TRUE(contents_of(path("part") + end) == contents_of(path("whole") + end)) << kept;
+      EXPECT_TRUE(file_contents(path("part") + end) == file_contents(path("whole") + end)) << kept;
   }
   file("circle.csv", circle(3));
   const CommandResult other = ask(path("other"));
@@ -215,4 +210,4 @@ TEST_F(WayMargin, KeepsALimitOfEveryLeg) {
 }
 
 }  // namespace
-}  // namespace regulus::detail::test
+}  // namespace regulus::detail::test::way_margin

@@ -2,6 +2,7 @@
 // Ranks share the search over a branch of a closure.
 #include "tests/mpi/ranks.hpp"
 #include "tests/support/bars.hpp"
+#include "tests/support/files.hpp"
 
 namespace regulus::detail::test {
 namespace {
@@ -21,7 +22,7 @@ TEST_F(NightlyRanksOnABranch, PaveAsOneThreadDoes) {
       "locate",  model("five_bar_closure"), "wide", "--resolution", "1/400", "--max-boxes", "18000",
       "--output"};
   const auto boxes_of = [this](const std::string& name) {
-    const std::string lines = text_of(file(name));
+    const std::string lines = file_contents(file(name));
     return lines.substr(0, lines.rfind("{\"summary\""));
   };
   static_cast<void>(run_command(one_thread(joined(locate, {file("one")}))));
@@ -35,7 +36,7 @@ TEST_F(RanksOnABranch, ProveAsOneThreadDoes) {
   ASSERT_EQ(run_command(one_thread(joined(check, {file("one")}))).exit_code, 0);
   const CommandResult many = run_command(ranks(2, joined(check, {file("many")})));
   EXPECT_EQ(many.output, "NO SINGULARITY\n") << many.errors;
-  EXPECT_TRUE(text_of(file("many")) == text_of(file("one")));
+  EXPECT_TRUE(file_contents(file("many")) == file_contents(file("one")));
 }
 
 TEST_F(RanksOnABranch, BracketAsOneThreadDoes) {
@@ -52,7 +53,7 @@ TEST_F(NightlyRanksOnABranch, PaveAWayAsOneThreadDoes) {
                         file("way.csv"), "--resolution",    "1/1000000", "--max-boxes",
                         "18000",         "--output"};
   const auto stretches_of = [this](const std::string& name) {
-    const std::string lines = text_of(file(name));
+    const std::string lines = file_contents(file(name));
     return lines.substr(0, lines.rfind("{\"summary\""));
   };
   const CommandResult one = run_command(one_thread(joined(locate, {file("one")})));
@@ -69,14 +70,15 @@ TEST_F(RanksOnABranch, FollowAWayAsOneThreadDoes) {
   ASSERT_EQ(run_command(one_thread(joined(check, {file("one")}))).exit_code, 0);
   const CommandResult many = run_command(ranks(2, joined(check, {file("many")})));
   EXPECT_EQ(many.output, "NO SINGULARITY\n") << many.errors;
-  EXPECT_TRUE(text_of(file("many")) == text_of(file("one")));
+  EXPECT_TRUE(file_contents(file("many")) == file_contents(file("one")));
   const Words margin = joined({"margin"}, asked), grown = {"--tube", "theta=0:1"};
   const CommandResult bracket = run_command(one_thread(joined(joined(margin, {file("a")}), grown)));
   EXPECT_EQ(bracket.exit_code, 0) << bracket.errors;
   const CommandResult shared = run_command(ranks(2, joined(joined(margin, {file("b")}), grown)));
   EXPECT_EQ(shared.output, bracket.output) << shared.errors;
   for (const char* end : {".safe", ".singular"})
-    EXPECT_TRUE(text_of(file(std::string("b") + end)) == text_of(file(std::string("a") + end)))
+    EXPECT_TRUE(file_contents(file(std::string("b") + end)) ==
+                file_contents(file(std::string("a") + end)))
         << end;
 }
 
@@ -89,8 +91,8 @@ TEST_F(RanksOnABranch, CompareAThresholdAsOneThreadDoes) {
       const CommandResult one = run_command(one_thread(joined(check, {file("one")})));
       const CommandResult many = run_command(ranks(2, joined(check, {file("many")})));
       EXPECT_EQ(many.output, one.output) << many.errors;
-      EXPECT_NE(text_of(file("one")), "");
-      EXPECT_TRUE(text_of(file("many")) == text_of(file("one"))) << alpha;
+      EXPECT_NE(file_contents(file("one")), "");
+      EXPECT_TRUE(file_contents(file("many")) == file_contents(file("one"))) << alpha;
     }
     for (const Words& more : {Words{"margin", "--alpha", "0.05:0.07", "--gap", "0.1"},
                               Words{"locate", "--alpha", "0.07"}}) {
@@ -109,8 +111,8 @@ TEST_F(RanksOnABranch, ShareTheSearchOfAThreshold) {
   EXPECT_EQ(one.output, "NO SINGULARITY\n") << one.errors;
   const CommandResult many = run_command(ranks(2, joined(check, {file("many")})));
   EXPECT_EQ(many.output, one.output) << many.errors;
-  EXPECT_GT(text_of(file("one")).size(), 1'000'000U);
-  EXPECT_TRUE(text_of(file("many")) == text_of(file("one")));
+  EXPECT_GT(file_contents(file("one")).size(), 1'000'000U);
+  EXPECT_TRUE(file_contents(file("many")) == file_contents(file("one")));
 }
 
 /// Its uncertain links leave many boxes undecided.
@@ -125,9 +127,10 @@ TEST_F(RanksOnABranch, BoundAsOneThreadDoes) {
   const CommandResult one = run_command(one_thread(joined(bound, {file("one")})));
   const CommandResult many = run_command(ranks(2, joined(bound, {file("many")})));
   EXPECT_EQ(many.output, one.output) << many.errors;
-  EXPECT_GT(text_of(file("one.phi.safe")).size(), 1'000'000U);
+  EXPECT_GT(file_contents(file("one.phi.safe")).size(), 1'000'000U);
   for (const char* end : {".phi.safe", ".phi.singular"})
-    EXPECT_TRUE(text_of(file(std::string("many") + end)) == text_of(file(std::string("one") + end)))
+    EXPECT_TRUE(file_contents(file(std::string("many") + end)) ==
+                file_contents(file(std::string("one") + end)))
         << end;
 }
 
@@ -141,7 +144,7 @@ TEST_F(RanksOnABranch, VerifyTheShardsOfAProof) {
   const CommandResult shared = run_command(ranks(2, joined(bound, {file("many")})));
   EXPECT_EQ(shared.output, one.output) << shared.errors;
   const std::string index = file("one.phi.safe");
-  EXPECT_EQ(text_of(file("many.phi.safe")), text_of(index));
+  EXPECT_EQ(file_contents(file("many.phi.safe")), file_contents(index));
   const CommandResult alone =
       run_command({REGULUS_BINARY_DIR "/bin/regulus", "verify", index, "--threads", "2"});
   EXPECT_EQ(alone.output, "VERIFIED\n") << alone.errors;
@@ -166,10 +169,10 @@ TEST_F(NightlyRanksOnABranch, BoundSingularValuesAsOneThreadDoes) {
     const CommandResult one = run_command(one_thread(joined(bound, {file("one")})));
     const CommandResult many = run_command(ranks(2, joined(bound, {file("many")})));
     EXPECT_EQ(many.output, one.output) << many.errors;
-    EXPECT_GT(text_of(file("one.safe")).size(), 1'000'000U);
+    EXPECT_GT(file_contents(file("one.safe")).size(), 1'000'000U);
     for (const char* end : {".safe", ".singular"})
-      EXPECT_TRUE(text_of(file(std::string("many") + end)) ==
-                  text_of(file(std::string("one") + end)))
+      EXPECT_TRUE(file_contents(file(std::string("many") + end)) ==
+                  file_contents(file(std::string("one") + end)))
           << end;
   }
 }
@@ -183,7 +186,8 @@ TEST_F(RanksOnABranch, BoundFiniteErrorsAsOneThreadDoes) {
   const CommandResult many = run_command(ranks(2, joined(bound, {file("many")})));
   EXPECT_EQ(many.output, one.output) << many.errors;
   for (const char* end : {".phi.safe", ".phi.singular"})
-    EXPECT_TRUE(text_of(file(std::string("many") + end)) == text_of(file(std::string("one") + end)))
+    EXPECT_TRUE(file_contents(file(std::string("many") + end)) ==
+                file_contents(file(std::string("one") + end)))
         << end;
 }
 
@@ -212,7 +216,7 @@ TEST_F(RanksOnABranch, PaveALoadAsOneThreadDoes) {
                         "--resolution", "1/100000",        "--max-boxes", "18000",  "--output"};
   // The last line is the summary, with its times.
   const auto boxes_of = [this](const std::string& name) {
-    const std::string lines = text_of(file(name));
+    const std::string lines = file_contents(file(name));
     return lines.substr(0, lines.rfind('\n', lines.size() - 2));
   };
   static_cast<void>(run_command(one_thread(joined(locate, {file("one")}))));

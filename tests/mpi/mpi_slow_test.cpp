@@ -2,6 +2,7 @@
 #include <random>
 
 #include "tests/mpi/ranks.hpp"
+#include "tests/support/files.hpp"
 
 namespace regulus::detail::test {
 namespace {
@@ -33,7 +34,7 @@ TEST(SixtyFourRanks, GiveTheCertificateOfOneThread) {
   const CommandResult many =
       run_command(ranks(64, joined(long_check(), {"--certificate", file("many")})));
   EXPECT_EQ(many.exit_code, 0) << many.errors;
-  EXPECT_TRUE(text_of(file("many")) == text_of(file("one")));
+  EXPECT_TRUE(file_contents(file("many")) == file_contents(file("one")));
 }
 
 /// Returns the process that mpirun started as this rank; 0: there is none yet.
@@ -89,7 +90,7 @@ TEST(KilledJobs, GoOnToTheSameCertificate) {
   for (int tries = 0; tries < 10 && last.exit_code != 0; ++tries)
     last = run_command(ranks(4, many));
   EXPECT_EQ(last.exit_code, 0) << last.errors;
-  EXPECT_TRUE(text_of(file("many")) == text_of(file("one")));
+  EXPECT_TRUE(file_contents(file("many")) == file_contents(file("one")));
 }
 
 TEST(KilledJobs, GoOnToTheSameBracket) {
@@ -113,7 +114,7 @@ TEST(KilledJobs, GoOnToTheSameBracket) {
     last = run_command(ranks(4, many));
   EXPECT_EQ(last.output, one.output) << last.errors;
   for (const char* end : {".safe", ".singular"})
-    EXPECT_TRUE(text_of(file("many") + end) == text_of(file("one") + end)) << end;
+    EXPECT_TRUE(file_contents(file("many") + end) == file_contents(file("one") + end)) << end;
 }
 
 TEST(KilledJobs, GoOnToTheSameConditionNumber) {
@@ -136,7 +137,7 @@ TEST(KilledJobs, GoOnToTheSameConditionNumber) {
     last = run_command(ranks(4, many));
   EXPECT_EQ(last.output, one.output) << last.errors;
   for (const char* end : {".safe", ".singular"})
-    EXPECT_TRUE(text_of(file("many") + end) == text_of(file("one") + end)) << end;
+    EXPECT_TRUE(file_contents(file("many") + end) == file_contents(file("one") + end)) << end;
 }
 
 }  // namespace

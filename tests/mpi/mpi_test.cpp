@@ -4,6 +4,7 @@
 
 #include "codegen/use/mpi/agreement.hpp"
 #include "tests/mpi/ranks.hpp"
+#include "tests/support/files.hpp"
 
 namespace regulus::detail::test {
 namespace {
@@ -24,13 +25,13 @@ TEST_F(Ranks, GiveTheCertificateOfOneThread) {
   const CommandResult one =
       run_command(one_thread(joined(long_check(), {"--certificate", file("one")})));
   ASSERT_EQ(one.exit_code, 0) << one.errors;
-  const std::string expected = text_of(file("one"));
+  const std::string expected = file_contents(file("one"));
   for (const int count : numbers_of_ranks({1, 2, 4, 16})) {
     const CommandResult many =
         run_command(ranks(count, joined(long_check(), {"--certificate", file("many")})));
     EXPECT_EQ(many.exit_code, 0) << many.errors;
     EXPECT_EQ(many.output, one.output);
-    EXPECT_TRUE(text_of(file("many")) == expected) << count << " ranks";
+    EXPECT_TRUE(file_contents(file("many")) == expected) << count << " ranks";
   }
 }
 
@@ -44,9 +45,9 @@ TEST_F(Ranks, WithSeveralThreadsGiveThePavingOfOneThread) {
   const auto boxes_of = [](const std::string& text) {
     return text.substr(0, text.rfind("{\"summary\""));
   };
-  const std::string expected = boxes_of(text_of(file("one")));
+  const std::string expected = boxes_of(file_contents(file("one")));
   EXPECT_GT(expected.size(), 1'000'000U);
-  EXPECT_TRUE(boxes_of(text_of(file("many"))) == expected);
+  EXPECT_TRUE(boxes_of(file_contents(file("many"))) == expected);
 }
 
 /// Where the robot reaches is a constraint that only a paving without a proof has.
@@ -54,7 +55,7 @@ TEST_F(Ranks, PaveWhatTheRobotReachesAsOneThreadDoes) {
   const Words locate = {"locate",  model("delta"),  "far",         "--resolution", "1/800",
                         "--range", "y=-1300:-1000", "--max-boxes", "18000",        "--output"};
   const auto boxes_of = [this](const std::string& name) {
-    const std::string text = text_of(file(name));
+    const std::string text = file_contents(file(name));
     return text.substr(0, text.rfind("{\"summary\""));
   };
   static_cast<void>(run_command(one_thread(joined(locate, {file("one")}))));
@@ -73,18 +74,18 @@ TEST_F(Ranks, OnFourHostsGiveTheCertificateOfOneThread) {
   EXPECT_EQ(many.exit_code, 0) << many.errors;
   ASSERT_EQ(run_command(one_thread(joined(long_check(), {"--certificate", file("one")}))).exit_code,
             0);
-  EXPECT_TRUE(text_of(file("many")) == text_of(file("one")));
+  EXPECT_TRUE(file_contents(file("many")) == file_contents(file("one")));
 }
 
 TEST_F(Ranks, CutAProofAsOneThreadDoes) {
   const Words cut = joined(long_check(), {"--shard-size", "256kB", "--certificate"});
   ASSERT_EQ(run_command(one_thread(joined(cut, {file("one")}))).exit_code, 0);
   ASSERT_EQ(run_command(ranks(3, joined(cut, {file("many")}))).exit_code, 0);
-  EXPECT_TRUE(text_of(file("many")) == text_of(file("one")));
+  EXPECT_TRUE(file_contents(file("many")) == file_contents(file("one")));
   std::size_t shards = 0;
   for (const auto& shard : std::filesystem::directory_iterator(file("one.shards"))) {
     const std::string name = shard.path().filename().string();
-    EXPECT_TRUE(text_of(file("many.shards/" + name)) == text_of(shard.path())) << name;
+    EXPECT_TRUE(file_contents(file("many.shards/" + name)) == file_contents(shard.path())) << name;
     ++shards;
   }
   EXPECT_GT(shards, 5U);
@@ -134,7 +135,7 @@ TEST_F(Ranks, VerifyAProofInOneFileByTheFirst) {
 }
 
 TEST(ManualPage, NamesTheCommandsThatRunOnRanks) {
-  const std::string page = text_of(REGULUS_BINARY_DIR "/codegen/use/mpi/regulus-mpi.1");
+  const std::string page = file_contents(REGULUS_BINARY_DIR "/codegen/use/mpi/regulus-mpi.1");
   for (const char* words : {"check", "locate", "margin", "bound", "datasheet", "solve", "verify",
                             "\\-\\-filter", "EXIT STATUS"})
     EXPECT_THAT(page, HasSubstr(words));
@@ -168,13 +169,14 @@ TEST_F(Ranks, BoundAQuantityAsOneThreadDoes) {
     EXPECT_EQ(many.exit_code, 0) << many.errors;
     EXPECT_EQ(many.output, one.output);
     for (const char* end : {".safe", ".singular"})
-      EXPECT_TRUE(text_of(file("many") + end) == text_of(file("one") + end)) << end;
+      EXPECT_TRUE(file_contents(file("many") + end) == file_contents(file("one") + end)) << end;
   }
 }
 
 /// Returns the files that a search of a condition number with this name leaves.
 std::string files_of_condition(const std::string& name) {
-  return text_of(name + ".safe") + text_of(name + ".singular") + text_of(name + ".checkpoint");
+  return file_contents(name + ".safe") + file_contents(name + ".singular") +
+         file_contents(name + ".checkpoint");
 }
 
 Words saved_as(const std::string& name) {
@@ -227,8 +229,9 @@ TEST_F(NightlyRanks, PaveForALoadAsOneThreadDoes) {
   const CommandResult one = run_command(one_thread(joined(locate, files("one"))));
   ASSERT_EQ(one.exit_code, 1) << one.errors;
   const auto boxes_of = [this](const std::string& name) {
-    const std::string lines = text_of(file(name + ".lines"));
-    return lines.substr(0, lines.rfind('\n', lines.size() - 2)) + text_of(file(name + ".proof"));
+    const std::string lines = file_contents(file(name + ".lines"));
+    return lines.substr(0, lines.rfind('\n', lines.size() - 2)) +
+           file_contents(file(name + ".proof"));
   };
   const std::string expected = boxes_of("one");
   EXPECT_GT(expected.size(), 1'000'000U);
@@ -245,7 +248,7 @@ TEST_F(Ranks, CheckALoadAsOneThreadDoes) {
   ASSERT_EQ(run_command(one_thread(joined(check, {file("one")}))).exit_code, 0);
   const CommandResult many = run_command(ranks(2, joined(check, {file("many")})));
   EXPECT_EQ(many.output, "FEASIBLE\n") << many.errors;
-  EXPECT_TRUE(text_of(file("many")) == text_of(file("one")));
+  EXPECT_TRUE(file_contents(file("many")) == file_contents(file("one")));
 }
 
 TEST_F(Ranks, FindTheLargestSizeWithinALimitAsOneThreadDoes) {
@@ -298,7 +301,7 @@ class RanksOnAWay : public Ranks {
     const CommandResult result =
         run_command(joined(launched, joined(question, {"--certificate", file("proof")})));
     std::string text = result.output + std::to_string(result.exit_code) + '\n';
-    for (const char* end : {"", ".safe", ".singular"}) text += text_of(file("proof") + end);
+    for (const char* end : {"", ".safe", ".singular"}) text += file_contents(file("proof") + end);
     EXPECT_GT(text.size(), 100U) << result.errors;
     EXPECT_THAT(result.errors, Not(HasSubstr("does not answer")));
     return text;

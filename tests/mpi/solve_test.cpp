@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "tests/mpi/ranks.hpp"
+#include "tests/support/files.hpp"
 
 namespace regulus::detail::test {
 namespace {
@@ -38,8 +39,9 @@ TEST_F(SolvingRanks, SolveThePlacesOfATableAsOneThreadDoes) {
     const CommandResult many = run_command(ranks(count, solve("many")));
     EXPECT_EQ(many.exit_code, 1) << many.errors;
     EXPECT_EQ(many.output, one.output);
-    EXPECT_TRUE(text_of(file("many")) == text_of(file("one"))) << count << " ranks";
-    EXPECT_EQ(lines_of(text_of(file("many.jsonl"))), lines_of(text_of(file("one.jsonl"))));
+    EXPECT_TRUE(file_contents(file("many")) == file_contents(file("one"))) << count << " ranks";
+    EXPECT_EQ(lines_of(file_contents(file("many.jsonl"))),
+              lines_of(file_contents(file("one.jsonl"))));
   }
 }
 
@@ -55,7 +57,7 @@ TEST_F(SolvingRanks, CutAndVerifyThePlacesOfATable) {
   };
   ASSERT_EQ(run_command(one_thread(solve("one"))).exit_code, 0);
   ASSERT_EQ(run_command(ranks(2, solve("many"))).exit_code, 0);
-  EXPECT_EQ(text_of(file("many")), text_of(file("one")));
+  EXPECT_EQ(file_contents(file("many")), file_contents(file("one")));
   const Words about = {"verify",       file("one"),   "--model",
                        model("rpr_6"), "--waypoints", file("lengths.csv")};
   const CommandResult alone = run_command(joined({REGULUS_BINARY_DIR "/bin/regulus"}, about));
@@ -77,9 +79,9 @@ TEST_F(SolvingRanks, SolveOnePlaceOnce) {
   const CommandResult many = run_command(ranks(3, solve));
   EXPECT_EQ(many.exit_code, 0) << many.errors;
   EXPECT_EQ(many.output, "COMPLETE: 6 poses\n");
-  const std::string proof = text_of(file("proof"));
+  const std::string proof = file_contents(file("proof"));
   EXPECT_EQ(run_command(one_thread(solve)).exit_code, 0);
-  EXPECT_TRUE(text_of(file("proof")) == proof);
+  EXPECT_TRUE(file_contents(file("proof")) == proof);
 }
 
 /// The search has more than 16 384 boxes.
@@ -107,7 +109,7 @@ TEST_F(SolvingRanks, GoOnWithTheirPlaces) {
   const Words solve = {"solve",         model("rpr_6"), "--waypoints", file("lengths.csv"),
                        "--certificate", file("proof")};
   const CommandResult whole = run_command(one_thread(solve));
-  const std::string proof = text_of(file("proof"));
+  const std::string proof = file_contents(file("proof"));
   const Words kept = joined(solve, {"--checkpoint", file("saved"), "--checkpoint-every", "0"});
   RunningCommand run(ranks(3, kept));
   for (int i = 0; i < 20000 && !is_search_saved(file("saved.2")); ++i)
@@ -117,7 +119,7 @@ TEST_F(SolvingRanks, GoOnWithTheirPlaces) {
   EXPECT_TRUE(is_search_saved(file("saved.2")));
   const CommandResult many = run_command(ranks(2, kept));
   EXPECT_EQ(many.output, whole.output) << many.errors;
-  EXPECT_TRUE(text_of(file("proof")) == proof);
+  EXPECT_TRUE(file_contents(file("proof")) == proof);
   EXPECT_FALSE(std::filesystem::exists(file("saved")) || std::filesystem::exists(file("saved.1")));
 }
 

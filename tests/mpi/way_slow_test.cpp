@@ -2,6 +2,7 @@
 // Ranks share the searches over a branch along way-points.
 #include "tests/mpi/ranks.hpp"
 #include "tests/support/bars.hpp"
+#include "tests/support/files.hpp"
 
 namespace regulus::detail::test {
 namespace {
@@ -21,13 +22,13 @@ TEST(RanksOnAWayOfABranch, BoundAsOneThreadDoes) {
         "--certificate"};
     bound.insert(bound.begin() + 3, quantity.begin(), quantity.end());
     const CommandResult one = run_command(one_thread(joined(bound, {file("one")})));
-    EXPECT_GT(text_of(file("one.phi.safe")).size(), 2'000'000U);
+    EXPECT_GT(file_contents(file("one.phi.safe")).size(), 2'000'000U);
     for (const unsigned count : {2U, 3U}) {
       const CommandResult many = run_command(ranks(count, joined(bound, {file("many")})));
       EXPECT_EQ(many.output, one.output) << many.errors;
       for (const char* end : {".phi.safe", ".phi.singular"})
-        EXPECT_TRUE(text_of(file(std::string("many") + end)) ==
-                    text_of(file(std::string("one") + end)))
+        EXPECT_TRUE(file_contents(file(std::string("many") + end)) ==
+                    file_contents(file(std::string("one") + end)))
             << count << end;
     }
   }
@@ -44,7 +45,7 @@ TEST(RanksOnAWayOfABranch, PaveALoadAsOneThreadDoes) {
                         "1/10000000",    "--max-boxes",     "40000", "--output"};
   // The last line is the summary, with its times.
   const auto stretches_of = [&](const std::string& name) {
-    const std::string lines = text_of(file(name));
+    const std::string lines = file_contents(file(name));
     return lines.substr(0, lines.rfind('\n', lines.size() - 2));
   };
   const CommandResult one = run_command(one_thread(joined(locate, {file("one")})));

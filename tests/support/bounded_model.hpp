@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "tests/support/command.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace regulus::detail::test {
@@ -91,12 +92,6 @@ class BoundedModel : public testing::Test {
   TemporaryDirectory folder_;
   const std::string model_ = folder_.path() / "model.toml";
 };
-
-inline std::string text_of(const std::string& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
 
 inline std::string number(double value) {
   std::ostringstream text;

@@ -14,18 +14,10 @@
 #include "codegen/kernel/jit/cache/cache_entry.hpp"
 #include "tests/support/cache_entries.hpp"
 #include "tests/support/command.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace regulus::detail::test {
-
-inline std::string file_contents(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-inline void write_file(const std::filesystem::path& path, const std::string& contents) {
-  std::ofstream(path, std::ios::binary) << contents;
-}
 
 /// During its lifetime, commands keep their data in a directory that was empty at first.
 class CachedCommand {

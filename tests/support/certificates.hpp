@@ -14,6 +14,7 @@
 #include "codegen/question/engine/settings.hpp"
 #include "runtime/verifier/verify.hpp"
 #include "tests/support/certificate_texts.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace regulus::detail::test {
@@ -23,12 +24,6 @@ struct Certified {
   std::string text;  ///< empty if the verdict claims nothing
 };
 
-inline std::string contents(const std::filesystem::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
-
 inline Certified certify(PreparedSearch& preparation, const SearchOptions& search,
                          Settings settings) {
   const TemporaryDirectory directory;
@@ -37,7 +32,7 @@ inline Certified certify(PreparedSearch& preparation, const SearchOptions& searc
   Certified certified;
   certified.result = run_search(preparation, search, std::move(settings), file.observer());
   file.finish(certified.result);
-  if (file.status().is_written()) certified.text = contents(path);
+  if (file.status().is_written()) certified.text = file_contents(path);
   return certified;
 }
 

@@ -11,19 +11,14 @@
 #include <thread>
 
 #include "tests/support/command.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace regulus::detail::test {
 
-inline std::string text_of(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
-
 /// True if a search is in the file of --checkpoint.
 inline bool is_search_saved(const std::filesystem::path& file) {
-  return text_of(file).find("\"steps\"") != std::string::npos;
+  return file_contents(file).find("\"steps\"") != std::string::npos;
 }
 
 struct Interrupted {
@@ -60,7 +55,7 @@ inline Interrupted run_with_kills(const std::vector<std::string>& words, int kil
   result.continued += is_search_saved(file("checkpoint")) ? 1 : 0;
   result.last = run_command(all);
   EXPECT_FALSE(std::filesystem::exists(file("checkpoint")));
-  result.certificate = text_of(file("certificate"));
+  result.certificate = file_contents(file("certificate"));
   return result;
 }
 

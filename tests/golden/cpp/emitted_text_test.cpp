@@ -12,6 +12,7 @@
 #include <string>
 
 #include "codegen/kernel/cpp/emit.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/sample_modules.hpp"
 #include "tests/support/temporary_directory.hpp"
 
@@ -19,11 +20,6 @@ namespace regulus::detail::test {
 namespace {
 
 constexpr const char* kOutputVariable = "REGULUS_EMIT_TO";
-
-std::string read(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 std::string emit_sample(const Module& module) {
   EmitOptions options;
@@ -40,7 +36,7 @@ void expect_golden(const std::string& name, const std::string& text) {
       std::filesystem::path(REGULUS_SOURCE_DIR) / "tests/golden/cpp" / (name + ".txt");
   if (std::getenv("REGULUS_UPDATE_GOLDEN") != nullptr)
     std::ofstream(path, std::ios::binary) << text;
-  EXPECT_EQ(read(path), text) << "to accept: REGULUS_UPDATE_GOLDEN=1 bin/golden_emit";
+  EXPECT_EQ(file_contents(path), text) << "to accept: REGULUS_UPDATE_GOLDEN=1 bin/golden_emit";
 }
 
 TEST(EmittedText, OfAPlanarArmIsAsRecorded) {
@@ -69,7 +65,7 @@ TEST(EmittedText, CanBeWrittenToAFile) {
   const std::filesystem::path path =
       wanted ? std::filesystem::path(wanted) : directory.path() / "0";
   std::ofstream(path, std::ios::binary) << emit_samples();
-  EXPECT_EQ(read(path), emit_samples());
+  EXPECT_EQ(file_contents(path), emit_samples());
 }
 
 bool run_in_another_process(const std::filesystem::path& output) {
@@ -93,7 +89,7 @@ TEST(EmittedText, IsTheSameInEveryProcess) {
   for (int i = 0; i < 20; ++i) {
     const std::filesystem::path output = directory.path() / std::to_string(i);
     ASSERT_TRUE(run_in_another_process(output));
-    ASSERT_EQ(read(output), expected);
+    ASSERT_EQ(file_contents(output), expected);
   }
 }
 

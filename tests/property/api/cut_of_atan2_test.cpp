@@ -12,6 +12,7 @@
 #include "runtime/verifier/model/cut_sides.hpp"
 #include "runtime/verifier/verify.hpp"
 #include "tests/support/certificates.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/random_source.hpp"
 #include "tests/support/temporary_directory.hpp"
 #include "tests/support/trials.hpp"
@@ -41,7 +42,7 @@ Asked ask_about(const std::string& model, bool wants_proof = true) {
   Services services;
   if (wants_proof) services.certificate = proof;
   const Verdict verdict = ask(asked, services)->result.verdict;
-  return {verdict, std::filesystem::exists(proof) ? contents(proof) : ""};
+  return {verdict, std::filesystem::exists(proof) ? file_contents(proof) : ""};
 }
 
 verifier::Verification compare(const std::string& certificate, const std::string& model) {

@@ -17,6 +17,7 @@
 #include "codegen/support/errors.hpp"
 #include "tests/property/bound/condition_models.hpp"
 #include "tests/support/certificates.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace regulus::detail::test::condition_number {
@@ -328,10 +329,10 @@ TEST(ConditionNumber, OfARandomModelIsProvedByItsCertificates) {
     BoundSettings settings = settings_with(0.01);
     settings.certificate = (directory.path() / "proof").string();
     const ComponentBound bound = condition_of(RandomModel(seed).text(), settings);
-    const std::string attained = contents(settings.certificate + ".singular");
+    const std::string attained = file_contents(settings.certificate + ".singular");
     EXPECT_EQ(verify_text(attained, effort).outcome, verifier::Outcome::kVerified) << seed;
     if (bound.is_unbounded) continue;
-    const std::string safe = contents(settings.certificate + ".safe");
+    const std::string safe = file_contents(settings.certificate + ".safe");
     const verifier::Verification v = verify_text(safe, effort);
     EXPECT_EQ(v.outcome, verifier::Outcome::kVerified) << seed << ' ' << v.reason;
     EXPECT_LE(v.boxes, 3 * v.leaves) << seed;

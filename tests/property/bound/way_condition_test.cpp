@@ -11,6 +11,7 @@
 #include "codegen/question/bound/bound_run.hpp"
 #include "tests/property/bound/condition_models.hpp"
 #include "tests/support/certificates.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace regulus::detail::test {
@@ -56,7 +57,7 @@ class ConditionAlongWay : public testing::Test {
   }
   void expect_proofs(const std::string& about) {
     for (const char* end : {".safe", ".singular"}) {
-      const verifier::Verification v = verify_text(contents(file("proof") + end));
+      const verifier::Verification v = verify_text(file_contents(file("proof") + end));
       EXPECT_EQ(v.outcome, verifier::Outcome::kVerified) << about << end << ' ' << v.reason;
     }
   }
@@ -107,7 +108,8 @@ TEST_F(ConditionAlongWay, IsUnboundedWhereTheMatrixIsSingular) {
   ASSERT_TRUE(bound.place);
   EXPECT_EQ(bound.place->json["segment"]["segment"], 2);
   EXPECT_FALSE(bound.proved || bound.is_closed);
-  EXPECT_EQ(verify_text(contents(file("proof.singular"))).outcome, verifier::Outcome::kVerified);
+  EXPECT_EQ(verify_text(file_contents(file("proof.singular"))).outcome,
+            verifier::Outcome::kVerified);
   // Only with its control errors.
   EXPECT_TRUE(
       condition_of(text, {{3, 0}, {0.25, 1}, {2, 2}}, {"x=0.5"}, settings_with(0.01)).is_unbounded);
@@ -122,7 +124,8 @@ TEST_F(ConditionAlongWay, IsComparedWithALimit) {
     settings.certificate = file("proof");
     EXPECT_EQ(condition_of(text, {{2, 0}, {5, 1}, {3, 2}}, {}, settings).verdict, verdict);
     const char* end = verdict == LimitVerdict::kWithin ? ".safe" : ".singular";
-    EXPECT_EQ(verify_text(contents(file("proof") + end)).outcome, verifier::Outcome::kVerified);
+    EXPECT_EQ(verify_text(file_contents(file("proof") + end)).outcome,
+              verifier::Outcome::kVerified);
   }
 }
 
@@ -140,7 +143,7 @@ TEST_F(ConditionAlongWay, DoesNotDependOnThreadsOrAStop) {
     EXPECT_TRUE(bound.proved && bound.attained);
     return fmt::format("{} {} {} {}\n{}{}", formula_text(bound.proved->exact),
                        formula_text(bound.attained->exact), bound.boxes, bound.place->pose,
-                       contents(file("proof.safe")), contents(file("proof.singular")));
+                       file_contents(file("proof.safe")), file_contents(file("proof.singular")));
   };
   const std::string whole = run(1, 0, nullptr);
   EXPECT_EQ(run(3, 0, nullptr), whole);
@@ -184,7 +187,7 @@ TEST_F(ConditionAlongWay, OfNoPoseOfARandomModelLeavesItsBracket) {
     EXPECT_LE(bound.attained->approx, 1.02 * most) << seed;
     closed += bound.is_closed;
     expect_proofs(fmt::format("seed {}", seed));
-    const std::string safe = contents(file("proof.safe"));
+    const std::string safe = file_contents(file("proof.safe"));
     verifier::Options effort;
     effort.max_boxes = 1000;
     for (const double part : {0.999, 0.9})

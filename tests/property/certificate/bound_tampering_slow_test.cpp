@@ -8,6 +8,7 @@
 #include "codegen/model/file/model_file.hpp"
 #include "codegen/question/bound/bound_run.hpp"
 #include "tests/property/certificate/certificate_tampering.hpp"
+#include "tests/support/files.hpp"
 
 namespace regulus::detail::test {
 namespace {
@@ -53,7 +54,7 @@ Proofs proofs_of(const QuantityOptions& quantity) {
   const Bound bound = bound_quantity(request, quantity_of(request.model, quantity), settings,
                                      [](const ComponentBound&) {});
   const std::string path = settings.certificate + certificate_suffix(bound.components[0].component);
-  return {contents(path + ".safe"), contents(path + ".singular")};
+  return {file_contents(path + ".safe"), file_contents(path + ".singular")};
 }
 
 /// The line "bound E".

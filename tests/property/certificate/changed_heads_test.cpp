@@ -10,6 +10,7 @@
 #include "runtime/verifier/evaluation.hpp"
 #include "runtime/verifier/model/model_comparison.hpp"
 #include "tests/support/certificates.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/random_source.hpp"
 
 namespace regulus::detail::test {
@@ -81,7 +82,7 @@ class AChangedHead : public testing::TestWithParam<Asked> {
     while (lines_[end_] != "proof") ++end_;
     lines_.resize(end_ + 1);
     options_.model_name = GetParam().model.path;
-    options_.model_text = contents(options_.model_name);
+    options_.model_text = file_contents(options_.model_name);
     options_.all_overridden = true;
     model_ = verifier::read_model_values(options_.model_text);
     written_ = read(lines_);

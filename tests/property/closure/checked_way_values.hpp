@@ -6,6 +6,7 @@
 #include "codegen/question/closure/branch_bound.hpp"
 #include "tests/property/closure/checked_ways.hpp"
 #include "tests/property/closure/four_bars.hpp"
+#include "tests/support/files.hpp"
 
 namespace regulus::detail::test {
 
@@ -48,12 +49,6 @@ inline std::string theta_table(const std::vector<double>& places) {
   std::string text = "theta\n";
   for (const double place : places) text += fmt::format("{:.17g}\n", place);
   return text;
-}
-
-inline std::string text_of_file(const std::string& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
 }
 
 }  // namespace regulus::detail::test

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/property/closure/checked_way_values.hpp"
+#include "tests/support/files.hpp"
 
 namespace regulus::detail::test {
 namespace {
@@ -17,8 +18,8 @@ class ADamagedValueOnAWay : public testing::Test {
     const ComponentBound found =
         bound_on_way(model_, file_.path(), {words_of("error"), 0.02, "", path});
     suffix_ = certificate_suffix(found.component);
-    safe_ = text_of_file(path + suffix_ + ".safe");
-    attained_ = text_of_file(path + suffix_ + ".singular");
+    safe_ = file_contents(path + suffix_ + ".safe");
+    attained_ = file_contents(path + suffix_ + ".singular");
     ASSERT_EQ(outcome(safe_), Outcome::kVerified);
     ASSERT_EQ(outcome(attained_), Outcome::kVerified);
   }

@@ -112,7 +112,7 @@ TEST(FiniteErrorOnAWay, IsComparedWithALimit) {
                                                    (directory.path() / "limit").string()});
     EXPECT_EQ(c.verdict, part < 1 ? LimitVerdict::kExceeded : LimitVerdict::kWithin) << c.reason;
     const EndProof& proof = part < 1 ? c.proofs.singular() : c.proofs.safe();
-    EXPECT_EQ(test::verified_way(test::text_of_file(proof.file), model(kPlaces[0], 1), file.path())
+    EXPECT_EQ(test::verified_way(test::file_contents(proof.file), model(kPlaces[0], 1), file.path())
                   .outcome,
               Outcome::kVerified);
   }

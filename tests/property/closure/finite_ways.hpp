@@ -6,6 +6,7 @@
 
 #include "codegen/question/quantity/platform_closure.hpp"
 #include "tests/property/closure/checked_way_values.hpp"
+#include "tests/support/files.hpp"
 
 namespace regulus::detail::test::finite_ways {
 
@@ -66,8 +67,8 @@ inline BothEnds verified_ends(FiniteOnWay asked, std::size_t pieces) {
   const TemporaryDirectory directory;
   asked.certificate = (directory.path() / "end").string();
   const ComponentBound found = finite_error(asked);
-  const BothEnds ends{text_of_file(found.proofs.safe().file),
-                      text_of_file(found.proofs.singular().file)};
+  const BothEnds ends{file_contents(found.proofs.safe().file),
+                      file_contents(found.proofs.singular().file)};
   for (const std::string* const text : {&ends.safe, &ends.attained}) {
     const verifier::Verification v = verified_way(*text, asked.model, asked.file);
     EXPECT_EQ(v.outcome, verifier::Outcome::kVerified) << describe(v) << text->substr(0, 3000);

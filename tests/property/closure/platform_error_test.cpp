@@ -66,7 +66,7 @@ TEST(PlatformError, MeetsThePublishedFiguresOfA3Rpr) {
 
 /// Near a singular pose rounding moves Newton's corrections; the configurations are found again.
 TEST(PlatformError, IsFoundWhereLegsHoldThePlatformBadly) {
-  const std::string text = test::contents(REGULUS_SOURCE_DIR "/models/robot_1.toml") +
+  const std::string text = test::file_contents(REGULUS_SOURCE_DIR "/models/robot_1.toml") +
                            "\n[motion.m]\nparameters = { T = [0, 0.01] }\nx = \"8*cos(2*pi*T)\"\n"
                            "y = \"8*sin(2*pi*T)\"\nz = 55\npsi = 0\ntheta = 0\nphi = 0\n";
   const Bound found = bound(text, "y_deviation", 0.05);

@@ -12,6 +12,7 @@
 #include "codegen/question/closure/branch_load.hpp"
 #include "codegen/support/decomposition.hpp"
 #include "tests/property/closure/checked_way_values.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/trials.hpp"
 
 namespace regulus::detail::test {
@@ -108,7 +109,7 @@ void expect_bracket(const ComponentBound& found, double seen, const Case& c) {
 void expect_proofs(const ComponentBound& found, const std::string& path, const std::string& model,
                    const WayFile& file, std::size_t pieces, const char* what) {
   for (const char* const end : {".safe", ".singular"}) {
-    const verifier::Verification v = verified_way(text_of_file(path + end), model, file.path());
+    const verifier::Verification v = verified_way(file_contents(path + end), model, file.path());
     EXPECT_EQ(v.outcome, Outcome::kVerified) << what << end << describe(v) << found.proofs.lines();
     EXPECT_EQ(v.pieces, pieces) << what << end;
     EXPECT_FALSE(v.bound.empty());
@@ -202,7 +203,7 @@ TEST(BoundsOnAWay, CompareWithALimitAndNameTheSegment) {
         bound_on_way(way.model(), file.path(), {c.words, 0.02, limit, path, c.component});
     EXPECT_EQ(found.verdict, part < 1 ? LimitVerdict::kExceeded : LimitVerdict::kWithin);
     const std::string end = part < 1 ? ".singular" : ".safe";
-    const std::string text = text_of_file(path + certificate_suffix(found.component) + end);
+    const std::string text = file_contents(path + certificate_suffix(found.component) + end);
     EXPECT_EQ(verified_way(text, way.model(), file.path()).outcome, Outcome::kVerified) << text;
     if (part > 1) continue;
     ASSERT_TRUE(found.place);
@@ -295,7 +296,7 @@ TEST(BoundsOnAWay, EndWithTheBranch) {
   EXPECT_TRUE(found.is_unbounded) << found.reason;
   ASSERT_TRUE(found.place);
   EXPECT_THAT(found.place->pose, HasSubstr("segment 2"));
-  EXPECT_EQ(verified_way(text_of_file(path + certificate_suffix(found.component) + ".singular"),
+  EXPECT_EQ(verified_way(file_contents(path + certificate_suffix(found.component) + ".singular"),
                          model, file.path())
                 .outcome,
             Outcome::kVerified);
@@ -341,7 +342,7 @@ TEST(LoadsOnAWay, AreHeldWithinWhatVirtualWorkNeeds) {
       const std::string path = (directory.path() / "load").string();
       const ProofStatus proof = certify_load(path, prepared, result, {});
       ASSERT_TRUE(proof.is_written()) << proof.obstacle();
-      const std::string text = text_of_file(path);
+      const std::string text = file_contents(path);
       const verifier::Verification v = verified_way(text, model, file.path());
       EXPECT_EQ(v.outcome, Outcome::kVerified) << describe(v);
       EXPECT_EQ(v.pieces, way.places.size() - 1);

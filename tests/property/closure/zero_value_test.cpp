@@ -10,9 +10,12 @@
 #include "codegen/question/bound/bound_question.hpp"
 #include "codegen/question/closure/branch_bound.hpp"
 #include "tests/property/closure/checked_closures.hpp"
+#include "tests/support/files.hpp"
 
 namespace regulus::detail {
 namespace {
+
+using test::file_contents;
 
 /// p = a·x·y, and r moves with no motor.
 std::string model_with(const std::string& factor, const std::string& y) {
@@ -23,12 +26,6 @@ std::string model_with(const std::string& factor, const std::string& y) {
          "error = 0.01\nspeed = 3\nstiffness = 50\n[load.L]\nwrench = [2, [-1, 1]]\n[motion.m]\n"
          "x = [0, 2]\ny = " +
          y + "\nerror = { x = 0.125 }\n";
-}
-
-std::string text_of(const std::string& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
 }
 
 struct Zero {
@@ -63,7 +60,7 @@ class QuantityThatIsZero : public testing::TestWithParam<Zero> {
     const ComponentBound& c = found.components.at(GetParam().component);
     for (const EndProof& proof : {c.proofs.safe(), c.proofs.singular()}) {
       if (proof.file.empty()) continue;
-      const verifier::Verification v = test::verified(text_of(proof.file), model);
+      const verifier::Verification v = test::verified(file_contents(proof.file), model);
       EXPECT_EQ(v.outcome, verifier::Outcome::kVerified) << describe(v);
     }
     EXPECT_FALSE(c.proofs.safe().file.empty());

@@ -5,6 +5,7 @@
 #include "runtime/kernel/call.hpp"
 #include "runtime/search/solver.hpp"
 #include "tests/support/certificates.hpp"
+#include "tests/support/files.hpp"
 
 namespace regulus::detail::test {
 namespace {
@@ -15,7 +16,7 @@ std::string finished(CertificateWriter& writer) {
   Result result;
   result.verdict = Verdict::kNoSingularity;
   EXPECT_TRUE(writer.finish(result));
-  return contents(writer.path());
+  return file_contents(writer.path());
 }
 
 /// Returns the certificate of a search that tests nothing: it claims the root, or its halves.
@@ -97,7 +98,7 @@ TEST(ABrokenBound, LeadsToACertificateThatIsRejected) {
   const Result result = solve(problem, settings_from(search), &writer);
   ASSERT_EQ(result.verdict, Verdict::kNoSingularity) << "the bound was to be wrong";
   ASSERT_TRUE(writer.finish(result));
-  const auto v = verify_text(contents(writer.path()));
+  const auto v = verify_text(file_contents(writer.path()));
   EXPECT_EQ(v.outcome, Outcome::kRejected);
   EXPECT_NE(v.reason.find("leaf "), std::string::npos) << v.reason;
 }

@@ -11,6 +11,7 @@
 #include "codegen/question/solve/list_file.hpp"
 #include "runtime/verifier/verify.hpp"
 #include "tests/property/solve/solved.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace regulus::detail::test {
@@ -18,14 +19,8 @@ namespace regulus::detail::test {
 using verifier::Outcome;
 using Lines = std::vector<std::string>;
 
-inline std::string read_file(const std::filesystem::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
-
 inline std::string library_model(const std::string& name) {
-  return read_file(std::filesystem::path(REGULUS_SOURCE_DIR) / "models" / (name + ".toml"));
+  return file_contents(std::filesystem::path(REGULUS_SOURCE_DIR) / "models" / (name + ".toml"));
 }
 
 struct Certified {
@@ -49,7 +44,7 @@ inline Certified certified(const std::string& model, const std::vector<std::stri
   const Request request = read_solve_request(options, {});
   Certified result{solve(request, SolveRun{search, {}}), ProofStatus(), ""};
   result.status = certify_solutions(path, request, result.solutions);
-  if (result.status.is_written()) result.text = read_file(path);
+  if (result.status.is_written()) result.text = file_contents(path);
   return result;
 }
 

@@ -11,19 +11,16 @@
 
 #include "codegen/support/errors.hpp"
 #include "codegen/support/write_file.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace regulus::detail {
 namespace {
 
 namespace fs = std::filesystem;
+using test::file_contents;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
-
-std::string read(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 std::size_t entries(const fs::path& folder) {
   return std::size_t(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
@@ -34,7 +31,7 @@ TEST(WriteFiles, MakesTheFolderAndReplacesWhatIsThere) {
   const fs::path folder = temporary.path() / "a/b";
   write_files(folder, {{"x", "old"}, {"y", "1"}});
   write_files(folder, {{"x", "new"}, {"y", "2"}});
-  EXPECT_EQ(read(folder / "x") + read(folder / "y"), "new2");
+  EXPECT_EQ(file_contents(folder / "x") + file_contents(folder / "y"), "new2");
   EXPECT_EQ(entries(folder), 2U);
 }
 
@@ -47,7 +44,7 @@ TEST(WriteFiles, TouchesNothingWhereOneCannotBeWritten) {
         write_files(temporary.path(), {{"x", "new"}, {"y", "new"}});
       },
       ThrowsMessage<FileError>(HasSubstr("y cannot be written: there is a folder")));
-  EXPECT_EQ(read(temporary.path() / "x"), "old");
+  EXPECT_EQ(file_contents(temporary.path() / "x"), "old");
   EXPECT_EQ(entries(temporary.path()), 2U);
 }
 

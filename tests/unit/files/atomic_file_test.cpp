@@ -13,21 +13,18 @@
 
 #include "runtime/files/atomic_stream.hpp"
 #include "runtime/files/temporary.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace regulus::detail {
 namespace {
 
 namespace fs = std::filesystem;
+using test::file_contents;
 
 class AtomicFiles : public testing::Test {
  protected:
   [[nodiscard]] std::string path(const char* name) const { return folder_.path() / name; }
-  [[nodiscard]] static std::string text(const std::string& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
-
   [[nodiscard]] auto files() const {
     return std::distance(fs::directory_iterator(folder_.path()), {});
   }
@@ -40,16 +37,16 @@ TEST_F(AtomicFiles, AppearUnderTheirNameWhenComplete) {
   AtomicFile file(path("x"));
   file.write("ne");
   file.write("w");
-  EXPECT_EQ(text(path("x")), "old");
+  EXPECT_EQ(file_contents(path("x")), "old");
   file.put_in_place();
-  EXPECT_EQ(text(path("x")), "new");
+  EXPECT_EQ(file_contents(path("x")), "new");
   EXPECT_EQ(files(), 1);
 }
 
 TEST_F(AtomicFiles, LeaveNothingIfTheyAreNotPutInPlace) {
   std::ofstream(path("x")) << "old";
   { AtomicFile(path("x")).write("half"); }
-  EXPECT_EQ(text(path("x")), "old");
+  EXPECT_EQ(file_contents(path("x")), "old");
   EXPECT_EQ(files(), 1);
 }
 
@@ -58,7 +55,7 @@ TEST_F(AtomicFiles, AreRemovedOnceAfterAMove) {
   AtomicFile moved = std::move(file);
   moved.write("new");
   moved.put_in_place();
-  EXPECT_EQ(text(path("x")), "new");
+  EXPECT_EQ(file_contents(path("x")), "new");
 }
 
 TEST_F(AtomicFiles, HaveTheModeThatIsAskedForAndNamesInTheFolder) {
@@ -91,7 +88,7 @@ TEST_F(AtomicFiles, ReplaceTheTargetOfALinkWithItsPermissions) {
   file.write("new");
   file.put_in_place();
   EXPECT_TRUE(fs::is_symlink(path("link")));
-  EXPECT_EQ(text(path("x")), "new");
+  EXPECT_EQ(file_contents(path("x")), "new");
   EXPECT_EQ(fs::status(path("x")).permissions(), fs::perms::owner_read | fs::perms::owner_write);
 }
 
@@ -101,7 +98,7 @@ TEST_F(AtomicFiles, LeaveAnotherNameOfTheEarlierFileAsItIs) {
   AtomicFile file(path("x"));
   file.write("new");
   file.put_in_place();
-  EXPECT_EQ(text(path("other")), "old");
+  EXPECT_EQ(file_contents(path("other")), "old");
 }
 
 /// A device must not be replaced by a file, whoever runs this.
@@ -171,7 +168,7 @@ TEST_F(Temporaries, ThatAreFoldersGoWithTheirContent) {
     std::ofstream(folder.path() + "/file") << "text";
     folder.put_in_place_durably(path("x"));
   }
-  EXPECT_EQ(text(path("x/file")), "text");
+  EXPECT_EQ(file_contents(path("x/file")), "text");
 }
 
 class AtomicStreams : public AtomicFiles {};

@@ -9,20 +9,18 @@
 #include <iterator>
 #include <optional>
 
+#include "tests/support/files.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace regulus::detail {
 namespace {
 
 namespace fs = std::filesystem;
+using test::file_contents;
 
 class FileLocks : public testing::Test {
  protected:
   [[nodiscard]] std::string path(const char* name) const { return folder_.path() / name; }
-  [[nodiscard]] static std::string text(const std::string& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
   void expect_refused(const char* why) const {
     EXPECT_THAT([&] { FileLock lock(path("x")); },
                 testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr(why)));
@@ -53,7 +51,7 @@ TEST_F(FileLocks, LeaveAFileOfAnotherProgramAsItIs) {
         "regulus lock 1234", "regulus lock 1234\nand more than that is written here\n"}) {
     std::ofstream(path("x.lock")) << other;
     expect_refused("x.lock is a file of another program");
-    EXPECT_EQ(text(path("x.lock")), other);
+    EXPECT_EQ(file_contents(path("x.lock")), other);
   }
 }
 
