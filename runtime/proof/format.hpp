@@ -41,8 +41,6 @@ inline constexpr const char* kFeasibleLeaf = "feasible";
 inline constexpr const char* kInfeasibleLeaf = "infeasible";
 inline constexpr const char* kUndecidedLeaf = "undecided";
 inline constexpr const char* kOutsideLeaf = "outside";
-inline constexpr const char* kNoneLeaf = "none";  ///< of a claim about all solutions
-inline constexpr const char* kOneLeaf = "one";
 inline constexpr const char* kTubeLeaf = "tube";  ///< of a claim about a closure
 /// Returns true if a leaf of a claim about a closure has the numbers of a tube after this word.
 [[nodiscard]] inline bool has_tube(std::string_view word) {
@@ -270,7 +268,6 @@ inline constexpr const char* kOfUnknowns =
 inline constexpr const char* kOfThreeLegs =
     "a platform on three legs in the plane with these anchors and lengths";
 inline constexpr const char* kOfSixLegs = "a platform on six legs with these anchors and lengths";
-inline constexpr const char* kOfArm = "an arm of these six joints whose end is at this place";
 /// Describes an arm of six or four free joints. `has_turning_tool`: one of the six is a turn of its tool.
 [[nodiscard]] inline std::string describe_arm(std::size_t free, bool has_turning_tool,
                                               bool has_followers, bool has_ranges) {

@@ -42,7 +42,6 @@ struct GoughPose {
 };
 
 inline constexpr std::size_t kPosesOfGough = 40;
-inline constexpr std::size_t kPosesOfPairedLegs = 16;
 
 /// The origin's position, and a quaternion up to a factor: roughly a complex pose.
 using ApproxPose = std::array<Complex, 7>;

@@ -2,7 +2,6 @@
 // Tests regulus-mpi as its users meet it: real processes, and the bytes of one thread.
 #include <chrono>
 
-#include "codegen/use/mpi/agreement.hpp"
 #include "tests/mpi/ranks.hpp"
 #include "tests/support/files.hpp"
 
@@ -175,8 +174,9 @@ TEST_F(Ranks, BoundAQuantityAsOneThreadDoes) {
 
 /// Returns the files that a search of a condition number with this name leaves.
 std::string files_of_condition(const std::string& name) {
-  return file_contents(name + ".safe") + file_contents(name + ".singular") +
-         file_contents(name + ".checkpoint");
+  std::string all;
+  for (const char* end : {".safe", ".singular", ".checkpoint"}) all += file_contents(name + end);
+  return all;
 }
 
 Words saved_as(const std::string& name) {
@@ -229,9 +229,8 @@ TEST_F(NightlyRanks, PaveForALoadAsOneThreadDoes) {
   const CommandResult one = run_command(one_thread(joined(locate, files("one"))));
   ASSERT_EQ(one.exit_code, 1) << one.errors;
   const auto boxes_of = [this](const std::string& name) {
-    const std::string lines = file_contents(file(name + ".lines"));
-    return lines.substr(0, lines.rfind('\n', lines.size() - 2)) +
-           file_contents(file(name + ".proof"));
+    const std::string text = file_contents(file(name + ".lines"));
+    return text.substr(0, text.rfind('\n', text.size() - 2)) + file_contents(file(name + ".proof"));
   };
   const std::string expected = boxes_of("one");
   EXPECT_GT(expected.size(), 1'000'000U);
@@ -380,22 +379,6 @@ TEST_F(Ranks, RefuseACheckpointThatAnotherJobUses) {
   EXPECT_THAT(second.errors, HasSubstr("another"));
   ::kill(first.pid(), SIGTERM);
   static_cast<void>(first.wait());
-}
-
-TEST(Agreement, IsTheBestSetThatAllHave) {
-  const std::vector<RankIdentity> two = {{"a", "build", Isa::kAvx512}, {"b", "build", Isa::kAvx2}};
-  EXPECT_EQ(compare(two, std::nullopt).isa, Isa::kAvx2);
-  EXPECT_EQ(compare(two, Isa::kPortable).isa, Isa::kPortable);
-  EXPECT_EQ(compare(two, Isa::kPortable).refusal, "");
-  EXPECT_THAT(compare(two, Isa::kAvx512).refusal,
-              HasSubstr("rank 1 on b: this processor cannot run avx512"));
-}
-
-TEST(Agreement, NamesARankOfAnotherBuild) {
-  const std::vector<RankIdentity> three = {
-      {"a", "build", Isa::kAvx2}, {"a", "build", Isa::kAvx2}, {"c", "other", Isa::kAvx2}};
-  EXPECT_THAT(compare(three, std::nullopt).refusal,
-              HasSubstr("rank 2 on c runs another build of regulus-mpi than rank 0 on a"));
 }
 
 }  // namespace

@@ -90,8 +90,8 @@ inline std::size_t count_of(const Lines& lines, const std::string& key) {
 }
 
 /// Writes the verdict and the claim that belong to the lines.
-inline Lines claiming(Lines lines, const std::string& verdict, const char* robot, const char* one,
-                      const char* many) {
+inline Lines claiming(Lines lines, const std::string& verdict, const std::string& robot,
+                      const char* one, const char* many) {
   lines[first(lines, "verdict")] = "verdict " + verdict;
   lines[first(lines, "claim")] =
       "claim " +

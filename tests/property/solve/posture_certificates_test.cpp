@@ -12,7 +12,8 @@ namespace {
 
 /// Writes the claim that belongs to the lines.
 std::string with_claim_of_postures(const Lines& lines, const std::string& verdict) {
-  return joined(claiming(lines, verdict, format::kOfArm, "posture", "postures"));
+  return joined(claiming(lines, verdict, format::describe_arm(6, false, false, false), "posture",
+                         "postures"));
 }
 
 /// Moves one angle of a line by so much.

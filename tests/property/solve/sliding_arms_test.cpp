@@ -130,8 +130,10 @@ void expect_proof(const std::string& model) {
     Lines fewer = genuine;
     fewer.erase(fewer.begin() + std::ptrdiff_t(first(genuine, "solution") + k));
     if (made.solutions.found.size() == 1) continue;
-    EXPECT_EQ(outcome(joined(claiming(fewer, "COMPLETE", format::kOfArm, "posture", "postures"))),
-              Outcome::kRejected)
+    EXPECT_EQ(
+        outcome(joined(claiming(fewer, "COMPLETE", format::describe_arm(6, false, false, false),
+                                "posture", "postures"))),
+        Outcome::kRejected)
         << k;
   }
 }
