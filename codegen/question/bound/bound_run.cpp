@@ -6,6 +6,7 @@
 #include "codegen/model/exact/certain_sign.hpp"
 #include "codegen/question/bound/norm_of_part.hpp"
 #include "codegen/question/bound/reference.hpp"
+#include "codegen/question/bound/singular_pose.hpp"
 #include "codegen/question/bound/variety_bound.hpp"
 #include "codegen/question/bound/way_bound.hpp"
 #include "codegen/question/condition/condition_run.hpp"
@@ -72,6 +73,53 @@ void use_freedoms(ComponentBound& component, const Bound& bound, const Model& mo
   component.reason.clear();
 }
 
+/// A singular pose, looked for once, where the search of a component has found nothing: all that needs
+/// an inverse has no bound there.
+class SingularPoseOfBound {
+ public:
+  SingularPoseOfBound(const Request& request, const BoundSettings& settings)
+      : request_(request), settings_(settings) {}
+
+  [[nodiscard]] bool is_found() const noexcept { return pose_.has_value(); }
+
+  void look_for(ComponentBound& component, const TimeBudget& budget) {
+    const bool is_unknown =
+        !component.proved && !component.attained && !component.is_unbounded && !component.is_empty;
+    if (has_looked_ || !is_unknown || !has_value(component.component) || settings_.limit ||
+        request_.model.closure || budget.is_over() ||
+        (settings_.interrupt != nullptr && *settings_.interrupt))
+      return;
+    has_looked_ = true;
+    pose_ =
+        find_singular_pose(request_, settings_, TimeBudget::option(budget.left()), component.boxes);
+  }
+
+  /// Says what is known of a component there.
+  void describe(ComponentBound& component) const {
+    if (traits_of(component.component.kind).is_always_least)
+      component.attained = end_at(0);
+    else
+      component.is_unbounded = true;
+    component.is_closed = component.attains_zero();
+    component.place = pose_->place;
+    component.reason.clear();
+    component.proofs.set_no_singular(
+        "`regulus check` writes the proof that the matrix is singular");
+  }
+
+ private:
+  /// True if it is known what the quantity is where the matrix is singular.
+  [[nodiscard]] static bool has_value(const Component& c) {
+    const QuantityTraits& traits = traits_of(c.kind);
+    return traits.is_lost_where_singular || (traits.is_always_least && c.is_absolute);
+  }
+
+  const Request& request_;
+  const BoundSettings& settings_;
+  std::optional<SingularPose> pose_;
+  bool has_looked_ = false;
+};
+
 }  // namespace
 
 bool ComponentBound::attains_zero() const {
@@ -111,9 +159,16 @@ Bound bound_quantity(const Request& request, Quantity quantity, const BoundSetti
   Bound bound{std::move(quantity), {}};
   const TimeBudget all = TimeBudget::of_option(settings.search.time_limit, settings.forming_limit);
   const std::vector<Component>& components = bound.quantity.components;
+  SingularPoseOfBound singular(request, settings);
   for (std::size_t i = 0; i < components.size(); ++i) {
     const TimeBudget budget = all.share(components.size() - i);
-    bound.components.push_back(bound_component(request, components[i], settings, budget));
+    if (singular.is_found()) {
+      bound.components.emplace_back().component = components[i];
+    } else {
+      bound.components.push_back(bound_component(request, components[i], settings, budget));
+      singular.look_for(bound.components.back(), all.share(components.size() - i));
+    }
+    if (singular.is_found()) singular.describe(bound.components.back());
     // A certificate is of the end that the component's own search found.
     if (!settings.limit && settings.certificate.empty() && !request.model.closure)
       use_freedoms(bound.components.back(), bound, request.model, settings.gap);

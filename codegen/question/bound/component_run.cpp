@@ -58,6 +58,7 @@ ComponentBound ComponentRun::bracket() {
                    : ends.obstacle.empty() || budget_.is_over() ? kNoTime
                                                                 : ends.obstacle;
   finish();
+  if (!result_.proved) result_.proofs.set_no_safe("no bound was proved");
   if (!result_.attained && is_negligible()) result_.proofs.set_no_singular(kNothingAtZero);
   return std::move(result_);
 }

@@ -9,6 +9,7 @@
 #include "codegen/answer/report/progress.hpp"
 #include "codegen/model/exact/exact_double.hpp"
 #include "codegen/model/exact/expression_parser.hpp"
+#include "codegen/question/bound/singular_pose.hpp"
 #include "codegen/question/bound/way_place.hpp"
 #include "codegen/question/condition/condition_certificate.hpp"
 #include "codegen/question/condition/condition_kernel.hpp"
@@ -102,32 +103,12 @@ class ConditionRun {
   /// Returns a point of the search as the certificate has it.
   [[nodiscard]] virtual ConditionPlace on_certificate(const std::vector<Interval>& point) const = 0;
   [[nodiscard]] virtual AttainedPlace place_of(const std::vector<Interval>& point) = 0;
-  /// Searches for a singular pose, as `check` does, and shows it.
-  [[nodiscard]] virtual bool has_singular_pose(double seconds) = 0;
 
   [[nodiscard]] MatrixScaling scaling() const { return prepared_.stages->formulation().scaling; }
   [[nodiscard]] std::vector<Interval> pose_at(const Problem& kernel,
                                               const std::vector<Interval>& point) const {
     return BoxMatrices(kernel, scaling(), kernel.outer.size()).pose_at(point);
   }
-  /// Returns the question whether the matrix is regular.
-  [[nodiscard]] Request about_regularity() const {
-    Request request = request_;
-    request.motion.alpha = 0;
-    return request;
-  }
-  [[nodiscard]] SearchOptions options_in(double seconds) const {
-    SearchOptions search = settings_.search;
-    search.time_limit = seconds;
-    search.workers = nullptr;  // they have another kernel
-    return search;
-  }
-  void show_singular(AttainedPlace place, const Result& result,
-                     const std::set<std::string>& uncertain, std::size_t piece) {
-    result_.place = std::move(place);
-    certificate_->show_singular(result, uncertain, piece);
-  }
-  void count(std::uint64_t boxes) { result_.boxes += boxes; }
 
  private:
   [[nodiscard]] std::string certificate_path() const {
@@ -189,6 +170,16 @@ class ConditionRun {
     const std::optional<Interval> least = extreme("sigma-min", seconds / 8);
     if (largest && least && least->lo > 0) hint.upper = div_ru(largest->hi, least->lo);
     return hint;
+  }
+
+  /// Shows it.
+  bool has_singular_pose(double seconds) {
+    std::optional<SingularPose> found =
+        find_singular_pose(request_, settings_, seconds, result_.boxes);
+    if (!found) return false;
+    result_.place = std::move(found->place);
+    certificate_->show_singular(found->result, found->uncertain, found->piece);
+    return true;
   }
 
   /// Encloses the proved bound of the largest or the least singular value at all poses.
@@ -267,19 +258,6 @@ class VarietyCondition final : public ConditionRun {
         {point, {}, {}, {}, pose_at(prepared_.problem(), point)});
     return attained_place(prepared_, result, "");
   }
-
-  bool has_singular_pose(double seconds) override {
-    const SearchOptions search = options_in(seconds);
-    PreparedSearch prepared = prepare(about_regularity(), 0, search,
-                                      forming_watch(settings_.output, settings_.interrupt));
-    const Result result =
-        run_search(prepared, search, settings_of(prepared, search, settings_.interrupt));
-    count(result.statistics.boxes);
-    if (result.verdict != Verdict::kSingularity) return false;
-    show_singular(attained_place(prepared, result, ""), result, uncertain_names(prepared.labels),
-                  0);
-    return true;
-  }
 };
 
 /// The poses of a trajectory: one search of all of its pieces.
@@ -307,10 +285,14 @@ class WayCondition final : public ConditionRun {
 
   AttainedPlace place_of(const std::vector<Interval>& point) override {
     const ConditionPlace place = on_certificate(point);
-    SearchOptions options = options_in(0);
+    Request regularity = request_;
+    regularity.motion.alpha = 0;
+    SearchOptions options = settings_.search;
+    options.time_limit = 0;
+    options.workers = nullptr;  // they have another kernel
     options.method = Method::kReg;
     options.engine = Engine::kInterpreted;
-    const PreparedSearch piece = prepare(piece_request(about_regularity(), place.piece), 0, options,
+    const PreparedSearch piece = prepare(piece_request(regularity, place.piece), 0, options,
                                          forming_watch(settings_.output, settings_.interrupt));
     if (piece.stopped) return segment_of(place);
     Result result;
@@ -325,19 +307,6 @@ class WayCondition final : public ConditionRun {
     segment.pose = describe_segment(trajectory(), place.piece, place.variables.front());
     segment.json["segment"] = json_segment(trajectory(), place.piece, place.variables.front());
     return segment;
-  }
-
-  bool has_singular_pose(double seconds) override {
-    SearchDisplay display(settings_.output);
-    const TrajectoryCheck check =
-        check_trajectory(about_regularity(), 0, options_in(seconds), false,
-                         {settings_.interrupt, display.observer()});
-    count(check.path.statistics.boxes);
-    if (check.verdict != Verdict::kSingularity) return false;
-    const DecidingPiece& piece = *check.deciding;
-    show_singular(place_on_way(trajectory(), piece.index, *piece.preparation, piece.result, ""),
-                  piece.result, uncertain_names(piece.preparation->labels), piece.index);
-    return true;
   }
 
   const PathBounds path_;

@@ -44,6 +44,7 @@ struct QuantityTraits {
   bool compares_units = false;     ///< velocities and angular velocities must have one unit
   bool needs_inverse = true;       ///< the matrix must be J⁻¹
   bool needs_square = true;        ///< and have an inverse
+  bool is_lost_where_singular = false;  ///< there it has no value, and nearby no bound
 };
 
 /// A quantity of a mechanism with a closure: its rows are the motors, which are the pose parameters,
