@@ -72,11 +72,12 @@ void Formulator::form_left_derivatives(const std::vector<Entry>& row) {
 void Formulator::append_rows(const Expressions& first,
                              const std::vector<EntryStatistics>& statistics, Expressions& to,
                              std::vector<EntryStatistics>& statistics_to) {
+  const std::uint64_t operations = count_operations(first);  // of each row
   for (int i = 1; i <= result_.columns; ++i) {
     Expressions row = first;
     if (i > 1)
       for (Expression& e : row) e = row_replacer(i).apply(e);
-    uncounted_.spend(count_operations(row));
+    uncounted_.spend(operations);
     to.insert(to.end(), row.begin(), row.end());
     statistics_to.insert(statistics_to.end(), statistics.begin(), statistics.end());
   }

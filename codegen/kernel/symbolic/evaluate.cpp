@@ -80,6 +80,7 @@ const Expression& Replacer::apply(const Expression& e) {
 Expression Replacer::rebuilt(const Expression& e) {
   if (e.operands().empty()) return e;
   Expressions operands;
+  operands.reserve(e.operands().size());
   bool changed = false;
   for (const Expression& operand : e.operands()) {
     operands.push_back(apply(operand));

@@ -134,17 +134,17 @@ template <class Fold>
 Expressions flatten(ExpressionKind kind, Expressions operands, Fold fold) {
   Expressions flat;
   flat.reserve(operands.size());
-  const auto take = [&](const Expression& e) {
+  const auto take = [&](auto&& e) {
     if (e.kind() == ExpressionKind::kConstant)
       fold(e.value());
     else
-      flat.push_back(e);
+      flat.push_back(std::forward<decltype(e)>(e));
   };
-  for (const Expression& operand : operands) {
+  for (Expression& operand : operands) {
     if (operand.kind() == kind)
       for (const Expression& inner : operand.operands()) take(inner);
     else
-      take(operand);
+      take(std::move(operand));
   }
   return flat;
 }

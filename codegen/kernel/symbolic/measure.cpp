@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 namespace regulus::detail {
@@ -24,44 +25,55 @@ struct Appearances {
   std::uint64_t inside = 0;
 };
 
-/// The distinct nodes below some roots, operands before their users.
+/// The distinct nodes below some roots, operands before their users. The roots outlive it.
 class Graph {
  public:
   explicit Graph(const Expressions& roots) {
     for (const Expression& root : roots) {
-      visit(root);
-      auto& count = at(root);
+      Appearances& count = appearances_[visit(root)];
       count.outside = add(count.outside, 1);
     }
-    for (std::size_t i = nodes_.size(); i-- > 0;) spread(nodes_[i]);
+    for (std::size_t i = nodes_.size(); i-- > 0;) spread(i);
   }
 
-  [[nodiscard]] const std::vector<Expression>& nodes() const noexcept { return nodes_; }
+  [[nodiscard]] std::size_t size() const noexcept { return nodes_.size(); }
+  [[nodiscard]] const Expression& node(std::size_t i) const { return *nodes_[i].expression; }
   [[nodiscard]] const Appearances& operator[](std::size_t i) const { return appearances_[i]; }
 
  private:
-  Appearances& at(const Expression& e) { return appearances_[index_.at(e.identity())]; }
+  struct Node {
+    const Expression* expression;
+    std::size_t operands;  ///< where they begin in operands_
+  };
 
-  void visit(const Expression& e) {
-    if (index_.count(e.identity()) != 0) return;
-    for (const Expression& operand : e.operands()) visit(operand);
-    index_.emplace(e.identity(), nodes_.size());
-    nodes_.push_back(e);
+  std::size_t visit(const Expression& e) {
+    if (const auto known = index_.find(e.identity()); known != index_.end()) return known->second;
+    const auto first = std::ptrdiff_t(path_.size());
+    for (const Expression& operand : e.operands()) path_.push_back(visit(operand));
+    const std::size_t number = nodes_.size();
+    index_.emplace(e.identity(), number);
+    nodes_.push_back({&e, operands_.size()});
+    operands_.insert(operands_.end(), path_.begin() + first, path_.end());
+    path_.resize(std::size_t(first));
     appearances_.emplace_back();
+    return number;
   }
 
-  void spread(const Expression& e) {
-    const Appearances from = at(e);
+  void spread(std::size_t number) {
+    const Appearances from = appearances_[number];
+    const Expression& e = node(number);
     const bool circular = e.kind() == ExpressionKind::kCall &&
                           (e.function() == Call::kSin || e.function() == Call::kCos);
-    for (const Expression& operand : e.operands()) {
-      Appearances& to = at(operand);
+    for (std::size_t k = 0; k < e.operands().size(); ++k) {
+      Appearances& to = appearances_[operands_[nodes_[number].operands + k]];
       to.outside = add(to.outside, circular ? 0 : from.outside);
       to.inside = add(to.inside, circular ? add(from.inside, from.outside) : from.inside);
     }
   }
 
-  std::vector<Expression> nodes_;
+  std::vector<Node> nodes_;
+  std::vector<std::size_t> operands_;
+  std::vector<std::size_t> path_;  // operands of the nodes that are being visited
   std::vector<Appearances> appearances_;
   std::unordered_map<const void*, std::size_t> index_;
 };
@@ -85,8 +97,8 @@ std::uint64_t operations_of(const Expression& e) {
 Occurrences count_occurrences(const Expressions& expressions) {
   const Graph graph(expressions);
   Occurrences occurrences;
-  for (std::size_t i = 0; i < graph.nodes().size(); ++i) {
-    const Expression& e = graph.nodes()[i];
+  for (std::size_t i = 0; i < graph.size(); ++i) {
+    const Expression& e = graph.node(i);
     if (e.kind() != ExpressionKind::kVariable) continue;
     std::uint64_t& count = occurrences[e.name()];
     count = add(count, add(graph[i].outside, graph[i].inside));
@@ -105,28 +117,38 @@ std::uint64_t total(const Occurrences& occurrences) noexcept {
 }
 
 std::uint64_t printed_size(const Expression& expression) {
-  const Graph graph({expression});
+  const Expressions roots{expression};
+  const Graph graph(roots);
   std::uint64_t size = 0;
-  for (std::size_t i = 0; i < graph.nodes().size(); ++i)
+  for (std::size_t i = 0; i < graph.size(); ++i)
     size = add(size, add(graph[i].outside, graph[i].inside));
   return size;
 }
 
 std::uint64_t count_operations(const Expressions& expressions) {
   // Equal nodes at two addresses count once, as they do in the program.
-  std::unordered_map<Expression, bool, ExpressionHash> seen;
+  struct Hash {
+    std::size_t operator()(const Expression* e) const noexcept { return e->hash(); }
+  };
+  struct Equal {
+    bool operator()(const Expression* a, const Expression* b) const { return *a == *b; }
+  };
+  std::unordered_set<const Expression*, Hash, Equal> seen;
   std::uint64_t result = 0;
   const Graph graph(expressions);
-  for (const Expression& e : graph.nodes())
-    if (seen.emplace(e, true).second) result = add(result, operations_of(e));
+  for (std::size_t i = 0; i < graph.size(); ++i) {
+    const std::uint64_t own = operations_of(graph.node(i));
+    if (own != 0 && seen.insert(&graph.node(i)).second) result = add(result, own);
+  }
   return result;
 }
 
 std::uint64_t width_cost(const Expression& expression, const Weights& weights) {
-  const Graph graph({expression});
+  const Expressions roots{expression};
+  const Graph graph(roots);
   std::uint64_t cost = 0;
-  for (std::size_t i = 0; i < graph.nodes().size(); ++i) {
-    const Expression& e = graph.nodes()[i];
+  for (std::size_t i = 0; i < graph.size(); ++i) {
+    const Expression& e = graph.node(i);
     if (e.kind() != ExpressionKind::kVariable) continue;
     const auto weight = weights.find(e.name());
     const std::uint64_t once = add(add(graph[i].outside, graph[i].outside), graph[i].inside);

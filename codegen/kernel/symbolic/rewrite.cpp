@@ -18,10 +18,15 @@ class Choice {
   void offer(Expression e, std::string passes) {
     const std::uint64_t width = width_cost(e, weights_);
     if (best_ && width > width_) return;
-    if (best_ && width == width_ && count_operations({e}) >= count_operations({best_->expression}))
-      return;
+    std::optional<std::uint64_t> operations;
+    if (best_ && width == width_) {
+      if (!operations_) operations_ = count_operations({best_->expression});
+      operations = count_operations({e});
+      if (*operations >= *operations_) return;
+    }
     best_ = Rewritten{std::move(e), std::move(passes)};
     width_ = width;
+    operations_ = operations;
   }
   [[nodiscard]] Rewritten take() { return std::move(*best_); }
 
@@ -29,6 +34,7 @@ class Choice {
   const Weights& weights_;
   std::optional<Rewritten> best_;
   std::uint64_t width_ = 0;
+  std::optional<std::uint64_t> operations_;  // of the best form, if they were counted
 };
 
 void offer_forms(Choice& choice, const Polynomial& p, const AtomTable& atoms,

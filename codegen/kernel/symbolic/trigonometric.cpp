@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <map>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -9,25 +9,37 @@
 namespace regulus::detail {
 namespace {
 
-struct LexGreater {
-  bool operator()(const AtomProduct& a, const AtomProduct& b) const noexcept {
-    return lex_greater(a, b);
+/// The products of variable atoms of a polynomial, in its order, with their coefficients (polynomials
+/// in K's entries). The polynomial outlives it.
+class ByMonomial {
+ public:
+  ByMonomial() = default;
+  explicit ByMonomial(const Polynomial& p) : terms_(&p.terms()), groups_(groups(p)) {}
+
+  [[nodiscard]] std::size_t size() const noexcept { return groups_.size(); }
+  [[nodiscard]] const AtomProduct& variables(std::size_t group) const {
+    return (*terms_)[groups_[group].first].monomial.variables;
   }
-};
-
-/// Products of variable atoms with their coefficients (polynomials in K's entries).
-using ByMonomial = std::map<AtomProduct, Polynomial, LexGreater>;
-
-ByMonomial by_monomial(const Polynomial& p) {
-  ByMonomial result;
-  for (const Group group : groups(p)) {
+  [[nodiscard]] Polynomial coefficient(std::size_t group) const {
     std::vector<PolynomialTerm> terms;
-    for (std::size_t i = group.first; i < group.last; ++i)
-      terms.push_back({Monomial{{}, p.terms()[i].monomial.coefficients}, p.terms()[i].factor});
-    result.emplace(p.terms()[group.first].monomial.variables, Polynomial(std::move(terms)));
+    for (std::size_t i = groups_[group].first; i < groups_[group].last; ++i)
+      terms.push_back({Monomial{{}, (*terms_)[i].monomial.coefficients}, (*terms_)[i].factor});
+    return Polynomial(std::move(terms));
   }
-  return result;
-}
+  /// Returns size() if there is none.
+  [[nodiscard]] std::size_t find(const AtomProduct& product) const {
+    const auto before = [this](const Group& group, const AtomProduct& of) {
+      return lex_greater((*terms_)[group.first].monomial.variables, of);
+    };
+    const auto found = std::lower_bound(groups_.begin(), groups_.end(), product, before);
+    const auto number = static_cast<std::size_t>(found - groups_.begin());
+    return found != groups_.end() && variables(number) == product ? number : size();
+  }
+
+ private:
+  const std::vector<PolynomialTerm>* terms_ = nullptr;
+  std::vector<Group> groups_;
+};
 
 Polynomial times_variables(const Polynomial& coefficient, const AtomProduct& variables) {
   std::vector<PolynomialTerm> terms = coefficient.terms();
@@ -64,7 +76,7 @@ class AngleMerger {
     const std::vector<Angle> angles = find_angles();
     if (angles.empty()) return false;
     atoms_.spend(p_.terms().size());
-    monomials_ = by_monomial(p_);
+    monomials_ = ByMonomial(p_);
     for (const Angle& a : angles)
       if (merge_squares(a) || (options_.double_angles && merge_double(a))) return true;
     if (!options_.sums) return false;
@@ -76,9 +88,13 @@ class AngleMerger {
 
   std::vector<Angle> find_angles() {
     AtomProduct seen;
-    for (const PolynomialTerm& term : p_.terms()) seen += term.monomial.variables;
-    std::sort(seen.begin(), seen.end());
-    seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+    std::vector<bool> is_seen;
+    for (const PolynomialTerm& term : p_.terms())
+      for (const Atom a : term.monomial.variables) {
+        if (a >= is_seen.size()) is_seen.resize(std::size_t{a} + 1);
+        if (!is_seen[a]) seen.push_back(a);
+        is_seen[a] = true;
+      }
     std::sort(seen.begin(), seen.end(), [&](Atom a, Atom b) { return atoms_.precedes(a, b); });
     std::vector<Angle> angles;
     for (const Atom a : seen) {
@@ -110,11 +126,13 @@ class AngleMerger {
   bool merge_double(const Angle& u) {
     const AtomProduct sc = pair(u.sine, u.cosine);
     AtomProduct cofactor;
-    for (const auto& [variables, f] : monomials_) {
-      if (!divide(variables, sc, cofactor)) continue;
-      replace({{variables, f}}, times_variables(circular(Call::kSin, {u.argument, u.argument}, f) *
-                                                    (cln::cl_RA(1) / 2),
-                                                cofactor));
+    for (std::size_t m = 0; m < monomials_.size(); ++m) {
+      if (!divide(monomials_.variables(m), sc, cofactor)) continue;
+      const Polynomial f = monomials_.coefficient(m);
+      replace(
+          {{monomials_.variables(m), f}},
+          times_variables(circular(Call::kSin, {u.argument, u.argument}, f) * (cln::cl_RA(1) / 2),
+                          cofactor));
       return true;
     }
     return false;
@@ -141,13 +159,15 @@ class AngleMerger {
   bool rewrite_pairs(const AtomProduct& first, const AtomProduct& second, const Merge& merge) {
     atoms_.spend(monomials_.size());
     AtomProduct cofactor;
-    for (const auto& [variables, f] : monomials_) {
-      if (!divide(variables, first, cofactor)) continue;
-      const auto partner = monomials_.find(multiply(cofactor, second));
-      if (partner == monomials_.end()) continue;
-      const std::optional<Polynomial> merged = merge(f, partner->second);
+    for (std::size_t m = 0; m < monomials_.size(); ++m) {
+      if (!divide(monomials_.variables(m), first, cofactor)) continue;
+      const std::size_t partner = monomials_.find(multiply(cofactor, second));
+      if (partner == monomials_.size()) continue;
+      const Polynomial f = monomials_.coefficient(m), g = monomials_.coefficient(partner);
+      const std::optional<Polynomial> merged = merge(f, g);
       if (!merged) continue;
-      replace({{variables, f}, *partner}, times_variables(*merged, cofactor));
+      replace({{monomials_.variables(m), f}, {monomials_.variables(partner), g}},
+              times_variables(*merged, cofactor));
       return true;
     }
     return false;
