@@ -8,7 +8,9 @@ namespace regulus::detail {
 namespace {
 
 Expression coefficient_product(const AtomProduct& product_of, const AtomTable& atoms) {
+  if (product_of.size() == 1) return atoms.coefficient_expression(product_of.front());
   Expressions factors;
+  factors.reserve(product_of.size());
   for (const Atom a : product_of) factors.push_back(atoms.coefficient_expression(a));
   return product(std::move(factors));
 }
@@ -35,6 +37,11 @@ std::vector<Magnitude> by_magnitude(const Polynomial& p, const AtomTable& atoms,
   return magnitudes;
 }
 
+/// factor·e.
+Expression scaled(const cln::cl_RA& factor, Expression e) {
+  return factor == 1 ? std::move(e) : product(Expression(factor), std::move(e));
+}
+
 }  // namespace
 
 Expression coefficient(const Polynomial& p, const AtomTable& atoms, Group group) {
@@ -42,8 +49,8 @@ Expression coefficient(const Polynomial& p, const AtomTable& atoms, Group group)
   const cln::cl_RA sign = minusp(p.terms()[group.first].factor) ? -1 : 1;
   Expressions terms;
   for (Magnitude& m : by_magnitude(p, atoms, group))
-    terms.push_back(product({Expression(sign * m.factor), sum(std::move(m.terms))}));
-  return product({Expression(sign), sum(std::move(terms))});
+    terms.push_back(scaled(sign * m.factor, sum(std::move(m.terms))));
+  return scaled(sign, sum(std::move(terms)));
 }
 
 Expression monomial(const AtomProduct& variables, const AtomTable& atoms) {
@@ -53,15 +60,18 @@ Expression monomial(const AtomProduct& variables, const AtomTable& atoms) {
     factors.push_back(power(atoms.variable_expression(variables[i]), exponent));
     i += static_cast<std::size_t>(exponent);
   }
-  return product(std::move(factors));
+  return factors.size() == 1 ? std::move(factors.front()) : product(std::move(factors));
 }
 
 Expression collect(const Polynomial& p, const AtomTable& atoms) {
   atoms.spend(p.terms().size());
   Expressions terms;
-  for (const Group group : groups(p))
-    terms.push_back(product({coefficient(p, atoms, group),
-                             monomial(p.terms()[group.first].monomial.variables, atoms)}));
+  for (const Group group : groups(p)) {
+    const AtomProduct& variables = p.terms()[group.first].monomial.variables;
+    Expression factor = coefficient(p, atoms, group);
+    terms.push_back(variables.empty() ? std::move(factor)
+                                      : product(std::move(factor), monomial(variables, atoms)));
+  }
   return sum(std::move(terms));
 }
 

@@ -9,7 +9,7 @@
 namespace regulus::detail {
 
 struct Expression::Node {
-  ExpressionKind kind;
+  ExpressionKind kind = ExpressionKind::kConstant;
   Call function = Call::kSqrt;
   int exponent = 0;
   cln::cl_RA value = 0;
@@ -43,52 +43,59 @@ bool can_be_undefined(Call function, const Expressions& arguments) {
 
 }  // namespace
 
-/// Completes and shares a node: the flags and the hash follow from its content.
+/// Shares nodes whose flags and hash follow from their content.
 struct ExpressionFactory {
-  static Expression make(Expression::Node node) {
-    std::size_t hash = static_cast<std::size_t>(node.kind);
-    mix(hash, static_cast<std::size_t>(node.function));
-    mix(hash, static_cast<std::size_t>(node.exponent));
-    if (node.kind == ExpressionKind::kConstant) mix(hash, cln::equal_hashcode(node.value));
-    if (!node.name.empty()) mix(hash, std::hash<std::string>()(node.name));
-    node.has_variables = node.kind == ExpressionKind::kVariable;
-    for (const Expression& operand : node.operands) {
+  using Node = Expression::Node;
+
+  static std::shared_ptr<Node> node(ExpressionKind kind) {
+    auto result = std::make_shared<Node>();
+    result->kind = kind;
+    return result;
+  }
+  static Expression complete(std::shared_ptr<Node> node) {
+    std::size_t hash = static_cast<std::size_t>(node->kind);
+    mix(hash, static_cast<std::size_t>(node->function));
+    mix(hash, static_cast<std::size_t>(node->exponent));
+    if (node->kind == ExpressionKind::kConstant) mix(hash, cln::equal_hashcode(node->value));
+    if (!node->name.empty()) mix(hash, std::hash<std::string>()(node->name));
+    node->has_variables = node->kind == ExpressionKind::kVariable;
+    for (const Expression& operand : node->operands) {
       mix(hash, operand.hash());
-      node.has_variables = node.has_variables || operand.has_variables();
-      node.is_total = node.is_total && operand.is_total();
+      node->has_variables = node->has_variables || operand.has_variables();
+      node->is_total = node->is_total && operand.is_total();
     }
-    if (node.kind == ExpressionKind::kPower && node.exponent < 0) node.is_total = false;
-    if (node.kind == ExpressionKind::kCall && can_be_undefined(node.function, node.operands))
-      node.is_total = false;
-    node.hash = hash;
-    return Expression(std::make_shared<const Expression::Node>(std::move(node)));
+    if (node->kind == ExpressionKind::kPower && node->exponent < 0) node->is_total = false;
+    if (node->kind == ExpressionKind::kCall && can_be_undefined(node->function, node->operands))
+      node->is_total = false;
+    node->hash = hash;
+    return Expression(std::move(node));
   }
   static Expression compound(ExpressionKind kind, Expressions operands) {
-    Expression::Node node{kind};
-    node.operands = std::move(operands);
-    return make(std::move(node));
+    auto result = node(kind);
+    result->operands = std::move(operands);
+    return complete(std::move(result));
   }
   static Expression symbol(ExpressionKind kind, const std::string& name) {
-    Expression::Node node{kind};
-    node.name = name;
-    return make(std::move(node));
+    auto result = node(kind);
+    result->name = name;
+    return complete(std::move(result));
   }
   static Expression constant(const cln::cl_RA& value) {
-    Expression::Node node{ExpressionKind::kConstant};
-    node.value = value;
-    return make(std::move(node));
+    auto result = node(ExpressionKind::kConstant);
+    result->value = value;
+    return complete(std::move(result));
   }
   static Expression power(const Expression& base, int exponent) {
-    Expression::Node node{ExpressionKind::kPower};
-    node.exponent = exponent;
-    node.operands = {base};
-    return make(std::move(node));
+    auto result = node(ExpressionKind::kPower);
+    result->exponent = exponent;
+    result->operands = {base};
+    return complete(std::move(result));
   }
   static Expression call(Call function, Expressions arguments) {
-    Expression::Node node{ExpressionKind::kCall};
-    node.function = function;
-    node.operands = std::move(arguments);
-    return make(std::move(node));
+    auto result = node(ExpressionKind::kCall);
+    result->function = function;
+    result->operands = std::move(arguments);
+    return complete(std::move(result));
   }
 };
 
@@ -176,6 +183,14 @@ Expression product(Expressions factors) {
                           : ExpressionFactory::compound(ExpressionKind::kProduct, std::move(flat));
 }
 
+Expression product(Expression a, Expression b) {
+  Expressions factors;
+  factors.reserve(2);
+  factors.push_back(std::move(a));
+  factors.push_back(std::move(b));
+  return product(std::move(factors));
+}
+
 Expression power(const Expression& base, int exponent) {
   if (exponent == 1) return base;
   // f^0 is 1 where f is defined.
@@ -198,9 +213,9 @@ Expression call(Call function, Expressions arguments) {
 }
 
 Expression operator+(const Expression& a, const Expression& b) { return sum({a, b}); }
-Expression operator-(const Expression& a) { return product({Expression(-1), a}); }
+Expression operator-(const Expression& a) { return product(Expression(-1), a); }
 Expression operator-(const Expression& a, const Expression& b) { return sum({a, -b}); }
-Expression operator*(const Expression& a, const Expression& b) { return product({a, b}); }
+Expression operator*(const Expression& a, const Expression& b) { return product(a, b); }
 
 cln::cl_RA coefficient_of(const Expression& term) {
   if (term.kind() == ExpressionKind::kConstant) return term.value();

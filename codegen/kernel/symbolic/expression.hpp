@@ -88,6 +88,7 @@ class Expression {
 
 /// Nested products are merged, rational constants multiplied. 0·f is 0 only if f is total.
 [[nodiscard]] Expression product(Expressions factors);
+[[nodiscard]] Expression product(Expression a, Expression b);
 
 /// base^exponent, any integer exponent.
 [[nodiscard]] Expression power(const Expression& base, int exponent);

@@ -38,14 +38,17 @@ class Nesting {
     if (!atom) return collect(p, atoms_);
     if (options_.factor)
       if (const auto common = common_coefficient(p))
-        return product({collect(common->factor, atoms_), form(common->rest)});
+        return product(collect(common->factor, atoms_), form(common->rest));
     if (options_.complete_squares)
       if (const auto square = completed_square(p, *atom)) return *square;
     const Split split = taken_out(p, *atom);
     if (options_.factor && !split.rest.is_zero())
       if (const auto factored = factor_split(split.outer, split.inner, split.rest))
-        return product({form(factored->first), form(factored->second)});
-    return sum({product({collect(split.outer, atoms_), form(split.inner)}), form(split.rest)});
+        return product(form(factored->first), form(factored->second));
+    atoms_.spend(1);
+    Expression first = product(monomial(split.outer.terms().front().monomial.variables, atoms_),
+                               form(split.inner));
+    return split.rest.is_zero() ? first : sum({std::move(first), form(split.rest)});
   }
 
  private:
@@ -91,20 +94,19 @@ class Nesting {
   /// Completes the square if p is a·t² + b·t plus terms without t, with rational a and b.
   std::optional<Expression> completed_square(const Polynomial& p, Atom t) {
     cln::cl_RA a = 0, b = 0;
-    std::vector<PolynomialTerm> rest;
     for (const PolynomialTerm& term : p.terms()) {
       const AtomProduct& variables = term.monomial.variables;
       const int exponent = exponent_of(variables, t);
-      if (exponent == 0) {
-        rest.push_back(term);
-        continue;
-      }
+      if (exponent == 0) continue;
       const bool alone = static_cast<int>(variables.size()) == exponent &&
                          term.monomial.coefficients.empty() && exponent <= 2;
       if (!alone) return std::nullopt;
       (exponent == 2 ? a : b) = term.factor;
     }
     if (zerop(a) || zerop(b)) return std::nullopt;
+    std::vector<PolynomialTerm> rest;
+    for (const PolynomialTerm& term : p.terms())
+      if (exponent_of(term.monomial.variables, t) == 0) rest.push_back(term);
     const cln::cl_RA shift = b / (2 * a);
     const Polynomial remainder = Polynomial(std::move(rest)) + Polynomial(-a * shift * shift);
     const Expression square = power(sum({atoms_.variable_expression(t), Expression(shift)}), 2);
