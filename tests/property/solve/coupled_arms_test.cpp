@@ -13,7 +13,7 @@ namespace {
 
 TEST(PosturesOfAnArmWithAFollower, AreThoseThatNewtonFinds) {
   RandomSource random(41);
-  const int rounds = trials(8, 100);
+  const int rounds = trials(4, 100);
   int complete = 0;
   for (int round = 0; round < rounds; ++round) {
     const Arm arm = random_arm(random, 1);

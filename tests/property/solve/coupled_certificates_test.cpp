@@ -143,7 +143,7 @@ std::string proved(const std::string& model, Counts& counts, const std::string& 
 TEST(ListsOfAnArmWithFollowers, AreVerifiedWithTheirFiles) {
   RandomSource random(71);
   Counts counts;
-  const int rounds = trials(4, 60);
+  const int rounds = trials(3, 60);
   for (int round = 0; round < rounds; ++round) {
     const Arm arm = random_arm(random, 1 + std::size_t(round % 3 == 2));
     const std::string model = text_of(arm, random_values(random, arm));
@@ -304,7 +304,7 @@ TEST(ListsOfAnArmOnRails, AreVerifiedWithTheirFiles) {
 TEST(ListsOfALevelArm, AreVerifiedWithTheirFiles) {
   RandomSource random(75);
   Counts counts;
-  const int rounds = trials(12, 100);
+  const int rounds = trials(6, 100);
   for (int round = 0; round < rounds; ++round) {
     const Arm arm = round % 2 == 0 ? palletizer(random) : scara(random);
     const std::string model = text_of(arm, random_values(random, arm)),

@@ -88,7 +88,7 @@ int count_of_five(const Solutions& solutions, const Numbers& q) {
 TEST(PosturesOfAnArmOfFiveJoints, AreThoseThatNewtonFinds) {
   RandomSource random(91);
   int complete = 0, verified_lists = 0;
-  const int rounds = trials(8, 60);
+  const int rounds = trials(4, 60);
   for (int round = 0; round < rounds; ++round) {
     const ToolArm robot = random_tool_arm(random, round % 4 == 3);
     const Numbers planted = random_values(random, robot.arm);

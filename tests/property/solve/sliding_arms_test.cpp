@@ -141,7 +141,7 @@ void expect_proof(const std::string& model) {
 TEST(PosturesOfAnArmWithOneSlide, AreThoseThatNewtonFinds) {
   RandomSource random(31);
   int complete = 0;
-  const int rounds = trials(12, 60);
+  const int rounds = trials(6, 60);
   for (int round = 0; round < rounds; ++round) {
     Arm arm = random_arm(random);
     arm[std::size_t(round) % 6].slides = true;
