@@ -54,6 +54,7 @@ set(lent
     bound/bound_number.hpp
     bound/bound_run.hpp
     bound/limit_margin.hpp
+    bound/singular_pose.hpp
     bound/way_place.hpp
     condition/condition_run.hpp
     condition/condition_test.hpp

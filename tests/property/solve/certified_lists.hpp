@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -30,13 +31,14 @@ struct Certified {
 };
 
 inline Certified certified(const std::string& model, const std::vector<std::string>& at = {},
-                           const std::string& motion = "", double seconds = 10) {
+                           const std::string& motion = "", std::uint64_t boxes = 20'000) {
   const TemporaryDirectory directory;
   const std::string path = (directory.path() / "certificate").string();
   SearchOptions search;
   search.engine = Engine::kInterpreted;
   search.threads = 1;
-  search.time_limit = seconds;
+  search.time_limit = 0;
+  search.max_boxes = boxes;  // as many on a busy machine
   ModelOptions options;
   options.text = model;
   options.at = at;

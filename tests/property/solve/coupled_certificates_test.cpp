@@ -126,8 +126,9 @@ struct Counts {
 };
 
 /// Solves, proves and compares. Returns the certificate if it is verified.
-std::string proved(const std::string& model, Counts& counts, const std::string& motion = "") {
-  const Certified made = certified(model, {}, motion);
+std::string proved(const std::string& model, Counts& counts, const std::string& motion = "",
+                   std::uint64_t boxes = 20'000) {
+  const Certified made = certified(model, {}, motion, boxes);
   if (!is_complete(made.solutions)) return "";
   ++counts.complete;
   if (made.text.empty()) ADD_FAILURE() << made.status.obstacle() << model;
@@ -285,7 +286,7 @@ TEST(ListsOfAnArmOnRails, AreVerifiedWithTheirFiles) {
       for (std::size_t i = 0; i < 2 + std::size_t(round % 2); ++i) arm[i].slides = true;
     } while (std::fabs(determinant(arm, random_values(random, arm))) < 1e-2);
     const std::string model = text_of(arm, random_values(random, arm)),
-                      text = proved(model, counts);
+                      text = proved(model, counts, "", 100'000);
     if (text.empty()) continue;
     EXPECT_EQ(text.find("joint-range"), std::string::npos);
     expect_only_this_list(lines_of(text));

@@ -146,7 +146,7 @@ TEST(FollowedPosesOfRandomPlatforms, HaveTheSameNumberEverywhere) {
         "regulus = 1\nname = \"planar\"\n[legs]\ntype = \"RPR\"\nbase_tolerance = {}\n{}"
         "[motion.m]\nlegs = [{}, {}, {}]\n",
         tolerance, legs, robot.legs[0], robot.legs[1], robot.legs[2]);
-    const Certified made = certified(model, {}, "", 30);
+    const Certified made = certified(model, {}, "", 40'000);
     const Solutions& solutions = made.solutions;
     const bool is_followed = !starts_of(made.text).empty();
     changed += solutions.changes;
@@ -210,7 +210,7 @@ TEST(FollowedPosesInSpace, AreVerifiedAndForgeriesAreNot) {
       replaced(whole.substr(0, whole.find("[motion.")), "[gough]",
                "[gough]\nbase_tolerance = 0.001") +
       "[motion.at]\nx = 1\ny = 2\nz = 47\npsi = 0.1\ntheta = 0.12\nphi = 0.05\n";
-  const Certified made = certified(model, {}, "", 60);
+  const Certified made = certified(model, {}, "", 100'000);
   ASSERT_EQ(made.solutions.completeness, Completeness::kComplete) << made.solutions.obstacle;
   ASSERT_EQ(starts_of(made.text).size(), 12U);
   const verifier::Verification v = verified(made.text, model);

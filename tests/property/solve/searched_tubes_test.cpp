@@ -14,8 +14,8 @@
 namespace regulus::detail::test::searched_tubes_test {
 namespace {
 
-/// A loaded machine needs more than other lists.
-constexpr double kSeconds = 100;
+/// More than other lists.
+constexpr std::uint64_t kBoxes = 100'000;
 
 double side(RandomSource& random, double size) { return random.between(-1, 1) < 0 ? -size : size; }
 
@@ -41,7 +41,7 @@ SpatialRobot robot_1() {
 
 TEST(SearchedPosesWithTolerances, HaveAPoseInEachTubeAtEachCorner) {
   constexpr double kSize = 3e-5;
-  const Certified made = certified(robot_1("3e-5", "3e-5"), {}, "", kSeconds);
+  const Certified made = certified(robot_1("3e-5", "3e-5"), {}, "", kBoxes);
   ASSERT_TRUE(made.status.is_written()) << made.status.obstacle();
   ASSERT_EQ(made.solutions.completeness, Completeness::kComplete) << made.solutions.obstacle;
   ASSERT_FALSE(made.solutions.is_counted);
@@ -64,7 +64,7 @@ TEST(SearchedPosesWithTolerances, HaveAPoseInEachTubeAtEachCorner) {
 
 TEST(SearchedPosesWithTolerances, AreVerifiedWithTheirFileAndForgeriesAreNot) {
   const std::string model = robot_1("3e-5", "3e-5");
-  const Certified made = certified(model, {}, "", kSeconds);
+  const Certified made = certified(model, {}, "", kBoxes);
   EXPECT_EQ(made.status.line().find("may not finish"), std::string::npos) << made.status.line();
   const verifier::Verification v = verified(made.text, model);
   ASSERT_EQ(v.outcome, Outcome::kVerified) << describe(v);
@@ -241,7 +241,7 @@ TEST(PosturesWithTolerances, AreAtThePlaceOfTheNominalArm) {
 
 /// Two links of 0.4 m that may be longer or shorter, and a wrist at the distance r: the elbow has two sides where
 /// r is less than their sum. `bend`: of the nominal elbow.
-Certified with_elbow(double bend, double tolerance, double seconds) {
+Certified with_elbow(double bend, double tolerance, std::uint64_t boxes) {
   return certified(fmt::format(R"toml(regulus = 1
 name = "elbow"
 [geometry]
@@ -267,7 +267,7 @@ q5 = 0.9
 q6 = 0.2
 )toml",
                                tolerance, bend + std::numbers::pi / 2),
-                   {}, "", seconds);
+                   {}, "", boxes);
 }
 
 /// With the elbow bent by β the wrist is at 0.8·cos(β/2), and the shortest links reach 0.8 − 2e.
@@ -275,11 +275,11 @@ TEST(PosturesThatMeetWithinTolerances, AreNeverAll) {
   for (const double bend : {0.05, 0.2}) {
     const double meeting = 0.4 * (1 - std::cos(bend / 2));
     for (const double part : {1.02, 3.0}) {
-      const Certified made = with_elbow(bend, part * meeting, 3);
+      const Certified made = with_elbow(bend, part * meeting, 3'000);
       EXPECT_EQ(made.solutions.completeness, Completeness::kIncomplete) << bend << ' ' << part;
       EXPECT_NE(made.solutions.obstacle, "");
     }
-    const Certified apart = with_elbow(bend, meeting / 64, kSeconds);
+    const Certified apart = with_elbow(bend, meeting / 64, kBoxes);
     EXPECT_EQ(apart.solutions.completeness, Completeness::kComplete) << apart.solutions.obstacle;
     EXPECT_EQ(apart.solutions.found.size(), 8U);
     EXPECT_EQ(outcome(apart.text), Outcome::kVerified);
