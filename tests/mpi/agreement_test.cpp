@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the ranks of a job must have in common.
+// Tests which instruction set the ranks of a job agree on, and which ranks they refuse.
 #include "codegen/use/mpi/agreement.hpp"
 
 #include <gmock/gmock.h>

@@ -172,7 +172,7 @@ class ConditionRun {
     return hint;
   }
 
-  /// Shows it.
+  /// Looks for a singular pose, and shows it.
   bool has_singular_pose(double seconds) {
     std::optional<SingularPose> found =
         find_singular_pose(request_, settings_, seconds, result_.boxes);
