@@ -19,16 +19,20 @@ std::string model_text() {
          "[load.push]\nforce = [10, 0, -20]\nmoment = [0, 0, 0]\n";
 }
 
-Bound bound_of(const std::string& quantity, const std::string& range) {
-  ModelOptions options;
-  options.motion = "turn";
-  if (!range.empty()) options.ranges = {range};
-  const Request request = read_request(model_text(), options);
+Bound bound_of(const std::string& quantity, const std::string& text, const ModelOptions& options) {
+  const Request request = read_request(text, options);
   BoundSettings settings;
   settings.search.threads = 1;
   settings.output.quiet = true;
   return bound_quantity(request, quantity_of(request.model, {.quantity = quantity}), settings,
                         [](const ComponentBound&) {});
+}
+
+Bound bound_of(const std::string& quantity, const std::string& range) {
+  ModelOptions options;
+  options.motion = "turn";
+  options.ranges = {range};
+  return bound_of(quantity, model_text(), options);
 }
 
 void expect_unbounded(const std::string& quantity, const std::string& range) {
@@ -68,6 +72,19 @@ TEST(ARobotThatIsAlwaysSingular, HasALargestSingularValue) {
   ASSERT_TRUE(c.attained && c.proved);
   EXPECT_GT(c.attained->approx, 0);
   EXPECT_FALSE(c.is_unbounded);
+}
+
+/// At x = 0 the leg has no length: its row is 0, and J⁻¹, which is regular elsewhere, is undefined.
+TEST(AMatrixWithoutAScale, IsNotSingular) {
+  const std::string text =
+      "regulus = 1\nname = \"leg of no length\"\n[pose]\nx = \"m\"\ny = \"m\"\n[matrix]\n"
+      "rows = [[\"x\", \"0\"], [\"0\", \"5\"]]\nrow_scale = [\"1/sqrt(x^2)\", \"1/5\"]\n"
+      "[motion.m]\nx = [-1, 1]\ny = 0\n";
+  for (const char* quantity : {"sigma-min", "determinant", "condition"})
+    for (const ComponentBound& c : bound_of(quantity, text, {}).components) {
+      EXPECT_FALSE(c.is_unbounded) << quantity;
+      EXPECT_FALSE(c.attains_zero()) << quantity;
+    }
 }
 
 }  // namespace
