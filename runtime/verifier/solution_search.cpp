@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "runtime/verifier/algebra.hpp"
 #include "runtime/verifier/arm_equations.hpp"
 #include "runtime/verifier/box_search.hpp"
 #include "runtime/verifier/moving_arm.hpp"
@@ -15,6 +16,8 @@ namespace regulus::verifier {
 namespace {
 
 constexpr long kBitsOfSearch = 128;
+/// What the searches at the ends of intervals show.
+constexpr const char* kInWalls = "no posture leaves this line,";
 constexpr std::size_t kStarts = 8;  ///< for each unknown that is not searched
 
 class SolutionSearch {
@@ -33,17 +36,16 @@ class SolutionSearch {
         searched_(q.closure->names.size()) {
     std::iota(searched_.begin(), searched_.end(), std::size_t{0});
     if (postures == nullptr) return;
+    postures_ = postures;
     searched_ = postures->searched;
     some_.emplace(postures->question, postures->also, places_, clock_, options, result);
     trace_.emplace(q_, std::vector<NodeId>{postures->trace});
-    trace_node_ = postures->trace;
-    has_none_ = postures->has_none;
   }
 
   void check() {
     if (!Evaluation(q_, q_.motion_defined).run(places_))
       throw Unfinished("an expression of the motion has no certain value");
-    if (has_none_) return require_none();
+    if (postures_ != nullptr && postures_->has_none) return require_none();
     enclose_ranges();
     if (!claim_.from.empty()) return follow();
     for (const SolutionLine& line : claim_.solutions) {
@@ -120,35 +122,68 @@ class SolutionSearch {
   void follow() {
     Box middles;
     for (const Interval x : places_) middles.push_back(point(mid(x)));
-    BoxSearch at_middles(q_, {}, middles, clock_, options_, result_);
-    at_middles.set_range(outer_);
-    std::vector<Box> lines;
+    BoxSearch all_at_middles(q_, {}, middles, clock_, options_, result_);
+    all_at_middles.set_range(outer_);
+    std::optional<BoxSearch> some_at_middles;
+    if (postures_ != nullptr) {
+      some_at_middles.emplace(postures_->question, postures_->also, middles, clock_, options_,
+                              result_);
+      some_at_middles->set_range(searched(outer_));
+    }
+    BoxSearch& at_middles = some_at_middles ? *some_at_middles : all_at_middles;
+    std::vector<Box> lines, searched_lines;
     for (std::size_t k = 0; k < claim_.solutions.size(); ++k) {
       const SolutionLine& line = claim_.solutions[k];
       lines_.name_line(line.line);
       require_room(line.values, lines);
+      require_apart(searched(line.values), searched_lines);
       lines.push_back(line.values);
-      const auto found = at_middles.test().solution_near(middles, claim_.from[k], scale_);
+      searched_lines.push_back(searched(line.values));
+      const auto found = all_at_middles.test().solution_near(middles, claim_.from[k], scale_);
       if (!found) throw Unfinished("no solution was found where this line is followed from");
       if (!is_in(box_of(*found), line.values))
         throw Rejection("the solution that this line is followed from is not within it");
-      const auto reach = at_middles.reach_of(found->middle, found->radius);
+      if (trace_ && !is_posture(middles, box_of(*found)))
+        throw Rejection("the end is turned by half a turn where this line is followed from");
+      const auto reach = at_middles.reach_of(searched(found->middle), searched(found->radius));
       if (!reach) throw Unfinished("other solutions may be near this line");
       reach_.push_back(*reach);
     }
     lines_.name_line(0);
     at_middles.search([this](const Box& box) { return !is_in_one(box, reach_); },
-                      [&](const Box& box) {
-                        std::vector<double> start;
-                        for (const Interval x : box) start.push_back(mid(x));
-                        reject_other_near(at_middles, middles, start);
-                      });
-    all_.search(
+                      [&](const Box& box) { look_for_other(all_at_middles, middles, box); });
+    in_search().search(
         [&](const Box& box) {
-          return !is_in_one(box, lines) || !all_.test().is_regular(places_, box);
+          return !is_in_one(box, searched_lines) || !in_search().test().is_regular(places_, box);
         },
         [](const Box&) {}, kFollowed);
+    for (const SolutionLine& line : claim_.solutions) require_walls(line);
+    lines_.name_line(0);
     result_.real_roots = result_.roots = reach_.size();
+  }
+
+  /// Unknowns that are not searched do not leave their intervals: no posture is near an end of one.
+  void require_walls(const SolutionLine& line) {
+    constexpr double kThickness = 0x1p-8;  // a part of the interval
+    if (searched_.size() == line.values.size()) return;
+    lines_.name_line(line.line);
+    GraphAlgebra algebra(q_.graph);
+    const std::vector<NodeId> half_turns = {
+        algebra.difference(postures_->trace, algebra.number(3))};
+    BoxSearch walls(q_, half_turns, places_, clock_, options_, result_);
+    for (std::size_t i = 0; i < line.values.size(); ++i) {
+      if (std::ranges::find(searched_, i) != searched_.end()) continue;
+      const Interval x = line.values[i];
+      const double thickness = down(kThickness * (x.hi - x.lo));
+      if (!(thickness > 0.0)) throw Unfinished("an interval of this line is too narrow");
+      for (const Interval wall :
+           {Interval{x.lo, up(x.lo + thickness)}, Interval{down(x.hi - thickness), x.hi}}) {
+        Box box = line.values;
+        box[i] = wall;
+        walls.set_range(box);
+        walls.search([](const Box&) { return true; }, [](const Box&) {}, kInWalls);
+      }
+    }
   }
 
   /// A solution that moves on cannot go from this line to another one, or leave the ranges.
@@ -157,6 +192,11 @@ class SolutionSearch {
     for (std::size_t i = 0; i < line.size(); ++i)
       if (!(outer_[i].lo < line[i].lo && line[i].hi < outer_[i].hi))
         throw Unfinished("the line is at the end of a range");
+    require_apart(line, others);
+  }
+
+  /// Of the searched unknowns, too: the search does not tell the others.
+  void require_apart(const Box& line, const std::vector<Box>& others) const {
     for (std::size_t k = 0; k < others.size(); ++k)
       if (!are_disjoint(line, others[k]))
         throw Unfinished("the solution may be that of line " +
@@ -179,15 +219,17 @@ class SolutionSearch {
   [[nodiscard]] BoxSearch& in_search() { return some_ ? *some_ : all_; }
 
   /// Returns true only if E, which is the unit matrix or a half turn, is the unit matrix.
-  [[nodiscard]] bool is_posture(const Box& solution) {
-    Box all = places_;
+  [[nodiscard]] bool is_posture(const Box& solution) { return is_posture(places_, solution); }
+  [[nodiscard]] bool is_posture(const Box& places, const Box& solution) {
+    Box all = places;
     all.insert(all.end(), solution.begin(), solution.end());
-    return trace_->run(all) && trace_->value(trace_node_).lo > 0.0;
+    return trace_->run(all) && trace_->value(postures_->trace).lo > 0.0;
   }
 
   /// Rejects the claim if a solution is found near the box that is in the ranges, and in no line. The
   /// unknowns that are not searched may be anywhere.
-  void look_for_other(const Box& box) {
+  void look_for_other(const Box& box) { look_for_other(all_, places_, box); }
+  void look_for_other(BoxSearch& search, const Box& places, const Box& box) {
     std::vector<double> start;
     for (const Interval range : outer_) start.push_back(range.lo);
     for (std::size_t k = 0; k < searched_.size(); ++k) start[searched_[k]] = mid(box[k]);
@@ -203,7 +245,7 @@ class SolutionSearch {
                    (double(rest % kStarts) + 0.5) * (outer_[i].hi - outer_[i].lo) / double(kStarts);
         rest /= kStarts;
       }
-      reject_other_near(all_, places_, start);
+      reject_other_near(search, places, start);
     }
   }
 
@@ -215,7 +257,7 @@ class SolutionSearch {
     const bool is_other = std::ranges::all_of(claim_.solutions, [&](const SolutionLine& line) {
       return are_disjoint(solution, line.values);
     });
-    if (is_other && is_in(solution, inner_) && (!trace_ || is_posture(solution)))
+    if (is_other && is_in(solution, inner_) && (!trace_ || is_posture(places, solution)))
       throw Rejection("there is another solution, near " + all_.place_of(solution));
   }
 
@@ -229,10 +271,9 @@ class SolutionSearch {
   BoxSearch all_;
   std::vector<std::size_t> searched_;  ///< unknowns
   // If not all are searched: the search of the others, and what tells a posture from a half turn.
+  PostureSearch* postures_ = nullptr;
   std::optional<BoxSearch> some_;
   std::optional<Evaluation> trace_;
-  NodeId trace_node_ = kNoNode;
-  bool has_none_ = false;
   Box outer_, inner_;          ///< contain the ranges of the unknowns, are within them
   std::vector<double> scale_;  ///< a small part of each range
   std::vector<Box> reach_;     ///< by line, of the searched unknowns
@@ -275,6 +316,8 @@ void search_solutions(Lines& lines, Question& question, const Options& options,
   }
   const std::optional<JointPair> left_out = read_left_out(lines.text());
   if (!lines.next()) throw Rejection("the file ends before the line 'end'");
+  const std::vector<SolutionLine>& listed = question.solutions->solutions;
+  read_from_lines(lines, *question.solutions, listed.empty() ? 0 : listed.front().values.size());
   expect_end();
   PostureSearch postures = form_posture_equations(question, left_out);
   SolutionSearch(lines, question, &postures, options, result).check();

@@ -34,52 +34,13 @@ Matrix3 turn(const Vector3& a, const Interval& angle) {
 
 }  // namespace
 
-Vector3 operator+(const Vector3& u, const Vector3& v) noexcept {
-  return {u[0] + v[0], u[1] + v[1], u[2] + v[2]};
-}
-
-Vector3 operator-(const Vector3& u, const Vector3& v) noexcept {
-  return {u[0] - v[0], u[1] - v[1], u[2] - v[2]};
-}
-
-Vector3 operator*(const Interval& factor, const Vector3& v) noexcept {
-  return {factor * v[0], factor * v[1], factor * v[2]};
-}
-
-Interval dot(const Vector3& u, const Vector3& v) noexcept {
-  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-}
-
-Vector3 cross(const Vector3& u, const Vector3& v) noexcept {
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-}
-
-Vector3 times(const Matrix3& R, const Vector3& v) noexcept {
-  Vector3 result;
-  for (std::size_t i = 0; i < 3; ++i)
-    result[i] = R[3 * i] * v[0] + R[3 * i + 1] * v[1] + R[3 * i + 2] * v[2];
-  return result;
-}
-
-Matrix3 times(const Matrix3& A, const Matrix3& B) noexcept {
-  Matrix3 result;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
-      result[3 * i + j] = A[3 * i] * B[j] + A[3 * i + 1] * B[3 + j] + A[3 * i + 2] * B[6 + j];
-  return result;
-}
-
-Matrix3 transposed(const Matrix3& R) noexcept {
-  return {R[0], R[3], R[6], R[1], R[4], R[7], R[2], R[5], R[8]};
-}
-
 Vector3 axial(const Matrix3& M) noexcept {
   const Interval half(0.5);
   return {half * (M[7] - M[5]), half * (M[2] - M[6]), half * (M[3] - M[1])};
 }
 
 Matrix3 across(const Vector3& z, const Matrix3& A) noexcept {
-  return times({0.0, -z[2], z[1], z[2], 0.0, -z[0], -z[1], z[0], 0.0}, A);
+  return times(Matrix3{0.0, -z[2], z[1], z[2], 0.0, -z[0], -z[1], z[0], 0.0}, A);
 }
 
 LinkFrame compose(const LinkFrame& first, const LinkFrame& second) noexcept {

@@ -9,23 +9,15 @@
 #include <vector>
 
 #include "codegen/model/mechanism/serial.hpp"
-#include "runtime/interval/interval.hpp"
+#include "codegen/question/solve/vectors.hpp"
 
 namespace regulus::detail {
 
-using Vector3 = std::array<Interval, 3>;
-using Matrix3 = std::array<Interval, 9>;  ///< row-major
+using Vector3 = VectorOf<Interval>;
+using Matrix3 = MatrixOf<Interval>;
 
 // Rounding of these functions: outward; MXCSR at nearest.
 
-[[nodiscard]] Vector3 operator+(const Vector3& u, const Vector3& v) noexcept;
-[[nodiscard]] Vector3 operator-(const Vector3& u, const Vector3& v) noexcept;
-[[nodiscard]] Vector3 operator*(const Interval& factor, const Vector3& v) noexcept;
-[[nodiscard]] Interval dot(const Vector3& u, const Vector3& v) noexcept;
-[[nodiscard]] Vector3 cross(const Vector3& u, const Vector3& v) noexcept;
-[[nodiscard]] Vector3 times(const Matrix3& R, const Vector3& v) noexcept;
-[[nodiscard]] Matrix3 times(const Matrix3& A, const Matrix3& B) noexcept;
-[[nodiscard]] Matrix3 transposed(const Matrix3& R) noexcept;
 /// Returns half of M − Mᵀ as a vector.
 [[nodiscard]] Vector3 axial(const Matrix3& M) noexcept;
 /// Returns [z]×A.

@@ -12,6 +12,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/model/place.hpp"
 #include "codegen/question/solve/arm_direction.hpp"
+#include "codegen/question/solve/arm_tubes.hpp"
 #include "codegen/question/solve/coupled_axes.hpp"
 #include "codegen/question/solve/platform_legs.hpp"
 #include "codegen/support/errors.hpp"
@@ -114,10 +115,14 @@ void require_joints(const ArmAtPlace& arm, const Request& request) {
           : "name some that keep their values by hold"));
 }
 
-/// Returns the loop that the system of this number of four joints is about, and its end.
-std::pair<ArmChain, LinkFrame> loop_from(const ArmAtPlace& arm, std::size_t number) {
-  auto loop = rotated_loop(arm.chain, arm.target, number);
-  move_origins(loop.first, loop.second);
+/// Returns the loop that the system of this number of four joints is about.
+VaryingLoop loop_from(const ArmAtPlace& arm, std::size_t number) {
+  const auto rotated = [number](const ArmAtPlace& at) {
+    return rotated_loop({at.chain, at.target, at.target_rates}, number);
+  };
+  VaryingLoop loop{rotated(arm), {}, arm.deviations};
+  if (arm.nominal) loop.nominal = rotated(*arm.nominal);
+  move_origins(loop.within, arm.nominal ? &loop.nominal : nullptr);
   return loop;
 }
 
@@ -167,28 +172,52 @@ std::vector<std::size_t> coupled_systems(const ArmAtPlace& arm) {
   return numbers;
 }
 
-}  // namespace
+/// What of the geometry varies.
+struct VaryingGeometry {
+  explicit VaryingGeometry(const Model& model) {
+    for (const GeometryParameter& g : model.geometry) {
+      if (g.tolerance.is_zero()) continue;
+      symbols.push_back(g.symbol);
+      const double most = enclose_constant(g.tolerance, "a tolerance").hi;
+      deviations.emplace_back(-most, most);
+    }
+    is_linear = moves_linearly(model.arm->tool);
+    for (const SerialJoint& joint : model.arm->joints) {
+      is_linear = is_linear && moves_linearly(joint.origin);
+      has_axes = has_axes ||
+                 std::ranges::any_of(joint.axis, [this](const GiNaC::ex& x) { return varies(x); });
+    }
+  }
 
-ArmAtPlace arm_at_place(const Request& request, const std::vector<std::string>& held) {
-  return arm_at_place(request, held,
-                      has_tolerances(request) && !has_errors(request.motion)
-                          ? ArmGeometry::kWithinTolerances
-                          : ArmGeometry::kNominal,
-                      {});
-}
+  std::vector<GiNaC::symbol> symbols;
+  std::vector<Interval> deviations;
+  bool is_linear = false, has_axes = false;
 
+ private:
+  [[nodiscard]] bool varies(const GiNaC::ex& number) const {
+    return std::ranges::any_of(symbols, [&](const GiNaC::symbol& s) { return number.has(s); });
+  }
+  [[nodiscard]] bool moves_linearly(const Placement& placement) const {
+    return !varies(placement.R) && std::ranges::all_of(placement.p, [this](const GiNaC::ex& x) {
+      return std::ranges::none_of(symbols,
+                                  [&](const GiNaC::symbol& s) { return varies(x.diff(s)); });
+    });
+  }
+};
+
+/// For a geometry of the model, with derivatives. The place is that of the request.
 ArmAtPlace arm_at_place(const Request& request, const std::vector<std::string>& held,
-                        ArmGeometry geometry, const std::vector<GiNaC::symbol>& varying) {
+                        const Model& model, ArmGeometry geometry,
+                        const std::vector<GiNaC::symbol>& varying) {
   const FloatingPointScope nearest(FloatingPointRounding::kNearest);
-  const Model& model = request.model;
   ArmAtPlace arm;
   arm.geometry = geometry;
   arm.chain = enclose_chain(model, geometry, varying);
   const std::vector<std::string> names = held_joints(model, request.motion, held);
-  const std::vector<Interval> values = enclose_values(model, request.motion);
+  const std::vector<Interval> values = enclose_values(request.model, request.motion);
   arm.unknowns = unknowns_of(*model.arm);
   if (request.motion.tool.empty())
-    arm.target = posture_at(enclose_chain(model, ArmGeometry::kNominal), values).end;
+    arm.target = posture_at(enclose_chain(request.model, ArmGeometry::kNominal), values).end;
   else
     std::tie(arm.target, arm.target_rates) =
         enclose_target(model, request.motion.tool, geometry, varying);
@@ -199,10 +228,44 @@ ArmAtPlace arm_at_place(const Request& request, const std::vector<std::string>& 
   return arm;
 }
 
+/// `loop`: of the system, if it is one of four joints of a plain arm.
+PairInLoop pair_of_values(const ArmAtPlace& arm, std::size_t number, const ArmLoop& loop,
+                          std::span<const Interval> searched) {
+  return number < kWholeArm ? opposite_pair(loop, searched)
+                            : pair_in_loop(arm.chain, arm.target, choice_of(arm, number), searched);
+}
+
+}  // namespace
+
+ArmAtPlace arm_at_place(const Request& request, const std::vector<std::string>& held) {
+  if (!has_tolerances(request) || has_errors(request.motion))
+    return nominal_arm_at_place(request, held);
+  const VaryingGeometry varying(request.model);
+  if (varying.has_axes)
+    return arm_at_place(request, held, request.model, ArmGeometry::kWithinTolerances, {});
+  ArmAtPlace arm =
+      arm_at_place(request, held, request.model, ArmGeometry::kWithinTolerances, varying.symbols);
+  arm.deviations = varying.deviations;
+  arm.is_linear = varying.is_linear;
+  arm.nominal = std::make_shared<const ArmAtPlace>(
+      arm_at_place(request, held, request.model, ArmGeometry::kNominal, varying.symbols));
+  return arm;
+}
+
+ArmAtPlace nominal_arm_at_place(const Request& request, const std::vector<std::string>& held) {
+  return nominal_arm_at_place(request, held, request.model);
+}
+
+ArmAtPlace nominal_arm_at_place(const Request& request, const std::vector<std::string>& held,
+                                const Model& model) {
+  return arm_at_place(request, held, model, ArmGeometry::kNominal, {});
+}
+
 bool ArmAtPlace::is_plain() const { return std::ranges::all_of(unknowns, &ArmUnknown::is_alone); }
 
 std::unique_ptr<RootSystem> ArmAtPlace::equations(bool has_rates) const {
   if (direction) return std::make_unique<ArmAboutDirection>(chain, target, *direction);
+  if (nominal) return std::make_unique<VaryingArm>(*this, has_rates);
   return std::make_unique<WholeArm>(chain, target, has_rates);
 }
 
@@ -227,10 +290,15 @@ DividedUnknowns divided_unknowns(const ArmAtPlace& arm, std::size_t number) {
 
 std::array<double, 2> approx_following(const ArmAtPlace& arm, std::size_t number,
                                        std::span<const double> searched) {
-  if (number > kWholeArm)
-    return approx_left_out(arm.chain, arm.target, choice_of(arm, number), searched);
-  const auto [loop, end] = loop_from(arm, number);
-  return OppositeAxes::approx_others(loop, end, searched);
+  const std::vector<Interval> at(searched.begin(), searched.end());
+  const VaryingLoop loop = number < kWholeArm ? loop_from(arm, number) : VaryingLoop();
+  return approx_values(pair_of_values(arm, number, loop.within, at));
+}
+
+std::optional<std::array<Interval, 2>> enclose_following(const ArmAtPlace& arm, std::size_t number,
+                                                         std::span<const Interval> searched) {
+  const VaryingLoop loop = number < kWholeArm ? loop_from(arm, number) : VaryingLoop();
+  return enclose_values(pair_of_values(arm, number, loop.within, searched));
 }
 
 RootSystems systems_of_arm(const ArmAtPlace& arm, std::size_t number) {
@@ -246,9 +314,16 @@ RootSystems systems_of_arm(const ArmAtPlace& arm, std::size_t number) {
     return {number, choice.searched.size(),
             [forms, rows] { return std::make_unique<CoupledAxes>(forms, rows); }};
   }
-  const auto loop = std::make_shared<const std::pair<ArmChain, LinkFrame>>(loop_from(arm, number));
+  const auto equations = std::make_shared<const OppositeEquations>(loop_from(arm, number));
   return {number, kSearched.size(),
-          [loop] { return std::make_unique<OppositeAxes>(loop->first, loop->second); }};
+          [equations] { return std::make_unique<OppositeAxes>(equations); }};
+}
+
+RootSystems followed_systems_of_arm(const ArmAtPlace& arm, std::size_t number) {
+  RootSystems systems = systems_of_arm(arm, number);
+  systems.regular = systems.system;
+  systems.number += kFollowedArm;
+  return systems;
 }
 
 }  // namespace regulus::detail

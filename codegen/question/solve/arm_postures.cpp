@@ -5,23 +5,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "codegen/answer/report/number_text.hpp"
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/degrees.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/model/place.hpp"
-#include "codegen/question/solve/arm_place.hpp"
-#include "codegen/question/solve/arm_slides.hpp"
-#include "codegen/question/solve/arm_system.hpp"
-#include "codegen/question/solve/arm_tubes.hpp"
-#include "codegen/question/solve/platform_legs.hpp"
-#include "codegen/question/solve/root_search.hpp"
+#include "codegen/question/solve/arm_corner.hpp"
+#include "codegen/question/solve/arm_following.hpp"
+#include "codegen/question/solve/posture_search.hpp"
 #include "codegen/question/solve/system_solutions.hpp"
 #include "codegen/support/errors.hpp"
 #include "runtime/interval/floating_point_scope.hpp"
-#include "runtime/solutions/arm_postures.hpp"
 
 namespace regulus::detail {
 namespace {
@@ -29,28 +24,17 @@ namespace {
 constexpr const char* kTheorem =
     "by the theorem that six joints that turn have at most 16 isolated complex postures (Primrose "
     "1986; Lee & Liang 1988; Raghavan & Roth 1993), of which 16 are certain";
-/// Each way to choose opposite joints gets so many boxes at first, and then all that are left.
-constexpr std::uint64_t kFirstBoxes = 3000;
-/// After a box that cannot be split: each way then only looks for more postures that are certain.
-constexpr std::uint64_t kBoxesAfterProblem = 4000;
-constexpr double kOverlapOfTurn = 0x1p-8;  ///< of the search over a turn, in radians
-/// E is no half turn if 3 less its trace is below this.
-constexpr double kHalfTurn = 4;
 const Interval kTurn = Interval(2.0) * kPi;
 
 class ArmSolver {
  public:
   ArmSolver(const Request& request, const SolveRun& run)
-      : model_(request.model),
+      : request_(request),
+        model_(request.model),
         run_(run),
         at_(arm_at_place(request, run.held)),
-        geometry_(at_.geometry),
-        chain_(at_.chain),
-        target_(at_.target),
         unknowns_(at_.unknowns),
-        slides_(slide_ranges(at_, request)),
-        systems_(systems_without_two(at_)) {
-    if (varies()) tubes_.emplace(request, run.held);
+        slides_(slide_ranges(at_, request)) {
     for (const ArmUnknown& u : unknowns_)
       solutions_.unknowns.push_back({model_.pose[u.pose].name, model_.pose[u.pose].unit,
                                      !u.is_periodic  ? 0
@@ -63,23 +47,13 @@ class ArmSolver {
   Solutions solve() {
     run_.begin();
     settings_ = root_settings_of(run_);
-    settings_.boxes_after_problem = kBoxesAfterProblem;
     const FloatingPointScope nearest(FloatingPointRounding::kNearest);
     if (at_.is_turned_away) return of_other_orientations();
-    Attempt best = systems_.empty() ? by_all_joints() : by_opposite_axes();
-    for (Root& root : best.postures) add(root);
+    varies() ? find_within_tolerances() : take(find(at_, 0, PostureEffort::kAll));
     sort_by_values(solutions_.found);
-    for (std::vector<Interval>& box : best.open)
+    for (std::vector<Interval>& box : solutions_.open)
       for (std::size_t k = 0; k < box.size(); ++k) box[k] = in_unit(k, box[k]);
-    solutions_.open = std::move(best.open);
-    solutions_.completeness =
-        best.obstacle.empty() ? Completeness::kComplete : Completeness::kIncomplete;
-    solutions_.obstacle = std::move(best.obstacle);
-    solutions_.stopped_by = best.stopped_by;
-    solutions_.how = is_counted_
-                         ? kTheorem
-                         : fmt::format("by a search of {} box{}{}", in_thousands(solutions_.boxes),
-                                       solutions_.boxes == 1 ? "" : "es", searched_ranges());
+    if (solutions_.obstacle.empty()) solutions_.completeness = Completeness::kComplete;
     return std::move(solutions_);
   }
 
@@ -103,13 +77,6 @@ class ArmSolver {
     return text;
   }
 
-  struct Attempt {
-    std::vector<Root> postures;  ///< of all six unknowns, in radians
-    std::vector<std::vector<Interval>> open;
-    std::string obstacle;  ///< empty: the list is whole
-    std::optional<Reason> stopped_by{};
-  };
-
   [[nodiscard]] bool in_degrees(const ArmUnknown& unknown) const {
     return unknown.turns && is_in_degrees(model_.pose[unknown.pose].unit);
   }
@@ -127,198 +94,145 @@ class ArmSolver {
     return Interval(unknowns_[unknown].scale) * value;
   }
 
-  [[nodiscard]] bool varies() const { return geometry_ != ArmGeometry::kNominal; }
+  [[nodiscard]] bool varies() const { return at_.geometry != ArmGeometry::kNominal; }
 
-  /// The whole arm near a posture. Nothing of the question but its sizes is read.
-  [[nodiscard]] RootJudge judge_of_arm() const {
-    const auto arm = [this] { return at_.equations(varies()); };
-    return RootJudge({problem_, {0, 0, unknowns_.size(), 0}, arm});
+  /// Searches with what is left of the limits.
+  FoundPostures find(const ArmAtPlace& at, std::size_t number, PostureEffort effort) {
+    FoundPostures found = PostureSearch(at, slides_, number, settings_, run_.progress).find(effort);
+    count(found);
+    return found;
   }
 
-  /// 3 less the trace of E.
-  [[nodiscard]] Interval trace_gap(const Root& root) const {
-    const auto arm = at_.equations(false);
-    arm->evaluate(std::vector<RootSystem::Box>{root.values}, false);
-    return arm->at(0)->also.front();
+  /// `found`: by a search.
+  template <class Found>
+  void count(const Found& found) {
+    solutions_.boxes += found.boxes;
+    solutions_.seconds += found.seconds;
+    solutions_.stopped_by = found.stopped_by;
+    settings_.max_boxes -= std::min(settings_.max_boxes, found.boxes);
+    settings_.time_limit -= found.seconds;
   }
 
-  /// True if E at a solution of the equations is the unit matrix, and not a half turn.
-  [[nodiscard]] bool is_posture(const Root& root) const { return trace_gap(root).hi < kHalfTurn; }
-
-  /// All postures, if as many as the theorem allows are certain among complex numbers.
-  std::optional<Attempt> by_counting() {
-    if (varies() || at_.direction || !at_.is_plain() || !slides_.empty()) return std::nullopt;
-    ArmToEnd arm;
-    for (std::size_t k = 0; k < kJoints; ++k)
-      arm.joints[k] = {{chain_[k].origin.R, chain_[k].origin.d}, chain_[k].axis};
-    arm.end = {target_.R, target_.d};
-    const ArmPostures counted = find_arm_postures(arm);
-    if (!counted.is_complete()) return std::nullopt;
-    Attempt attempt;
-    for (const PostureAngles& angles : counted.postures) {
-      std::vector<double> near;
-      for (const Interval& angle : angles) near.push_back(mid(angle));
-      auto root = judge_of_arm().root_near({}, near);
-      if (!root || !is_posture(*root) || !root->is(angles)) return std::nullopt;
-      attempt.postures.push_back(std::move(*root));
-    }
-    solutions_.complex_found = counted.complex;
-    is_counted_ = true;
-    return attempt;
-  }
-
-  Attempt by_opposite_axes() {
-    Attempt best;
-    const std::uint64_t all = settings_.max_boxes;
-    for (const std::uint64_t most : {std::min(all, kFirstBoxes), all}) {
-      for (const std::size_t first : systems_) {
-        settings_.max_boxes = most;
-        Attempt attempt = by_opposite_axes(first);
-        const bool is_last = attempt.obstacle.empty() ||
-                             attempt.stopped_by == Reason::kInterrupted ||
-                             attempt.stopped_by == Reason::kTimeBudget;
-        if (first == systems_.front() || attempt.obstacle.empty() ||
-            attempt.postures.size() > best.postures.size()) {
-          best = std::move(attempt);
-          note_left_out(first);
-        }
-        if (is_last) return best;
-      }
-      if (auto counted = by_counting()) {
-        solutions_.opposite = 0;
-        return std::move(*counted);
-      }
-    }
-    return best;
+  /// The list is this one.
+  void take(FoundPostures found) {
+    solutions_.found.clear();
+    for (const Root& root : found.postures) add(root, nullptr);
+    solutions_.open = std::move(found.open);
+    solutions_.obstacle = std::move(found.obstacle);
+    if (found.may_meet) solutions_.obstacle += place_text(solutions_.open);
+    solutions_.how =
+        found.complex_found
+            ? kTheorem
+            : fmt::format("by a search of {}{}", boxes_text(solutions_.boxes), searched_ranges());
+    solutions_.complex_found = found.complex_found;
+    if (!found.complex_found) note_left_out(found.system);
   }
 
   void note_left_out(std::size_t system) {
+    solutions_.opposite = 0;
+    solutions_.left_out.reset();
+    if (system == kWholeArm) return void(solutions_.left_out.emplace());
     const auto [a, b] = divided_unknowns(at_, system).following;
-    const bool is_usual = at_.is_plain() && !at_.direction;
-    solutions_.opposite = is_usual ? a % kOppositePairs + 1 : 0;
-    if (!is_usual) solutions_.left_out = {a + 1, b + 1};
+    if (at_.is_plain() && !at_.direction)
+      solutions_.opposite = a % kOppositePairs + 1;
+    else
+      solutions_.left_out = {a + 1, b + 1};
   }
 
-  Attempt by_opposite_axes(std::size_t first) {
-    const RootSystems systems = systems_of_arm(at_, first);
-    const auto [searched, following] = divided_unknowns(at_, first);
-    const auto [problem, periods] = ranges_of(searched);
-    const RootQuestion question = systems.question(problem);
-    const RootList list = search_roots(question, periods, settings_, run_.progress);
-    count(list);
-    RootJudge judge(question);
-    Attempt attempt;
-    attempt.stopped_by = list.stopped_by;
-    for (const std::vector<Interval>& box : list.open)
-      attempt.open.push_back(all_unknowns(box, first));
-    if (!list.is_complete) attempt.obstacle = obstacle_of(list, attempt.open);
-    for (const Root& four : list.roots)
-      if (!add_posture(attempt, four, judge, systems, first)) {
-        attempt.open.push_back(all_unknowns(four.values, first));
-        attempt.obstacle = "a solution of four joints is not shown to be a posture, or none";
-      }
-    return attempt;
+  /// Postures that one search does not tell apart are followed from those of the nominal arm.
+  void find_within_tolerances() {
+    FoundPostures at_once = find(at_, 0, PostureEffort::kFirst);
+    const bool is_whole = at_once.obstacle.empty();
+    const bool is_stopped = at_once.stopped_by && at_once.stopped_by != Reason::kBoxBudget;
+    take(std::move(at_once));
+    if (is_whole || is_stopped || settings_.max_boxes == 0) return;
+    const ArmAtPlace nominal = nominal_arm_at_place(request_, run_.held);
+    const FoundPostures all = find(nominal, kNominalArm, PostureEffort::kAll);
+    if (all.obstacle.empty()) follow(all);
   }
 
-  /// Returns false if neither is shown.
-  bool add_posture(Attempt& attempt, const Root& four, RootJudge& judge, const RootSystems& systems,
-                   std::size_t first) const {
-    const auto system = systems.system();
-    const std::vector<RootSystem::Box> boxes = {four.values};
-    system->evaluate(boxes, false);
-    if (!std::ranges::all_of(system->at(0)->also, contains_zero)) return true;  // the other hand
-    const auto [searched, following] = divided_unknowns(at_, first);
-    std::vector<double> near(unknowns_.size()), values;
-    for (const Interval& value : four.values) values.push_back(mid(value));
-    const auto others = approx_following(at_, first, values);
-    for (std::size_t i = 0; i < searched.size(); ++i) near[searched[i]] = values[i];
-    for (std::size_t i = 0; i < following.size(); ++i) near[following[i]] = others[i];
-    auto root = tubes_ ? tubes_->posture_near(near) : std::nullopt;
-    if (!root) root = judge_of_arm().root_near({}, near);
-    if (!root || !is_posture(*root)) return false;
-    // It is regular, so that no other values of the two joints fit the same four.
-    std::vector<Interval> same;
-    for (std::size_t i = 0; i < searched.size(); ++i) {
-      const Interval& value = root->values[searched[i]];
-      const double whole = unknowns_[searched[i]].is_periodic
-                               ? std::round((four.center[i] - mid(value)) / mid(kTurn))
-                               : 0;
-      same.push_back(value + Interval(whole) * kTurn);
+  void follow(const FoundPostures& all) {
+    std::vector<std::vector<Interval>> postures;
+    for (const Root& root : all.postures) postures.push_back(root.values);
+    SolutionTubes tubes =
+        follow_postures(at_, all.system, slides_, postures, settings_, run_.progress);
+    count(tubes);
+    const auto followed =
+        std::ranges::count_if(tubes.tubes, [](const auto& tube) { return tube.has_value(); });
+    // The first search may have told more of them apart.
+    if (!tubes.are_all && std::size_t(followed) < solutions_.found.size()) return;
+    solutions_.found.clear();
+    for (std::size_t i = 0; i < all.postures.size(); ++i)
+      if (tubes.tubes[i]) add_followed(all.postures[i], *tubes.tubes[i]);
+    note_left_out(all.system);
+    solutions_.open = std::move(tubes.open);
+    solutions_.how = fmt::format(
+        "{} of the nominal arm, and by one of {} over all tolerances, none of which has a singular "
+        "posture{}",
+        all.complex_found ? kTheorem : fmt::format("by a search of {}", boxes_text(all.boxes)),
+        boxes_text(tubes.boxes), searched_ranges());
+    solutions_.obstacle = why_left(tubes, all.postures.size());
+    if (!tubes.are_all && !tubes.stopped_by) look_for_change(all, tubes);
+  }
+
+  /// Looks for numbers of the arm at which there are more or fewer postures.
+  void look_for_change(const FoundPostures& all, const SolutionTubes& tubes) {
+    constexpr int kMostTrials = 4;
+    settings_.workers = nullptr;  // other processes have no such arm
+    int trials = 0;
+    for (std::size_t i = 0; i < all.postures.size() && trials < kMostTrials; ++i) {
+      if (tubes.tubes[i]) continue;
+      ++trials;
+      const Model corner =
+          model_towards_singular(request_, run_.held, middles_of(all.postures[i].values));
+      const FoundPostures there =
+          find(nominal_arm_at_place(request_, run_.held, corner), kNominalArm, PostureEffort::kAll);
+      if (!there.obstacle.empty() || there.postures.size() == all.postures.size()) continue;
+      solutions_.changes = true;
+      solutions_.obstacle = fmt::format("the nominal arm has {}, and there are {} with {}",
+                                        postures_text(all.postures.size()), there.postures.size(),
+                                        uncertain_values_text(corner));
+      return;
     }
-    // The box of a root may be smaller than the enclosures: it is the only one much farther, too.
-    const auto wide = four.is(same) ? std::nullopt : judge.root_near({}, four.center);
-    if (!four.is(same) && !(wide && wide->is(four.values) && wide->is(same))) return false;
-    attempt.postures.push_back(std::move(*root));
-    return true;
   }
 
-  /// Returns the ranges in which these unknowns are searched, and their periods.
-  [[nodiscard]] std::pair<Problem, std::vector<Interval>> ranges_of(
-      std::span<const std::size_t> searched) const {
-    const Interval circle(-mid(kPi) - kOverlapOfTurn, mid(kPi) + kOverlapOfTurn);
-    std::pair<Problem, std::vector<Interval>> ranges;
-    for (const std::size_t k : searched) {
-      const bool is_periodic = unknowns_[k].is_periodic;
-      ranges.first.outer.push_back(is_periodic ? circle : slides_.at(k).range);
-      ranges.second.push_back(is_periodic ? kTurn : Interval(0.0));
-    }
-    return ranges;
+  static std::string postures_text(std::size_t count) {
+    return count == 1 ? "1 posture" : fmt::format("{} postures", count);
   }
 
-  Attempt by_all_joints() {
-    std::vector<std::size_t> all(unknowns_.size());
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    solutions_.left_out.emplace();
-    const auto [problem, periods] = ranges_of(all);
-    const RootSystems systems = systems_of_arm(at_, kWholeArm);
-    const RootList list =
-        search_roots(systems.question(problem), periods, settings_, run_.progress);
-    count(list);
-    Attempt attempt;
-    attempt.stopped_by = list.stopped_by;
-    attempt.open = list.open;
-    if (!list.is_complete) attempt.obstacle = obstacle_of(list, attempt.open);
-    for (const Root& root : list.roots) {
-      if (is_posture(root)) {
-        attempt.postures.push_back(root);
-        continue;
-      }
-      if (!contains_zero(trace_gap(root))) continue;  // a half turn
-      attempt.obstacle = "a solution is not told from a half turn";
-      attempt.open.push_back(root.values);
-    }
-    return attempt;
+  static std::vector<double> middles_of(const std::vector<Interval>& values) {
+    std::vector<double> middles;
+    for (const Interval& value : values) middles.push_back(mid(value));
+    return middles;
   }
 
-  void count(const RootList& list) {
-    solutions_.boxes += list.boxes;
-    solutions_.seconds += list.seconds;
-    settings_.time_limit -= list.seconds;
+  /// The tube that is found to first order is narrower, if it is found.
+  void add_followed(const Root& posture, const std::vector<Interval>& tube) {
+    const auto at_once = varying_posture_near(at_, middles_of(posture.values));
+    add(posture, at_once ? &at_once->values : &tube);
   }
 
-  /// `open`: of all joints; those that are not searched have a whole turn.
-  [[nodiscard]] std::string obstacle_of(const RootList& list,
-                                        const std::vector<std::vector<Interval>>& open) const {
-    if (list.stopped_by) return describe(*list.stopped_by);
+  [[nodiscard]] std::string why_left(const SolutionTubes& tubes, std::size_t count) const {
+    if (tubes.are_all) return "";
+    if (tubes.stopped_by) return describe(*tubes.stopped_by);
+    return fmt::format(
+        "the nominal arm has {}, and no other; within the tolerances some may meet{}",
+        postures_text(count), place_text(tubes.open));
+  }
+
+  static std::string boxes_text(std::uint64_t boxes) {
+    return fmt::format("{} box{}", in_thousands(boxes), boxes == 1 ? "" : "es");
+  }
+
+  /// ", near q1 = 0.3 rad": of the first of boxes in radians, without unknowns that were not searched.
+  [[nodiscard]] std::string place_text(const std::vector<std::vector<Interval>>& open) const {
     std::string place;
     for (std::size_t k = 0; k < unknowns_.size() && !open.empty(); ++k)
       if (const Interval& value = open.front()[k]; width_ru(value) < 1)
         place += fmt::format("{}{} = {:.6g}{}", place.empty() ? ", near " : ", ",
                              solutions_.unknowns[k].name, mid(in_unit(k, value)),
                              unit_suffix(solutions_.unknowns[k].unit));
-    return (varies() ? "within the tolerances postures may meet"
-                     : "several postures meet, or there are infinitely many") +
-           place;
-  }
-
-  /// A box of four unknowns as one of all six.
-  [[nodiscard]] std::vector<Interval> all_unknowns(const std::vector<Interval>& four,
-                                                   std::size_t first) const {
-    std::vector<Interval> all(unknowns_.size(), Interval(-kPi.hi, kPi.hi));
-    for (const auto& [k, slide] : slides_) all[k] = slide.range;
-    const auto searched = divided_unknowns(at_, first).searched;
-    for (std::size_t i = 0; i < searched.size(); ++i) all[searched[i]] = four[i];
-    return all;
+    return place;
   }
 
   /// In radians.
@@ -329,23 +243,26 @@ class ArmSolver {
                 enclose_constant(range.hi * unit, "range"));
   }
 
-  void add(const Root& root) {
+  /// `tube`: where a posture of the nominal arm goes within the tolerances; null: `root` says it.
+  void add(const Root& root, const std::vector<Interval>* tube) {
     CertainSolution solution{{}, 0, root.sign};
     if (!model_.limits.empty()) solution.limits = WithinLimits::kWithin;
     for (std::size_t k = 0; k < unknowns_.size(); ++k) {
-      Interval value = root.values[k];
+      Interval value = tube != nullptr ? (*tube)[k] : root.values[k];
       if (unknowns_[k].is_periodic) value -= Interval(std::round(mid(value) / mid(kTurn))) * kTurn;
       value = value_of(k, value);
       if (!model_.limits.empty()) value = within_limits(solution, unknowns_[k], value);
       solution.values.push_back(in_unit(unknowns_[k], value));
     }
     solution.condition = condition_at(root);
+    for (std::size_t k = 0; k < unknowns_.size() && varies(); ++k)
+      solution.middle.push_back(mid(in_unit(k, root.values[k])));
     solutions_.found.push_back(std::move(solution));
   }
 
   [[nodiscard]] double condition_at(const Root& root) const {
     const std::size_t n = unknowns_.size();
-    std::vector<Interval> J = jacobian_at(chain_, posture_at(chain_, root.values), n);
+    std::vector<Interval> J = jacobian_at(at_.chain, posture_at(at_.chain, root.values), n);
     if (at_.direction) J = along(*at_.direction, J);
     std::vector<double> matrix;
     for (std::size_t e = 0; e < J.size(); ++e) matrix.push_back(mid(J[e]) / unknowns_[e % n].scale);
@@ -375,20 +292,14 @@ class ArmSolver {
     return value;
   }
 
+  const Request& request_;
   const Model& model_;
   const SolveRun& run_;
   const ArmAtPlace at_;
-  const ArmGeometry geometry_;
-  const ArmChain& chain_;
-  const LinkFrame& target_;
   const std::vector<ArmUnknown>& unknowns_;
   const std::map<std::size_t, SlideRange> slides_;  ///< by unknown
-  const std::vector<std::size_t> systems_;          ///< without two unknowns
-  std::optional<ArmTubes> tubes_{};
-  const Problem problem_{};
   RootSettings settings_;
   Solutions solutions_;
-  bool is_counted_ = false;
 };
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 namespace regulus::detail {
 
-/// Six joints that turn: four of them are searched (arm_system.hpp), in each of the three ways to
+/// Six joints that turn: four of them are searched (opposite_axes.hpp), in each of the three ways to
 /// choose two opposite ones, until a list is whole; each solution of these equations is shown to be
 /// a posture, or to be none. Where joints slide, all six are searched. An arm with joints that follow others is
 /// searched alike (coupled_axes.hpp), or all over, if two of its joints are not left out.

@@ -9,6 +9,8 @@ namespace regulus::detail {
 
 /// As many joints as a frame has freedoms.
 inline constexpr std::size_t kJoints = 6;
+/// As many as the freedoms of a frame that turns about one direction.
+inline constexpr std::size_t kFourJoints = 4;
 
 /// All unknowns: the end's origin is at that of the frame, and E = R(q)·R*ᵀ has no axial vector.
 /// Then E is the unit matrix or a half turn; at the first the derivatives are regular exactly where the
@@ -61,58 +63,28 @@ class ArmAboutDirection final : public RootSystem {
 /// Joins the last three of six rows of numbers to one: n·(their columns).
 [[nodiscard]] std::vector<Interval> along(const Vector3& n, const std::vector<Interval>& rows);
 
-/// Σ k_ij·u_i·v_j with u = (1, cos a, sin a) and v = (1, cos b, sin b).
-using Bilinear = std::array<std::array<Interval, 3>, 3>;
-
-/// Four of six joints in a closed loop J₁B₁…J₆B₆ = I of movements J_i and fixed frames B_i. All turn, but
-/// for the third, which may slide.
-///
-/// Seen from axis 3, the line of axis 6 is in the place P with direction L by the joints 1 and 2, and
-/// in p, l by 4 and 5; rotations about axis 3 = k carry one to the other. So
-///
-///     k·P = k·p,   k·L = k·l,   |P|² = |p|²,   P·L = p·l,
-///
-/// four equations in q₁, q₂, q₄, q₅, each bilinear in the sines and cosines on either side; and
-/// k·(P × L) = k·(p × l). All five together say that a rotation about k is there: q₃; the rest of the
-/// orientation is q₆. If joint 3 slides, p becomes P along k, and l stays: with e, f across k,
-///
-///     e·P = e·p,   f·P = f·p,   e·L = e·l,   f·L = f·l,
-///
-/// bilinear, too, and k·L = k·l, because L and l are as long.
-class OppositeAxes final : public RootSystem {
- public:
-  /// Requires  six joints that turn, or all but the third.
-  OppositeAxes(const ArmChain& chain, const LinkFrame& target);
-
-  void evaluate(std::span<const Box> boxes, bool has_rates) override {
-    boxes_.assign(boxes.begin(), boxes.end());
-    has_rates_ = has_rates;
-  }
-  [[nodiscard]] std::optional<Values> at(std::size_t lane) const override;
-
-  /// Returns the joints 3 and 6, approximately.
-  [[nodiscard]] static std::array<double, 2> approx_others(const ArmChain& chain,
-                                                           const LinkFrame& target,
-                                                           std::span<const double> four);
-
- private:
-  static constexpr std::size_t kEquations = 5;
-  struct Equation {
-    Bilinear left, right;  ///< left − right
-  };
-  std::array<Equation, kEquations> equations_;
-  std::vector<Box> boxes_;
-  bool has_rates_ = false;
+/// The joints and the end of an arm.
+struct ArmLoop {
+  ArmChain chain;
+  LinkFrame target;
+  FrameRates target_rates = {};  ///< as those of the joints
 };
 
-/// Returns the chain that begins `first` joints later in the loop, and its target: its joint i is
-/// joint (i + first) mod 6 of the given one, at the same values.
-[[nodiscard]] std::pair<ArmChain, LinkFrame> rotated_loop(const ArmChain& chain,
-                                                          const LinkFrame& target,
-                                                          std::size_t first);
+/// An arm within tolerances, and what it is without them.
+struct VaryingLoop {
+  ArmLoop within;                      ///< with rates by each deviation
+  ArmLoop nominal;                     ///< with the same joints; empty: there are no deviations
+  std::vector<Interval> deviations{};  ///< all of them are 0 in the nominal one
+};
+
+/// Returns the arm that begins `first` joints later in the loop: its joint i is joint (i + first) mod 6 of the given
+/// one, at the same values.
+[[nodiscard]] ArmLoop rotated_loop(const ArmLoop& arm, std::size_t first);
 
 /// Moves the origin of each joint along its axis to where it is nearest to the axis before, and the
 /// target with the last. The values of the joints stay.
-void move_origins(ArmChain& chain, LinkFrame& target);
+///
+/// `alike`: gets the same shifts; may be null.
+void move_origins(ArmLoop& arm, ArmLoop* alike);
 
 }  // namespace regulus::detail

@@ -21,9 +21,9 @@ struct Mover {
   Vector3 spin, velocity;
 };
 
-class VaryingArm {
+class VaryingPosture {
  public:
-  VaryingArm(const ArmAtPlace& arm, std::span<const Interval> unknowns)
+  VaryingPosture(const ArmAtPlace& arm, std::span<const Interval> unknowns)
       : arm_(arm),
         posture_(posture_at(arm.chain, unknowns)),
         m_(arm.chain.front().rates.size()),
@@ -132,17 +132,6 @@ void append_columns(std::vector<Interval>& to, const std::vector<Interval>& matr
     for (std::size_t k = 0; k < count; ++k) to.push_back(matrix[row * columns + first + k]);
 }
 
-bool varies(const GiNaC::ex& number, const std::vector<GiNaC::symbol>& varying) {
-  return std::ranges::any_of(varying, [&](const GiNaC::symbol& s) { return number.has(s); });
-}
-
-bool is_linear(const Placement& placement, const std::vector<GiNaC::symbol>& varying) {
-  return !varies(placement.R, varying) && std::ranges::all_of(placement.p, [&](const GiNaC::ex& x) {
-    return std::ranges::none_of(varying,
-                                [&](const GiNaC::symbol& s) { return varies(x.diff(s), varying); });
-  });
-}
-
 std::vector<double> middles_of(std::span<const Interval> values) {
   std::vector<double> result;
   for (const Interval& value : values) result.push_back(mid(value));
@@ -157,7 +146,7 @@ std::vector<Interval> as_points(std::span<const double> values) {
 
 VaryingValues varying_values(const ArmAtPlace& arm, std::span<const Interval> unknowns,
                              bool is_linear) {
-  const VaryingArm varying(arm, unknowns);
+  const VaryingPosture varying(arm, unknowns);
   const std::size_t m = varying.quantities(), n = unknowns.size();
   VaryingValues values;
   values.value = varying.value();
@@ -171,32 +160,30 @@ VaryingValues varying_values(const ArmAtPlace& arm, std::span<const Interval> un
   return values;
 }
 
-ArmTubes::ArmTubes(const Request& request, const std::vector<std::string>& held) {
-  std::vector<GiNaC::symbol> varying;
-  for (const GeometryParameter& g : request.model.geometry) {
-    if (g.tolerance.is_zero()) continue;
-    varying.push_back(g.symbol);
-    const double most = enclose_constant(g.tolerance, "a tolerance").hi;
-    deviations_.emplace_back(-most, most);
-  }
-  const Serial& arm = *request.model.arm;
-  is_linear_ = is_linear(arm.tool, varying);
-  for (const SerialJoint& joint : arm.joints) {
-    is_linear_ = is_linear_ && is_linear(joint.origin, varying);
-    if (std::ranges::any_of(joint.axis, [&](const GiNaC::ex& x) { return varies(x, varying); }))
-      deviations_.clear();
-  }
-  nominal_ = arm_at_place(request, held, ArmGeometry::kNominal, varying);
-  all_ = arm_at_place(request, held, ArmGeometry::kWithinTolerances, varying);
+void VaryingArm::evaluate(std::span<const Box> boxes, bool are_rates_needed) {
+  boxes_.assign(boxes.begin(), boxes.end());
+  within_.evaluate(boxes, are_rates_needed);
+  nominal_.evaluate(boxes, false);
 }
 
-std::optional<Root> ArmTubes::posture_near(std::vector<double> near) const {
-  const std::size_t n = near.size(), m = deviations_.size();
-  if (m == 0) return std::nullopt;
+std::optional<RootSystem::Values> VaryingArm::at(std::size_t lane) const {
+  auto values = within_.at(lane);
+  if (!values || !is_point(boxes_[lane])) return values;
+  const std::size_t m = arm_.deviations.size(), n = arm_.unknowns.size();
+  values->core = nominal_.at(lane)->value;
+  append_columns(values->by_datum, VaryingPosture(arm_, boxes_[lane]).derivatives(), m + n, 0, m);
+  values->data = arm_.deviations;
+  return values;
+}
+
+std::optional<Root> varying_posture_near(const ArmAtPlace& arm, std::vector<double> near) {
+  if (!arm.nominal) return std::nullopt;
+  const std::vector<Interval>& deviations = arm.deviations;
+  const std::size_t n = near.size(), m = deviations.size();
   VaryingValues at;
   std::vector<double> K;
   for (int step = 0; step < kStepsToPosture; ++step) {
-    at = varying_values(nominal_, as_points(near), is_linear_);
+    at = varying_values(*arm.nominal, as_points(near), arm.is_linear);
     const auto inverse = approx_inverse_of(middles_of(at.by_unknown), n);
     if (!inverse) return std::nullopt;
     K = *inverse;
@@ -209,9 +196,9 @@ std::optional<Root> ArmTubes::posture_near(std::vector<double> near) const {
   for (const Interval& slope : product(K, at.by_variable, n)) tube.slopes.push_back(-mid(slope));
   std::optional<Root> root;
   for (int trial = 0; trial < kTrialsOfTube; ++trial) {
-    const VaryingValues over = varying_values(all_, enclose(tube, deviations_), is_linear_);
+    const VaryingValues over = varying_values(arm, enclose(tube, deviations), arm.is_linear);
     const TubeImage image =
-        image_of(tube, deviations_, K,
+        image_of(tube, deviations, K,
                  {at.value, over.by_unknown, over.by_variable, at.by_unknown, at.by_variable,
                   over.rates_by_unknown, over.rates_by_variable});
     const bool is_shown = has_one_solution(tube, image);
@@ -224,7 +211,7 @@ std::optional<Root> ArmTubes::posture_near(std::vector<double> near) const {
     if (!is_shown) continue;
     // The solution is within the image of its tube.
     root =
-        Root{near, tube.radius, enclose(tube, deviations_), sign_of_determinant(at.by_unknown, n)};
+        Root{near, tube.radius, enclose(tube, deviations), sign_of_determinant(at.by_unknown, n)};
     for (double& r : tube.radius) r = std::fmax(kRoomOfTube * r, kLeastRadiusOfTube);
   }
   return root;

@@ -21,28 +21,37 @@ struct VaryingValues {
   std::vector<Interval> rates_by_variable, rates_by_unknown;
 };
 
-/// `is_linear`: the derivatives of place and lengths by what varies are constant, and rotations do not vary.
+/// `is_linear`: ArmAtPlace::is_linear.
 ///
 /// Requires  arm with derivatives.
 /// Rounding  outward; MXCSR at nearest.
 [[nodiscard]] VaryingValues varying_values(const ArmAtPlace& arm,
                                            std::span<const Interval> unknowns, bool is_linear);
 
-class ArmTubes {
+/// The equations of all unknowns of an arm within its tolerances; at a point it says how each deviation moves them.
+class VaryingArm final : public RootSystem {
  public:
-  /// Requires  the arm of the request is kWithinTolerances.
-  ArmTubes(const Request& request, const std::vector<std::string>& held);
+  /// Requires  arm.nominal; the arm turns about more than one direction.
+  VaryingArm(const ArmAtPlace& arm, bool has_rates)
+      : arm_(arm),
+        within_(arm.chain, arm.target, has_rates),
+        nominal_(arm.nominal->chain, arm.nominal->target) {}
 
-  /// Returns a posture for each geometry, near this one; nullopt: it is not shown. Its center and radius only say where it
-  /// is: others may be as near.
-  ///
-  /// Rounding  as varying_values().
-  [[nodiscard]] std::optional<Root> posture_near(std::vector<double> near) const;
+  void evaluate(std::span<const Box> boxes, bool are_rates_needed) override;
+  [[nodiscard]] std::optional<Values> at(std::size_t lane) const override;
 
  private:
-  std::vector<Interval> deviations_;
-  bool is_linear_ = false;
-  ArmAtPlace nominal_, all_;
+  const ArmAtPlace& arm_;
+  WholeArm within_, nominal_;
+  std::vector<Box> boxes_;
 };
+
+/// Returns a posture for each geometry, near this one; nullopt: it is not shown. Its center and radius only say where it
+/// is: others may be as near.
+///
+/// Requires  arm within its tolerances.
+/// Rounding  as varying_values().
+[[nodiscard]] std::optional<Root> varying_posture_near(const ArmAtPlace& arm,
+                                                       std::vector<double> near);
 
 }  // namespace regulus::detail

@@ -126,24 +126,24 @@ struct Waves {
 class Sides {
  public:
   Sides(ArmChain chain, LinkFrame target, const CoupledChoice& choice)
-      : chain_(std::move(chain)), target_(target), choice_(choice), waves_(chain_, choice) {
-    move_origins(chain_, target_);
+      : arm_{std::move(chain), target}, choice_(choice), waves_(arm_.chain, choice) {
+    move_origins(arm_, nullptr);
   }
 
   [[nodiscard]] LineForms between() const {
-    LineForms line(chain_[choice_.b].axis);
+    LineForms line(arm_.chain[choice_.b].axis);
     for (std::size_t i = choice_.b;;) {
-      i = (i + chain_.size() - 1) % chain_.size();
-      line.move(behind_joint(chain_, target_, i));
+      i = (i + arm_.chain.size() - 1) % arm_.chain.size();
+      line.move(behind_joint(arm_.chain, arm_.target, i));
       if (i == choice_.a) return line;
       pass(line, i, 1);
     }
   }
   [[nodiscard]] LineForms around() const {
-    LineForms line(chain_[choice_.b].axis);
+    LineForms line(arm_.chain[choice_.b].axis);
     for (std::size_t i = choice_.b;;) {
-      line.move(inverse(behind_joint(chain_, target_, i)));
-      i = (i + 1) % chain_.size();
+      line.move(inverse(behind_joint(arm_.chain, arm_.target, i)));
+      i = (i + 1) % arm_.chain.size();
       if (i == choice_.a) return line;
       pass(line, i, -1);
     }
@@ -152,15 +152,14 @@ class Sides {
  private:
   /// Applies a joint, or its inverse for the sign −1.
   void pass(LineForms& line, std::size_t i, int sign) const {
-    const ArmJoint& joint = chain_[i];
+    const ArmJoint& joint = arm_.chain[i];
     if (joint.turns)
       line.turn(joint.axis, waves_.unknown[i], sign * waves_.wave[i]);
     else
       line.slide(Interval(sign) * (joint.factor * joint.axis), waves_.unknown[i]);
   }
 
-  ArmChain chain_;
-  LinkFrame target_;
+  ArmLoop arm_;
   const CoupledChoice choice_;
   const Waves waves_;
 };
@@ -224,23 +223,13 @@ std::optional<RootSystem::Values> CoupledAxes::at(std::size_t lane) const {
   return values;
 }
 
-std::array<double, 2> approx_left_out(const ArmChain& chain, const LinkFrame& target,
-                                      const CoupledChoice& choice, std::span<const double> four) {
+PairInLoop pair_in_loop(const ArmChain& chain, const LinkFrame& target, const CoupledChoice& choice,
+                        std::span<const Interval> searched) {
   std::vector<Interval> values(kJoints, Interval(0.0));
-  for (std::size_t i = 0; i < four.size(); ++i) values[choice.searched[i]] = Interval(four[i]);
-  const ArmJoint &a = chain[choice.a], &b = chain[choice.b];
-  // J_a·M·J_b = N.
-  const LinkFrame M = frame_between(chain, target, choice.a, choice.b, values),
-                  N = inverse(frame_between(chain, target, choice.b, choice.a, values));
-  const Point3 k = middle(a.axis);
-  const auto by_place = approx_angle(k, middle(M.d), middle(N.d));
-  const auto by_direction = approx_angle(k, middle(times(M.R, b.axis)), middle(times(N.R, b.axis)));
-  const double value = !a.turns                                ? approx_dot(k, middle(N.d - M.d))
-                       : by_place.second > by_direction.second ? by_place.first
-                                                               : by_direction.first;
-  const LinkFrame last = compose(inverse(compose(a.moved(Interval(value)), M)), N);
-  const Vector3 across = farthest_unit(b.axis);
-  return {value, approx_angle(middle(b.axis), middle(across), middle(times(last.R, across))).first};
+  for (std::size_t i = 0; i < searched.size(); ++i) values[choice.searched[i]] = searched[i];
+  return {chain[choice.a], chain[choice.b],
+          frame_between(chain, target, choice.a, choice.b, values),
+          inverse(frame_between(chain, target, choice.b, choice.a, values))};
 }
 
 }  // namespace regulus::detail

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "codegen/question/solve/arm_system.hpp"
+#include "codegen/question/solve/left_out_pair.hpp"
 #include "codegen/question/solve/trig_form.hpp"
 
 namespace regulus::detail {
@@ -38,10 +39,10 @@ struct CoupledChoice {
 [[nodiscard]] std::size_t terms_of(const ArmChain& chain, const LinkFrame& target,
                                    const CoupledChoice& choice);
 
-/// Returns the values of joints a and b, approximately.
-[[nodiscard]] std::array<double, 2> approx_left_out(const ArmChain& chain, const LinkFrame& target,
-                                                    const CoupledChoice& choice,
-                                                    std::span<const double> four);
+/// Returns the joints a and b, with what values of the others make of the loop.
+[[nodiscard]] PairInLoop pair_in_loop(const ArmChain& chain, const LinkFrame& target,
+                                      const CoupledChoice& choice,
+                                      std::span<const Interval> searched);
 
 class CoupledAxes final : public RootSystem {
  public:

@@ -41,26 +41,23 @@ template <class Search>
   return undecided;
 }
 
-/// Returns the hull of what can be reached from a place through boxes that touch; nullopt: an open one, too.
-template <class Place, class MayTouch, class HullOf>
-[[nodiscard]] std::optional<Place> reach_from(const Place& start, std::vector<Place> boxes,
-                                              const std::vector<Place>& open,
-                                              const MayTouch& may_touch, const HullOf& hull_of) {
-  Place hull = start;
+/// Returns what can be reached from a place through boxes that touch, with that place; nullopt: an open one, too.
+template <class Place, class MayTouch>
+[[nodiscard]] std::optional<std::vector<Place>> reach_from(const Place& start,
+                                                           std::vector<Place> boxes,
+                                                           const std::vector<Place>& open,
+                                                           const MayTouch& may_touch) {
   std::vector<Place> reached = {start};
-  while (!reached.empty()) {
-    const Place from = std::move(reached.back());
-    reached.pop_back();
-    const auto touches = [&](const Place& box) { return may_touch(from, box); };
+  for (std::size_t next = 0; next < reached.size(); ++next) {
+    const auto touches = [&](const Place& box) { return may_touch(reached[next], box); };
     if (std::ranges::any_of(open, touches)) return std::nullopt;
     const auto near = std::partition(boxes.begin(), boxes.end(), std::not_fn(touches));
-    for (auto box = near; box != boxes.end(); ++box) {
-      hull = hull_of(hull, *box);
-      reached.push_back(*box);
-    }
+    // What `touches` refers to may move.
+    std::vector<Place> found(near, boxes.end());
     boxes.erase(near, boxes.end());
+    reached.insert(reached.end(), found.begin(), found.end());
   }
-  return hull;
+  return reached;
 }
 
 }  // namespace regulus::detail

@@ -2,19 +2,10 @@
 // The solutions of a system move while its variables are anywhere in their ranges: tubes enclose them.
 #pragma once
 
+#include "codegen/question/solve/followed_tubes.hpp"
 #include "codegen/question/solve/system_solutions.hpp"
 
 namespace regulus::detail {
-
-struct SolutionTubes {
-  /// By solution: encloses where it is; nullopt: it may meet another one, vanish, or leave the ranges.
-  std::vector<std::optional<std::vector<Interval>>> tubes;
-  bool are_all = false;                     ///< there are no others, at any values of the variables
-  std::vector<std::vector<Interval>> open;  ///< by unknown: boxes that may hold singular solutions
-  std::optional<Reason> stopped_by{};
-  std::uint64_t boxes = 0;
-  double seconds = 0;
-};
 
 /// Returns the problem in which all that is uncertain is in the middle of its range. It has `shape`.
 [[nodiscard]] Problem at_middles(Problem problem, const ClosedShape& shape);
@@ -26,12 +17,9 @@ struct SolutionTubes {
 [[nodiscard]] Problem towards_singular(const Problem& problem, const PreparedSystem& prepared,
                                        const std::vector<Interval>& solution);
 
-/// Follows the solutions at some values of the variables to all others.
+/// Follows the solutions at some values of the variables to all others, as follow_in_ranges() does.
 ///
-/// Requires  solutions: enclosures of all that there are at the same values of the variables, in the
-///           ranges of the problem.
-/// Ensures   a solution with a tube moves on without a jump, within its tube, as the variables change,
-///           and is regular. If are_all: all have tubes, and there are as many at all values.
+/// Requires  solutions: as there, in the ranges of the problem.
 /// Rounding  outward; MXCSR at nearest.
 [[nodiscard]] SolutionTubes follow_solutions(const Problem& problem, const PreparedSystem& prepared,
                                              const std::vector<Interval>& periods,

@@ -137,6 +137,15 @@ Listed posture_list(const Solutions& solutions) {
   for (std::size_t k = 0; k < solutions.found.size(); ++k) {
     auto& tube = listed.tubes.emplace_back();
     for (const auto& of_joint : values) tube.push_back(of_joint[k]);
+    if (solutions.found[k].middle.empty()) continue;
+    auto& middle = listed.middles.emplace_back();
+    for (std::size_t i = 0; i < joints; ++i) {
+      const SolvedUnknown& u = solutions.unknowns[i];
+      const double x =
+          solutions.found[k].middle[i] * (u.unit == "deg" ? std::numbers::pi / 180 : 1);
+      const double period = u.period * (u.unit == "deg" ? std::numbers::pi / 180 : 1);
+      middle.push_back(period != 0 ? moved_near(x, mid(tube[i]), period) : x);
+    }
   }
   return listed;
 }
@@ -209,12 +218,12 @@ std::string lines_of(const Solutions& solutions, const Listed& listed) {
 }
 
 std::optional<std::string> wider_lines_of(const Solutions& solutions, const Listed& listed,
-                                          double part) {
-  std::vector<std::vector<Interval>> tubes = widened(solutions, listed, kWiderWidth);
+                                          double own, double widest) {
+  std::vector<std::vector<Interval>> tubes = widened(solutions, listed, own);
   for (std::vector<Interval>& tube : tubes) {
-    double widest = 0;
-    for (const Interval& x : tube) widest = std::max(widest, width_ru(x));
-    for (Interval& x : tube) x += Interval(-part * widest, part * widest);
+    double width = 0;
+    for (const Interval& x : tube) width = std::max(width, width_ru(x));
+    for (Interval& x : tube) x += Interval(-widest * width, widest * width);
   }
   return are_disjoint(tubes) ? std::optional(text_of(tubes)) : std::nullopt;
 }

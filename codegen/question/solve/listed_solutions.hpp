@@ -28,9 +28,11 @@ struct Listed {
 /// Rounding  outward; MXCSR at nearest.
 [[nodiscard]] std::string lines_of(const Solutions& solutions, const Listed& listed);
 
-/// The same of angles, each wider by a part of the widest of its solution; nullopt: two lines would overlap.
+/// The same, each interval wider by a part of its own width and a part of the widest of its solution; nullopt: two
+/// lines would overlap.
 [[nodiscard]] std::optional<std::string> wider_lines_of(const Solutions& solutions,
-                                                        const Listed& listed, double part);
+                                                        const Listed& listed, double own,
+                                                        double widest);
 
 /// Returns the proof of a search: empty but for where solutions were followed from.
 [[nodiscard]] std::string proof_of(const Listed& listed);

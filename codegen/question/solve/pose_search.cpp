@@ -2,6 +2,7 @@
 #include "codegen/question/solve/pose_search.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "codegen/question/solve/followed_boxes.hpp"
@@ -58,10 +59,6 @@ class ChartSystem final : public RootSystem {
   }
 
  private:
-  static bool is_point(const Box& box) {
-    return std::ranges::all_of(box, [](const Interval& x) { return x.lo == x.hi; });
-  }
-
   const PoseEquations& equations_;
   const int chart_;
   const PoseRows rows_;
@@ -189,6 +186,10 @@ GoughPose hull_of(const GoughPose& a, const GoughPose& b) {
   return both;
 }
 
+GoughPose hull_of_all(const std::vector<GoughPose>& poses) {
+  return std::accumulate(poses.begin() + 1, poses.end(), poses.front(), hull_of);
+}
+
 /// At a pose of some legs of the set, the leg of `at` from anchor to anchor has a square from ρ² + this.
 std::array<Interval, 6> deviations_of(const GoughLegs& at, const GoughLegs& legs) {
   std::array<Interval, 6> result;
@@ -223,8 +224,8 @@ class PoseFollowing {
     // A chart that was not searched is open all over.
     const bool is_whole = searched_ == kChartsOfRotations;
     for (std::size_t i = 0; is_whole && i < poses.size(); ++i)
-      if (const auto tube = reach_from(poses[i], boxes_, result_.open, may_touch, hull_of))
-        result_.tubes[i] = narrow_poses(legs_, *tube).poses;
+      if (const auto parts = reach_from(poses[i], boxes_, result_.open, may_touch))
+        result_.tubes[i] = narrow_poses(legs_, hull_of_all(*parts)).poses;
     result_.are_all = is_whole && result_.open.empty();
     return std::move(result_);
   }

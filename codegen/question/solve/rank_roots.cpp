@@ -37,10 +37,14 @@ RootSystems systems_of(const Request& request, const std::vector<std::string>& h
                        std::size_t number) {
   if (!request.model.arm)
     return number < 2 * kChartsOfRotations ? systems_of_platform(request, number) : RootSystems();
-  const ArmAtPlace arm = arm_at_place(request, held);
-  const std::vector<std::size_t> four = systems_without_two(arm);
-  const bool exist = number == kWholeArm || std::ranges::find(four, number) != four.end();
-  return exist ? systems_of_arm(arm, number) : RootSystems();
+  const bool is_nominal = kNominalArm <= number && number < kFollowedArm;
+  const ArmAtPlace arm =
+      is_nominal ? nominal_arm_at_place(request, held) : arm_at_place(request, held);
+  const std::size_t own = number % kNominalArm;
+  const std::vector<std::size_t> without_two = systems_without_two(arm);
+  if (own != kWholeArm && std::ranges::find(without_two, own) == without_two.end())
+    return RootSystems();
+  return number < kFollowedArm ? systems_of_arm(arm, own) : followed_systems_of_arm(arm, own);
 }
 
 }  // namespace regulus::detail

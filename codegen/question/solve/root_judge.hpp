@@ -11,6 +11,7 @@
 // exactly one, for each x, is the test of branch_tube.hpp without variables: it holds for each x alone.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -43,6 +44,11 @@ class RootSystem {
   virtual void evaluate(std::span<const Box> boxes, bool has_rates) = 0;
   /// Returns nullopt if an expression is not certainly defined all over the box of that lane.
   [[nodiscard]] virtual std::optional<Values> at(std::size_t lane) const = 0;
+
+ protected:
+  [[nodiscard]] static bool is_point(const Box& box) {
+    return std::ranges::all_of(box, [](const Interval& x) { return x.lo == x.hi; });
+  }
 };
 
 using MakeRootSystem = std::function<std::unique_ptr<RootSystem>()>;

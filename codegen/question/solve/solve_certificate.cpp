@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <sstream>
 
@@ -31,6 +32,8 @@ constexpr const char* kNoProofOfCount =
     "that these are all is shown by a count of complex postures, which has no proof in a file";
 constexpr const char* kNoProofOfTolerances =
     "this list is without the tolerances and errors of the file, so it has no proof in a file";
+constexpr const char* kTubesOverlap =
+    "the tubes of postures overlap, if they have room for a proof";
 constexpr const char* kAtBorder = "a solution may be at the end of the range of an unknown";
 
 /// The verifier's enclosures of the solutions are within these, also where the given ones are points.
@@ -280,6 +283,20 @@ Trial trial_of(const std::string& head, const std::string& proof) {
               : ""};
 }
 
+/// How much wider the lines of postures within tolerances are than their tubes: by parts of its own width, and of the
+/// widest of its posture.
+struct TubeWidths {
+  bool is_followed;
+  double own, widest;
+};
+/// A verifier that follows postures needs little room; one that shows them in one step has wider tubes of all joints.
+constexpr std::array<TubeWidths, 6> kWidthsOfPostures = {{{true, 0.125, 0},
+                                                          {true, 0.5, 0.125},
+                                                          {false, 0.5, 0},
+                                                          {false, 0.5, 0.25},
+                                                          {false, 0.5, 1},
+                                                          {false, 0.5, 4}}};
+
 struct TriedProof {
   ListProof list;
   bool is_verified = false;
@@ -309,15 +326,23 @@ TriedProof try_list(const Request& request, const Solutions& solutions) {
     return {list, is_verified};
   // A search proves wider tubes. And legs that meet in the middle of the tolerances have 16 complex
   // poses there, and others elsewhere.
-  const std::string proof = (is_arm ? search_line(solutions) : "") + proof_of(listed);
-  try_proof(lines_of(solutions, listed), proof);
-  const ListProof first = list;
-  // The verifier's tubes of postures are wider than those that follow the uncertain quantities, of all joints.
-  for (const double part : {0.25, 1.0, 4.0}) {
-    if (!is_arm || !varies || list.doubt.empty()) break;
-    if (const auto lines = wider_lines_of(solutions, listed, part)) try_proof(*lines, proof);
+  const std::string search = is_arm ? search_line(solutions) : "";
+  if (!is_arm || !varies) {
+    try_proof(lines_of(solutions, listed), search + proof_of(listed));
+    return {list, is_verified};
   }
-  return {list.doubt.empty() ? list : first, is_verified};
+  ListProof first;
+  for (const TubeWidths& widths : kWidthsOfPostures) {
+    Listed tried = listed;
+    if (!widths.is_followed) tried.middles.clear();
+    const auto lines = wider_lines_of(solutions, listed, widths.own, widths.widest);
+    if (!lines || tried.middles.empty() == widths.is_followed) continue;
+    try_proof(*lines, search + proof_of(tried));
+    if (list.doubt.empty()) return {list, is_verified};
+    if (first.head.empty()) first = list;
+  }
+  if (first.head.empty()) first.obstacle = kTubesOverlap;
+  return {first, is_verified};
 }
 
 /// The searches of an arm that the verifier may take in the place of one by all joints: without one that slides and one

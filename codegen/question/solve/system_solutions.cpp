@@ -21,10 +21,7 @@ namespace {
 
 using GiNaC::ex;
 
-/// Where quantities are uncertain, solutions that one search does not tell apart are followed.
-constexpr std::uint64_t kBoxesBeforeFollowing = 500;
-constexpr double kWidthBeforeFollowing = 0x1p-16;  ///< a part of the range
-constexpr std::size_t kNumberOfFollowed = 1;       ///< RootQuestion::number
+constexpr std::size_t kNumberOfFollowed = 1;  ///< RootQuestion::number
 
 /// Joins boxes that touch, so that few remain to be read.
 std::vector<std::vector<Interval>> joined(const std::vector<std::vector<Interval>>& boxes) {
@@ -108,12 +105,8 @@ class SystemSolver {
 
   Solutions solve(RootSettings settings, Observer* progress) {
     const bool varies = uncertain_count(prepared_.preparation) > 0;
-    RootSettings first = settings;
-    if (varies) {
-      first.boxes_after_problem = kBoxesBeforeFollowing;
-      first.min_relative_width = kWidthBeforeFollowing;
-    }
-    const RootList list = search(problem_, first, progress);
+    const RootList list =
+        search(problem_, varies ? before_following(settings) : settings, progress);
     for (const Root& root : list.roots) add(root, nullptr, solutions_.found);
     solutions_.open = joined(list.open);
     if (list.is_complete) solutions_.completeness = Completeness::kComplete;

@@ -106,10 +106,11 @@ TEST(CoupledAxes, HaveTheDerivativesOfTheirEquations) {
       expect_derivatives(system, random_place(random, kFour));
       std::vector<double> four;
       for (const std::size_t k : choice.searched) four.push_back(posture[k]);
+      const std::vector<Interval> points(four.begin(), four.end());
       const RootSystem::Values there = at(system, four);
       for (const Interval& value : there.value) EXPECT_TRUE(contains_zero(value));
       EXPECT_TRUE(contains_zero(there.also.front()));
-      const auto others = approx_left_out(chain, target, choice, four);
+      const auto others = approx_values(pair_in_loop(chain, target, choice, points));
       for (const auto& [joint, value] :
            {std::pair{choice.a, others[0]}, std::pair{choice.b, others[1]}}) {
         const double gap = value - posture[chain[joint].unknown];
