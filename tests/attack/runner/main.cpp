@@ -3,10 +3,12 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "tests/attack/families/families.hpp"
 #include "tests/attack/runner/progress.hpp"
@@ -17,7 +19,7 @@ namespace regulus::detail::attack {
 namespace {
 
 struct Options {
-  std::uint64_t models = 1000, seed = 1;
+  std::uint64_t models = 1000, seed = 1, after = 0;
   std::vector<std::string> only;
   unsigned jobs = 2;
   double time_cap = 20;
@@ -70,16 +72,34 @@ std::uint64_t seed_of(const Options& options, std::uint64_t round) {
   return options.seed * 1'000'000'000 + round;
 }
 
+/// How many models, from the first one on, have outcomes; they come in any order.
+class Begun {
+ public:
+  void add(std::uint64_t model) {
+    later_.insert(model);
+    while (later_.erase(count_) > 0) ++count_;
+  }
+  [[nodiscard]] std::uint64_t count() const { return count_; }
+
+ private:
+  std::uint64_t count_ = 0;
+  std::set<std::uint64_t> later_;
+};
+
 Summary run(const Options& options, const std::vector<const Family*>& from) {
   Summary summary;
+  Begun begun;
+  const std::uint64_t left = options.models - std::min(options.after, options.models);
   std::optional<Progress> progress;
-  progress.emplace(std::cerr, isatty(STDERR_FILENO) != 0, options.models);
+  progress.emplace(std::cerr, isatty(STDERR_FILENO) != 0, left);
   Job job;
-  job.count = options.models;
+  job.count = left;
   job.make = [&](std::uint64_t i) {
+    i += options.after;
     return from[i % from.size()]->make(seed_of(options, i / from.size()));
   };
   job.done = [&](std::uint64_t i, const Outcome& outcome) {
+    begun.add(i);
     summary.add(job.make(i), outcome);
     progress->update(summary);
   };
@@ -89,7 +109,9 @@ Summary run(const Options& options, const std::vector<const Family*>& from) {
   job.verify = !options.no_verify;
   const bool complete = run_all(job);
   progress.reset();
-  if (!complete) std::cout << "stopped by a signal: what follows is a part\n";
+  if (!complete)
+    std::cout << "stopped by a signal: what follows is a part; the rest is that of --after "
+              << options.after + begun.count() << '\n';
   return summary;
 }
 
@@ -197,6 +219,7 @@ int main(int argc, char** argv) try {
   regulus::detail::attack::Options options;
   CLI::App app{"Attacks the command with hostile models and judges its answers"};
   app.add_option("--models", options.models, "How many models, over all families");
+  app.add_option("--after", options.after, "Leave out so many, which another part of the run has");
   app.add_option("--seed", options.seed, "Of the run")->check(CLI::Range(0, 1'000'000'000));
   app.add_option("--family", options.only, "Only these; see --list")->delimiter(',');
   app.add_option("--jobs", options.jobs, "Processes")->check(CLI::Range(1, 256));
