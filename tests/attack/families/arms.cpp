@@ -72,45 +72,22 @@ Numbers end_of(const Arm& arm, const Numbers& q) {
 
 std::string joint_name(std::size_t joint) { return "q" + std::to_string(joint + 1); }
 
-}  // namespace
-
-Attack solved_arm(std::uint64_t seed) {
-  constexpr int kStarts = 60;
-  Builder b("solve_arm", seed);
-  const Arm arm = arm_geometry(b);
-  SolveTruth truth;
-  std::string joints, motion;
-  std::vector<std::string> angles;
-  Numbers planted;
-  const bool is_stretched = has_wrist(arm) && b.random.one_in(6);
-  Solution known;
-  for (std::size_t k = 0; k < 6; ++k) {
-    const Rational q =
-        is_stretched && k == 4 ? Rational(0) : Rational(b.random.between(-48, 48), 16);
-    angles.push_back(joint_name(k));
-    planted.push_back(number_of(q));
-    known[joint_name(k)] = q;
-    truth.periods[joint_name(k)] = "2*pi";
-    joints += "  { name = " + quoted(joint_name(k)) + ", a = " + quoted(arm[k].a.fraction()) +
-              ", alpha = " + quoted(arm[k].alpha) + ", d = " + quoted(arm[k].d.fraction()) +
-              " },\n";
-    motion += joint_name(k) + " = " + quoted(q.fraction()) + "\n";
-  }
-  truth.known.push_back(std::move(known));
-  truth.is_degenerate = is_stretched;  // the first and the last joint of the wrist turn alike
-  const Numbers wanted = end_of(arm, planted);
-  // Postures of another arm within the tolerance lie in the tubes of the list, and are as many.
-  const bool varies = b.random.one_in(3);
-  const long digits = b.random.between(2, 7);
-  Arm other = arm;
-  for (DhJoint& joint : other) {
-    if (!varies) break;
-    const Rational step = Rational::ten_to(-digits) * Rational(1, 8);
+/// An arm whose lengths differ by up to 10^-digits.
+Arm near_arm(Builder& b, Arm arm, long digits) {
+  const Rational step = Rational::ten_to(-digits) * Rational(1, 8);
+  for (DhJoint& joint : arm) {
     joint.sizes[0] = number_of(joint.a + Rational(b.random.between(-8, 8)) * step);
     joint.sizes[1] = number_of(joint.d + Rational(b.random.between(-8, 8)) * step);
   }
+  return arm;
+}
+
+void look_for_postures(Builder& b, const Arm& arm, const Numbers& wanted, SolveTruth& truth) {
+  constexpr int kStarts = 60;
+  std::vector<std::string> angles;
+  for (std::size_t k = 0; k < 6; ++k) angles.push_back(joint_name(k));
   const Residual residual = [&](const Numbers& q) {
-    Numbers r = end_of(other, q);
+    Numbers r = end_of(arm, q);
     std::ranges::transform(r, wanted, r.begin(), std::minus());
     return r;
   };
@@ -122,6 +99,35 @@ Attack solved_arm(std::uint64_t seed) {
     for (std::size_t k = 0; root && k < 6; ++k) one[joint_name(k)] = (*root)[k];
     if (root && !is_among(truth.near, one, angles)) truth.near.push_back(std::move(one));
   }
+}
+
+}  // namespace
+
+Attack solved_arm(std::uint64_t seed) {
+  Builder b("solve_arm", seed);
+  const Arm arm = arm_geometry(b);
+  SolveTruth truth;
+  std::string joints, motion;
+  Numbers planted;
+  const bool is_stretched = has_wrist(arm) && b.random.one_in(6);
+  Solution known;
+  for (std::size_t k = 0; k < 6; ++k) {
+    const Rational q =
+        is_stretched && k == 4 ? Rational(0) : Rational(b.random.between(-48, 48), 16);
+    planted.push_back(number_of(q));
+    known[joint_name(k)] = q;
+    truth.periods[joint_name(k)] = "2*pi";
+    joints += "  { name = " + quoted(joint_name(k)) + ", a = " + quoted(arm[k].a.fraction()) +
+              ", alpha = " + quoted(arm[k].alpha) + ", d = " + quoted(arm[k].d.fraction()) +
+              " },\n";
+    motion += joint_name(k) + " = " + quoted(q.fraction()) + "\n";
+  }
+  truth.known.push_back(std::move(known));
+  truth.is_degenerate = is_stretched;  // the first and the last joint of the wrist turn alike
+  // The postures of another arm within the tolerance lie in the tubes of the list, too, and are as many.
+  const bool varies = b.random.one_in(3);
+  const long digits = b.random.between(2, 7);
+  look_for_postures(b, varies ? near_arm(b, arm, digits) : arm, end_of(arm, planted), truth);
   b.attack.model.instead =
       "regulus = 1\nname = \"arm\"\n\n[serial]\nconvention = \"standard-dh\"\n" +
       (varies ? "length_tolerance = 1e-" + std::to_string(digits) + "\n" : "") + "joints = [\n" +
