@@ -44,7 +44,10 @@ RootSystems systems_of(const Request& request, const std::vector<std::string>& h
   const std::vector<std::size_t> without_two = systems_without_two(arm);
   if (own != kWholeArm && std::ranges::find(without_two, own) == without_two.end())
     return RootSystems();
-  return number < kFollowedArm ? systems_of_arm(arm, own) : followed_systems_of_arm(arm, own);
+  RootSystems systems =
+      number < kFollowedArm ? systems_of_arm(arm, own) : followed_systems_of_arm(arm, own);
+  systems.number = number;
+  return systems;
 }
 
 }  // namespace regulus::detail

@@ -16,8 +16,10 @@
 namespace regulus::detail {
 namespace {
 
-Request request_of(const std::string& model, const std::vector<std::string>& at) {
+Request request_of(const std::string& model, const std::vector<std::string>& at,
+                   const std::vector<std::string>& tolerances = {}) {
   ModelOptions options;
+  options.tolerances = tolerances;
   options.path = REGULUS_SOURCE_DIR "/models/" + model + ".toml";
   options.at = at;
   return read_solve_request(options, {});
@@ -26,9 +28,9 @@ Request request_of(const std::string& model, const std::vector<std::string>& at)
 Request platform() {
   return request_of("robot_1", {"x=1", "y=2", "z=47", "psi=0.1", "theta=0.12", "phi=0.05"});
 }
-Request arm() {
+Request puma(const std::vector<std::string>& tolerances = {}) {
   return request_of("puma_560_serial",
-                    {"q1=0.3", "q2=0.4", "q3=-0.7", "q4=0.3", "q5=0.9", "q6=-1.4"});
+                    {"q1=0.3", "q2=0.4", "q3=-0.7", "q4=0.3", "q5=0.9", "q6=-1.4"}, tolerances);
 }
 
 /// Both leave the same of random boxes, and not all of each.
@@ -61,12 +63,28 @@ void expect_same(const RootSystems& told, const RootSystems& own) {
 
 TEST(RootsOfRanks, AreThoseOfTheArm) {
   const FloatingPointScope nearest(FloatingPointRounding::kNearest);
-  const Request request = arm();
+  const Request request = puma();
   const ArmAtPlace place = arm_at_place(request, {});
   for (const std::size_t number : {std::size_t{0}, std::size_t{1}, std::size_t{2}, kWholeArm})
     expect_same(systems_of(request, {}, number), systems_of_arm(place, number));
   for (const std::size_t number : {kOppositePairs, kWholeArm - 1, kWholeArm + 1})
     EXPECT_EQ(systems_of(request, {}, number).unknowns, 0U);
+}
+
+/// Of an arm within tolerances: at once, of the nominal arm, and where its postures are followed.
+TEST(RootsOfRanks, AreThoseOfAnArmThatIsFollowed) {
+  const FloatingPointScope nearest(FloatingPointRounding::kNearest);
+  const Request request = puma({"links=0.003"});
+  const ArmAtPlace within = arm_at_place(request, {}), nominal = nominal_arm_at_place(request, {});
+  for (const std::size_t number : {std::size_t{0}, std::size_t{2}, kWholeArm}) {
+    expect_same(systems_of(request, {}, number), systems_of_arm(within, number));
+    RootSystems of_nominal = systems_of_arm(nominal, number);
+    of_nominal.number += kNominalArm;
+    expect_same(systems_of(request, {}, number + kNominalArm), of_nominal);
+    expect_same(systems_of(request, {}, number + kFollowedArm),
+                followed_systems_of_arm(within, number));
+  }
+  EXPECT_EQ(systems_of(request, {}, kOppositePairs + kFollowedArm).unknowns, 0U);
 }
 
 TEST(RootsOfRanks, AreThoseOfThePlatform) {
@@ -87,7 +105,7 @@ TEST(RootsOfRanks, HaveAKernelIfTheyAreEquations) {
   EXPECT_TRUE(kernel_request(request_of("rpr_6", {})));
   EXPECT_TRUE(kernel_request(request_of("double_butterfly", {"theta=67.38"})));
   EXPECT_FALSE(kernel_request(platform()));
-  EXPECT_FALSE(kernel_request(arm()));
+  EXPECT_FALSE(kernel_request(puma()));
 }
 
 }  // namespace
