@@ -272,8 +272,8 @@ void read_from_lines(Lines& lines, SolutionLines& claim, std::size_t numbers) {
     const auto words = words_of(lines.text());
     if (words.size() != 1 + numbers)
       throw Rejection("expected " + std::to_string(numbers) + " numbers after 'from'");
-    if (claim.verdict != format::kComplete || claim.from.size() == claim.solutions.size())
-      throw Rejection("a line 'from' is of a line 'solution' of COMPLETE");
+    if (claim.from.size() == claim.solutions.size())
+      throw Rejection("a line 'from' is of a line 'solution'");
     std::vector<double>& at = claim.from.emplace_back();
     for (std::size_t i = 1; i < words.size(); ++i) at.push_back(read_double(words[i]));
     if (!lines.next()) throw Rejection("the file ends before the line 'end'");

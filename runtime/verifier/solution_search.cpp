@@ -17,7 +17,7 @@ namespace {
 
 constexpr long kBitsOfSearch = 128;
 /// What the searches at the ends of intervals show.
-constexpr const char* kInWalls = "no posture leaves this line,";
+constexpr const char* kInWalls = "no solution leaves this line,";
 constexpr std::size_t kStarts = 8;  ///< for each unknown that is not searched
 
 class SolutionSearch {
@@ -117,8 +117,8 @@ class SolutionSearch {
     reach_.push_back(reach.value_or(Box(searched_.size(), {kInfinity, -kInfinity})));
   }
 
-  /// Shows that there is one solution within each line, and no other, at the middles of the places; and
-  /// that at no place a solution is outside of the lines, or singular.
+  /// Shows that there is one solution within each line at the middles of the places, and that it stays there. If the
+  /// list is whole: there is no other at the middles, and at no place a solution is outside of the lines, or singular.
   void follow() {
     Box middles;
     for (const Interval x : places_) middles.push_back(point(mid(x)));
@@ -149,7 +149,14 @@ class SolutionSearch {
       if (!reach) throw Unfinished("other solutions may be near this line");
       reach_.push_back(*reach);
     }
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      lines_.name_line(claim_.solutions[k].line);
+      if (claim_.verdict == format::kIncomplete) stay(at_middles, searched_lines[k], reach_[k]);
+      require_walls_of_others(lines[k]);
+    }
     lines_.name_line(0);
+    result_.real_roots = result_.roots = reach_.size();
+    if (claim_.verdict == format::kIncomplete) return;
     at_middles.search([this](const Box& box) { return !is_in_one(box, reach_); },
                       [&](const Box& box) { look_for_other(all_at_middles, middles, box); });
     in_search().search(
@@ -157,32 +164,42 @@ class SolutionSearch {
           return !is_in_one(box, searched_lines) || !in_search().test().is_regular(places_, box);
         },
         [](const Box&) {}, kFollowed);
-    for (const SolutionLine& line : claim_.solutions) require_walls(line);
-    lines_.name_line(0);
-    result_.real_roots = result_.roots = reach_.size();
   }
 
-  /// Unknowns that are not searched do not leave their intervals: no posture is near an end of one.
-  void require_walls(const SolutionLine& line) {
-    constexpr double kThickness = 0x1p-8;  // a part of the interval
-    if (searched_.size() == line.values.size()) return;
-    lines_.name_line(line.line);
+  /// Shows that one solution is within a line, of the searched unknowns, at all places, if one is at the middles: no
+  /// other is there, none is singular, and none is near an end of an interval.
+  void stay(BoxSearch& at_middles, const Box& line, const Box& reach) {
+    at_middles.set_range(line);
+    at_middles.search([&](const Box& box) { return !is_in(box, reach); }, [](const Box&) {});
+    in_search().set_range(line);
+    in_search().search([&](const Box& box) { return !in_search().test().is_regular(places_, box); },
+                       [](const Box&) {}, kFollowed);
+    for (std::size_t i = 0; i < line.size(); ++i) require_walls(in_search(), line, i);
+  }
+
+  /// Unknowns that are not searched do not leave their intervals.
+  void require_walls_of_others(const Box& line) {
+    if (postures_ == nullptr) return;
     GraphAlgebra algebra(q_.graph);
     const std::vector<NodeId> half_turns = {
         algebra.difference(postures_->trace, algebra.number(3))};
-    BoxSearch walls(q_, half_turns, places_, clock_, options_, result_);
-    for (std::size_t i = 0; i < line.values.size(); ++i) {
-      if (std::ranges::find(searched_, i) != searched_.end()) continue;
-      const Interval x = line.values[i];
-      const double thickness = down(kThickness * (x.hi - x.lo));
-      if (!(thickness > 0.0)) throw Unfinished("an interval of this line is too narrow");
-      for (const Interval wall :
-           {Interval{x.lo, up(x.lo + thickness)}, Interval{down(x.hi - thickness), x.hi}}) {
-        Box box = line.values;
-        box[i] = wall;
-        walls.set_range(box);
-        walls.search([](const Box&) { return true; }, [](const Box&) {}, kInWalls);
-      }
+    BoxSearch all(q_, half_turns, places_, clock_, options_, result_);
+    for (std::size_t i = 0; i < line.size(); ++i)
+      if (std::ranges::find(searched_, i) == searched_.end()) require_walls(all, line, i);
+  }
+
+  /// Shows that no solution within a line is near an end of one interval.
+  void require_walls(BoxSearch& search, const Box& line, std::size_t i) const {
+    constexpr double kThickness = 0x1p-8;  // a part of the interval
+    const Interval x = line[i];
+    const double thickness = down(kThickness * (x.hi - x.lo));
+    if (!(thickness > 0.0)) throw Unfinished("an interval of this line is too narrow");
+    for (const Interval wall :
+         {Interval{x.lo, up(x.lo + thickness)}, Interval{down(x.hi - thickness), x.hi}}) {
+      Box box = line;
+      box[i] = wall;
+      search.set_range(box);
+      search.search([](const Box&) { return true; }, [](const Box&) {}, kInWalls);
     }
   }
 

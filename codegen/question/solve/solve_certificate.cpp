@@ -310,7 +310,9 @@ TriedProof try_list(const Request& request, const Solutions& solutions) {
              is_in_space = !is_arm && !request.model.closure && !is_in_plane(request),
              is_counted = is_in_space && (!is_complete || solutions.is_counted);
   Listed listed = list_of(request, solutions);
-  if (!is_complete) listed.middles.clear();
+  // A list in space that is not whole is shown pose by pose, and so is one of which some were not followed.
+  if ((!is_complete && is_in_space) || listed.middles.size() != listed.tubes.size())
+    listed.middles.clear();
   const auto try_proof = [&](const std::string& lines, const std::string& proof) {
     list.head = head_of(request, solutions, lines);
     list.proof = proof;

@@ -219,6 +219,23 @@ TEST(PosturesThatAreFollowed, AreVerifiedAndForgeriesAreNot) {
   }
 }
 
+/// Some of the postures are certain, and each is followed by itself.
+TEST(PosturesThatAreFollowed, AreVerifiedWhereOthersMayMeet) {
+  const Numbers q = {0.3, 0.4, -0.7, 0.3, 0.9, -1.4};
+  const std::string model =
+      text_of(kPuma, q, "length_tolerance = 0.006\nangle_tolerance = 0.006\n");
+  const Certified made = certified(model);
+  ASSERT_FALSE(is_complete(made.solutions));
+  const verifier::Verification v = verified(made.text, model);
+  ASSERT_EQ(v.outcome, Outcome::kVerified) << describe(v);
+  EXPECT_EQ(v.roots, made.solutions.found.size());
+  EXPECT_GT(v.roots, 0U);
+  const std::string plain = without_sum(made.text);
+  ASSERT_NE(plain.find("\nfrom "), std::string::npos);
+  for (std::size_t joint = 0; joint < 6; ++joint)
+    EXPECT_NE(outcome(with_interval(plain, joint, 0.48, 1)), Outcome::kVerified) << joint;
+}
+
 /// Within larger ones their number changes, and the report says for which numbers of the arm.
 TEST(PosturesWithinDecimetres, AreNotAlwaysAsMany) {
   const Numbers q = {0.3, 0.4, -0.7, 0.3, 0.9, -1.4};
