@@ -156,7 +156,7 @@ void check_solutions(Lines& lines, Question& question, const Options& options,
   if (question.solutions->from.empty() && lines.text() != "end")
     return SolutionCount(lines, question, places, options, result).check();
   if (lines.text() != "end") throw Rejection("expected 'end' after the lines 'from'");
-  if (question.solutions->verdict == format::kIncomplete)
+  if (question.solutions->verdict == format::kIncomplete && !question.solutions->from.empty())
     throw Rejection("lines 'from' of poses on six legs are of COMPLETE");
   if (lines.next()) throw Rejection("there is text after the line 'end'");
   search_poses(lines, question, places, options, result);
