@@ -141,8 +141,10 @@ class SolutionSearch {
       searched_lines.push_back(searched(line.values));
       const auto found = all_at_middles.test().solution_near(middles, claim_.from[k], scale_);
       if (!found) throw Unfinished("no solution was found where this line is followed from");
-      if (!is_in(box_of(*found), line.values))
+      if (are_disjoint(box_of(*found), line.values))
         throw Rejection("the solution that this line is followed from is not within it");
+      if (!is_in(box_of(*found), line.values))
+        throw Unfinished("the solution that this line is followed from may not be within it");
       if (trace_ && !is_posture(middles, box_of(*found)))
         throw Rejection("the end is turned by half a turn where this line is followed from");
       const auto reach = at_middles.reach_of(searched(found->middle), searched(found->radius));

@@ -278,7 +278,7 @@ Trial trial_of(const std::string& head, const std::string& proof) {
   const verifier::Verification tried = verifier::verify(text, options);
   const bool is_stopped = tried.boxes > kTriedBoxes;
   return {tried.outcome == verifier::Outcome::kVerified,
-          tried.outcome == verifier::Outcome::kUnfinished && !is_stopped
+          tried.outcome != verifier::Outcome::kVerified && !is_stopped
               ? "the verifier may not finish: " + tried.reason
               : ""};
 }
