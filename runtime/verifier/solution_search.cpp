@@ -16,7 +16,7 @@ namespace regulus::verifier {
 namespace {
 
 constexpr long kBitsOfSearch = 128;
-/// What the searches at the ends of intervals show.
+/// The searches at the ends of intervals show that this is so.
 constexpr const char* kInWalls = "no solution leaves this line,";
 constexpr std::size_t kStarts = 8;  ///< for each unknown that is not searched
 
@@ -214,7 +214,7 @@ class SolutionSearch {
     require_apart(line, others);
   }
 
-  /// Of the searched unknowns, too: the search does not tell the others.
+  /// Lines are apart, also in the unknowns that are searched, which do not tell the others.
   void require_apart(const Box& line, const std::vector<Box>& others) const {
     for (std::size_t k = 0; k < others.size(); ++k)
       if (!are_disjoint(line, others[k]))

@@ -102,9 +102,9 @@ class ArmNumbers {
                                               : enclose_uncertain(model_, number, kWhat);
   }
   [[nodiscard]] FrameRates rates(const Placement& placement,
-                                 const std::vector<GiNaC::symbol>& varying) const {
+                                 const std::vector<GiNaC::realsymbol>& varying) const {
     FrameRates rates;
-    for (const GiNaC::symbol& symbol : varying) {
+    for (const GiNaC::realsymbol& symbol : varying) {
       const auto rate = [&](const GiNaC::ex& number) {
         const GiNaC::ex derivative = number.diff(symbol);
         return derivative.is_zero() ? Interval(0.0) : enclose(derivative);
@@ -135,7 +135,7 @@ class ArmNumbers {
 }  // namespace
 
 ArmChain enclose_chain(const Model& model, ArmGeometry geometry,
-                       const std::vector<GiNaC::symbol>& varying) {
+                       const std::vector<GiNaC::realsymbol>& varying) {
   const ArmNumbers numbers(model, geometry);
   const std::vector<JointRule> rules = joint_rules(*model.arm);
   ArmChain chain;
@@ -177,7 +177,7 @@ std::vector<Interval> enclose_values(const Model& model, const Motion& motion) {
 std::pair<LinkFrame, FrameRates> enclose_target(const Model& model,
                                                 const std::vector<GiNaC::ex>& tool,
                                                 ArmGeometry geometry,
-                                                const std::vector<GiNaC::symbol>& varying) {
+                                                const std::vector<GiNaC::realsymbol>& varying) {
   const Placement place{rotation_roll_pitch_yaw(tool[3], tool[4], tool[5]),
                         {tool[0], tool[1], tool[2]}};
   const ArmNumbers numbers(model, geometry);

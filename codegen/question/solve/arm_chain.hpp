@@ -67,7 +67,7 @@ enum class ArmGeometry : std::uint8_t { kNominal, kWithinTolerances };
 ///
 /// Throws    InputError if a number of it has no certain value.
 [[nodiscard]] ArmChain enclose_chain(const Model& model, ArmGeometry geometry,
-                                     const std::vector<GiNaC::symbol>& varying = {});
+                                     const std::vector<GiNaC::realsymbol>& varying = {});
 
 /// Encloses the value of each unknown (arm_unknowns.hpp), turns in radians. One without a value has 0: it
 /// is free to bring the tool to its place.
@@ -76,7 +76,7 @@ enum class ArmGeometry : std::uint8_t { kNominal, kWithinTolerances };
 /// Encloses the frame of the last joint when the tool is at x, y, z, roll, pitch, yaw, and its derivatives.
 [[nodiscard]] std::pair<LinkFrame, FrameRates> enclose_target(
     const Model& model, const std::vector<GiNaC::ex>& tool, ArmGeometry geometry,
-    const std::vector<GiNaC::symbol>& varying = {});
+    const std::vector<GiNaC::realsymbol>& varying = {});
 
 /// The frame that the last joint moves, and each joint's axis and origin, all in the base.
 struct ArmPosture {

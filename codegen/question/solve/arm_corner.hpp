@@ -15,7 +15,7 @@ namespace regulus::detail {
                                            const std::vector<std::string>& held,
                                            const std::vector<double>& posture);
 
-/// "a2 = 0.44, d4 = 0.42 m": the values of the uncertain quantities.
+/// Returns the values of the uncertain quantities: "a2 = 0.44, d4 = 0.42".
 [[nodiscard]] std::string uncertain_values_text(const Model& model);
 
 }  // namespace regulus::detail

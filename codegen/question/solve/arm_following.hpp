@@ -20,7 +20,7 @@
 
 namespace regulus::detail {
 
-/// Where unknowns of an arm are searched, and their periods. A turn is a little more than that.
+/// Returns where unknowns of an arm are searched, and their periods. A little more than a turn is searched.
 [[nodiscard]] FollowedRanges ranges_of_arm(const ArmAtPlace& arm,
                                            const std::map<std::size_t, SlideRange>& slides,
                                            std::span<const std::size_t> unknowns);

@@ -99,7 +99,7 @@ void take_direction(ArmAtPlace& arm, const Request& request) {
 }
 
 void require_joints(const ArmAtPlace& arm, const Request& request) {
-  const std::size_t free = arm.unknowns.size(), fixed = arm.direction ? kFour : kJoints;
+  const std::size_t free = arm.unknowns.size(), fixed = arm.direction ? kFourJoints : kJoints;
   if (free == fixed) return;
   throw UsageError(fmt::format(
       "{} joints are free to move, and {}; {}", free,
@@ -172,7 +172,7 @@ std::vector<std::size_t> coupled_systems(const ArmAtPlace& arm) {
   return numbers;
 }
 
-/// What of the geometry varies.
+/// Says what of the geometry varies. Axes are constants of the file.
 struct VaryingGeometry {
   explicit VaryingGeometry(const Model& model) {
     for (const GeometryParameter& g : model.geometry) {
@@ -181,26 +181,25 @@ struct VaryingGeometry {
       const double most = enclose_constant(g.tolerance, "a tolerance").hi;
       deviations.emplace_back(-most, most);
     }
-    is_linear = moves_linearly(model.arm->tool);
-    for (const SerialJoint& joint : model.arm->joints) {
-      is_linear = is_linear && moves_linearly(joint.origin);
-      has_axes = has_axes ||
-                 std::ranges::any_of(joint.axis, [this](const GiNaC::ex& x) { return varies(x); });
-    }
+    is_linear = moves_linearly(model.arm->tool) &&
+                std::ranges::all_of(model.arm->joints, [this](const SerialJoint& joint) {
+                  return moves_linearly(joint.origin);
+                });
   }
 
-  std::vector<GiNaC::symbol> symbols;
+  std::vector<GiNaC::realsymbol>
+      symbols;  ///< as symbols of the base class they would be none of the model's
   std::vector<Interval> deviations;
-  bool is_linear = false, has_axes = false;
+  bool is_linear = false;
 
  private:
   [[nodiscard]] bool varies(const GiNaC::ex& number) const {
-    return std::ranges::any_of(symbols, [&](const GiNaC::symbol& s) { return number.has(s); });
+    return std::ranges::any_of(symbols, [&](const GiNaC::realsymbol& s) { return number.has(s); });
   }
   [[nodiscard]] bool moves_linearly(const Placement& placement) const {
     return !varies(placement.R) && std::ranges::all_of(placement.p, [this](const GiNaC::ex& x) {
       return std::ranges::none_of(symbols,
-                                  [&](const GiNaC::symbol& s) { return varies(x.diff(s)); });
+                                  [&](const GiNaC::realsymbol& s) { return varies(x.diff(s)); });
     });
   }
 };
@@ -208,7 +207,7 @@ struct VaryingGeometry {
 /// For a geometry of the model, with derivatives. The place is that of the request.
 ArmAtPlace arm_at_place(const Request& request, const std::vector<std::string>& held,
                         const Model& model, ArmGeometry geometry,
-                        const std::vector<GiNaC::symbol>& varying) {
+                        const std::vector<GiNaC::realsymbol>& varying) {
   const FloatingPointScope nearest(FloatingPointRounding::kNearest);
   ArmAtPlace arm;
   arm.geometry = geometry;
@@ -241,14 +240,14 @@ ArmAtPlace arm_at_place(const Request& request, const std::vector<std::string>& 
   if (!has_tolerances(request) || has_errors(request.motion))
     return nominal_arm_at_place(request, held);
   const VaryingGeometry varying(request.model);
-  if (varying.has_axes)
-    return arm_at_place(request, held, request.model, ArmGeometry::kWithinTolerances, {});
-  ArmAtPlace arm =
-      arm_at_place(request, held, request.model, ArmGeometry::kWithinTolerances, varying.symbols);
+  const auto varying_arm = [&](ArmGeometry geometry) {
+    ArmAtPlace arm = arm_at_place(request, held, request.model, geometry, varying.symbols);
+    arm.is_linear = varying.is_linear;
+    return arm;
+  };
+  ArmAtPlace arm = varying_arm(ArmGeometry::kWithinTolerances);
   arm.deviations = varying.deviations;
-  arm.is_linear = varying.is_linear;
-  arm.nominal = std::make_shared<const ArmAtPlace>(
-      arm_at_place(request, held, request.model, ArmGeometry::kNominal, varying.symbols));
+  arm.nominal = std::make_shared<const ArmAtPlace>(varying_arm(ArmGeometry::kNominal));
   return arm;
 }
 

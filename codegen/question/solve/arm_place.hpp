@@ -27,8 +27,8 @@ struct ArmAtPlace {
   /// An arm of four unknowns that turns about one direction alone has this one (arm_direction.hpp).
   std::optional<Vector3> direction{};
   bool is_turned_away = false;  ///< it has none of the orientation that is asked for
-  // Within tolerances, if no axis has one: the nominal arm, and how far each uncertain quantity is from its value there.
-  // Both have rates by these.
+  // Within tolerances: the nominal arm, and how far each uncertain quantity may be from its value there. Both have rates
+  // by these.
   std::shared_ptr<const ArmAtPlace> nominal{};
   std::vector<Interval> deviations{};
   /// The derivatives of place and lengths by what varies are constant, and rotations do not vary.

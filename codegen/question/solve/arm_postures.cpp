@@ -109,8 +109,7 @@ class ArmSolver {
     solutions_.boxes += found.boxes;
     solutions_.seconds += found.seconds;
     solutions_.stopped_by = found.stopped_by;
-    settings_.max_boxes -= std::min(settings_.max_boxes, found.boxes);
-    settings_.time_limit -= found.seconds;
+    leave_rest(settings_, found);
   }
 
   /// The list is this one.
@@ -148,7 +147,10 @@ class ArmSolver {
     if (is_whole || is_stopped || settings_.max_boxes == 0) return;
     const ArmAtPlace nominal = nominal_arm_at_place(request_, run_.held);
     const FoundPostures all = find(nominal, kNominalArm, PostureEffort::kAll);
-    if (all.obstacle.empty()) follow(all);
+    if (all.obstacle.empty()) return follow(all);
+    solutions_.obstacle = all.obstacle;
+    if (all.may_meet)
+      solutions_.obstacle = "of the nominal arm, " + all.obstacle + place_text(all.open);
   }
 
   void follow(const FoundPostures& all) {
@@ -157,6 +159,8 @@ class ArmSolver {
     SolutionTubes tubes =
         follow_postures(at_, all.system, slides_, postures, settings_, run_.progress);
     count(tubes);
+    solutions_.obstacle = why_left(tubes, all.postures.size());
+    if (!tubes.are_all && !tubes.stopped_by) look_for_change(all, tubes);
     const auto followed =
         std::ranges::count_if(tubes.tubes, [](const auto& tube) { return tube.has_value(); });
     // The first search may have told more of them apart.
@@ -171,8 +175,6 @@ class ArmSolver {
         "posture{}",
         all.complex_found ? kTheorem : fmt::format("by a search of {}", boxes_text(all.boxes)),
         boxes_text(tubes.boxes), searched_ranges());
-    solutions_.obstacle = why_left(tubes, all.postures.size());
-    if (!tubes.are_all && !tubes.stopped_by) look_for_change(all, tubes);
   }
 
   /// Looks for numbers of the arm at which there are more or fewer postures.
@@ -187,6 +189,7 @@ class ArmSolver {
           model_towards_singular(request_, run_.held, middles_of(all.postures[i].values));
       const FoundPostures there =
           find(nominal_arm_at_place(request_, run_.held, corner), kNominalArm, PostureEffort::kAll);
+      solutions_.stopped_by = tubes.stopped_by;  // a limit here is none of the list
       if (!there.obstacle.empty() || there.postures.size() == all.postures.size()) continue;
       solutions_.changes = true;
       solutions_.obstacle = fmt::format("the nominal arm has {}, and there are {} with {}",

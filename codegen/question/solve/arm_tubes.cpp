@@ -144,8 +144,7 @@ std::vector<Interval> as_points(std::span<const double> values) {
 
 }  // namespace
 
-VaryingValues varying_values(const ArmAtPlace& arm, std::span<const Interval> unknowns,
-                             bool is_linear) {
+VaryingValues varying_values(const ArmAtPlace& arm, std::span<const Interval> unknowns) {
   const VaryingPosture varying(arm, unknowns);
   const std::size_t m = varying.quantities(), n = unknowns.size();
   VaryingValues values;
@@ -153,7 +152,8 @@ VaryingValues varying_values(const ArmAtPlace& arm, std::span<const Interval> un
   const std::vector<Interval> derivatives = varying.derivatives();
   append_columns(values.by_variable, derivatives, m + n, 0, m);
   append_columns(values.by_unknown, derivatives, m + n, m, n);
-  for (const std::vector<Interval>& rates : varying.rates(is_linear ? Interval(0.0) : kEntire)) {
+  for (const std::vector<Interval>& rates :
+       varying.rates(arm.is_linear ? Interval(0.0) : kEntire)) {
     append_columns(values.rates_by_variable, rates, m + n, 0, m);
     append_columns(values.rates_by_unknown, rates, m + n, m, n);
   }
@@ -183,7 +183,7 @@ std::optional<Root> varying_posture_near(const ArmAtPlace& arm, std::vector<doub
   VaryingValues at;
   std::vector<double> K;
   for (int step = 0; step < kStepsToPosture; ++step) {
-    at = varying_values(*arm.nominal, as_points(near), arm.is_linear);
+    at = varying_values(*arm.nominal, as_points(near));
     const auto inverse = approx_inverse_of(middles_of(at.by_unknown), n);
     if (!inverse) return std::nullopt;
     K = *inverse;
@@ -196,7 +196,7 @@ std::optional<Root> varying_posture_near(const ArmAtPlace& arm, std::vector<doub
   for (const Interval& slope : product(K, at.by_variable, n)) tube.slopes.push_back(-mid(slope));
   std::optional<Root> root;
   for (int trial = 0; trial < kTrialsOfTube; ++trial) {
-    const VaryingValues over = varying_values(arm, enclose(tube, deviations), arm.is_linear);
+    const VaryingValues over = varying_values(arm, enclose(tube, deviations));
     const TubeImage image =
         image_of(tube, deviations, K,
                  {at.value, over.by_unknown, over.by_variable, at.by_unknown, at.by_variable,

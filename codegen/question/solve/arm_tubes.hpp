@@ -21,12 +21,10 @@ struct VaryingValues {
   std::vector<Interval> rates_by_variable, rates_by_unknown;
 };
 
-/// `is_linear`: ArmAtPlace::is_linear.
-///
 /// Requires  arm with derivatives.
 /// Rounding  outward; MXCSR at nearest.
 [[nodiscard]] VaryingValues varying_values(const ArmAtPlace& arm,
-                                           std::span<const Interval> unknowns, bool is_linear);
+                                           std::span<const Interval> unknowns);
 
 /// The equations of all unknowns of an arm within its tolerances; at a point it says how each deviation moves them.
 class VaryingArm final : public RootSystem {
@@ -46,10 +44,9 @@ class VaryingArm final : public RootSystem {
   std::vector<Box> boxes_;
 };
 
-/// Returns a posture for each geometry, near this one; nullopt: it is not shown. Its center and radius only say where it
+/// Returns a posture for each geometry, near this one; nullopt: it is not shown, or the arm is nominal. Its center and radius only say where it
 /// is: others may be as near.
 ///
-/// Requires  arm within its tolerances.
 /// Rounding  as varying_values().
 [[nodiscard]] std::optional<Root> varying_posture_near(const ArmAtPlace& arm,
                                                        std::vector<double> near);

@@ -52,7 +52,7 @@ template <class Place, class MayTouch>
     const auto touches = [&](const Place& box) { return may_touch(reached[next], box); };
     if (std::ranges::any_of(open, touches)) return std::nullopt;
     const auto near = std::partition(boxes.begin(), boxes.end(), std::not_fn(touches));
-    // What `touches` refers to may move.
+    // The insertion may move the box that `touches` refers to.
     std::vector<Place> found(near, boxes.end());
     boxes.erase(near, boxes.end());
     reached.insert(reached.end(), found.begin(), found.end());

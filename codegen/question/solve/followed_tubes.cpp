@@ -86,8 +86,7 @@ class SolutionFollowing {
     result_.stopped_by = found.stopped_by;
     result_.boxes += found.boxes;
     result_.seconds += found.seconds;
-    settings_.max_boxes -= std::min(settings_.max_boxes, found.boxes);
-    settings_.time_limit -= found.seconds;
+    leave_rest(settings_, found);
     return std::move(found.open);
   }
 
@@ -110,14 +109,6 @@ class SolutionFollowing {
 };
 
 }  // namespace
-
-RootSettings before_following(RootSettings settings) {
-  constexpr std::uint64_t kBoxesAfterProblem = 500;
-  constexpr double kLeastWidth = 0x1p-16;  // a part of the range
-  settings.boxes_after_problem = kBoxesAfterProblem;
-  settings.min_relative_width = kLeastWidth;
-  return settings;
-}
 
 SolutionTubes follow_in_ranges(const FollowedRanges& ranges, const SearchFollowed& search,
                                const std::vector<std::vector<Interval>>& solutions,

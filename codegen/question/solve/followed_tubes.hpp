@@ -18,7 +18,7 @@ struct SolutionTubes {
   double seconds = 0;
 };
 
-/// Where solutions are followed, by unknown.
+/// Says where solutions are followed, by unknown.
 struct FollowedRanges {
   std::vector<Interval> searched, periods;  ///< a period 0: it does not turn
   /// Says where a solution may go beyond an end of the range. It stays within the others.
@@ -28,9 +28,6 @@ struct FollowedRanges {
 /// Searches a box of the unknowns for `regular` boxes (root_search.hpp), at all values of the variables.
 using SearchFollowed =
     std::function<RootList(const std::vector<Interval>& box, const RootSettings& settings)>;
-
-/// Returns the settings of a first search, which leaves what it does not tell apart to be followed.
-[[nodiscard]] RootSettings before_following(RootSettings settings);
 
 /// Follows the solutions at some values of the variables to all others.
 ///

@@ -7,8 +7,8 @@
 namespace regulus::detail {
 namespace {
 
-/// What the movement of joint `about` carries from one side of the loop to the other: a point and a direction of
-/// the other axis.
+/// The movement about or along `axis` carries a point and a direction of the other axis from one side of the loop to
+/// the other.
 struct CarriedLine {
   const Vector3& axis;
   Vector3 point_from, point_to, direction_from, direction_to;

@@ -138,8 +138,7 @@ class PoseSearch {
     list_.stopped_by = found.stopped_by;
     list_.boxes += found.boxes;
     list_.seconds += found.seconds;
-    settings_.max_boxes -= std::min(settings_.max_boxes, found.boxes);
-    settings_.time_limit -= found.seconds;
+    leave_rest(settings_, found);
   }
 
   /// A pose on the border of charts is found in each of them.
@@ -258,8 +257,7 @@ class PoseFollowing {
     result_.stopped_by = found.stopped_by;
     result_.boxes += found.boxes;
     result_.seconds += found.seconds;
-    settings_.max_boxes -= std::min(settings_.max_boxes, found.boxes);
-    settings_.time_limit -= found.seconds;
+    leave_rest(settings_, found);
     return std::move(found.open);
   }
 

@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint64_t kFirstBoxes = 3000;
 /// After a box that cannot be split: each way then only looks for more postures that are certain.
 constexpr std::uint64_t kBoxesAfterProblem = 4000;
-/// Where postures are followed otherwise, boxes are not split below a part of their range.
+/// If postures can be followed, boxes are not split below this part of their range.
 constexpr double kWidthOfFollowed = 0x1p-7;
 constexpr std::uint64_t kBoxesOfFollowed = 100;
 /// E is no half turn if 3 less its trace is below this.
@@ -185,7 +185,7 @@ RootList PostureSearch::search(const RootSystems& systems, const FollowedRanges&
   return list;
 }
 
-/// What the search leaves, without its roots.
+/// Returns what the search leaves, without its roots.
 FoundPostures PostureSearch::found_by(std::size_t system, const RootList& list) const {
   FoundPostures found;
   found.system = system;

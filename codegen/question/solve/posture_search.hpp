@@ -20,7 +20,7 @@ struct FoundPostures {
   bool may_meet = false;                    ///< the obstacle is that of some box that is open
   std::optional<Reason> stopped_by{};
   std::size_t system = 0;  ///< by which they were found: arm_place.hpp
-  /// Of a count, which needs no search: how many complex ones were certified.
+  /// A count has certified so many complex ones; nullopt: they were searched for.
   std::optional<std::uint64_t> complex_found{};
   std::uint64_t boxes = 0;
   double seconds = 0;

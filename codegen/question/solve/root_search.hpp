@@ -2,6 +2,7 @@
 // Branch and prune over all unknowns of a system: every solution, and the boxes that may hide others.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -36,6 +37,13 @@ struct RootSettings : BoxSearchSettings {
   /// Runs each search, with its place in a file for the option --checkpoint; empty: there is none.
   std::function<RootList(const RootSettings&, const RootSearch&)> keep{};
 };
+
+/// The settings get what a search has left of its limits.
+template <class Found>
+void leave_rest(RootSettings& settings, const Found& found) {
+  settings.max_boxes -= std::min(settings.max_boxes, found.boxes);
+  settings.time_limit -= found.seconds;
+}
 
 /// Finds the roots of a system over the ranges of its unknowns. The result does not depend on threads,
 /// and not on whether the search was stopped and continued.

@@ -34,7 +34,7 @@ struct CertainSolution {
   int sign = 0;
   WithinLimits limits = WithinLimits::kNoLimits;
   std::string beyond{};  ///< what is beyond its limits, in words: "q3 = 3.2 rad beyond [-3, 3] rad"
-  /// Of one that was followed, and of a posture within tolerances: roughly its values where all that is
+  /// One that was followed, and a posture within tolerances, has roughly these values where all that is
   /// uncertain is in the middle of its range, by unknown, up to whole turns. Empty: one test shows it at all values.
   std::vector<double> middle{};
 };

@@ -21,7 +21,10 @@ namespace {
 
 using GiNaC::ex;
 
-constexpr std::size_t kNumberOfFollowed = 1;  ///< RootQuestion::number
+/// Where quantities are uncertain, solutions that one search does not tell apart are followed.
+constexpr std::uint64_t kBoxesBeforeFollowing = 500;
+constexpr double kWidthBeforeFollowing = 0x1p-16;  ///< a part of the range
+constexpr std::size_t kNumberOfFollowed = 1;       ///< RootQuestion::number
 
 /// Joins boxes that touch, so that few remain to be read.
 std::vector<std::vector<Interval>> joined(const std::vector<std::vector<Interval>>& boxes) {
@@ -105,15 +108,19 @@ class SystemSolver {
 
   Solutions solve(RootSettings settings, Observer* progress) {
     const bool varies = uncertain_count(prepared_.preparation) > 0;
-    const RootList list =
-        search(problem_, varies ? before_following(settings) : settings, progress);
+    RootSettings first = settings;
+    if (varies) {
+      first.boxes_after_problem = kBoxesBeforeFollowing;
+      first.min_relative_width = kWidthBeforeFollowing;
+    }
+    const RootList list = search(problem_, first, progress);
     for (const Root& root : list.roots) add(root, nullptr, solutions_.found);
     solutions_.open = joined(list.open);
     if (list.is_complete) solutions_.completeness = Completeness::kComplete;
     solutions_.how = describe_search(list.boxes);
     solutions_.obstacle = obstacle_of(list, solutions_, varies);
     if (varies && !list.is_complete && !list.stopped_by) {
-      leave(settings, list);
+      leave_rest(settings, list);
       follow(std::move(settings), progress);
     }
     sort_by_values(solutions_.found);
@@ -135,25 +142,19 @@ class SystemSolver {
     solutions_.seconds += found.seconds;
     solutions_.stopped_by = found.stopped_by;
   }
-  /// The settings get what a search has left of its limits.
-  template <class Found>
-  static void leave(RootSettings& settings, const Found& found) {
-    settings.max_boxes -= std::min(settings.max_boxes, found.boxes);
-    settings.time_limit -= found.seconds;
-  }
 
   /// Finds the solutions at the middles of what is uncertain, and follows them to its other values.
   void follow(RootSettings settings, Observer* progress) {
     const RootList list = search(at_middles(problem_, prepared_.shape), settings, progress);
     if (list.stopped_by) solutions_.obstacle = describe(*list.stopped_by);
     if (!list.is_complete) return;
-    leave(settings, list);
+    leave_rest(settings, list);
     std::vector<std::vector<Interval>> middles;
     for (const Root& root : list.roots) middles.push_back(root.values);
     const SolutionTubes tubes =
         follow_solutions(problem_, prepared_, periods_, middles, settings, progress);
     count(tubes);
-    leave(settings, tubes);
+    leave_rest(settings, tubes);
     std::vector<CertainSolution> found;
     for (std::size_t i = 0; i < list.roots.size(); ++i)
       if (tubes.tubes[i]) add(list.roots[i], &*tubes.tubes[i], found);
@@ -185,7 +186,7 @@ class SystemSolver {
       const Problem elsewhere = towards_singular(problem_, prepared_, list.roots[i].values);
       const RootList other =
           search_roots(question_of_system(elsewhere, prepared_), periods_, settings, progress);
-      leave(settings, other);
+      leave_rest(settings, other);
       solutions_.boxes += other.boxes;
       solutions_.seconds += other.seconds;
       const auto number = number_of(other);

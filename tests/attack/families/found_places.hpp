@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the families of mechanisms share: numbers, and places that Newton's method has found.
+// The families of mechanisms share these numbers, and places that Newton's method has found.
 #pragma once
 
 #include <algorithm>

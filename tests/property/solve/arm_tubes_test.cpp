@@ -75,6 +75,16 @@ struct Sizes {
   double length, angle;
 };
 
+Rows rows_within(const Sizes& sizes, RandomSource& random) {
+  Rows rows = kPuma;
+  for (auto& row : rows) {
+    row[0] += deviation(random, sizes.length);
+    row[1] += deviation(random, sizes.angle);
+    row[2] += deviation(random, sizes.length);
+  }
+  return rows;
+}
+
 /// Each posture of the nominal arm leads to one in a tube of its own, whatever the numbers are.
 void expect_tubes(const Solutions& tubes, const Solutions& points, const Numbers& q,
                   const Sizes& sizes, RandomSource& random) {
@@ -82,12 +92,7 @@ void expect_tubes(const Solutions& tubes, const Solutions& points, const Numbers
   ASSERT_EQ(tubes.found.size(), points.found.size());
   const Frame end = end_of(kPuma, q);
   for (int other = 0; other < 30; ++other) {
-    Rows rows = kPuma;
-    for (auto& row : rows) {
-      row[0] += deviation(random, sizes.length);
-      row[1] += deviation(random, sizes.angle);
-      row[2] += deviation(random, sizes.length);
-    }
+    const Rows rows = rows_within(sizes, random);
     for (const CertainSolution& point : points.found) {
       const Numbers posture = newton(RowsGap{rows, end}, middle_of(point.values));
       ASSERT_FALSE(posture.empty());
@@ -156,12 +161,7 @@ TEST(PosturesWithinCentimetres, StayInTheirTubes) {
     ASSERT_EQ(tubes.found.size(), 8U);
     EXPECT_NE(tubes.how.find("of the nominal arm"), std::string::npos) << tubes.how;
     for (int other = 0; other < trials(40, 1000); ++other) {
-      Rows rows = kPuma;
-      for (auto& row : rows) {
-        row[0] += deviation(random, sizes.length);
-        row[1] += deviation(random, sizes.angle);
-        row[2] += deviation(random, sizes.length);
-      }
+      const Rows rows = rows_within(sizes, random);
       for (const CertainSolution& point : points.found) {
         const Numbers posture = followed(rows, end, middle_of(point.values));
         ASSERT_FALSE(posture.empty());
@@ -279,6 +279,19 @@ TEST(PosturesWithinDecimetres, AreNotAlwaysAsMany) {
       std::stoul(tubes.obstacle.substr(tubes.obstacle.find("there are ") + 10));
   EXPECT_EQ(found.size(), said);
   EXPECT_NE(said, 8U);
+}
+
+/// The wrist is stretched: the report says what is wrong with the nominal arm, and no limit that nobody has set.
+TEST(PosturesOfAnArmThatIsSingular, AreNotFollowed) {
+  const Numbers q = {0.3, 0.4, -0.7, 0.3, 0, -1.4};
+  for (const char* tolerance : {"1e-6", "0.01"}) {
+    const Solutions tubes =
+        solved(text_of(kPuma, q, fmt::format("length_tolerance = {}\n", tolerance)));
+    EXPECT_FALSE(is_complete(tubes));
+    EXPECT_TRUE(tubes.obstacle.starts_with("of the nominal arm, several postures meet"))
+        << tubes.obstacle;
+    EXPECT_FALSE(tubes.stopped_by);
+  }
 }
 
 }  // namespace

@@ -229,6 +229,11 @@ TEST(FollowedConfigurations, AreNotProvedWhereTwoAreBornWithinALine) {
   lines[first(lines, "solution")] = "solution -4:9";
   EXPECT_EQ(outcome(joined(lines)), Outcome::kVerified);
   EXPECT_NE(outcome(replaced(joined(lines), "+- 3/10", "+- 3/5")), Outcome::kVerified);
+  // Nor does a list that need not be whole say that one is within the line.
+  lines[first(lines, "verdict")] = "verdict INCOMPLETE";
+  const std::string some = replaced(joined(lines), "exactly 1", "at least 1");
+  EXPECT_EQ(outcome(some), Outcome::kVerified);
+  EXPECT_NE(outcome(replaced(some, "+- 3/10", "+- 3/5")), Outcome::kVerified);
   EXPECT_EQ(certified(fold("3/5")).solutions.completeness, Completeness::kIncomplete);
 }
 

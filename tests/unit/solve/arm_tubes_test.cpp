@@ -47,7 +47,8 @@ VaryingValues values_at(const std::array<double, kQuantities>& g, const std::vec
   const Request request = arm(g, is_linear);
   const ArmAtPlace at = *arm_at_place(request, {}).nominal;
   EXPECT_EQ(at.chain.front().rates.size(), kQuantities);
-  return varying_values(at, std::vector<Interval>(q.begin(), q.end()), is_linear);
+  EXPECT_EQ(at.is_linear, is_linear);
+  return varying_values(at, std::vector<Interval>(q.begin(), q.end()));
 }
 
 /// Entry e of the derivative by number `by` of entries with `count` columns is near the difference.
