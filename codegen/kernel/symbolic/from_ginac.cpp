@@ -39,8 +39,11 @@ cln::cl_RA rational_content(const Expression& sum_expression) {
 }
 
 /// base^exponent with the content and the sign of a sum taken out. GiNaC takes them out too, with
-/// the sign of the first term in an order that changes with addresses.
+/// the sign of the first term in an order that changes with addresses; of such a sum, a product may
+/// be left with that sign where symbols stand for 0.
 Expression normalized_power(const Expression& base, int exponent) {
+  if (base.kind() == ExpressionKind::kProduct && exponent != 1 && minusp(coefficient_of(base)))
+    return product({Expression(exponent % 2 == 0 ? 1 : -1), power(divide_by(base, -1), exponent)});
   if (base.kind() != ExpressionKind::kSum) return power(base, exponent);
   const Signed form = normalize_sign(base);
   const cln::cl_RA content = rational_content(form.form);

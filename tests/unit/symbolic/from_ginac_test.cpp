@@ -64,6 +64,16 @@ TEST_F(FromGinac, SignsOfPowersDoNotDependOnTermOrder) {
   EXPECT_EQ(text(pow(6 * y - 4 * x, 2)), "4*(2*x - 3*y)^2");
 }
 
+TEST_F(FromGinac, SignsOfPowersDoNotDependOnWhatVanishes) {
+  // GiNaC makes (x - y)^2 or (y - x)^2 of it, and then y stands for 0.
+  meaning[y] = Expression(0);
+  EXPECT_EQ(text(pow(x - y, 2)), "x^2");
+  meaning[x] = -variable("x");
+  EXPECT_EQ(text(pow(x, 2)), "x^2");
+  EXPECT_EQ(text(pow(x, -3)), "-1/x^3");
+  EXPECT_EQ(text(1 / (x - y)), "-1/x");
+}
+
 TEST_F(FromGinac, SumsInThePlaceOfSymbolsAreTermsOfTheSum) {
   const ex nested = (numeric(20) - x).subs(x == x + y, GiNaC::subs_options::no_pattern);
   EXPECT_EQ(text(nested), text(20 - x - y));
