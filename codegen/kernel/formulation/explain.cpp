@@ -216,7 +216,7 @@ class Explainer {
                             (changed_.empty() ? matrix_ : changed_)[at(j, c, f_.columns)]);
         const std::size_t k = at(i, c, f_.columns);
         entry(fmt::format("(K·A)({},{})", i + 1, c + 1), sum(std::move(natural)),
-              f_.left_product[k], statistics[k]);
+              in_row(f_.left_product.first[std::size_t(c)], i + 1), statistics[k]);
       }
     line("");
   }
@@ -233,7 +233,7 @@ class Explainer {
           natural.push_back(point(point_name(j + 1, c + 1)) * matrix_[at(r, j, f_.columns)]);
         const std::size_t k = at(r, c, f_.rows);
         entry(fmt::format("(A·K)({},{})", r + 1, c + 1), sum(std::move(natural)),
-              f_.right_product[k], statistics[k]);
+              in_column(f_.right_product.first[std::size_t(r)], c + 1), statistics[k]);
       }
     line("");
   }

@@ -93,11 +93,11 @@ void Formulator::form_expansion_of(const std::vector<Entry>& row) {
 }
 
 void Formulator::append_column(DerivativeIndex place, const Polynomial& p,
-                               const std::string& function, DerivativeForms& to) {
+                               const std::string& function, ProductDerivatives& to) {
   if (p.is_zero()) return;
   const Rewritten form = of_products().nested_form(p);
-  append_rows({form.expression}, {{{}, counted(form.expression), form.passes}}, to.forms,
-              result_.statistics[function]);
+  append_block({form.expression}, {{{}, counted(form.expression), form.passes}}, to.forms,
+               result_.statistics[function]);
   for (place.row = 0; place.row < result_.columns; ++place.row) to.places.push_back(place);
 }
 

@@ -37,7 +37,7 @@ std::vector<Formulator::Entry> Formulator::first_row(const MatrixForms& A) {
 }
 
 void Formulator::append_best_forms(const std::vector<Entry>& row, const std::string& function,
-                                   Expressions& to) {
+                                   ProductForms& to) {
   Expressions forms;
   std::vector<EntryStatistics> statistics;
   for (const Entry& entry : row) {
@@ -45,7 +45,7 @@ void Formulator::append_best_forms(const std::vector<Entry>& row, const std::str
     forms.push_back(form.expression);
     statistics.push_back({counted(entry.natural), counted(form.expression), form.passes});
   }
-  append_rows(forms, statistics, to, result_.statistics[function]);
+  append_block(forms, statistics, to, result_.statistics[function]);
 }
 
 void Formulator::form_left_product() {
@@ -64,53 +64,46 @@ void Formulator::form_left_derivatives(const std::vector<Entry>& row) {
       forms.push_back(form.expression);
       statistics.push_back({{}, counted(form.expression), form.passes});
     }
-    append_rows(forms, statistics, result_.left_derivatives,
-                result_.statistics["left_derivatives"]);
+    append_block(forms, statistics, result_.left_derivatives,
+                 result_.statistics["left_derivatives"]);
   }
 }
 
-void Formulator::append_rows(const Expressions& first,
-                             const std::vector<EntryStatistics>& statistics, Expressions& to,
-                             std::vector<EntryStatistics>& statistics_to) {
-  const std::uint64_t operations = count_operations(first);  // of each row
-  for (int i = 1; i <= result_.columns; ++i) {
-    Expressions row = first;
-    if (i > 1)
-      for (Expression& e : row) e = row_replacer(i).apply(e);
-    uncounted_.spend(operations);
-    to.insert(to.end(), row.begin(), row.end());
+void Formulator::append_block(const Expressions& block,
+                              const std::vector<EntryStatistics>& statistics, ProductForms& to,
+                              std::vector<EntryStatistics>& statistics_to) const {
+  to.block = block.size();
+  to.first.insert(to.first.end(), block.begin(), block.end());
+  for (int i = 0; i < result_.columns; ++i)
     statistics_to.insert(statistics_to.end(), statistics.begin(), statistics.end());
-  }
 }
 
-Replacer& Formulator::row_replacer(int i) {
-  return row_replacers_.try_emplace(i, renaming_rows(i)).first->second;
+namespace {
+
+/// Returns e with other entries of K; `moved` gives the row and column of one, from those in e.
+template <class Moved>
+Expression with_points(const Expression& e, Moved moved) {
+  return substitute(e, [&](const Expression& part) -> std::optional<Expression> {
+    if (!part.has_points()) return part;
+    if (part.kind() != ExpressionKind::kPoint) return std::nullopt;
+    const std::string& name = part.name();  // k_1_2
+    const std::size_t second = name.rfind('_');
+    return moved(std::stoi(name.substr(2, second - 2)), std::stoi(name.substr(second + 1)));
+  });
 }
 
-ReplacementOf Formulator::renaming_rows(int i) const {
-  std::map<std::string, Expression> names;
-  for (int j = 1; j <= result_.rows; ++j) names.emplace(point_name(1, j), point(point_name(i, j)));
-  return renaming(std::move(names));
+}  // namespace
+
+Expression in_row(const Expression& e, int row) {
+  return with_points(e, [row](int, int column) { return point(point_name(row, column)); });
 }
 
-ReplacementOf Formulator::renaming_columns(int i) const {
-  std::map<std::string, Expression> names;
-  for (int j = 1; j <= result_.columns; ++j)
-    names.emplace(point_name(j, 1), point(point_name(j, i)));
-  return renaming(std::move(names));
-}
-
-ReplacementOf Formulator::renaming(std::map<std::string, Expression> names) {
-  return [names = std::move(names)](const Expression& e) -> std::optional<Expression> {
-    if (e.kind() != ExpressionKind::kPoint) return std::nullopt;
-    return names.at(e.name());
-  };
+Expression in_column(const Expression& e, int column) {
+  return with_points(e, [column](int row, int) { return point(point_name(row, column)); });
 }
 
 void Formulator::form_right_product() {
   std::vector<EntryStatistics>& statistics = result_.statistics["right_product"];
-  std::vector<Replacer> renamed;
-  for (int c = 2; c <= result_.rows; ++c) renamed.emplace_back(renaming_columns(c));
   for (int r = 0; r < result_.rows; ++r) {
     std::vector<std::string> points;
     std::vector<std::size_t> entries;
@@ -122,11 +115,8 @@ void Formulator::form_right_product() {
     const Rewritten form = best_form(entry.polynomial, &entry.rewritten);
     const EntryStatistics of_entry = {counted(entry.natural), counted(form.expression),
                                       form.passes};
-    for (int c = 1; c <= result_.rows; ++c) {
-      result_.right_product.push_back(c == 1 ? form.expression
-                                             : renamed[index(c - 2)].apply(form.expression));
-      statistics.push_back(of_entry);
-    }
+    result_.right_product.first.push_back(form.expression);
+    statistics.insert(statistics.end(), index(result_.rows), of_entry);
   }
 }
 

@@ -74,14 +74,30 @@ struct DerivativeForms {
   std::vector<Expression> forms;
 };
 
+/// Forms of a product with K, or of its derivatives. The rows of K·A differ only in the entries of
+/// K, as do the columns of A·K, so only the first row or column is kept. Outputs are blocks: each
+/// block of the first row is followed by that block of the other rows.
+struct ProductForms {
+  std::vector<Expression> first;
+  std::size_t block = 1;
+  [[nodiscard]] bool empty() const noexcept { return first.empty(); }
+};
+
+/// Derivatives of K·A that are not zero everywhere.
+struct ProductDerivatives {
+  std::vector<DerivativeIndex> places;  ///< of all outputs
+  ProductForms forms;
+};
+
 /// See regulus_expansion. `product` and `first` are empty if left_product and left_derivatives
 /// serve as such.
 struct ExpansionForms {
   std::vector<int> row_of_variable;   ///< or Expansion::kNoRow
   std::vector<int> ball_of_variable;  ///< or −1; empty if there are no balls
   std::vector<Expression> nominal;    ///< per variable, constants; empty for kAtBox
-  std::vector<Expression> product;
-  DerivativeForms first, second, row_first, row_second;
+  ProductForms product;
+  ProductDerivatives first, second;
+  DerivativeForms row_first, row_second;
 };
 
 /// The occurrences and passes that gave one entry its form.
@@ -111,9 +127,9 @@ struct Formulation {
   int columns = 0;
   std::vector<Expression> matrix;              ///< A, m·n, row-major
   std::vector<Expression> matrix_derivatives;  ///< ∂_kA, variables·m·n
-  std::vector<Expression> left_product;        ///< K·A, n·n
-  std::vector<Expression> left_derivatives;    ///< ∂_k(K·A), variables·n·n
-  std::vector<Expression> right_product;       ///< A·K, m·m; empty unless m = n
+  ProductForms left_product;                   ///< K·A, n·n
+  ProductForms left_derivatives;               ///< ∂_k(K·A), variables·n·n
+  ProductForms right_product;                  ///< A·K, m·m; empty unless m = n
   std::optional<ExpansionForms> expansion;
   std::vector<Expression> row_scale;  ///< one entry, the product of the row scales; empty if none
   std::vector<Expression> constraints;
@@ -142,6 +158,11 @@ struct Formulation {
 
 /// Returns the name of an entry of K, from 1: k_1_2.
 [[nodiscard]] std::string point_name(int row, int column);
+
+/// Returns e of the first row of K·A as it stands in another one, from 1.
+[[nodiscard]] Expression in_row(const Expression& e, int row);
+/// Returns e of the first column of A·K as it stands in another one, from 1.
+[[nodiscard]] Expression in_column(const Expression& e, int column);
 
 /// Throws InputError if the model and the motion do not fit together, ClosedFormError
 /// (determinant.hpp) if a requested determinant has no closed form, FormingStopped if `watch` stops

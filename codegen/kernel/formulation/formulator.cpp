@@ -74,7 +74,7 @@ Formulation Formulator::run() {
   if (parts_) reveal_parts();
   collect_must_be_defined();
   if (!options_.matrix) result_.matrix.clear();
-  if (!options_.left_product) result_.left_product.clear();
+  if (!options_.left_product) result_.left_product = {};
   if (!options_.counts_occurrences) result_.statistics.clear();
   return std::move(result_);
 }
@@ -106,14 +106,13 @@ void Formulator::reveal_parts() {
   const auto reveal = [this](Expressions& forms) {
     for (Expression& form : forms) form = parts_->reveal(form);
   };
-  for (Expressions* forms :
+  for (ProductForms* forms :
        {&result_.left_product, &result_.left_derivatives, &result_.right_product})
-    reveal(*forms);
+    reveal(forms->first);
   if (!result_.expansion) return;
   ExpansionForms& x = *result_.expansion;
-  for (Expressions* forms :
-       {&x.product, &x.first.forms, &x.second.forms, &x.row_first.forms, &x.row_second.forms})
-    reveal(*forms);
+  for (ProductForms* forms : {&x.product, &x.first.forms, &x.second.forms}) reveal(forms->first);
+  for (DerivativeForms* rows : {&x.row_first, &x.row_second}) reveal(rows->forms);
 }
 
 void Formulator::form_natural_matrix() {

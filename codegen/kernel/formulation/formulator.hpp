@@ -82,17 +82,12 @@ class Formulator {
   /// Returns the first row of K·A. Rows differ only in the names of K's entries.
   std::vector<Entry> first_row(const MatrixForms& A);
   void append_best_forms(const std::vector<Entry>& row, const std::string& function,
-                         Expressions& to);
+                         ProductForms& to);
   void form_left_product();
   void form_left_derivatives(const std::vector<Entry>& row);
-  void append_rows(const Expressions& first, const std::vector<EntryStatistics>& statistics,
-                   Expressions& to, std::vector<EntryStatistics>& statistics_to);
-  /// k_1_j → k_i_j.
-  [[nodiscard]] Replacer& row_replacer(int i);
-  [[nodiscard]] ReplacementOf renaming_rows(int i) const;
-  /// k_j_1 → k_j_i.
-  [[nodiscard]] ReplacementOf renaming_columns(int i) const;
-  [[nodiscard]] static ReplacementOf renaming(std::map<std::string, Expression> names);
+  /// Appends a block of the first row.
+  void append_block(const Expressions& block, const std::vector<EntryStatistics>& statistics,
+                    ProductForms& to, std::vector<EntryStatistics>& statistics_to) const;
   void form_right_product();
   /// Returns for each variable the only row in which it occurs, if it is an uncertain quantity, or
   /// Expansion::kNoRow.
@@ -104,7 +99,7 @@ class Formulator {
   /// Forms all derivatives that are not zero, from the first row of K·A.
   void form_expansion_of(const std::vector<Entry>& row);
   void append_column(DerivativeIndex place, const Polynomial& p, const std::string& function,
-                     DerivativeForms& to);
+                     ProductDerivatives& to);
   /// Forms ∂A[i][j] by quantities that touch only row i, and the second derivatives for them.
   void form_row_derivatives(int i, int j, std::vector<PolynomialDifferentiator>& by);
   Expression rewritten(const Expression& natural, const std::string& function);
@@ -127,8 +122,7 @@ class Formulator {
   std::optional<Rewriter> wide_;  // of products, if they are formed with symbols for parts
   std::optional<MatrixParts> parts_;
   std::vector<Polynomial> entries_;  // of A, multiplied out over the variables
-  std::map<int, Replacer> row_replacers_;
-  MatrixForms forms_;  // of A
+  MatrixForms forms_;                // of A
   Formulation result_;
 };
 

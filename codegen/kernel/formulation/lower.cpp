@@ -18,6 +18,12 @@ struct Shape {
   bool uses_points;
 };
 
+/// The copies of the first row or column: each has entries of K that are `step` places further on.
+struct Copies {
+  std::size_t times = 1;
+  std::size_t step = 0;
+};
+
 /// Returns the conditions that the outputs do not evaluate as sub-expressions.
 Expressions missing_conditions(const Expressions& outputs, const Expressions& conditions,
                                WorkMeter& meter) {
@@ -92,16 +98,21 @@ class ModuleBuilder {
   }
 
   void add(const Shape& shape, const Expressions& outputs, const Expressions& conditions) {
+    add(shape, {outputs, outputs.size()}, Copies(), conditions);
+  }
+
+  void add(const Shape& shape, const ProductForms& outputs, Copies copies,
+           const Expressions& conditions) {
     if (outputs.empty()) return;
     Lowering lowering(module_.variables, shape.uses_points ? points_ : std::vector<std::string>(),
                       &meter_);
-    const Expressions missing = missing_conditions(outputs, conditions, meter_);
-    for (std::size_t i = 0; i < outputs.size(); ++i) {
-      if (i == 0)
-        lowering.output_where_defined(outputs[i], missing);
-      else
-        lowering.output(outputs[i]);
-    }
+    lowering.output_where_defined(outputs.first[0],
+                                  missing_conditions(outputs.first, conditions, meter_));
+    for (std::size_t begin = 0; begin < outputs.first.size(); begin += outputs.block)
+      for (std::size_t copy = 0; copy < copies.times; ++copy)
+        for (std::size_t i = begin; i < begin + outputs.block; ++i)
+          if (i + copy > 0)
+            lowering.output(outputs.first[i], static_cast<std::uint32_t>(copy * copies.step));
     const auto found = f_.statistics.find(shape.name);
     const std::vector<EntryStatistics> entries =
         found == f_.statistics.end() ? std::vector<EntryStatistics>() : found->second;
@@ -115,9 +126,15 @@ class ModuleBuilder {
     module_.functions.push_back(std::move(function));
   }
 
-  void add(const Shape& shape, const DerivativeForms& derivatives, const Expressions& conditions) {
+  /// Adds rows of K·A.
+  void add(const Shape& shape, const ProductForms& outputs, const Expressions& conditions) {
+    add(shape, outputs, {std::size_t(f_.columns), std::size_t(f_.rows)}, conditions);
+  }
+
+  template <class Derivatives>
+  void add_derivatives(const Shape& shape, const Derivatives& derivatives) {
     if (derivatives.forms.empty()) return;
-    add(shape, derivatives.forms, conditions);
+    add(shape, derivatives.forms, f_.must_be_defined);
     module_.functions.back().derivatives = derivatives.places;
   }
 
@@ -125,7 +142,7 @@ class ModuleBuilder {
     if (!f_.expansion) return;
     const ExpansionForms& x = *f_.expansion;
     const int n = f_.columns;
-    const auto count = [](const DerivativeForms& d) { return static_cast<int>(d.forms.size()); };
+    const auto count = [](const auto& d) { return static_cast<int>(d.places.size()); };
     Expansion& expansion = module_.expansion.emplace();
     expansion.row_of_variable = x.row_of_variable;
     expansion.ball_of_variable = x.ball_of_variable;
@@ -133,10 +150,10 @@ class ModuleBuilder {
     expansion.first = x.product.empty() ? "left_derivatives" : "nominal_first";
     for (const Expression& value : x.nominal) expansion.nominal.push_back(enclose_value(value));
     add({"nominal_product", "(K·A)", n, n, true}, x.product, f_.must_be_defined);
-    add({"nominal_first", "∂(K·A)", count(x.first), 1, true}, x.first, f_.must_be_defined);
-    add({"expansion_second", "∂²(K·A)", count(x.second), 1, true}, x.second, f_.must_be_defined);
-    add({"row_first", "∂A", count(x.row_first), 1, false}, x.row_first, f_.must_be_defined);
-    add({"row_second", "∂²A", count(x.row_second), 1, false}, x.row_second, f_.must_be_defined);
+    add_derivatives({"nominal_first", "∂(K·A)", count(x.first), 1, true}, x.first);
+    add_derivatives({"expansion_second", "∂²(K·A)", count(x.second), 1, true}, x.second);
+    add_derivatives({"row_first", "∂A", count(x.row_first), 1, false}, x.row_first);
+    add_derivatives({"row_second", "∂²A", count(x.row_second), 1, false}, x.row_second);
     for (Function& function : module_.functions)
       if (function.name == "left_derivatives") function.derivatives = all_derivatives();
     if (x.product.empty()) return;
@@ -193,7 +210,8 @@ Module lower(const Formulation& f, const FormingWatch* watch) {
   builder.add({"left_product", "(K·A)", n, n, true}, f.left_product, f.must_be_defined);
   builder.add({"left_derivatives", "∂(K·A)", variables * n, n, true}, f.left_derivatives,
               f.must_be_defined);
-  builder.add({"right_product", "(A·K)", m, m, true}, f.right_product, f.must_be_defined);
+  builder.add({"right_product", "(A·K)", m, m, true}, f.right_product, {std::size_t(m), 1},
+              f.must_be_defined);
   builder.add({"row_scale", "scale", 1, 1, false}, f.row_scale, {});
   builder.add({"constraint", "H", constraints, 1, false}, f.constraints, f.motion_must_be_defined);
   builder.add({"pose", "X", pose, 1, false}, f.pose, f.motion_must_be_defined);

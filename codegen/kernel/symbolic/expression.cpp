@@ -16,6 +16,7 @@ struct Expression::Node {
   std::string name = {};
   Expressions operands = {};
   bool has_variables = false;
+  bool has_points = false;
   bool is_total = true;
   std::size_t hash = 0;
 };
@@ -59,9 +60,11 @@ struct ExpressionFactory {
     if (node->kind == ExpressionKind::kConstant) mix(hash, cln::equal_hashcode(node->value));
     if (!node->name.empty()) mix(hash, std::hash<std::string>()(node->name));
     node->has_variables = node->kind == ExpressionKind::kVariable;
+    node->has_points = node->kind == ExpressionKind::kPoint;
     for (const Expression& operand : node->operands) {
       mix(hash, operand.hash());
       node->has_variables = node->has_variables || operand.has_variables();
+      node->has_points = node->has_points || operand.has_points();
       node->is_total = node->is_total && operand.is_total();
     }
     if (node->kind == ExpressionKind::kPower && node->exponent < 0) node->is_total = false;
@@ -114,6 +117,7 @@ const Expressions& Expression::operands() const noexcept { return node_->operand
 int Expression::exponent() const noexcept { return node_->exponent; }
 Call Expression::function() const noexcept { return node_->function; }
 bool Expression::has_variables() const noexcept { return node_->has_variables; }
+bool Expression::has_points() const noexcept { return node_->has_points; }
 bool Expression::is_total() const noexcept { return node_->is_total; }
 std::size_t Expression::hash() const noexcept { return node_->hash; }
 

@@ -65,6 +65,7 @@ class Expression {
 
   [[nodiscard]] bool is_constant(int value) const;
   [[nodiscard]] bool has_variables() const noexcept;
+  [[nodiscard]] bool has_points() const noexcept;
   /// True if the expression is defined for all values of its symbols: no division, no root …
   [[nodiscard]] bool is_total() const noexcept;
   [[nodiscard]] std::size_t hash() const noexcept;

@@ -65,7 +65,11 @@ Lowering::Lowering(const std::vector<std::string>& variables,
       inputs_(numbered(variables)),
       points_(numbered(points)) {}
 
-void Lowering::output(const Expression& e) { builder_.output(lower(e)); }
+void Lowering::output(const Expression& e, std::uint32_t further) {
+  further_ = further;
+  builder_.output(lower(e));
+  further_ = 0;
+}
 
 void Lowering::output_where_defined(const Expression& e, const Expressions& conditions) {
   NodeId result = lower(e);
@@ -76,10 +80,11 @@ void Lowering::output_where_defined(const Expression& e, const Expressions& cond
 }
 
 NodeId Lowering::lower(const Expression& e) {
-  if (const auto found = known_.find(e); found != known_.end()) return found->second;
+  Known& known = e.has_points() ? with_points_[further_] : without_points_;
+  if (const auto found = known.find(e); found != known.end()) return found->second;
   spend(meter_, 1 + e.operands().size());
   const NodeId result = lowered(e);
-  known_.emplace(e, result);
+  known.emplace(e, result);
   return result;
 }
 
@@ -90,7 +95,7 @@ NodeId Lowering::lowered(const Expression& e) {
     case ExpressionKind::kNumberPi:
       return builder_.pi();
     case ExpressionKind::kPoint:
-      return builder_.point(number_of(points_, e.name()));
+      return builder_.point(number_of(points_, e.name()) + further_);
     case ExpressionKind::kVariable:
       return builder_.input(number_of(inputs_, e.name()));
     case ExpressionKind::kPower:

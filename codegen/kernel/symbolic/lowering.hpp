@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -19,8 +21,9 @@ class Lowering {
   Lowering(const std::vector<std::string>& variables, const std::vector<std::string>& points,
            WorkMeter* meter = nullptr);
 
-  /// Appends an output.
-  void output(const Expression& e);
+  /// Appends an output, with the entry of K that is `further` places after it in `points` for each
+  /// entry of K in e.
+  void output(const Expression& e, std::uint32_t further = 0);
 
   /// Appends an output that is undefined wherever one of `conditions` is.
   ///
@@ -39,7 +42,10 @@ class Lowering {
   ProgramBuilder builder_;
   WorkMeter* meter_;
   std::unordered_map<std::string, std::uint32_t> inputs_, points_;
-  std::unordered_map<Expression, NodeId, ExpressionHash> known_;
+  using Known = std::unordered_map<Expression, NodeId, ExpressionHash>;
+  Known without_points_;
+  std::map<std::uint32_t, Known> with_points_;  // by `further`
+  std::uint32_t further_ = 0;
 };
 
 }  // namespace regulus::detail

@@ -140,6 +140,43 @@ TEST(Lower, DefinednessIsNotEvaluatedTwice) {
   EXPECT_EQ(program.nodes.size(), 2u);  // the input and its root
 }
 
+/// Lowers rows of K·A, each in its own entries of K.
+Program lowered_row_by_row(const Formulation& f, const ProductForms& forms,
+                           const std::vector<std::string>& points) {
+  std::vector<std::string> names;
+  for (const Variable& v : f.variables) names.push_back(v.name);
+  Lowering lowering(names, points);
+  for (std::size_t begin = 0; begin < forms.first.size(); begin += forms.block)
+    for (int row = 1; row <= f.columns; ++row)
+      for (std::size_t i = begin; i < begin + forms.block; ++i)
+        lowering.output(in_row(forms.first[i], row));
+  return std::move(lowering).finish();
+}
+
+TEST(Lower, RowsAreThoseOfTheirOwnEntriesOfK) {
+  const Model model = robot_1({0, true, false});
+  FormulationOptions options;
+  options.expansion = ExpansionForm::kAtBox;
+  const Formulation f = formulate(model, box_motion(model), options);
+  const Module module = lower(f);
+  const std::pair<const char*, const ProductForms*> functions[] = {
+      {"left_product", &f.left_product},
+      {"left_derivatives", &f.left_derivatives},
+      {"expansion_second", &f.expansion.value().second.forms}};
+  for (const auto& [name, forms] : functions) {
+    ASSERT_NE(module.find(name), nullptr) << name;
+    const Program& program = module.find(name)->program;
+    const Program rows = lowered_row_by_row(f, *forms, program.points);
+    EXPECT_EQ(rows.outputs, program.outputs) << name;
+    EXPECT_EQ(rows.constants, program.constants) << name;
+    ASSERT_EQ(rows.nodes.size(), program.nodes.size()) << name;
+    for (std::size_t n = 0; n < rows.nodes.size(); ++n) {
+      const Node &a = rows.nodes[n], &b = program.nodes[n];
+      EXPECT_TRUE(a.op == b.op && a.a == b.a && a.b == b.b && a.index == b.index) << name << n;
+    }
+  }
+}
+
 TEST(Lower, ModulesBecomeKernels) {
   const Model model = robot_1({0, true, false});
   const Module module = lowered(model, box_motion(model));
