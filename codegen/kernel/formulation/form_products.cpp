@@ -84,7 +84,6 @@ namespace {
 template <class Moved>
 Expression with_points(const Expression& e, Moved moved) {
   return substitute(e, [&](const Expression& part) -> std::optional<Expression> {
-    if (!part.has_points()) return part;
     if (part.kind() != ExpressionKind::kPoint) return std::nullopt;
     const std::string& name = part.name();  // k_1_2
     const std::size_t second = name.rfind('_');

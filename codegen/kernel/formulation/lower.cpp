@@ -106,13 +106,16 @@ class ModuleBuilder {
     if (outputs.empty()) return;
     Lowering lowering(module_.variables, shape.uses_points ? points_ : std::vector<std::string>(),
                       &meter_);
-    lowering.output_where_defined(outputs.first[0],
-                                  missing_conditions(outputs.first, conditions, meter_));
-    for (std::size_t begin = 0; begin < outputs.first.size(); begin += outputs.block)
-      for (std::size_t copy = 0; copy < copies.times; ++copy)
-        for (std::size_t i = begin; i < begin + outputs.block; ++i)
-          if (i + copy > 0)
-            lowering.output(outputs.first[i], static_cast<std::uint32_t>(copy * copies.step));
+    Expressions missing = missing_conditions(outputs.first, conditions, meter_);
+    for (std::size_t begin = 0; begin < outputs.first.size(); begin += outputs.block) {
+      std::vector<NodeId> block;
+      for (std::size_t i = begin; i < begin + outputs.block; ++i)
+        block.push_back(
+            lowering.output_where_defined(outputs.first[i], std::exchange(missing, {})));
+      for (std::size_t copy = 1; copy < copies.times; ++copy)
+        for (const NodeId node : block)
+          lowering.output_moved(node, static_cast<std::uint32_t>(copy * copies.step));
+    }
     const auto found = f_.statistics.find(shape.name);
     const std::vector<EntryStatistics> entries =
         found == f_.statistics.end() ? std::vector<EntryStatistics>() : found->second;

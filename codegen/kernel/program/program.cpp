@@ -7,6 +7,7 @@
 
 #include <cln/integer.h>
 
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -17,6 +18,7 @@ namespace regulus::detail {
 namespace {
 
 constexpr std::uint32_t kMaxExponent = 1U << 20;
+constexpr NodeId kUnknown = std::numeric_limits<NodeId>::max();
 
 bool commutes(Op op) { return op == Op::kAdd || op == Op::kMultiply; }
 
@@ -54,11 +56,21 @@ bool ProgramBuilder::is_total(const Node& node) const {
   }
 }
 
-NodeId ProgramBuilder::intern(Node node) {
+std::size_t ProgramBuilder::KeyHash::operator()(const Key& key) const noexcept {
+  std::size_t hash = 0;
+  for (const std::uint32_t word : key) hash = (hash ^ word) * 0x9e3779b97f4a7c15ULL;
+  return hash ^ (hash >> 32);
+}
+
+ProgramBuilder::Key ProgramBuilder::key_of(const Node& node) noexcept {
   const bool swap = commutes(node.op) && node.b < node.a;
-  const auto key =
-      std::make_tuple(node.op, swap ? node.b : node.a, swap ? node.a : node.b, node.index);
-  const auto [entry, is_new] = known_.try_emplace(key, static_cast<NodeId>(program_.nodes.size()));
+  return {static_cast<std::uint32_t>(node.op), swap ? node.b : node.a, swap ? node.a : node.b,
+          node.index};
+}
+
+NodeId ProgramBuilder::intern(Node node) {
+  const auto [entry, is_new] =
+      known_.try_emplace(key_of(node), static_cast<NodeId>(program_.nodes.size()));
   if (is_new) {
     total_.push_back(is_total(node));
     program_.nodes.push_back(node);
@@ -114,7 +126,7 @@ NodeId ProgramBuilder::subtract(NodeId a, NodeId b) {
   if (is_zero(b)) return a;
   if (is_negation(b)) return add(a, at(b).a);
   if (is_negation(a)) return negate(add(at(a).a, b));
-  const auto reverse = known_.find(std::make_tuple(Op::kSubtract, b, a, 0U));
+  const auto reverse = known_.find(key_of({Op::kSubtract, b, a}));
   if (reverse != known_.end()) return intern({Op::kNegate, reverse->second});
   return intern({Op::kSubtract, a, b});
 }
@@ -192,6 +204,31 @@ NodeId ProgramBuilder::atan2(NodeId a, NodeId b) {
   if (is_zero(a) && is_constant(b) && cln::plusp(value(b))) return a;
   require(b);
   return intern({Op::kAtan2, a, b});
+}
+
+NodeId ProgramBuilder::moved(NodeId node, std::uint32_t further) {
+  require(node);
+  std::vector<NodeId>& known = moved_[further];
+  if (known.size() <= node) known.resize(program_.nodes.size(), kUnknown);
+  std::vector<NodeId> open = {node};  // no recursion: long sums are deep
+  while (!open.empty()) {
+    Node copy = at(open.back());
+    const std::size_t before = open.size();
+    const auto move = [&](NodeId& operand) {
+      if (known[operand] != kUnknown)
+        operand = known[operand];
+      else
+        open.push_back(operand);
+    };
+    const int operands = operand_count(copy.op);
+    if (operands > 0) move(copy.a);
+    if (operands > 1) move(copy.b);
+    if (open.size() > before) continue;
+    const NodeId id = open.back();
+    open.pop_back();
+    known[id] = copy.op == Op::kPoint ? point(copy.index + further) : intern(copy);
+  }
+  return known[node];
 }
 
 void ProgramBuilder::output(NodeId node) {

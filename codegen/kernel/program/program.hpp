@@ -5,10 +5,11 @@
 
 #include <cln/rational.h>
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
-#include <tuple>
+#include <unordered_map>
 #include <vector>
 
 #include "codegen/kernel/program/node.hpp"
@@ -50,6 +51,9 @@ class ProgramBuilder {
   NodeId call(Op function, NodeId a);    ///< kSqrt … kAbs except kAtan2
   NodeId atan2(NodeId a, NodeId b);
 
+  /// Returns the node that has the point `further` places further on for each point of `node`.
+  NodeId moved(NodeId node, std::uint32_t further);
+
   void output(NodeId node);
 
   /// Returns the program of the nodes that the outputs use, in canonical order. The builder cannot
@@ -62,6 +66,13 @@ class ProgramBuilder {
       return cln::compare(x, y) < 0;
     }
   };
+
+  /// Operation, operands, and index.
+  using Key = std::array<std::uint32_t, 4>;
+  struct KeyHash {
+    std::size_t operator()(const Key& key) const noexcept;
+  };
+  static Key key_of(const Node& node) noexcept;
 
   NodeId intern(Node node);
   void require(NodeId id) const;
@@ -78,7 +89,8 @@ class ProgramBuilder {
 
   Program program_;
   std::vector<bool> total_;  ///< per node: certainly defined for every value of inputs and points
-  std::map<std::tuple<Op, NodeId, NodeId, std::uint32_t>, NodeId> known_;
+  std::unordered_map<Key, NodeId, KeyHash> known_;
+  std::map<std::uint32_t, std::vector<NodeId>> moved_;  // by `further`, then by node; or kUnknown
   std::map<cln::cl_RA, std::uint32_t, ValueOrder> constant_index_;
 };
 

@@ -8,19 +8,6 @@
 
 namespace regulus::detail {
 
-struct Expression::Node {
-  ExpressionKind kind = ExpressionKind::kConstant;
-  Call function = Call::kSqrt;
-  int exponent = 0;
-  cln::cl_RA value = 0;
-  std::string name = {};
-  Expressions operands = {};
-  bool has_variables = false;
-  bool has_points = false;
-  bool is_total = true;
-  std::size_t hash = 0;
-};
-
 namespace {
 
 void mix(std::size_t& seed, std::size_t value) {
@@ -48,23 +35,21 @@ bool can_be_undefined(Call function, const Expressions& arguments) {
 struct ExpressionFactory {
   using Node = Expression::Node;
 
-  static std::shared_ptr<Node> node(ExpressionKind kind) {
-    auto result = std::make_shared<Node>();
+  static std::unique_ptr<Node> node(ExpressionKind kind) {
+    auto result = std::make_unique<Node>();
     result->kind = kind;
     return result;
   }
-  static Expression complete(std::shared_ptr<Node> node) {
+  static Expression complete(std::unique_ptr<Node> node) {
     std::size_t hash = static_cast<std::size_t>(node->kind);
     mix(hash, static_cast<std::size_t>(node->function));
     mix(hash, static_cast<std::size_t>(node->exponent));
     if (node->kind == ExpressionKind::kConstant) mix(hash, cln::equal_hashcode(node->value));
     if (!node->name.empty()) mix(hash, std::hash<std::string>()(node->name));
     node->has_variables = node->kind == ExpressionKind::kVariable;
-    node->has_points = node->kind == ExpressionKind::kPoint;
     for (const Expression& operand : node->operands) {
       mix(hash, operand.hash());
       node->has_variables = node->has_variables || operand.has_variables();
-      node->has_points = node->has_points || operand.has_points();
       node->is_total = node->is_total && operand.is_total();
     }
     if (node->kind == ExpressionKind::kPower && node->exponent < 0) node->is_total = false;
@@ -109,17 +94,6 @@ const char* name_of(Call function) noexcept {
 }
 
 Expression::Expression(const cln::cl_RA& value) : Expression(ExpressionFactory::constant(value)) {}
-
-ExpressionKind Expression::kind() const noexcept { return node_->kind; }
-const cln::cl_RA& Expression::value() const noexcept { return node_->value; }
-const std::string& Expression::name() const noexcept { return node_->name; }
-const Expressions& Expression::operands() const noexcept { return node_->operands; }
-int Expression::exponent() const noexcept { return node_->exponent; }
-Call Expression::function() const noexcept { return node_->function; }
-bool Expression::has_variables() const noexcept { return node_->has_variables; }
-bool Expression::has_points() const noexcept { return node_->has_points; }
-bool Expression::is_total() const noexcept { return node_->is_total; }
-std::size_t Expression::hash() const noexcept { return node_->hash; }
 
 bool Expression::is_constant(int value) const {
   return kind() == ExpressionKind::kConstant && node_->value == value;

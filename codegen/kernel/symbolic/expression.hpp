@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace regulus::detail {
@@ -45,11 +46,20 @@ enum class Call : std::uint8_t {
 class Expression;
 using Expressions = std::vector<Expression>;
 
+/// A count of its owners keeps an expression alive. Like its number, the count belongs to the thread
+/// that made it.
 class Expression {
  public:
   Expression() : Expression(cln::cl_RA(0)) {}
   Expression(int value) : Expression(cln::cl_RA(value)) {}
   Expression(const cln::cl_RA& value);
+  Expression(const Expression& other) noexcept;
+  Expression(Expression&& other) noexcept : node_(std::exchange(other.node_, nullptr)) {}
+  Expression& operator=(Expression other) noexcept {
+    std::swap(node_, other.node_);
+    return *this;
+  }
+  ~Expression();
 
   [[nodiscard]] ExpressionKind kind() const noexcept;
   /// Requires  kind() is kConstant.
@@ -65,20 +75,51 @@ class Expression {
 
   [[nodiscard]] bool is_constant(int value) const;
   [[nodiscard]] bool has_variables() const noexcept;
-  [[nodiscard]] bool has_points() const noexcept;
   /// True if the expression is defined for all values of its symbols: no division, no root …
   [[nodiscard]] bool is_total() const noexcept;
   [[nodiscard]] std::size_t hash() const noexcept;
   /// Equal for copies of one expression. Only for memo tables: its order means nothing.
-  [[nodiscard]] const void* identity() const noexcept { return node_.get(); }
+  [[nodiscard]] const void* identity() const noexcept { return node_; }
 
  private:
   struct Node;
   friend struct ExpressionFactory;
-  explicit Expression(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
+  /// Takes over a node that has no other owner.
+  explicit Expression(std::unique_ptr<Node> node) noexcept;
 
-  std::shared_ptr<const Node> node_;
+  Node* node_;
 };
+
+struct Expression::Node {
+  std::size_t owners = 1;
+  ExpressionKind kind = ExpressionKind::kConstant;
+  Call function = Call::kSqrt;
+  bool has_variables = false;
+  bool is_total = true;
+  int exponent = 0;
+  std::size_t hash = 0;
+  cln::cl_RA value = 0;
+  std::string name = {};
+  Expressions operands = {};
+};
+
+inline Expression::Expression(std::unique_ptr<Node> node) noexcept : node_(node.release()) {}
+inline Expression::Expression(const Expression& other) noexcept : node_(other.node_) {
+  if (node_ != nullptr) ++node_->owners;
+}
+inline Expression::~Expression() {
+  if (node_ != nullptr && --node_->owners == 0) delete node_;
+}
+
+inline ExpressionKind Expression::kind() const noexcept { return node_->kind; }
+inline const cln::cl_RA& Expression::value() const noexcept { return node_->value; }
+inline const std::string& Expression::name() const noexcept { return node_->name; }
+inline const Expressions& Expression::operands() const noexcept { return node_->operands; }
+inline int Expression::exponent() const noexcept { return node_->exponent; }
+inline Call Expression::function() const noexcept { return node_->function; }
+inline bool Expression::has_variables() const noexcept { return node_->has_variables; }
+inline bool Expression::is_total() const noexcept { return node_->is_total; }
+inline std::size_t Expression::hash() const noexcept { return node_->hash; }
 
 [[nodiscard]] Expression pi();
 [[nodiscard]] Expression variable(const std::string& name);

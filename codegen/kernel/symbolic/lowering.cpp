@@ -65,26 +65,28 @@ Lowering::Lowering(const std::vector<std::string>& variables,
       inputs_(numbered(variables)),
       points_(numbered(points)) {}
 
-void Lowering::output(const Expression& e, std::uint32_t further) {
-  further_ = further;
-  builder_.output(lower(e));
-  further_ = 0;
-}
+NodeId Lowering::output(const Expression& e) { return output_where_defined(e, {}); }
 
-void Lowering::output_where_defined(const Expression& e, const Expressions& conditions) {
-  NodeId result = lower(e);
+NodeId Lowering::output_where_defined(const Expression& e, const Expressions& conditions) {
+  const NodeId node = lower(e);
+  NodeId result = node;
   // 0·f is the number 0 where f is defined, and undefined elsewhere.
   for (const Expression& condition : conditions)
     result = builder_.add(result, builder_.multiply(builder_.constant(0), lower(condition)));
   builder_.output(result);
+  return node;
+}
+
+void Lowering::output_moved(NodeId node, std::uint32_t further) {
+  spend(meter_, 1);
+  builder_.output(builder_.moved(node, further));
 }
 
 NodeId Lowering::lower(const Expression& e) {
-  Known& known = e.has_points() ? with_points_[further_] : without_points_;
-  if (const auto found = known.find(e); found != known.end()) return found->second;
+  if (const auto found = known_.find(e); found != known_.end()) return found->second;
   spend(meter_, 1 + e.operands().size());
   const NodeId result = lowered(e);
-  known.emplace(e, result);
+  known_.emplace(e, result);
   return result;
 }
 
@@ -95,7 +97,7 @@ NodeId Lowering::lowered(const Expression& e) {
     case ExpressionKind::kNumberPi:
       return builder_.pi();
     case ExpressionKind::kPoint:
-      return builder_.point(number_of(points_, e.name()) + further_);
+      return builder_.point(number_of(points_, e.name()));
     case ExpressionKind::kVariable:
       return builder_.input(number_of(inputs_, e.name()));
     case ExpressionKind::kPower:

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -21,14 +20,18 @@ class Lowering {
   Lowering(const std::vector<std::string>& variables, const std::vector<std::string>& points,
            WorkMeter* meter = nullptr);
 
-  /// Appends an output, with the entry of K that is `further` places after it in `points` for each
-  /// entry of K in e.
-  void output(const Expression& e, std::uint32_t further = 0);
+  /// Appends an output.
+  NodeId output(const Expression& e);
 
   /// Appends an output that is undefined wherever one of `conditions` is.
   ///
   /// Ensures   if all conditions are defined, the output encloses e as tightly as output(e) does.
-  void output_where_defined(const Expression& e, const Expressions& conditions);
+  /// Returns   the node of e.
+  NodeId output_where_defined(const Expression& e, const Expressions& conditions);
+
+  /// Appends a node as output, with the entry of K that is `further` places after it in `points`
+  /// for each entry of K.
+  void output_moved(NodeId node, std::uint32_t further);
 
   [[nodiscard]] Program finish() && { return std::move(builder_).finish(); }
 
@@ -42,10 +45,7 @@ class Lowering {
   ProgramBuilder builder_;
   WorkMeter* meter_;
   std::unordered_map<std::string, std::uint32_t> inputs_, points_;
-  using Known = std::unordered_map<Expression, NodeId, ExpressionHash>;
-  Known without_points_;
-  std::map<std::uint32_t, Known> with_points_;  // by `further`
-  std::uint32_t further_ = 0;
+  std::unordered_map<Expression, NodeId, ExpressionHash> known_;
 };
 
 }  // namespace regulus::detail
