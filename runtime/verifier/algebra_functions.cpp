@@ -294,20 +294,23 @@ Algebra::Turn Algebra::multiple(Turn unit, long times) {
   return result;
 }
 
-/// For an angle between 0 and π/4: sin π/10 = (√5 − 1)/4 and cos π/5 = (√5 + 1)/4; the others of these
-/// have a root below a root, and stay as they are.
+/// For an angle between 0 and π/4: sin π/10 = (√5 − 1)/4 and cos π/10 = √((5 + √5)/8), and π/5 is the
+/// double; the others stay as they are.
 Algebra::Turn Algebra::turn_of_small_part(const Rational& factor) {
+  const auto with_root5 = [&](long whole, long of_root, long divisor) {
+    Polynomial sum = root(Polynomial(5)).scaled(Rational(of_root));
+    sum.add(Polynomial(whole));
+    return sum.scaled(Rational(1) / Rational(divisor));
+  };
+  const bool is_tenth = factor == Rational(1) / Rational(10);
+  if (is_tenth || factor == Rational(1) / Rational(5)) {
+    const Turn tenth{with_root5(-1, 1, 4), root(with_root5(5, 1, 8))};
+    if (is_tenth) return tenth;
+    return {product(tenth.sine, tenth.cosine).scaled(Rational(2)), with_root5(1, 1, 4)};
+  }
   Polynomial angle;
   angle.add({{numbers_.at("pi"), 1}}, factor);
-  Turn result = turn_of_unit(angle);
-  const auto quarter_of_root5 = [&](long plus) {
-    Polynomial sum = root(Polynomial(5));
-    sum.add(Polynomial(plus));
-    return sum.scaled(Rational(1) / Rational(4));
-  };
-  if (factor == Rational(1) / Rational(10)) result.sine = quarter_of_root5(-1);
-  if (factor == Rational(1) / Rational(5)) result.cosine = quarter_of_root5(1);
-  return result;
+  return turn_of_unit(angle);
 }
 
 /// The angle is that of a number of quarter turns and of an angle up to π/4, or its complement.

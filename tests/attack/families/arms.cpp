@@ -28,6 +28,10 @@ Arm arm_geometry(Builder& b) {
       const std::size_t quarter = b.random.below(4);
       joint.alpha = std::array{"0", "pi/2", "-pi/2", "pi/2"}[quarter];
       joint.angle = std::array{0.0, 0.5, -0.5, 0.5}[quarter] * std::numbers::pi;
+    } else if (b.random.one_in(4)) {  // a multiple of 18 degrees, whose sine may be a root
+      const long tenths = b.random.between(-9, 9);
+      joint.alpha = std::to_string(tenths) + "/10*pi";
+      joint.angle = double(tenths) / 10 * std::numbers::pi;
     } else {
       const Rational alpha(b.random.between(-24, 24), 16);
       joint.alpha = alpha.fraction();
