@@ -269,14 +269,15 @@ struct Trial {
   std::string doubt;  ///< why the verifier may not finish
 };
 
+constexpr std::uint64_t kTriedBoxes = 1 << 10;
+
 /// Lets the verifier evaluate a few boxes. A solution that is almost a double one stops it before the first.
-Trial trial_of(const std::string& head, const std::string& proof) {
-  constexpr std::uint64_t kTriedBoxes = 1 << 10;
+Trial trial_of(const std::string& head, const std::string& proof, std::uint64_t most_boxes) {
   std::istringstream text(head + proof);
   verifier::Options options;
-  options.max_boxes = kTriedBoxes;
+  options.max_boxes = most_boxes;
   const verifier::Verification tried = verifier::verify(text, options);
-  const bool is_stopped = tried.boxes > kTriedBoxes;
+  const bool is_stopped = tried.boxes > most_boxes;
   return {tried.outcome == verifier::Outcome::kVerified,
           tried.outcome != verifier::Outcome::kVerified && !is_stopped
               ? "the verifier may not finish: " + tried.reason
@@ -313,12 +314,13 @@ TriedProof try_list(const Request& request, const Solutions& solutions) {
   // A list in space that is not whole is shown pose by pose, and so is one of which some were not followed.
   if ((!is_complete && is_in_space) || listed.middles.size() != listed.tubes.size())
     listed.middles.clear();
+  std::uint64_t most_boxes = kTriedBoxes;
   const auto try_proof = [&](const std::string& lines, const std::string& proof) {
     list.head = head_of(request, solutions, lines);
     list.proof = proof;
     list.obstacle = obstacle_of_head(list.head);
     if (!list.obstacle.empty()) return true;
-    const Trial trial = trial_of(list.head, list.proof);
+    const Trial trial = trial_of(list.head, list.proof, most_boxes);
     list.doubt = trial.doubt;
     return is_verified = trial.is_verified;
   };
@@ -333,6 +335,9 @@ TriedProof try_list(const Request& request, const Solutions& solutions) {
     try_proof(lines_of(solutions, listed), search + proof_of(listed));
     return {list, is_verified};
   }
+  // A line without room is found late: at boxes on its border, after those that are nowhere near it.
+  constexpr std::uint64_t kTriedOfSearched = 8, kMostTried = 1 << 15;
+  most_boxes = std::clamp(kTriedOfSearched * solutions.boxes, kTriedBoxes, kMostTried);
   ListProof first;
   for (const TubeWidths& widths : kWidthsOfPostures) {
     Listed tried = listed;
