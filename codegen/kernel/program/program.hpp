@@ -56,6 +56,9 @@ class ProgramBuilder {
 
   void output(NodeId node);
 
+  /// Returns the number of nodes.
+  [[nodiscard]] std::size_t size() const noexcept { return program_.nodes.size(); }
+
   /// Returns the program of the nodes that the outputs use, in canonical order. The builder cannot
   /// be used again.
   [[nodiscard]] Program finish() &&;

@@ -78,8 +78,9 @@ NodeId Lowering::output_where_defined(const Expression& e, const Expressions& co
 }
 
 void Lowering::output_moved(NodeId node, std::uint32_t further) {
-  spend(meter_, 1);
+  const std::size_t before = builder_.size();
   builder_.output(builder_.moved(node, further));
+  spend(meter_, 1 + builder_.size() - before);
 }
 
 NodeId Lowering::lower(const Expression& e) {
