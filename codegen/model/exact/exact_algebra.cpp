@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/model/exact/exact_algebra.hpp"
 
+#include <algorithm>
+#include <optional>
+
 #include "codegen/model/exact/certain_sign.hpp"
 
 namespace regulus::detail {
@@ -24,12 +27,52 @@ ex root_of(numeric natural) {
   return result * GiNaC::sqrt(ex(natural));
 }
 
-/// Rewrites roots of rationals and powers of sines. It leaves arguments of functions as they are.
+/// Returns n if e is sin n*pi/10, a sine or cosine that GiNaC has no root for.
+std::optional<int> tenths_of_pi(const ex& e) {
+  const bool is_sine = GiNaC::is_the_function<GiNaC::sin_SERIAL>(e);
+  if (!is_sine && !GiNaC::is_the_function<GiNaC::cos_SERIAL>(e)) return std::nullopt;
+  const ex tenths = 10 * e.op(0) / GiNaC::Pi;
+  if (!GiNaC::is_a<numeric>(tenths) || !tenths.info(GiNaC::info_flags::integer))
+    return std::nullopt;
+  const numeric n = GiNaC::ex_to<numeric>(tenths);
+  return GiNaC::mod(is_sine ? n : 5 - n, 20).to_int();
+}
+
+ex cosine_of_tenth() { return GiNaC::cos(GiNaC::Pi / 10); }
+
+/// sin n*pi/10, by the cosine of pi/10 and the root of 5.
+ex sine_of_tenths(int n) {
+  if (n >= 10) return -sine_of_tenths(n - 10);
+  const ex root = GiNaC::sqrt(ex(5));
+  switch (std::min(n, 10 - n)) {
+    case 0:
+      return 0;
+    case 1:
+      return (root - 1) / 4;
+    case 2:
+      return (root - 1) / 2 * cosine_of_tenth();
+    case 3:
+      return (root + 1) / 4;
+    case 4:
+      return cosine_of_tenth();
+    default:
+      return 1;
+  }
+}
+
+/// Rewrites roots of rationals, powers of sines, and tenths of pi. It leaves arguments of functions as they are.
 struct Reduction : GiNaC::map_function {
   ex operator()(const ex& e) override {
-    if (GiNaC::is_a<GiNaC::function>(e)) return e;
+    if (GiNaC::is_a<GiNaC::function>(e)) {
+      const std::optional<int> tenths = tenths_of_pi(e);
+      return tenths ? sine_of_tenths(*tenths) : e;
+    }
     if (!GiNaC::is_a<GiNaC::power>(e)) return e.map(*this);
     const ex base = e.op(0), exponent = e.op(1);
+    if (exponent.info(GiNaC::info_flags::posint) && exponent > 1 && tenths_of_pi(base) == 4) {
+      const int n = GiNaC::ex_to<numeric>(exponent).to_int();
+      return pow((5 + GiNaC::sqrt(ex(5))) / 8, n / 2) * pow(cosine_of_tenth(), n % 2);
+    }
     if (GiNaC::is_a<numeric>(base) && GiNaC::is_a<numeric>(exponent))
       return root(GiNaC::ex_to<numeric>(base), GiNaC::ex_to<numeric>(exponent));
     if (GiNaC::is_the_function<GiNaC::sin_SERIAL>(base) &&

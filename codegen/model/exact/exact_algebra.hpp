@@ -12,8 +12,8 @@ using Point = std::array<GiNaC::ex, 3>;
 inline constexpr std::array<const char*, 3> kCoordinates = {"x", "y", "z"};
 
 /// Returns the same number or polynomial, expanded, with square roots of primes only, and with no
-/// power of a sine above the first. Equal numbers of the field of sqrt(2), sqrt(3) and sqrt(5), that
-/// of all multiples of pi/12, become equal expressions.
+/// power of a sine above the first. Equal numbers of the field of sqrt(2), sqrt(3), sqrt(5) and cos pi/10,
+/// that of all multiples of pi/12 and pi/10, become equal expressions.
 [[nodiscard]] GiNaC::ex reduced(const GiNaC::ex& e);
 
 /// True if the expression is proved to be zero for all values of its symbols. False says nothing.

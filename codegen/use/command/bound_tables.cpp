@@ -39,7 +39,7 @@ constexpr const char* kSolveFooter =
 
 constexpr const char* kSolveCertificate =
     "Write a proof that these are all, or that these are certain, to FILE: of configurations, of "
-    "poses, and of postures that were searched, of an arm whose joints turn";
+    "poses, and of postures that were searched";
 
 constexpr const char* kBoundCertificate =
     "Write two proofs for each leg or freedom: FILE.leg_3.safe proves that no value is beyond the "
