@@ -25,10 +25,19 @@ inline Words joined(Words first, const Words& second) {
   return first;
 }
 
+/// Open MPI leaks from modules that it unloads, which no suppression can name. What leaks elsewhere, leaks in one process, too.
+inline Words without_leaks() {
+#if defined(__SANITIZE_ADDRESS__)
+  return {"-x", "ASAN_OPTIONS=detect_leaks=0"};
+#else
+  return {};
+#endif
+}
+
 /// Open MPI refuses more ranks than processors, and the superuser, unless it is told otherwise.
 inline Words ranks(int count, const Words& command) {
-  return joined({MPIEXEC, "--oversubscribe", "--allow-run-as-root", "-n", std::to_string(count),
-                 REGULUS_BINARY_DIR "/bin/regulus-mpi"},
+  const Words start = joined({MPIEXEC, "--oversubscribe", "--allow-run-as-root"}, without_leaks());
+  return joined(joined(start, {"-n", std::to_string(count), REGULUS_BINARY_DIR "/bin/regulus-mpi"}),
                 command);
 }
 

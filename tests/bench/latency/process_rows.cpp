@@ -78,7 +78,7 @@ Section latency_section(const std::vector<Timing>& timings) {
   section.rows.back().target = ratio_at_most(2);
   section.rows.push_back(timed_row("`regulus check`, an unknown 6-RUS", timings[5], 1e3, "ms",
                                    "`models/hexapod_6rus.toml work --no-cache`"));
-  section.rows.back().target = value_at_most(1000);
+  section.rows.back().target = value_at_most(500);
   section.rows.push_back(timed_row("`regulus check`, an unknown path with errors", timings[6], 1e3,
                                    "ms",
                                    "`models/robot_1.toml T2_errors --no-cache`, anchors ±0.05"));
