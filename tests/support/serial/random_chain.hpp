@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdio>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -152,7 +153,7 @@ class RandomChain {
   }
 
  private:
-  static constexpr double kTwelfth = 0.26179938779914943654;
+  static constexpr double kSixtieth = std::numbers::pi / 60, kTwelfth = 5 * kSixtieth;
 
   static std::string number(double value) {
     char text[40];
@@ -166,9 +167,9 @@ class RandomChain {
     return "[" + number(v[0]) + ", " + number(v[1]) + ", " + number(v[2]) + "]";
   }
   static std::string exact_angle(double value) {
-    const double k = std::round(value / kTwelfth);
-    return k != 0 && std::fabs(k * kTwelfth - value) < 1e-12
-               ? "\"" + std::to_string(int(k)) + "*pi/12\""
+    const double k = std::round(value / kSixtieth);
+    return k != 0 && std::fabs(k * kSixtieth - value) < 1e-12
+               ? "\"" + std::to_string(int(k)) + "*pi/60\""
                : number(value);
   }
 
@@ -185,7 +186,9 @@ class RandomChain {
     Vec rpy{};
     switch (random_.below(6)) {
       case 0:
-        rpy[random_.below(3)] = kTwelfth * double(random_.below(24));
+        // Twelfths and tenths of half a turn: their sines may be roots.
+        rpy[random_.below(3)] =
+            kSixtieth * double(random_.one_in(2) ? 5 * random_.below(24) : 6 * random_.below(20));
         break;
       case 1:
         rpy[random_.below(3)] = tenths();
