@@ -266,6 +266,7 @@ std::string obstacle_of(const Request& request, const Solutions& solutions) {
 
 struct Trial {
   bool is_verified;
+  std::uint64_t boxes;
   std::string doubt;  ///< why the verifier may not finish
 };
 
@@ -278,7 +279,7 @@ Trial trial_of(const std::string& head, const std::string& proof, std::uint64_t 
   options.max_boxes = most_boxes;
   const verifier::Verification tried = verifier::verify(text, options);
   const bool is_stopped = tried.boxes > most_boxes;
-  return {tried.outcome == verifier::Outcome::kVerified,
+  return {tried.outcome == verifier::Outcome::kVerified, tried.boxes,
           tried.outcome != verifier::Outcome::kVerified && !is_stopped
               ? "the verifier may not finish: " + tried.reason
               : ""};
@@ -322,6 +323,7 @@ TriedProof try_list(const Request& request, const Solutions& solutions) {
     if (!list.obstacle.empty()) return true;
     const Trial trial = trial_of(list.head, list.proof, most_boxes);
     list.doubt = trial.doubt;
+    most_boxes -= std::min(most_boxes - kTriedBoxes, trial.boxes);  // all trials share them
     return is_verified = trial.is_verified;
   };
   if (is_counted && (try_proof(solution_lines(solutions, size_of(request, solutions), varies),

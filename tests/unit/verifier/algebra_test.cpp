@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What exact algebra knows of the angles that are written as parts of a turn.
+// Exact algebra knows the relations between sines and cosines of parts of a turn.
 #include "runtime/verifier/algebra.hpp"
 
 #include <gtest/gtest.h>
