@@ -177,5 +177,36 @@ TEST(SerialArms, AreCertifiedFartherThanFiveDegreesFromTheirSingularPoses) {
   EXPECT_GE(certified, 0.99 * far);
 }
 
+/// Four axes are parallel if the sines and cosines of the twists are known exactly; the Jacobian then
+/// loses a row at no pose.
+std::string four_parallel_axes(const std::string& twist) {
+  const std::string axis = ", axis = [0, \"sin(" + twist + ")\", \"cos(" + twist + ")\"] },\n",
+                    twice = ", axis = [0, \"sin(2*" + twist + ")\", \"cos(2*" + twist + ")\"] },\n";
+  const std::string turned = ", rpy = [\"" + twist + "\", 0, 0]";
+  return "regulus = 1\nname = \"arm\"\n[serial]\njoints = [\n"
+         "{ name = \"q1\", xyz = [0, 0, 0.4]" +
+         turned + axis + "{ name = \"q2\", xyz = [0.3, 0, 0]" + axis +
+         "{ name = \"q3\", xyz = [0.25, 0, 0]" + turned + twice +
+         "{ name = \"q4\", xyz = [0.15, 0, 0]" + twice +
+         "{ name = \"q5\", xyz = [0.1, 0, 0], axis = [0, 1, 0] },\n"
+         "{ name = \"q6\", xyz = [0.1, 0, 0], axis = [1, 0, 0] },\n]\n[motion.m]\n"
+         "q1 = [0.2, 0.4]\nq2 = [0.5, 0.7]\nq3 = [0.5, 0.7]\nq4 = [0.5, 0.7]\n"
+         "q5 = [0.5, 0.7]\nq6 = [0.2, 0.3]\n";
+}
+
+TEST(SerialArms, WithTwistsThatAreTenthsOfHalfATurnAreComparedWithTheirFile) {
+  const TemporaryDirectory folder;
+  const std::string file = (folder.path() / "arm.toml").string(),
+                    proof = (folder.path() / "proof").string();
+  for (const char* twist : {"18*deg", "30*deg", "36*deg", "72*deg", "108*deg"}) {
+    std::ofstream(file) << four_parallel_axes(twist);
+    const CommandResult checked = run_command(
+        {REGULUS_BINARY_DIR "/bin/regulus", "check", file, "m", "--certificate", proof});
+    EXPECT_EQ(checked.output, "NO SINGULARITY\n") << twist << checked.errors;
+    EXPECT_NE(checked.errors.find("6×5"), std::string::npos) << checked.errors;
+    EXPECT_EQ(run_command({kVerify, proof, "--model", file}).output, "VERIFIED\n") << twist;
+  }
+}
+
 }  // namespace
 }  // namespace regulus::detail::test
