@@ -215,7 +215,7 @@ class ArmEquations {
   void close_loop() {
     const std::size_t n = arm_.joints.size();
     for (const MovingJoint& joint : arm_.joints) behind_.push_back(joint.before);
-    std::ranges::rotate(behind_, behind_.begin() + 1);
+    std::rotate(behind_.begin(), behind_.begin() + 1, behind_.end());
     behind_.back() = a_.product(a_.inverse(arm_.target), behind_.back());
     for (std::size_t i = 1; i <= n; ++i) move_origin(i % n);
   }
