@@ -136,6 +136,9 @@ struct Motion {
   std::vector<GiNaC::ex> legs{};
   /// x, y, z, roll, pitch, yaw of an arm's tool, in the place of a pose; empty: the pose is given.
   std::vector<GiNaC::ex> tool{};
+  std::vector<GiNaC::ex> tool_error{};  ///< control error ± on each of them; empty: none
+  /// What the geometry adds to each number of `pose`, or of `tool`, in radians for angles; empty: nothing.
+  std::vector<GiNaC::ex> added_to_place{};
   [[nodiscard]] bool has_no_pose() const { return !legs.empty() || !tool.empty(); }
   /// If it is set, `pose` only has the values of pose parameters that the file does not give.
   std::optional<WaypointSource> waypoints{};

@@ -6,6 +6,7 @@
 #include "codegen/model/constants.hpp"
 #include "codegen/model/degrees.hpp"
 #include "codegen/model/names.hpp"
+#include "codegen/model/place.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus::detail {
@@ -69,9 +70,9 @@ bool free_constant(const Model& model, Motion& motion, const std::string& name,
 }
 
 /// One number is an error of all that are named.
-void require_one_unit(const Model& model, const std::vector<std::string>& names) {
-  const PoseParameter* first = nullptr;
-  for (const PoseParameter& p : model.pose) {
+void require_one_unit(const std::vector<PlaceName>& all, const std::vector<std::string>& names) {
+  const PlaceName* first = nullptr;
+  for (const PlaceName& p : all) {
     if (std::ranges::find(names, p.name) == names.end()) continue;
     if (first == nullptr) first = &p;
     if (p.unit != first->unit)
@@ -135,32 +136,38 @@ void set_range(const Model& model, Motion& motion, const std::string& parameter,
 }
 
 void set_tube(const Model& model, Motion& motion, std::string_view tube) {
-  if (motion.has_no_pose())
-    refuse("this motion gives no pose, and a tube is about one",
-           "give a pose, or errors of the lengths in the motion", "tube");
+  const bool is_by_tool = !motion.tool.empty();
+  const std::vector<PlaceName> known = is_by_tool            ? tool_names(model)
+                                       : motion.legs.empty() ? pose_names(model)
+                                                             : length_names(model);
+  std::vector<GiNaC::ex>& errors = is_by_tool ? motion.tool_error : motion.error;
+  errors.resize(known.size(), 0);
   std::vector<std::string> names, all;
-  for (const PoseParameter& p : model.pose) all.push_back(p.name);
+  for (const PlaceName& p : known) all.push_back(p.name);
   const std::size_t equals = tube.find('=');
   if (equals != std::string_view::npos) {
     names = split(tube.substr(0, equals));
   } else {
     names = all;
   }
-  require_one_unit(model, names);
-  motion.error.resize(model.pose.size(), 0);
+  require_one_unit(known, names);
   for (const std::string& name : names) {
     const auto at = std::ranges::find(all, name);
     if (at == all.end())
-      refuse("no pose parameter " + in_quotes(name), remedy(name, all, "this model has: "), name);
+      refuse(motion.has_no_pose() ? "the place has no number " + in_quotes(name)
+                                  : "no pose parameter " + in_quotes(name),
+             remedy(name, all, motion.has_no_pose() ? "it has: " : "this model has: "), name);
     const auto i = static_cast<std::size_t>(at - all.begin());
+    const std::string& unit = known[i].unit;
     const Place place{.file = "", .key = name};
     const ParsedExpression term =
         parse_constant(equals == std::string_view::npos ? tube : tube.substr(equals + 1), place,
-                       number_unit(model.pose[i].unit));
+                       number_unit(unit));
     append(motion.must_be_defined, term.must_be_defined);
-    motion.error[i] = checked_nonnegative(term, place);
-    warn_about_angle(motion.warnings, {-motion.error[i], motion.error[i]}, model.pose[i].unit,
+    errors[i] = checked_nonnegative(term, place);
+    warn_about_angle(motion.warnings, {-errors[i], errors[i]}, unit,
                      {.file = "", .key = "the error of " + name});
+    if (is_by_tool && is_in_degrees(unit)) errors[i] *= one_degree();
   }
 }
 

@@ -137,7 +137,8 @@ class ArmReader {
 
   // The place.
 
-  /// The last joint of all is where it is if the uncertain quantities are in the middles of their ranges.
+  /// The last joint of all is where it is if the uncertain quantities that no value of a joint names are in the middles
+  /// of their ranges.
   PlacementNodes placed_by_values() {
     PlacementNodes end = result_.end(a_, arm_.values);
     if (q_.variables.empty()) return end;
@@ -148,10 +149,17 @@ class ArmReader {
   }
 
   VectorNodes in_middle(VectorNodes v) {
+    std::vector<NodeId> values = arm_.values;
+    for (const ArmJointLine& joint : arm_.joints)
+      if (joint.held != kNoNode) values.push_back(joint.held);
+    const std::vector<NodeId> named = ingredients(q_.graph, values);
     std::map<NodeId, NodeId> middles;
-    for (std::size_t k = 0; k < q_.variables.size(); ++k)
-      middles.emplace(q_.graph.add(Op::kVariable, int(k)),
-                      a_.quotient(a_.sum(q_.variables[k].lo, q_.variables[k].hi), a_.number(2)));
+    for (std::size_t k = 0; k < q_.variables.size(); ++k) {
+      const NodeId variable = q_.graph.add(Op::kVariable, int(k));
+      if (std::ranges::find(named, variable) == named.end())
+        middles.emplace(variable,
+                        a_.quotient(a_.sum(q_.variables[k].lo, q_.variables[k].hi), a_.number(2)));
+    }
     for (NodeId& node : v) node = replaced(q_.graph, node, middles);
     return v;
   }

@@ -71,11 +71,13 @@ class SolutionReader {
       throw Rejection("a tool that may be turned is of an arm of five joints");
     while (reader_.is("joint-range")) read_range(arm);
     if (!reader_.is("tip")) {
-      arm.values = reader_.list("joint-value", values_);
+      for (std::size_t k = 0; k < values_; ++k, reader_.advance())
+        arm.values.push_back(reader_.expression("joint-value", std::to_string(k),
+                                                reader_.rest_of("joint-value"), q_.actual));
       return;
     }
     arm.tip = numbers("tip", "tip ", kNumbersOfFrame, kNumbersOfFrame);
-    arm.tool = numbers("tool", "tool ", kNumbersOfTool, 0);
+    arm.tool = numbers("tool", "tool ", kNumbersOfTool, kNumbersOfTool);
   }
 
   [[nodiscard]] bool is_joint() const {
@@ -97,8 +99,9 @@ class SolutionReader {
     const std::size_t count = key.follows   ? kNumbersOfFollower
                               : key.is_held ? kNumbersOfJoint + 1
                                             : kNumbersOfJoint;
-    const std::vector<NodeId> all = numbers(
-        key.word, "joint " + std::to_string(arm.joints.size()) + '_', count, kNumbersOfJoint);
+    const std::vector<NodeId> all =
+        numbers(key.word, "joint " + std::to_string(arm.joints.size()) + '_', count,
+                key.is_held ? count : kNumbersOfJoint);
     ArmJointLine joint;
     joint.slides = key.slides;
     std::copy_n(all.begin(), 9, joint.rotation.begin());

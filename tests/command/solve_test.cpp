@@ -44,6 +44,26 @@ class AllSolutionsByCommand : public testing::Test {
   TemporaryDirectory folder_;
 };
 
+TEST_F(AllSolutionsByCommand, TakeErrorsOfThePlaceByName) {
+  const std::vector<std::string> tool = {
+      "puma_560_serial", "--at", "x=0.4",     "--at", "y=0.1", "--at", "z=0.5", "--at",
+      "roll=0",          "--at", "pitch=0.2", "--at", "yaw=1"};
+  const auto with = [&tool](const std::string& error, std::vector<std::string> more = {}) {
+    std::vector<std::string> words = tool;
+    words.insert(words.end(), {"--tube", error});
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  };
+  const CommandResult x = solve(with("x=0.001"));
+  EXPECT_THAT(x.output, HasSubstr("COMPLETE: 8 postures"));
+  EXPECT_THAT(x.errors, HasSubstr("x_error in [-0.001, 0.001]"));
+  EXPECT_EQ(report(with("x=0.001"))["question"]["place"]["x"]["exact"], "2/5");
+  EXPECT_THAT(solve(with("q1=0.001")).errors, HasSubstr("x, y, z, roll, pitch"));
+  EXPECT_THAT(solve(with("0.001")).errors, HasSubstr("name the parameters of each"));
+  EXPECT_THAT(solve({"rpr_6", "--tube", "rho_1=0.001"}).output, HasSubstr("COMPLETE: 6 poses"));
+  EXPECT_THAT(solve({"rpr_6", "--tube", "rho_1=0.001"}).errors, HasSubstr("rho_1_error in"));
+}
+
 TEST_F(AllSolutionsByCommand, TakeTheLengthsOfTheLegsByName) {
   const json given =
       report({"rpr_6", "--at", "rho_1=14.98", "--at", "rho_2=15.38", "--at", "rho_3=12"});

@@ -73,6 +73,18 @@ def test_a_tool_and_a_held_joint():
     assert arm and len(arm) == 8 and arm.json["question"]["place"]["yaw"]["unit"] == "rad"
 
 
+def test_a_tool_with_errors():
+    tool = {"x": "0.4", "y": "0.1", "z": "0.5", "roll": 0, "pitch": "0.2", "yaw": 1}
+    arm = rg.load("puma_560_serial")
+    sharp, wide = arm.solve(at=tool), arm.solve(at=tool, tube={"x,y": "0.001", "yaw": "0.001"})
+    assert wide and len(wide) == 8 and numpy.all(wide.signs == sharp.signs)
+    assert numpy.all(numpy.abs(wide.solutions - sharp.solutions) < 0.02)
+    many = arm.solve_many(at={**tool, "x": numpy.array([0.39, 0.4])}, tube={"x": "0.001"})
+    assert many.verdicts.tolist() == ["complete"] * 2
+    with pytest.raises(rg.UsageError, match="roll"):
+        arm.solve(at=tool, tube={"q1": "0.001"})
+
+
 def test_arrays_are_many_places():
     lengths = numpy.linspace(14, 15, 3)
     found = RPR.solve_many(at={**LENGTHS, "rho_1": lengths})

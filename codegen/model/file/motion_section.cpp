@@ -67,8 +67,7 @@ class MotionReader {
     if (toml_.optional(entry_, "waypoints").node) return read_waypoint_motion();
     if (const TomlEntry e = toml_.optional(entry_, "interpolation"); e.node)
       toml_.reject(e, "an interpolation needs way-points", "add waypoints = \"FILE.csv\"");
-    if (const TomlEntry e = toml_.optional(entry_, "legs"); e.node) return read_lengths(e);
-    if (const TomlEntry e = toml_.optional(entry_, "tool"); e.node) return read_tool(e);
+    if (auto motion = read_motion_by_place(reading_, entry_)) return *std::move(motion);
     read_parameters();
     read_ranges();
     read_pose();
@@ -126,76 +125,6 @@ class MotionReader {
     read_where();
     read_alpha();
     motion_.must_be_defined = distinct(motion_.must_be_defined);
-    return std::move(motion_);
-  }
-
-  /// Reads the lengths of the legs in the place of a pose.
-  Motion read_lengths(const TomlEntry& list) {
-    const std::size_t count = reading_.model.legs.size();
-    if (count == 0)
-      toml_.reject(list, "this robot has no legs whose lengths make a pose",
-                   "give the pose, or a robot of [gough], or of [legs] with three legs RPR, or six "
-                   "legs UPS or SPS");
-    refuse_beside(list, "a motion by the lengths of the legs", {"error"});
-    const auto lengths = toml_.elements(list, "a list of lengths, one for each leg");
-    if (lengths.size() != count)
-      toml_.refuse(list, std::to_string(lengths.size()) + " lengths in " + list.path,
-                   std::to_string(count) + ", one for each leg");
-    for (const TomlEntry& length : lengths)
-      motion_.legs.push_back(nonnegative(length, NumberUnit::kPlain));
-    Motion motion = without_pose();
-    read_errors_of_lengths(motion.error);
-    return motion;
-  }
-
-  /// `error`: { legs = ± on each length, or a list, one for each leg }.
-  void read_errors_of_lengths(std::vector<GiNaC::ex>& error) {
-    const TomlEntry given = toml_.optional(entry_, "error");
-    if (!given.node) return;
-    (void)toml_.entries(given, std::vector<std::string>{"legs"});
-    const TomlEntry legs = toml_.required(given, "legs");
-    if (!legs.node->is_array()) {
-      error.assign(error.size(), nonnegative(legs, NumberUnit::kPlain));
-      return;
-    }
-    const auto each = toml_.elements(legs, "a list of errors, one for each leg");
-    if (each.size() != error.size())
-      toml_.refuse(legs, std::to_string(each.size()) + " errors in " + legs.path,
-                   std::to_string(error.size()) + ", one for each leg");
-    for (std::size_t i = 0; i < each.size(); ++i)
-      error[i] = nonnegative(each[i], NumberUnit::kPlain);
-  }
-
-  /// Reads the place of an arm's tool in the place of a pose.
-  Motion read_tool(const TomlEntry& list) {
-    if (!reading_.model.arm)
-      toml_.reject(list, "this robot is no arm, and has no tool", "give the pose");
-    refuse_beside(list, "a motion by the place of the tool");
-    const auto numbers = toml_.elements(list, "[x, y, z, roll, pitch, yaw]");
-    if (numbers.size() != 6)
-      toml_.refuse(list, std::to_string(numbers.size()) + " numbers in " + list.path,
-                   "[x, y, z, roll, pitch, yaw]");
-    for (const TomlEntry& number : numbers) {
-      const bool is_angle = motion_.tool.size() >= 3;
-      const std::string unit = is_angle ? reading_.model.arm->angle_unit : "";
-      const ParsedExpression term = toml_.constant(number, number_unit(unit));
-      append(motion_.must_be_defined, term.must_be_defined);
-      warn_about_angle(motion_.warnings, {term.value, term.value}, unit, toml_.place(number));
-      motion_.tool.push_back(is_in_degrees(unit) ? term.value * one_degree() : term.value);
-    }
-    return without_pose();
-  }
-
-  void refuse_beside(const TomlEntry& only, const std::string& motion,
-                     const std::vector<std::string>& also = {}) const {
-    for (const TomlEntry& e : toml_.entries(entry_))
-      if (e.key != only.key && std::ranges::find(also, e.key) == also.end())
-        toml_.reject(e, motion + " has no " + in_quotes(e.key), "remove one of them");
-  }
-
-  Motion without_pose() {
-    for (const PoseParameter& p : reading_.model.pose) motion_.pose.push_back(p.symbol);
-    motion_.error.assign(reading_.model.pose.size(), 0);
     return std::move(motion_);
   }
 

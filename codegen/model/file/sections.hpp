@@ -4,6 +4,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -98,6 +99,10 @@ void read_twists(ModelReading& reading, const TomlEntry& twists);
 
 void read_actuators(ModelReading& reading, const TomlEntry& actuators);
 void read_characteristic_length(ModelReading& reading, const TomlEntry& length);
+
+/// Reads a motion by the lengths of the legs or by the place of the tool; nullopt: it is none of these.
+[[nodiscard]] std::optional<Motion> read_motion_by_place(const ModelReading& reading,
+                                                         const TomlEntry& entry);
 
 void read_motions(ModelReading& reading, const TomlEntry& motions);
 

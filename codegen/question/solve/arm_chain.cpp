@@ -5,11 +5,13 @@
 
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/degrees.hpp"
+#include "codegen/model/exact/exact_algebra.hpp"
 #include "codegen/model/mechanism/rotation.hpp"
 #include "codegen/model/place.hpp"
 #include "codegen/question/solve/arm_unknowns.hpp"
 #include "codegen/question/solve/nominal.hpp"
 #include "codegen/question/solve/platform_legs.hpp"
+#include "codegen/question/solve/varying_place.hpp"
 #include "runtime/interval/elementary.hpp"
 
 namespace regulus::detail {
@@ -88,6 +90,23 @@ LinkFrame ArmJoint::moved(const Interval& value) const noexcept {
   return frame;
 }
 
+FrameRates ArmJoint::rates_of_moved(const ArmValue& value) const {
+  const Matrix3 turned = turns ? across(axis, turn(axis, value.value)) : Matrix3{};
+  FrameRates of_frame;
+  for (const Interval& rate : value.rates) {
+    LinkFrame& frame = of_frame.emplace_back(LinkFrame{turned, {0, 0, 0}});
+    for (Interval& entry : frame.R) entry *= rate;
+    if (!turns) frame.d = rate * axis;
+  }
+  return of_frame;
+}
+
+ArmValue operator*(const Interval& factor, const ArmValue& value) {
+  ArmValue product{factor * value.value, value.rates};
+  for (Interval& rate : product.rates) rate *= factor;
+  return product;
+}
+
 namespace {
 
 /// Encloses numbers of an arm.
@@ -157,19 +176,43 @@ ArmChain enclose_chain(const Model& model, ArmGeometry geometry,
   return chain;
 }
 
-std::vector<Interval> enclose_values(const Model& model, const Motion& motion) {
+namespace {
+
+/// By joint, without what is added to it; 0: the tool brings the joint to its value.
+std::vector<GiNaC::ex> commanded_values(const Request& request) {
+  const Model& model = request.model;
+  const Motion& motion = request.motion;
   const NominalGeometry nominal(model);
   const bool is_by_tool = !motion.tool.empty();
-  const std::vector<GiNaC::ex> pose = is_by_tool ? motion.pose : pose_of(motion);
+  std::vector<GiNaC::ex> values = is_by_tool ? motion.pose : pose_of(motion);
   const std::vector<ArmUnknown> unknowns = unknowns_of(*model.arm);
-  std::vector<Interval> values;
-  for (std::size_t i = 0; i < pose.size(); ++i) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
     const bool turns_in_degrees = unknowns[i].turns && is_in_degrees(model.pose[i].unit);
-    const GiNaC::ex unit =
-        (turns_in_degrees ? one_degree() : GiNaC::ex(1)) / long(unknowns[i].scale);
     const bool is_free = is_by_tool && !keeps_value(model, motion, i);
-    values.push_back(is_free ? Interval(0)
-                             : enclose_constant(nominal.at(pose[i] * unit), model.pose[i].name));
+    values[i] = is_free ? GiNaC::ex(0)
+                        : nominal.at(values[i] * (turns_in_degrees ? one_degree() : GiNaC::ex(1)));
+  }
+  return values;
+}
+
+}  // namespace
+
+std::vector<ArmValue> enclose_values(const Request& request, const Model& model,
+                                     ArmGeometry geometry,
+                                     const std::vector<GiNaC::realsymbol>& varying) {
+  const ArmNumbers numbers(model, geometry);
+  const std::vector<ArmUnknown> unknowns = unknowns_of(*model.arm);
+  const std::vector<GiNaC::ex> commanded = commanded_values(request);
+  std::vector<ArmValue> values;
+  for (std::size_t i = 0; i < commanded.size(); ++i) {
+    const GiNaC::ex scale = long(unknowns[i].scale);
+    const GiNaC::ex added = added_to_pose(request.motion, i) / scale;
+    ArmValue& value =
+        values.emplace_back(ArmValue{enclose_constant(commanded[i] / scale, model.pose[i].name)});
+    if (added.is_zero()) continue;
+    value.value += numbers.enclose(added);
+    for (const GiNaC::realsymbol& symbol : varying)
+      value.rates.push_back(numbers.enclose(added.diff(symbol)));
   }
   return values;
 }
@@ -180,11 +223,27 @@ std::pair<LinkFrame, FrameRates> enclose_target(const Model& model,
                                                 const std::vector<GiNaC::realsymbol>& varying) {
   const Placement place{rotation_roll_pitch_yaw(tool[3], tool[4], tool[5]),
                         {tool[0], tool[1], tool[2]}};
-  const ArmNumbers numbers(model, geometry);
-  const LinkFrame at = ArmNumbers(model, ArmGeometry::kNominal).enclose(place),
-                  tip = numbers.enclose(model.arm->tool);
-  const FrameRates rates = rates_of_inverse(tip, numbers.rates(model.arm->tool, varying));
-  return {compose(at, inverse(tip)), rates_of_product(at, {}, inverse(tip), rates)};
+  const bool varies = std::ranges::any_of(tool, has_symbols);
+  const ArmNumbers numbers(model, geometry),
+      of_place(model, varies ? geometry : ArmGeometry::kNominal);
+  const LinkFrame at = of_place.enclose(place), tip = numbers.enclose(model.arm->tool);
+  const FrameRates rates = rates_of_inverse(tip, numbers.rates(model.arm->tool, varying)),
+                   of_at = varies ? of_place.rates(place, varying) : FrameRates{};
+  return {compose(at, inverse(tip)), rates_of_product(at, of_at, inverse(tip), rates)};
+}
+
+std::pair<LinkFrame, FrameRates> end_of(const ArmChain& chain,
+                                        const std::vector<ArmValue>& values) {
+  LinkFrame end;
+  FrameRates rates;
+  for (const ArmJoint& joint : chain) {
+    rates = rates_of_product(end, rates, joint.origin, {});
+    end = compose(end, joint.origin);
+    const ArmValue value = joint.factor * values[joint.unknown];
+    rates = rates_of_product(end, rates, joint.moved(value.value), joint.rates_of_moved(value));
+    end = compose(end, joint.moved(value.value));
+  }
+  return {end, rates};
 }
 
 ArmPosture posture_at(const ArmChain& chain, std::span<const Interval> unknowns) {

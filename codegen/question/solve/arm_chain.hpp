@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "codegen/model/mechanism/serial.hpp"
+#include "codegen/model/request.hpp"
 #include "codegen/question/solve/vectors.hpp"
 
 namespace regulus::detail {
@@ -39,6 +40,13 @@ using FrameRates = std::vector<LinkFrame>;
                                           const LinkFrame& second, const FrameRates& of_second);
 [[nodiscard]] FrameRates rates_of_inverse(const LinkFrame& frame, const FrameRates& rates);
 
+/// The value of a joint, and its derivatives by each uncertain quantity; none: it is constant.
+struct ArmValue {
+  Interval value;
+  std::vector<Interval> rates = {};
+};
+[[nodiscard]] ArmValue operator*(const Interval& factor, const ArmValue& value);
+
 /// A joint that turns about, or slides along, an axis through the origin of its frame.
 struct ArmJoint {
   bool turns = true;
@@ -50,6 +58,8 @@ struct ArmJoint {
 
   /// Encloses what the joint does.
   [[nodiscard]] LinkFrame moved(const Interval& value) const noexcept;
+  /// Returns its derivatives.
+  [[nodiscard]] FrameRates rates_of_moved(const ArmValue& value) const;
   [[nodiscard]] Interval value_at(std::span<const Interval> unknowns) const noexcept {
     return factor == Interval(1.0) ? unknowns[unknown] : factor * unknowns[unknown];
   }
@@ -70,8 +80,17 @@ enum class ArmGeometry : std::uint8_t { kNominal, kWithinTolerances };
                                      const std::vector<GiNaC::realsymbol>& varying = {});
 
 /// Encloses the value of each unknown (arm_unknowns.hpp), turns in radians. One without a value has 0: it
-/// is free to bring the tool to its place.
-[[nodiscard]] std::vector<Interval> enclose_values(const Model& model, const Motion& motion);
+/// is free to bring the tool to its place. Errors of the place vary as those of `model`, which has the quantities of
+/// request.model.
+[[nodiscard]] std::vector<ArmValue> enclose_values(
+    const Request& request, const Model& model, ArmGeometry geometry,
+    const std::vector<GiNaC::realsymbol>& varying = {});
+
+/// Encloses where these values bring the frame that the last joint moves, and its derivatives.
+///
+/// Requires  chain: without derivatives.
+[[nodiscard]] std::pair<LinkFrame, FrameRates> end_of(const ArmChain& chain,
+                                                      const std::vector<ArmValue>& values);
 
 /// Encloses the frame of the last joint when the tool is at x, y, z, roll, pitch, yaw, and its derivatives.
 [[nodiscard]] std::pair<LinkFrame, FrameRates> enclose_target(

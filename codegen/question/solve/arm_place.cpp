@@ -9,12 +9,14 @@
 #include <utility>
 
 #include "codegen/kernel/formulation/variety.hpp"
+#include "codegen/model/exact/exact_algebra.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/model/place.hpp"
 #include "codegen/question/solve/arm_direction.hpp"
 #include "codegen/question/solve/arm_tubes.hpp"
 #include "codegen/question/solve/coupled_axes.hpp"
 #include "codegen/question/solve/platform_legs.hpp"
+#include "codegen/question/solve/varying_place.hpp"
 #include "codegen/support/errors.hpp"
 #include "runtime/interval/floating_point_scope.hpp"
 
@@ -42,10 +44,11 @@ std::vector<std::string> held_joints(const Model& model, const Motion& motion,
 }
 
 /// Makes a joint a part of the link behind it.
-void fix(ArmAtPlace& arm, std::size_t joint, const Interval& value) {
+void fix(ArmAtPlace& arm, std::size_t joint, const ArmValue& value) {
   const ArmJoint& fixed = arm.chain[joint];
-  const LinkFrame moved = fixed.moved(value), link = compose(fixed.origin, moved);
-  const FrameRates rates = rates_of_product(fixed.origin, fixed.rates, moved, {});
+  const LinkFrame moved = fixed.moved(value.value), link = compose(fixed.origin, moved);
+  const FrameRates rates =
+      rates_of_product(fixed.origin, fixed.rates, moved, fixed.rates_of_moved(value));
   if (joint + 1 < arm.chain.size()) {
     ArmJoint& next = arm.chain[joint + 1];
     next.rates = rates_of_product(link, rates, next.origin, next.rates);
@@ -61,12 +64,12 @@ void fix(ArmAtPlace& arm, std::size_t joint, const Interval& value) {
 /// Joints that follow others by the multiplier 0 do not move.
 void fix_unmoved(ArmAtPlace& arm) {
   for (std::size_t i = arm.chain.size(); i-- > 0;)
-    if (arm.chain[i].factor == Interval(0.0)) fix(arm, i, 0.0);
+    if (arm.chain[i].factor == Interval(0.0)) fix(arm, i, {0.0});
 }
 
 /// Makes joints that an unknown moves parts of the links behind them.
 void hold(ArmAtPlace& arm, const Model& model, const std::string& name,
-          const std::vector<Interval>& values) {
+          const std::vector<ArmValue>& values) {
   const auto at = std::ranges::find(
       arm.unknowns, name, [&model](const ArmUnknown& u) { return model.pose[u.pose].name; });
   if (at == arm.unknowns.end())
@@ -90,12 +93,12 @@ void take_direction(ArmAtPlace& arm, const Request& request) {
     (*arm.direction)[i] = enclose_constant(direction->of_base[i], "a direction of the arm");
   if (request.motion.tool.empty()) return;
   const IsTurnedTo turned =
-      is_turned_to(*direction, request.model, arm.geometry, request.motion.tool);
+      is_turned_to(*direction, request.model, arm.geometry, tool_within_errors(request.motion));
   arm.is_turned_away = turned == IsTurnedTo::kNo;
   if (turned == IsTurnedTo::kUnknown)
     throw UsageError(
         "the arm turns about one direction alone, and it is not shown that this place has an "
-        "orientation of it; give the place by values of the joints");
+        "orientation of it, within its errors; give the place by values of the joints");
 }
 
 void require_joints(const ArmAtPlace& arm, const Request& request) {
@@ -174,14 +177,18 @@ std::vector<std::size_t> coupled_systems(const ArmAtPlace& arm) {
 
 /// Says what of the geometry varies. Axes are constants of the file.
 struct VaryingGeometry {
-  explicit VaryingGeometry(const Model& model) {
+  VaryingGeometry(const Model& model, const Motion& motion) {
     for (const GeometryParameter& g : model.geometry) {
       if (g.tolerance.is_zero()) continue;
       symbols.push_back(g.symbol);
       const double most = enclose_constant(g.tolerance, "a tolerance").hi;
       deviations.emplace_back(-most, most);
     }
-    is_linear = moves_linearly(model.arm->tool) &&
+    const std::vector<GiNaC::ex> tool = tool_within_errors(motion);
+    const bool place_is_linear = tool.empty()
+                                     ? motion.added_to_place.empty()
+                                     : std::none_of(tool.begin() + 3, tool.end(), has_symbols);
+    is_linear = place_is_linear && moves_linearly(model.arm->tool) &&
                 std::ranges::all_of(model.arm->joints, [this](const SerialJoint& joint) {
                   return moves_linearly(joint.origin);
                 });
@@ -213,13 +220,12 @@ ArmAtPlace arm_at_place(const Request& request, const std::vector<std::string>& 
   arm.geometry = geometry;
   arm.chain = enclose_chain(model, geometry, varying);
   const std::vector<std::string> names = held_joints(model, request.motion, held);
-  const std::vector<Interval> values = enclose_values(request.model, request.motion);
+  const std::vector<ArmValue> values = enclose_values(request, model, geometry, varying);
   arm.unknowns = unknowns_of(*model.arm);
-  if (request.motion.tool.empty())
-    arm.target = posture_at(enclose_chain(request.model, ArmGeometry::kNominal), values).end;
-  else
-    std::tie(arm.target, arm.target_rates) =
-        enclose_target(model, request.motion.tool, geometry, varying);
+  std::tie(arm.target, arm.target_rates) =
+      request.motion.tool.empty()
+          ? end_of(enclose_chain(request.model, ArmGeometry::kNominal), values)
+          : enclose_target(model, tool_within_errors(request.motion), geometry, varying);
   fix_unmoved(arm);
   for (const std::string& name : names) hold(arm, model, name, values);
   if (arm.unknowns.size() < kJoints) take_direction(arm, request);
@@ -237,9 +243,8 @@ PairInLoop pair_of_values(const ArmAtPlace& arm, std::size_t number, const ArmLo
 }  // namespace
 
 ArmAtPlace arm_at_place(const Request& request, const std::vector<std::string>& held) {
-  if (!has_tolerances(request) || has_errors(request.motion))
-    return nominal_arm_at_place(request, held);
-  const VaryingGeometry varying(request.model);
+  if (!has_tolerances(request)) return nominal_arm_at_place(request, held);
+  const VaryingGeometry varying(request.model, request.motion);
   const auto varying_arm = [&](ArmGeometry geometry) {
     ArmAtPlace arm = arm_at_place(request, held, request.model, geometry, varying.symbols);
     arm.is_linear = varying.is_linear;

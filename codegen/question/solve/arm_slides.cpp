@@ -68,7 +68,8 @@ Interval range_of(const Request& request, const ArmUnknown& unknown) {
   Interval all =
       hull(enclose_constant(range.lo * unit, "range"), enclose_constant(range.hi * unit, "range"));
   if (request.motion.tool.empty())
-    all = hull(all, enclose_values(model, request.motion)[unknown.pose]);
+    all = hull(all,
+               enclose_values(request, model, ArmGeometry::kWithinTolerances)[unknown.pose].value);
   const double room = (kBeyond - 1) * width_ru(all);
   return all + Interval(-room, room);
 }

@@ -11,6 +11,7 @@
 #include "codegen/question/solve/platform_poses.hpp"
 #include "codegen/question/solve/system_solutions.hpp"
 #include "codegen/question/solve/turning_tool.hpp"
+#include "codegen/question/solve/varying_place.hpp"
 #include "codegen/support/errors.hpp"
 #include "runtime/interval/floating_point_scope.hpp"
 
@@ -46,6 +47,7 @@ Request solve_request_of(Model model, const ModelOptions& options,
   require_place_alone(request.motion);
   require_values(request);
   let_tool_turn(request, held);
+  let_place_vary(request);
   return request;
 }
 
@@ -60,16 +62,6 @@ SolvedNoun noun_of(const Request& request) {
     return {"posture", "postures", "the forward Jacobian at the end of the last joint"};
   return {"configuration", "configurations", "the derivatives of the equations by the unknowns"};
 }
-
-namespace {
-
-Solutions postures_of(const Request& request, const SolveRun& run) {
-  Solutions solutions = solve_arm(request, run);
-  solutions.is_nominal = has_errors(request.motion);
-  return solutions;
-}
-
-}  // namespace
 
 RootSettings root_settings_of(const SolveRun& run) {
   RootSettings settings;
@@ -94,7 +86,7 @@ Solutions solve(const Request& request, const SolveRun& run) {
   if (!run.held.empty() && !request.model.arm)
     throw UsageError("only an arm of [serial] has joints that can be held");
   if (!request.model.legs.empty()) return solve_platform(request, run);
-  if (request.model.arm) return postures_of(request, run);
+  if (request.model.arm) return solve_arm(request, run);
   if (!request.model.closure)
     throw UsageError(
         "the solutions of this model cannot be asked for: give its equations in [closure], or legs "

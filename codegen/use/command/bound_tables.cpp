@@ -61,6 +61,29 @@ void hide_option(CLI::App& app, std::string_view name) {
   if (option != nullptr) option->group("");
 }
 
+void add_place_options(CLI::App& app, SolveCommand& command) {
+  app.add_option(
+         "--at", command.model.at,
+         "The value of a pose parameter; in its place of a leg's length, rho_1, or of the "
+         "tool, x, y, z, roll, pitch, yaw; beside the tool, of a joint that keeps it; may be "
+         "repeated. Values of all of them need no MOTION")
+      ->take_all()
+      ->expected(1)
+      ->type_name("NAME=VALUE");
+  app.add_option("--hold", command.held,
+                 "A joint of an arm that keeps the value of the motion, where more than six move; "
+                 "may be repeated")
+      ->take_all()
+      ->expected(1)
+      ->type_name("JOINT");
+  app.add_option("--tube", command.model.tubes,
+                 "Control error, ± on each number of the place that is named: x,y=0.1; without "
+                 "names, on all, if they have one unit")
+      ->take_all()
+      ->expected(1)
+      ->type_name("NAME=E");
+}
+
 }  // namespace
 
 void CommandTables::add_bound() {
@@ -90,23 +113,7 @@ void CommandTables::add_solve() {
       "solve",
       "Find all configurations, poses or postures at one place, and prove that these are all");
   add_model_options(*solve_command, solve.model);
-  solve_command
-      ->add_option(
-          "--at", solve.model.at,
-          "The value of a pose parameter; in its place of a leg's length, rho_1, or of the "
-          "tool, x, y, z, roll, pitch, yaw; beside the tool, of a joint that keeps it; may be "
-          "repeated. Values of all of them need no MOTION")
-      ->take_all()
-      ->expected(1)
-      ->type_name("NAME=VALUE");
-  solve_command
-      ->add_option(
-          "--hold", solve.held,
-          "A joint of an arm that keeps the value of the motion, where more than six move; "
-          "may be repeated")
-      ->take_all()
-      ->expected(1)
-      ->type_name("JOINT");
+  add_place_options(*solve_command, solve);
   solve_command
       ->add_option("--waypoints", solve.table,
                    "A table of places (CSV), one a line: pose parameters, lengths of all legs, or "

@@ -73,10 +73,4 @@ void PlaceReading::require_known_keys() {
   }
 }
 
-void PlaceReading::require_no_errors() {
-  for (const auto& [place, value] : values_)
-    if (place.starts_with(motion_ + "error") && !is_zero(value))
-      comparer_.leave_out(comparer_.place_of(place), "the claim is without control errors");
-}
-
 }  // namespace regulus::verifier

@@ -29,8 +29,6 @@ class PlaceReading {
   void require_place_option(const std::string& what);
   /// The claim is about one robot.
   void require_no_tolerances();
-  /// Postures are without control errors.
-  void require_no_errors();
   /// A threshold is no part of the claim.
   void require_known_keys();
 

@@ -2,6 +2,10 @@
 #include "runtime/verifier/model/posture_comparison.hpp"
 
 #include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <set>
 #include <utility>
 
 #include "runtime/verifier/evaluation.hpp"
@@ -23,8 +27,9 @@ class PostureComparison : private PlaceReading {
     const Scope scope = std::exchange(q_.actual, {});
     name_constants();
     require_known_keys();
-    q_.variables.empty() ? require_no_tolerances() : require_no_errors();
+    if (q_.variables.empty()) require_no_tolerances();
     const bool is_by_tool = has(motion_ + "tool[0]");
+    name_errors(scope);
     const bool has_values = name_joints(is_by_tool);
     SectionArm arm = read_arm(scope);
     const ArmLines& stated = *q_.solutions->arm;
@@ -81,6 +86,77 @@ class PostureComparison : private PlaceReading {
                                            ? value
                                            : q_.graph.number(Rational(0L)));
     return has_all;
+  }
+
+  // Control errors of the place. The certificate has them as uncertain quantities NAME_error, 0 ± the error, which its
+  // numbers add to those of the file.
+
+  void name_errors(const Scope& stated) {
+    std::set<std::string> left;
+    for (const auto& [place, value] : values_)
+      if (place.starts_with(motion_ + "error")) left.insert(place);
+    if (!q_.solutions->arm->tool.empty()) {
+      const std::array<std::string, 6> names = names_of_tool();
+      for (std::size_t i = 0; i < names.size(); ++i)
+        left.erase(name_error(names[i], i >= 3 && is_arm_in_degrees(values_), stated));
+    } else {
+      for (const SectionPose& pose : section_->pose())
+        left.erase(name_error(pose.name, pose.unit == "deg" || pose.unit == "°", stated));
+    }
+    for (const std::string& place : left)
+      comparer_.leave_out(comparer_.place_of(place), "the claim is without this error");
+  }
+
+  /// Returns the place of the error in the file.
+  std::string name_error(const std::string& name, bool in_degrees, const Scope& stated) {
+    std::string place = motion_ + "error." + name;
+    const std::string own = name + "_error";
+    const auto variable = stated.find(own);
+    const bool is_stated = q_.stated.contains("spread " + own) && variable != stated.end();
+    if (!is_stated) return is_zero_error(place) ? place : "";
+    if (q_.actual.contains(own))
+      comparer_.refuse_model("its constant " + own + " has the name of an error of the place");
+    GraphAlgebra algebra(q_.graph);
+    comparer_.compare({name, 0, "no error"}, algebra.number(0), "value " + own, "");
+    const NodeId number = has(place) ? comparer_.constant_at(place, in_degrees) : algebra.number(0);
+    comparer_.compare(comparer_.place_of(place), in_degrees ? algebra.degrees(number) : number,
+                      "spread " + own, "tube " + name);
+    errors_.emplace(name, variable->second);
+    return place;
+  }
+
+  [[nodiscard]] bool is_zero_error(const std::string& place) {
+    return !has(place) || is_zero_number(q_.graph, comparer_.constant_at(place, false));
+  }
+
+  /// With a prefix if a joint has one of the names.
+  [[nodiscard]] std::array<std::string, 6> names_of_tool() const {
+    std::array<std::string, 6> names = {"x", "y", "z", "roll", "pitch", "yaw"};
+    const bool is_taken = std::ranges::any_of(section_->pose(), [&](const SectionPose& pose) {
+      return std::ranges::find(names, pose.name) != names.end();
+    });
+    for (std::string& name : names)
+      if (is_taken) name.insert(0, "tool_");
+    return names;
+  }
+
+  /// `place`: of the number in the file; the certificate has the sum with its error. Without one, an option has given
+  /// the number.
+  void compare_number(const std::string& name, const std::optional<FilePlace>& place, NodeId number,
+                      const std::string& key) {
+    GraphAlgebra algebra(q_.graph);
+    const auto error = errors_.find(name);
+    const auto sum = [&](NodeId x) {
+      return error == errors_.end() ? x : algebra.sum(x, error->second);
+    };
+    if (place) return comparer_.compare(*place, sum(number), key, kPlaceOption);
+    std::map<NodeId, NodeId> without;
+    for (const auto& [own, variable] : errors_) without.emplace(variable, algebra.number(0));
+    const NodeId given = replaced(q_.graph, q_.stated.at(key).node, without);
+    for (const NodeId part : ingredients(q_.graph, {given}))
+      if (q_.graph.nodes()[std::size_t(part)].op == Op::kVariable)
+        comparer_.refuse({name, 0, "a number"}, "an uncertain quantity in it");
+    comparer_.compare({name, 0, "a number and its error"}, sum(given), key, "");
   }
 
   /// A free joint behind all others, about the z axis of the tool.
@@ -187,10 +263,10 @@ class PostureComparison : private PlaceReading {
   }
 
   void compare_value(const SectionJoint& joint, const std::string& key, bool has_values) {
-    if (!has_values) return comparer_.note_compared(key);
+    if (!has_values) return compare_number(joint.name, {}, kNoNode, key);
     const std::string place = motion_ + joint.name;
-    comparer_.compare(comparer_.place_of(has(place) ? place : place + "[0]"), joint.value, key,
-                      kPlaceOption);
+    compare_number(joint.name, comparer_.place_of(has(place) ? place : place + "[0]"), joint.value,
+                   key);
   }
 
   void compare_tool(const PlacementNodes& tip, bool is_in_file) {
@@ -199,20 +275,23 @@ class PostureComparison : private PlaceReading {
     compare_frame(tip, {"the frame of the tool", 0, "another"}, "tip ");
     const bool in_degrees = is_arm_in_degrees(values_);
     GraphAlgebra algebra(q_.graph);
+    const std::array<std::string, 6> names = names_of_tool();
     for (std::size_t i = 0; i < 6; ++i) {
       const std::string key = "tool " + std::to_string(i),
                         place = motion_ + "tool[" + std::to_string(i) + ']';
       if (!is_in_file) {
-        comparer_.note_compared(key);
+        compare_number(names[i], {}, kNoNode, key);
         continue;
       }
       if (!has(place)) comparer_.refuse_model("the motion's tool has fewer than six numbers");
       const bool is_in_degrees = i >= 3 && in_degrees;
       const NodeId number = comparer_.constant_at(place, is_in_degrees);
-      comparer_.compare(comparer_.place_of(place), is_in_degrees ? algebra.degrees(number) : number,
-                        key, kPlaceOption);
+      compare_number(names[i], comparer_.place_of(place),
+                     is_in_degrees ? algebra.degrees(number) : number, key);
     }
   }
+
+  Scope errors_;  ///< by the names of the place
 };
 
 }  // namespace

@@ -86,6 +86,26 @@ Arm near_arm(Builder& b, Arm arm, long digits) {
   return arm;
 }
 
+struct PlaceErrors {
+  std::string text;      ///< the line of the motion; empty: there are none
+  Numbers joints_there;  ///< values within them
+};
+
+/// Errors of some joints, which vary the place.
+PlaceErrors place_errors(Builder& b, const Numbers& planted) {
+  PlaceErrors errors{"", planted};
+  if (!b.random.one_in(4)) return errors;
+  for (std::size_t k = 0; k < 6; ++k) {
+    if (b.coin()) continue;
+    const Rational error = Rational::ten_to(-b.random.between(3, 8));
+    errors.joints_there[k] += number_of(error * Rational(b.random.between(-8, 8)) * Rational(1, 8));
+    errors.text += (errors.text.empty() ? "error = { " : ", ") + joint_name(k) + " = " +
+                   quoted(error.fraction());
+  }
+  if (!errors.text.empty()) errors.text += " }\n";
+  return errors;
+}
+
 void look_for_postures(Builder& b, const Arm& arm, const Numbers& wanted, SolveTruth& truth) {
   constexpr int kStarts = 60;
   std::vector<std::string> angles;
@@ -128,14 +148,17 @@ Attack solved_arm(std::uint64_t seed) {
   }
   truth.known.push_back(std::move(known));
   truth.is_degenerate = is_stretched;  // the first and the last joint of the wrist turn alike
-  // The postures of another arm within the tolerance lie in the tubes of the list, too, and are as many.
+  // The postures of another arm within the tolerance, and at another place within the errors, lie in the tubes of the list,
+  // too, and are as many.
   const bool varies = b.random.one_in(3);
   const long digits = b.random.between(2, 7);
-  look_for_postures(b, varies ? near_arm(b, arm, digits) : arm, end_of(arm, planted), truth);
+  const PlaceErrors errors = place_errors(b, planted);
+  look_for_postures(b, varies ? near_arm(b, arm, digits) : arm, end_of(arm, errors.joints_there),
+                    truth);
   b.attack.model.instead =
       "regulus = 1\nname = \"arm\"\n\n[serial]\nconvention = \"standard-dh\"\n" +
       (varies ? "length_tolerance = 1e-" + std::to_string(digits) + "\n" : "") + "joints = [\n" +
-      joints + "]\n\n[motion.m]\n" + motion;
+      joints + "]\n\n[motion.m]\n" + motion + errors.text;
   b.attack.solve = std::move(truth);
   state_mechanism(b, "a posture is planted, and Newton's method finds others");
   return b.finish();

@@ -33,6 +33,15 @@ TEST(SerialRefusal, TogetherWithPoseOrMatrixOrGough) {
                  "remove one of them");
 }
 
+TEST(SerialRefusal, ErrorsOfATool) {
+  const std::string tool = "[motion.tool]\ntool = [1, 0, 0, 0, 0, 0]\n";
+  expect_refused(kArm + tool + "error = { q1 = 0.1 }\n", 13, "unknown key 'motion.tool.error.q1'",
+                 "x, y, z, roll, pitch");
+  expect_refused(kArm + tool + "error = { x = -0.1 }\n", 13, "the negative number", "a number ≥ 0");
+  expect_refused(kArm + tool + "error = 0.1\n", 13, "a number for motion.tool.error", "a table");
+  expect_refused(kArm + tool + "alpha = 0\n", 13, "has no 'alpha'", "remove one of them");
+}
+
 TEST(SerialRefusal, UnknownKeysAndWords) {
   expect_refused_arm("xyz =", "xzy =", 6, "unknown key 'serial.joints[2].xzy'", "'xyz'");
   expect_refused_arm("axis = [0, 1, 0]", "type = \"hinge\"", 6, "the string 'hinge'",

@@ -214,7 +214,8 @@ TEST(LoadsOverABranch, PaveOnePlace) {
   const FourBar bar{0.2, 0.35355, 0.25, 0.45};
   constexpr double kPlace = 0.3;
   const LoadCase c{bar.text(kPlace, kPlace, kPlace), kPlace, kPlace, kPlace, test::torque_of(bar)};
-  const auto [least, largest] = c.torque(kPlace);
+  const auto torque = c.torque(kPlace);
+  const double least = torque.first, largest = torque.second;
   const auto paved = [&](double limit, ForceClaim expected) {
     PreparedBranchLoad prepared = prepared_of(with_limits(c, least - 1, limit));
     const auto listener = [&](std::size_t, std::span<const Interval>, ForceClaim claim) {

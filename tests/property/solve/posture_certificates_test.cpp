@@ -114,7 +114,7 @@ TEST(TheToolOfAnArmInDegrees, IsThatOfTheArmInRadians) {
 }
 
 /// A frame, in doubles.
-struct Frame {
+struct DhFrame {
   std::array<double, 9> R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
   std::array<double, 3> p = {};
   void move(const std::array<double, 3>& d) {
@@ -145,7 +145,7 @@ std::array<double, 6> tool_of_seven_joints(const std::array<double, 7>& q) {
                                                              {0, 0, 0.1}}};
   constexpr std::array<double, 7> kTurned = {0,         -kQuarter, kQuarter, kQuarter,
                                              -kQuarter, -kQuarter, kQuarter};
-  Frame frame;
+  DhFrame frame;
   for (std::size_t i = 0; i < 7; ++i) {
     frame.move(kOffset[i]);
     frame.turn(0, kTurned[i]);

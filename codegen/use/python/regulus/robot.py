@@ -541,6 +541,7 @@ class Robot:
         at: Optional[Mapping[str, Number]] = None,
         hold: Sequence[str] = (),
         tolerance: Optional[Mapping[str, Number]] = None,
+        tube: Union[None, Number, Mapping[str, Number]] = None,
         certificate: Optional[Path] = None,
         **options: Unpack[Options],
     ) -> Solved:
@@ -551,7 +552,8 @@ class Robot:
             at: values of pose parameters; in their place of the legs' lengths, rho_1, rho_2 and so
                 on, or of the tool, x, y, z, roll, pitch, yaw; in their units.
             hold: joints of an arm that keep the values of the place, where more than six move.
-            tolerance: as for check(), of a model with [closure].
+            tolerance: as for check().
+            tube: the control error of numbers of the place: {"x": 0.001}, or one number for all.
             certificate: a file for the proof.
             options: of the search: threads, time_limit, max_boxes, engine, isa, use_cache,
                 beyond_limits.
@@ -560,7 +562,7 @@ class Robot:
         interrupt is a Solved.
         """
         require_package("numpy", "solve()")
-        question = Question(self, motion, None, tolerance)
+        question = Question(self, motion, None, tolerance, tube=tube)
         question.set_options({"time_limit": 60, **options})
         given = assignments_of("at", at, question.texts)
         held = words_of("hold", hold)
@@ -585,6 +587,7 @@ class Robot:
         waypoints: Optional[Path] = None,
         hold: Sequence[str] = (),
         tolerance: Optional[Mapping[str, Number]] = None,
+        tube: Union[None, Number, Mapping[str, Number]] = None,
         certificate: Optional[Path] = None,
         shard_size: int = 0,
         **options: Unpack[Options],
@@ -603,7 +606,7 @@ class Robot:
         the `result` of an interrupt is a SolvedPlaces.
         """
         require_package("numpy", "solve_many()")
-        question = Question(self, motion, None, tolerance)
+        question = Question(self, motion, None, tolerance, tube=tube)
         question.set_options({"time_limit": 60, **options})
         given = mapping_of("at", at)
         columns = {name: elements_of(value) for name, value in given.items()}
