@@ -97,7 +97,7 @@ PlaceErrors place_errors(Builder& b, const Numbers& planted) {
   if (!b.random.one_in(4)) return errors;
   for (std::size_t k = 0; k < 6; ++k) {
     if (b.coin()) continue;
-    const Rational error = Rational::ten_to(-b.random.between(3, 8));
+    const Rational error = Rational::ten_to(-b.random.between(5, 10));
     errors.joints_there[k] += number_of(error * Rational(b.random.between(-8, 8)) * Rational(1, 8));
     errors.text += (errors.text.empty() ? "error = { " : ", ") + joint_name(k) + " = " +
                    quoted(error.fraction());
