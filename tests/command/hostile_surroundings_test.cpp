@@ -118,6 +118,11 @@ CommandResult run_after(const std::string& library, std::vector<std::string> wor
 
 class ALibraryThatWasLoadedBefore : public testing::TestWithParam<const char*> {
  protected:
+  void SetUp() override {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    GTEST_SKIP() << "the sanitizer demands to be the first library";
+#endif
+  }
   [[nodiscard]] std::string file(const char* name) const { return directory_.path() / name; }
   const TemporaryDirectory directory_;
 };

@@ -56,7 +56,7 @@ TEST_F(AllSolutionsByCommand, TakeErrorsOfThePlaceByName) {
   };
   const CommandResult x = solve(with("x=0.001"));
   EXPECT_THAT(x.output, HasSubstr("COMPLETE: 8 postures"));
-  EXPECT_THAT(x.errors, HasSubstr("x_error in [-0.001, 0.001]"));
+  EXPECT_THAT(x.errors, HasSubstr("x_error in [-0.001, 0.001] m"));
   EXPECT_EQ(report(with("x=0.001"))["question"]["place"]["x"]["exact"], "2/5");
   EXPECT_THAT(solve(with("q1=0.001")).errors, HasSubstr("x, y, z, roll, pitch"));
   EXPECT_THAT(solve(with("0.001")).errors, HasSubstr("name the parameters of each"));

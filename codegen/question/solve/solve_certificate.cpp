@@ -231,8 +231,8 @@ TriedProof try_list(const Request& request, const Solutions& solutions) {
     return {list, is_verified};
   }
   // A line without room is found late: at boxes on its border, after those that are nowhere near it.
-  constexpr std::uint64_t kTriedOfSearched = 8, kMostTried = 1 << 15;
-  most_boxes = std::clamp(kTriedOfSearched * solutions.boxes, kTriedBoxes, kMostTried);
+  constexpr std::uint64_t kTriedOfSearched = 8, kLeastTried = 1 << 13, kMostTried = 1 << 15;
+  most_boxes = std::clamp(kTriedOfSearched * solutions.boxes, kLeastTried, kMostTried);
   ListProof first;  // of those that may be verified, if there is one
   for (const TubeWidths& widths : kWidthsOfPostures) {
     Listed tried = listed;

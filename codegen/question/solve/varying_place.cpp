@@ -2,8 +2,11 @@
 #include "codegen/question/solve/varying_place.hpp"
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 #include "codegen/model/degrees.hpp"
+#include "codegen/model/drawing.hpp"
 #include "codegen/model/mechanism/serial.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/model/place.hpp"
@@ -32,6 +35,11 @@ ex new_error(Model& model, const PlaceName& number, const ex& error) {
   GeometryParameter parameter{GiNaC::realsymbol(name), name, 0, error, kGroup};
   parameter.takes_degrees = is_in_degrees(number.unit);
   model.geometry.push_back(parameter);
+  if (model.drawing) {
+    Drawing drawing = *model.drawing;
+    drawing.units[name] = is_in_degrees(number.unit) ? "rad" : number.unit;
+    model.drawing = std::make_shared<const Drawing>(std::move(drawing));
+  }
   return parameter.symbol;
 }
 
