@@ -87,6 +87,9 @@ enum class ArmGeometry : std::uint8_t { kNominal, kWithinTolerances };
     const std::vector<GiNaC::realsymbol>& varying = {});
 
 /// Encloses where these values bring the frame that the last joint moves, and its derivatives.
+/// Errors of six joints widen it more than it moves, as each frame turns what the ones before have widened. The product of
+/// their movements about the axes of the base, which are near 1, does not help the search: what it loses is in sums of
+/// terms that cancel.
 ///
 /// Requires  chain: without derivatives.
 [[nodiscard]] std::pair<LinkFrame, FrameRates> end_of(const ArmChain& chain,
