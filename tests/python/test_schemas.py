@@ -95,6 +95,28 @@ def test_models_of_the_manual_are_accepted(text):
     assert errors(MODEL, tomllib.loads(text)) == []
 
 
+@pytest.mark.parametrize(
+    "model, motion",
+    [
+        ("rpr_6", {"legs": [14.98, 15.38, 12], "error": {"legs": 0.001}}),
+        ("rpr_6", {"legs": [14.98, 15.38, 12], "error": {"legs": [0.001, 0, "1/1000"]}}),
+        (
+            "puma_560_serial",
+            {"tool": [0.4, 0, 0.5, 0, 0, 1], "error": {"x": 0.001, "yaw": "0.1*deg"}},
+        ),
+    ],
+)
+def test_errors_of_places_are_accepted(model, motion, tmp_path):
+    text = (ROOT / "models" / f"{model}.toml").read_text(encoding="utf-8")
+    error = ", ".join(f"{name} = {json.dumps(value)}" for name, value in motion["error"].items())
+    first = "legs" if "legs" in motion else "tool"
+    text += f"[motion.place]\n{first} = {json.dumps(motion[first])}\nerror = {{ {error} }}\n"
+    assert errors(MODEL, tomllib.loads(text)) == []
+    path = tmp_path / "robot.toml"
+    path.write_text(text, encoding="utf-8")
+    assert printed("solve", str(path), "place")["verdict"] == "complete"
+
+
 ROBOT = {
     "regulus": 1,
     "name": "cart",
