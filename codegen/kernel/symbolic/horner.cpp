@@ -48,7 +48,10 @@ class Nesting {
     atoms_.spend(1);
     Expression first = product(monomial(split.outer.terms().front().monomial.variables, atoms_),
                                form(split.inner));
-    return split.rest.is_zero() ? first : sum({std::move(first), form(split.rest)});
+    if (split.rest.is_zero()) return first;
+    // In a list that an exception of form() leaves half made, gcc 12 destroys what is out of scope.
+    Expression rest = form(split.rest);
+    return sum({std::move(first), std::move(rest)});
   }
 
  private:
